@@ -1,0 +1,11 @@
+# GiNaC and CLN: the imported target GiNaC::GiNaC.
+find_path(GINAC_INCLUDE_DIR ginac/ginac.h)
+find_library(GINAC_LIBRARY ginac)
+find_library(CLN_LIBRARY cln)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(GiNaC REQUIRED_VARS GINAC_LIBRARY CLN_LIBRARY GINAC_INCLUDE_DIR)
+if(GiNaC_FOUND AND NOT TARGET GiNaC::GiNaC)
+  add_library(GiNaC::GiNaC INTERFACE IMPORTED)
+  target_include_directories(GiNaC::GiNaC SYSTEM INTERFACE ${GINAC_INCLUDE_DIR})
+  target_link_libraries(GiNaC::GiNaC INTERFACE ${GINAC_LIBRARY} ${CLN_LIBRARY})
+endif()

@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// Decimal text and exact fractions, both ways.
+
+#include <optional>
+#include <plumbline/number.hpp>
+#include <string>
+#include <string_view>
+
+namespace plumbline {
+
+/// The exact value of a decimal such as "-1.25e-3" (sign, digits, point and exponent optional; nothing else,
+/// no surrounding space). Nothing for other text, or for an exponent beyond ±100000.
+std::optional<Rational> parse_decimal(std::string_view text);
+
+/// x rounded to nearest (ties away from zero) at the given number of significant digits, in plain notation
+/// for decimal exponents from -5 to `digits` and scientific notation otherwise. Exact zero is "0".
+std::string to_decimal(const Rational& x, int digits);
+
+/// x rounded to nearest (ties away from zero) at so many places behind the point, as printed tables do.
+std::string to_fixed(const Rational& x, int places);
+
+}  // namespace plumbline

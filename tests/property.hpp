@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// RapidCheck inside doctest: a property that fails prints its smallest counterexample.
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <sstream>
+#include <string>
+
+/// Checks a property (a callable, its arguments generated) and reports it as one doctest assertion.
+template <class Testable>
+void check_property(const std::string& description, Testable&& property) {
+  const rc::detail::TestMetadata metadata{description, description};
+  const auto result = rc::detail::checkTestable(std::forward<Testable>(property), metadata);
+  std::ostringstream report;
+  rc::detail::printResultMessage(result, report);
+  INFO(report.str());
+  CHECK(result.is<rc::detail::SuccessResult>());
+}

@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// A claim of the paper: what is printed, the check that judges it, the judgement.
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumbline {
+
+enum class Verdict { confirmed, refuted, imprecise, convention };
+
+/// From the strongest to the weakest.
+enum class EvidenceKind { theorem, symbolic, exact, interval, mp50, real64, sampled };
+
+struct Evidence {
+  EvidenceKind kind;
+  std::string detail;  ///< what was computed and what came out, so that a stranger can redo it
+};
+
+struct Judgement {
+  Verdict verdict;
+  std::string truth;               ///< the true statement where the printed one is not; else empty
+  std::vector<Evidence> evidence;  ///< strongest first
+  std::string value;               ///< to 50 digits where the claim is about a number; else empty
+};
+
+/// What the paper prints, as text that a check can read: formulas, decimals, counts, words.
+using Printed = std::vector<std::string>;
+
+/// Computes first, then compares with what is printed. The same check judges any altered print.
+using Check = std::function<Judgement(const Printed&)>;
+
+struct Claim {
+  std::string id;
+  std::string where;      ///< place in the paper
+  std::string statement;  ///< one line
+  Printed printed;
+  Check check;
+};
+
+std::string_view name(Verdict verdict);
+std::string_view name(EvidenceKind kind);
+
+}  // namespace plumbline
