@@ -1,5 +1,6 @@
 #include "proofs/expression.hpp"
 
+#include <algorithm>
 #include <map>
 #include <plumbline/error.hpp>
 #include <sstream>
@@ -108,8 +109,12 @@ ex series_coefficient(const ex& e, const ex& x, int power) {
 }
 
 int leading_order(const ex& e, const ex& x, int none) {
-  const ex terms = GiNaC::series_to_poly(e.series(x == 0, none)).expand();
-  return terms.is_zero() ? none : terms.ldegree(x);
+  for (int order = std::min(2, none);;
+       order = std::min(2 * order, none)) {  // long series are dear, short ones mostly do
+    const ex terms = GiNaC::series_to_poly(e.series(x == 0, order)).expand();
+    if (!terms.is_zero()) return terms.ldegree(x);
+    if (order == none) return none;
+  }
 }
 
 ex limit_at_zero(const ex& e, const ex& x) {
