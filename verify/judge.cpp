@@ -32,7 +32,9 @@ std::vector<Judged> judge(const std::vector<Claim>& claims, int digits) {
   return result;
 }
 
-std::string section_of(const Claim& claim) { return claim.where.substr(0, claim.where.find(',')); }
+std::string section_of(const Claim& claim) {
+  return claim.where.substr(0, claim.where.find(','));
+}
 
 std::vector<Claim> in_section(const std::vector<Claim>& claims, const std::string& section) {
   std::vector<Claim> result;
@@ -52,8 +54,9 @@ std::vector<Claim> with_id(const std::vector<Claim>& claims, const std::string& 
     if (claim.id == id) return {claim};
     if (claim.id.find(id) != std::string::npos) alike.push_back(claim.id);
   }
-  throw Error("--claim", id,
-              alike.empty() ? "an id that `plumbline verify` lists" : fmt::format("{}", fmt::join(alike, " or ")));
+  throw Error(
+      "--claim", id,
+      alike.empty() ? "an id that `plumbline verify` lists" : fmt::format("{}", fmt::join(alike, " or ")));
 }
 
 }  // namespace plumbline
