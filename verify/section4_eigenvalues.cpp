@@ -139,26 +139,28 @@ Judgement force_of_eigenvalue(const Printed& printed, int) {
           ""};
 }
 
-/// The mode (1, -1, -1) of the chain (1, 1, 1), (0, 1, 1) at F = 1, scaled as printed, put into (29) and
-/// (30).
+/// The mode (1, -2) of the chain L = k = (1, 1) at F = 5/2, scaled as printed, put into (29) and (30).
 Judgement scaled_mode(const Printed& printed, int) {
-  const Formulas formulas({"mu", "v1", "v2", "v3", "v4"});
-  const SymbolicChain chain{{1, 1, 1}, {0, 1, 1}};
-  const std::vector<Rational> q{1, -1, -1};
-  const Rational Fy = lateral_force(three_link_chain(), Rational(1), q);
-  GiNaC::matrix v(4, 1);
-  GiNaC::exmap values;
-  for (unsigned i = 0; i < 3; ++i) values[formulas.symbol(fmt::format("v{}", i + 1))] = i == 0 ? 1 : -1;
-  values[formulas.symbol("v4")] = formulas.parse(Fy.str());
-  for (unsigned i = 0; i < 4; ++i) v(i, 0) = formulas.parse(printed.at(i)).subs(values);
-  const GiNaC::matrix residual = matrix_A(chain).add(matrix_B(chain)).mul(v);  // F_x = 1
-  bool zero = true;
-  for (unsigned i = 0; i < 4; ++i) zero = zero && identical(residual(i, 0), 0);
-  const bool grows = !identical(v(0, 0), 0);
-  return {zero && grows ? Verdict::confirmed : Verdict::refuted,
-          zero && grows ? "" : "(q, F_y) = mu v",
-          {{EvidenceKind::symbolic, "L = (1,1,1), k = (0,1,1), v = (1,-1,-1," + Fy.str() +
-                                        "), F_x = 1: (29) and (30) hold for every mu"}},
+  const Formulas formulas({"mu", "v1", "v2", "v3"});
+  const std::vector<Rational> q{1, -2};
+  const Chain<Rational> exact({1, 1}, {1, 1});
+  const Rational F = energy_factor(exact, q);
+  const Rational Fy = lateral_force(exact, F, q);
+  const GiNaC::exmap values{{formulas.symbol("v1"), 1},
+                            {formulas.symbol("v2"), -2},
+                            {formulas.symbol("v3"), formulas.parse(Fy.str())}};
+  GiNaC::matrix v(3, 1);
+  for (unsigned i = 0; i < 3; ++i) v(i, 0) = formulas.parse(printed.at(i)).subs(values);
+  const SymbolicChain chain{{1, 1}, {1, 1}};
+  const GiNaC::matrix residual =
+      matrix_A(chain).mul_scalar(formulas.parse(F.str())).add(matrix_B(chain)).mul(v);
+  bool right = !identical(v(0, 0), 0);
+  for (unsigned i = 0; i < 3; ++i) right = right && identical(residual(i, 0), 0);
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : "(q, F_y) = mu v",
+          {{EvidenceKind::symbolic,
+            fmt::format("L = k = (1,1), v = (1,-2,{}), F_x = {}: (29) and (30) hold for every mu", Fy.str(),
+                        F.str())}},
           ""};
 }
 
@@ -349,7 +351,7 @@ std::vector<Claim> eigenvalue_claims() {
       {"eq-35-mode",
        "4.2, (35)",
        "q_j = mu v_ij, F_y = mu v_{i,n+1}",
-       {"mu*v1", "mu*v2", "mu*v3", "mu*v4"},
+       {"mu*v1", "mu*v2", "mu*v3"},
        scaled_mode},
       {"two-zeros", "4.2, after (35)", "exactly two eigenvalues are zero", {"2"}, zeros},
       {"zeros-are-straight",
