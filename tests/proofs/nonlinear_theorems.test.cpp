@@ -23,7 +23,7 @@ bool equal(const ex& a, const ex& b) {
 
 }  // namespace
 
-TEST_CASE("Bifurcation: the initial slope of two links, from the exact energy") {
+TEST_CASE("Supercritical: the initial slope of two links, from the exact energy") {
   const symbol t("t");  // theta_1
   const possymbol L1("L1"), L2("L2"), k1("k1"), k2("k2");
   // L1 sin t + L2 sin theta_2 = 0; theta_2 as a series of asin
@@ -51,7 +51,7 @@ TEST_CASE("Bifurcation: the initial slope of two links, from the exact energy") 
   CHECK(example.subs(k2 == ex(1) / 10).info(GiNaC::info_flags::negative));
 }
 
-TEST_CASE("Bifurcation: a mode of three links satisfies the expansion to third order") {
+TEST_CASE("Supercritical: a mode of three links satisfies the expansion to third order") {
   // Unit lengths on a passive base, k_2 = k_3 = 1: phi = (1, 0, -1), F_1 = 1, c = 0. The theorem says F2 =
   // 1/6; psi solves the third-order equations.
   const symbol a("a"), p("p"), q("q"), r("r"), d("d");
