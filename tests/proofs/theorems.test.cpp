@@ -311,6 +311,15 @@ TEST_CASE("Not monotone in length") {
   });
 }
 
+TEST_CASE("Prismatic joints: a yielding link lowers the force of an elastic base where a shorter link does") {
+  const Rational F(57, 10), kappa(171, 10);
+  CHECK(two_links(1, 1 - F / kappa, 8, 1) == F);
+  CHECK(two_links(1, 1, 8, 1) > F);
+  // no lower force solves it: at a lower one the link is longer, and the rigid chain's force higher
+  for (Rational lower = 0; lower < F; lower += Rational(1, 10))
+    CHECK(two_links(1, 1 - lower / kappa, 8, 1) > lower);
+}
+
 TEST_CASE("Interlacing: a joint frozen") {
   check_property("F_m <= frozen F_m <= F_{m+1}", [] {
     const auto chain = random_chain(Passive::any_one, 3, 7);
