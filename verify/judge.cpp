@@ -32,7 +32,25 @@ std::vector<Judged> judge(const std::vector<Claim>& claims, int digits) {
   return result;
 }
 
-std::string section_of(const Claim& claim) { return claim.where.substr(0, claim.where.find(',')); }
+std::vector<Judged> judge_sampled(const SampledChains& sampled, std::uint64_t seed) {
+  std::vector<Judged> result;
+  for (const SampledProperty& p : sampled.properties) {
+    const Claim claim{"sampled-" + p.name, "of random chains", p.statement, {}, {}};
+    if (p.failures > 0) {
+      result.push_back({claim, std::nullopt,
+                        fmt::format("{} of {} chains fail, the first is {}", p.failures, p.chains, p.counterexample)});
+      continue;
+    }
+    const std::string detail = fmt::format("{} chains of seed {}, none fails; at most {:.2g} of the allowance used", p.chains,
+                                           seed, p.worst_margin);
+    result.push_back({claim, Judgement{Verdict::confirmed, "", {{EvidenceKind::sampled, detail}}, ""}, ""});
+  }
+  return result;
+}
+
+std::string section_of(const Claim& claim) {
+  return claim.where.substr(0, claim.where.find(','));
+}
 
 std::vector<Claim> in_section(const std::vector<Claim>& claims, const std::string& section) {
   std::vector<Claim> result;
@@ -52,8 +70,9 @@ std::vector<Claim> with_id(const std::vector<Claim>& claims, const std::string& 
     if (claim.id == id) return {claim};
     if (claim.id.find(id) != std::string::npos) alike.push_back(claim.id);
   }
-  throw Error("--claim", id,
-              alike.empty() ? "an id that `plumbline verify` lists" : fmt::format("{}", fmt::join(alike, " or ")));
+  throw Error(
+      "--claim", id,
+      alike.empty() ? "an id that `plumbline verify` lists" : fmt::format("{}", fmt::join(alike, " or ")));
 }
 
 }  // namespace plumbline

@@ -276,6 +276,17 @@ Judgement stability(const Printed& printed, int) {
       ""};
 }
 
+Judgement force_order(const Printed& printed, int) {
+  const Rational u = energy_factor(unit_chain(), {1, -1, -1});
+  const Rational z = energy_factor(unit_chain(), {1, -3, 3});
+  return judge_word(printed.at(0),
+                    u < z   ? "lower"
+                    : u > z ? "higher"
+                            : "equal",
+                    {"lower", "higher", "equal"}, "the critical force of the U-shape is lower",
+                    {{EvidenceKind::exact, fmt::format("L = k = 1: {} against {}", u.str(), z.str())}});
+}
+
 Judgement stable_curve(const Printed& printed, int) {
   const std::vector<ex> direction{1, -2 * cos(phi()), 1};  // in absolute orientations (phi, 0, -phi)
   const ex end_x = sin(phi()) * direction[0] - sin(phi()) * direction[2];
@@ -367,6 +378,11 @@ std::vector<Claim> three_link_claims() {
        "so has Euler's column: half sine and full sine",
        {"2"},
        column_shapes},
+      {"three-link-order",
+       "4.1, after (20)",
+       "the critical force of the U-shape is lower than that of the Z-shape",
+       {"lower"},
+       force_order},
       {"three-link-stability",
        "4.1, after (20)",
        "the U-shape is stable, the Z-shape unstable",
