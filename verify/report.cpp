@@ -101,7 +101,11 @@ std::string as_table(const std::vector<Judged>& judged, bool colour) {
   for (const Judged& j : judged) {
     if (section_of(j.claim) != section) {
       section = section_of(j.claim);
-      text += (text.empty() ? "" : "\n") + bold((std::isdigit(static_cast<unsigned char>(section[0])) != 0 ? "Section " : "Properties ") + section, colour) + "\n";
+      text += (text.empty() ? "" : "\n") +
+              bold((std::isdigit(static_cast<unsigned char>(section[0])) != 0 ? "Section " : "Properties ") +
+                       section,
+                   colour) +
+              "\n";
     }
     text += line(j, colour);
   }
