@@ -158,6 +158,7 @@ Judgement table_2_row(const Printed& printed, int digits) {
   Judgement result = judge_decimals({printed.begin() + 1, printed.end()}, computed,
                                     {"lambda", "v_1", "v_2", "v_3", "v_4", "v_5"}, how);
   std::vector<std::string> values;
+  values.reserve(computed.size());
   for (const Interval& x : computed) values.push_back(certified_decimal(x, digits));
   result.value = fmt::format("{}", fmt::join(values, "; "));
   return result;
