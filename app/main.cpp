@@ -31,5 +31,6 @@ int main(int argc, char** argv) {
   app.require_subcommand(0, 1);
   app.footer("Exit status: 0 done, 1 a claim or a check failed, 2 bad input.");
   plumbline::add_critical(app);
+  plumbline::add_reference(app);
   return run(app, argc, argv);
 }

@@ -10,5 +10,6 @@
 namespace plumbline {
 
 void add_critical(CLI::App& app);
+void add_reference(CLI::App& app);
 
 }  // namespace plumbline
