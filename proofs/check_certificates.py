@@ -99,14 +99,13 @@ class Chain:
         fields(tie, "mode low high factor cofactors")
         low, high, d = number(tie["low"]), number(tie["high"]), [number(x) for x in tie["factor"]]
         ends = [sum(self.recursion(block, force)[0] for block in self.blocks) for force in (low, high)]
-        require(low < high and ends == [tie["mode"] - 1, tie["mode"] + 1], "not two modes from this on")
+        require(0 < low < high and ends == [tie["mode"] - 1, tie["mode"] + 1], "not two modes from this on")
         require(value(d, low) * value(d, high) < 0 and len(self.blocks) == len(tie["cofactors"]) == 2, "no common root")
         for block, cofactor in zip(self.blocks, tie["cofactors"]):
             e, degree, start = [number(x) for x in cofactor], block[1] - block[0], self.recursion(block, 0)[1]
-            require(len(d) + len(e) <= degree + 2 and d[0] and e[0], "degree")
+            require(len(d) + len(e) <= degree + 2, "degree")
             for x in (i / self.per_force for i in range(degree + 1)):
-                last = self.recursion(block, x)[1]
-                require(value(d, x) * value(e, x) * start == d[0] * e[0] * last, "the factor does not divide")
+                require(value(d, x) * value(e, x) * start == self.recursion(block, x)[1], "the factor does not divide")
 
     def check_matrices(self, entry, forces):
         fields(entry, "rank_A rank_B zero_algebraic zero_geometric characteristic")
@@ -127,6 +126,7 @@ def check(document):
     fields(document, "format version licence provenance certificates sha256")
     text = json.dumps({**document, "sha256": ""}, sort_keys=True, separators=(",", ":"))
     require(hashlib.sha256(text.encode()).hexdigest() == document["sha256"], "sha256: the file has been changed")
+    require(not re.search(r"[:,\[](true|false|null)[],}]", text), "true, false or null")
     fields(document["provenance"], "command program seed")
     require([document["format"], document["version"]] == ["plumbline-certificates", 1], "format or version")
     for entry in document["certificates"]:

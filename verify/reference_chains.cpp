@@ -42,17 +42,13 @@ using Rationals = std::vector<Rational>;
 
 class Collection {
  public:
-  explicit Collection(std::uint64_t seed) : seed_(seed) {}
+  Collection(ReferenceSize size, std::uint64_t seed) : full_(size == ReferenceSize::full), seed_(seed) {}
 
   void add(const std::string& name, const Rationals& length, const Rationals& stiffness) {
-    const std::size_t n = length.size();
-    chains_.push_back({name, Chain<Rational>(length, stiffness),
-                       n <= 30    ? n - 1
-                       : n <= 200 ? 5U
-                                  : 2U,
-                       n <= 12    ? n - 1
-                       : n <= 200 ? 1U
-                                  : 0U});
+    const std::size_t n = length.size(), all = n - 1;
+    const std::size_t modes = n <= 30 ? all : n <= 200 ? 5 : 2;
+    const std::size_t shapes = n <= (full_ ? 12U : 4U) ? all : full_ && n <= 200 ? 1 : 0;
+    chains_.push_back({name, Chain<Rational>(length, stiffness), modes, shapes});
   }
   /// `count` chains named family-0001 …, of `low` to `high` links, entries by `entry(draw)`; with a passive
   /// joint somewhere between `passive_from` and the end, unless that is 0.
@@ -76,6 +72,7 @@ class Collection {
   std::vector<ReferenceChain> take() { return std::move(chains_); }
 
  private:
+  bool full_;
   std::uint64_t seed_;
   std::vector<ReferenceChain> chains_;
 };
@@ -147,7 +144,7 @@ void add_tie(Collection& set, const std::string& name, int kind, const Rational&
 std::vector<ReferenceChain> reference_chains(ReferenceSize size, std::uint64_t seed) {
   const bool full = size == ReferenceSize::full;
   const auto moderate = [](Draw& draw) { return draw.decimal(-1, 1); };
-  Collection set(seed);
+  Collection set(size, seed);
   set.add("paper-two-link", {1, 1}, {0, 1});
   set.add("paper-three-link", {1, 1, 1}, {0, 1, 1});
   set.add("paper-four-link", {1, 1, 1, 1}, {1, 1, 1, 1});

@@ -13,8 +13,8 @@ namespace plumbline {
 struct ReferenceChain {
   std::string name;  ///< family, a dash, and what tells it from the others of the family
   Chain<Rational> chain;
-  std::size_t modes;   ///< the lowest so many: all up to 30 links
-  std::size_t shapes;  ///< of the lowest so many modes: all up to 12 links
+  std::size_t modes;   ///< the lowest so many
+  std::size_t shapes;  ///< of the lowest so many modes
 };
 
 enum class ReferenceSize {

@@ -90,6 +90,17 @@ json reference_json(const std::vector<ReferenceEntry>& entries, const Provenance
           {"chains", std::move(chains)}};
 }
 
+/// JSON text with the entries of one list on a line each.
+std::string line_by_line(json file, const std::string& list) {
+  std::vector<std::string> lines;
+  for (const json& entry : file[list]) lines.push_back("  " + entry.dump());
+  file[list] = json::array();
+  std::string text = file.dump(1) + "\n";
+  const std::string empty = fmt::format("\"{}\": []", list);
+  return text.replace(text.find(empty), empty.size(),
+                      fmt::format("\"{}\": [\n{}\n ]", list, fmt::join(lines, ",\n")));
+}
+
 /// The Frictionless data package descriptor: what each file is, column by column, and its digest.
 json data_package(const std::vector<NamedText>& files, const Provenance& provenance) {
   json package = json::parse(data_package_text);
@@ -128,9 +139,10 @@ std::vector<NamedText> reference_files(const std::vector<ReferenceEntry>& entrie
       {"chains.csv", chains_csv(entries)},
       {"forces.csv", forces_csv(entries)},
       {"shapes.csv", shapes_csv(entries)},
-      {"reference.json", reference_json(entries, provenance).dump(1) + "\n"},
+      {"reference.json", line_by_line(reference_json(entries, provenance), "chains")},
       {"reference.schema.json", reference_schema_text},
-      {"certificates.json", certificate_file(provenance, std::move(certificates)).dump(1) + "\n"},
+      {"certificates.json",
+       line_by_line(certificate_file(provenance, std::move(certificates)), "certificates")},
       {"certificate.schema.json", certificate_schema_text},
       {"README.md", reference_readme_text},
   };
