@@ -30,7 +30,9 @@ int main(int argc, char** argv) {
   CLI::App app("What is true of elastic serial chains under load.", "plumbline");
   app.require_subcommand(0, 1);
   app.footer("Exit status: 0 done, 1 a claim or a check failed, 2 bad input.");
+  plumbline::add_verify(app);
   plumbline::add_critical(app);
   plumbline::add_reference(app);
+  plumbline::add_check(app);
   return run(app, argc, argv);
 }
