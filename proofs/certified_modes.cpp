@@ -44,6 +44,13 @@ std::optional<std::vector<ShapeEnclosure>> enclose_shapes(const Chain<Rational>&
   return shapes;
 }
 
+/// Whether the bounds settle every digit that is asked for.
+bool round_alike(const CertifiedModes& modes) {
+  return std::all_of(modes.forces.begin(), modes.forces.end(), [&](const ForceEnclosure& force) {
+    return to_decimal(force.low, modes.digits) == to_decimal(force.high, modes.digits);
+  });
+}
+
 }  // namespace
 
 CertifiedModes certify(const Chain<Rational>& chain, std::size_t forces, std::size_t shapes, int digits) {
@@ -52,7 +59,8 @@ CertifiedModes certify(const Chain<Rational>& chain, std::size_t forces, std::si
     modes.forces = enclose_critical_forces(chain, forces, digits + spare);
     modes.ties = ties_among(chain, modes.forces);
     auto enclosed = enclose_shapes(chain, modes, shapes);
-    if (!enclosed) continue;
+    constexpr int in_vain = 40;  // a force half-way between two decimals stays there
+    if (!enclosed || (spare < in_vain && !round_alike(modes))) continue;
     modes.shapes = std::move(*enclosed);
     return modes;
   }

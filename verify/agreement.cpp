@@ -156,7 +156,7 @@ std::vector<std::string> where_to_look(const std::vector<ForceAgreement>& values
     }
     if (with == 0 || without == 0) continue;
     const double share = wrong_with / with, elsewhere = wrong_without / without;
-    if (share > 2 * elsewhere && wrong_with > 1)
+    if (share > 1.5 * elsewhere && wrong_with > 1)
       lines.emplace_back(share - elsewhere, fmt::format("{} of {} here, {} of {} elsewhere: {}", wrong_with,
                                                         with, wrong_without, without, suspicion.where));
   }
