@@ -52,12 +52,15 @@ void add_verify(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("verify", "Every claim of the paper, judged, with the evidence");
   const auto options = std::make_shared<Options>();
   verb->add_option("--section", options->section, "Only the claims of one section, such as 4.1")->type_name("S");
-  verb->add_option("--claim", options->claim, "Everything about one claim")->type_name("ID");
+  verb->add_option("--claim", options->claim, "Everything about one claim")
+      ->type_name("ID")
+      ->excludes("--section");
   verb->add_option("--precision", options->precision, "Significant digits of the values")
       ->capture_default_str()
       ->check(CLI::Range(1, 50));
   verb->add_option("--chains", options->chains, "Check what is proved of every chain on so many random ones as well")
-      ->type_name("N");
+      ->type_name("N")
+      ->excludes("--claim");
   verb->add_option("--seed", options->seed, "Which random chains")->capture_default_str();
   verb->add_option("--json", options->json, "Write the claims as JSON (without FILE: to standard output)")
       ->type_name("[FILE]")

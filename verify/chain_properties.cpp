@@ -23,16 +23,25 @@ Rational exactly(const Mpfr50& x) {
   return result;
 }
 
-/// Whether `relation` holds between the exact counts below F of the two chains, left and right of every
-/// critical force of the sample.
+/// Whether `relation` holds between the exact counts below F of the sample and of each other chain, left and
+/// right of every critical force of the sample.
 template <class Relation>
-bool counts_compare(const Sample& s, const Chain<Rational>& other, Relation relation) {
+Margin counts_compare(const Sample& s, const std::vector<Chain<Rational>>& others, Relation relation) {
   for (const std::vector<Rational>* forces : {&s.below, &s.above}) {
     for (const Rational& force : *forces) {
-      if (!relation(count_below(s.exact, force), count_below(other, force))) return false;
+      const std::size_t count = count_below(s.exact, force);
+      const auto related = [&](const Chain<Rational>& other) {
+        return relation(count, count_below(other, force));
+      };
+      if (!std::all_of(others.begin(), others.end(), related)) return infinity;
     }
   }
-  return true;
+  return 0;
+}
+
+/// The relation of two sets of forces of which the other is the higher one, by at most one place.
+bool one_or_none_passed(std::size_t count, std::size_t other) {
+  return other <= count && count <= other + 1;
 }
 
 /// det A = 0 is a single rank lost, but the eigenvalue zero counts twice: a Jordan block of size two.
@@ -159,32 +168,28 @@ Margin sum_of_inverses(const Sample& s) {
 
 /// A stiffer joint adds a matrix of rank one to K: no force falls, and none passes the next one.
 Margin stiffer_joint(const Sample& s) {
+  std::vector<Chain<Rational>> others;
   for (std::size_t j = 0; j < s.exact.size(); ++j) {
     std::vector<Rational> stiffness = s.exact.stiffness();
     stiffness[j] = 3 * stiffness[j] + 1;
-    const Chain<Rational> stiffer(s.exact.length(), stiffness);
-    if (!counts_compare(s, stiffer,
-                        [](auto before, auto after) { return after <= before && before <= after + 1; }))
-      return infinity;
+    others.emplace_back(s.exact.length(), stiffness);
   }
-  return 0;
+  return counts_compare(s, others, one_or_none_passed);
 }
 
 /// A frozen joint adds the constraint q_j = 0. A chain whose joint 1 is frozen starts at joint 2.
 Margin frozen_joint(const Sample& s) {
   if (s.exact.size() == 2) return std::nullopt;
+  std::vector<Chain<Rational>> others;
   for (std::size_t j = 0; j < s.exact.size(); ++j) {
     std::vector<Rational> length = s.exact.length(), stiffness = s.exact.stiffness();
     const auto at = static_cast<std::ptrdiff_t>(j);
     if (j > 0) length[j - 1] += length[j];
     length.erase(length.begin() + at);
     stiffness.erase(stiffness.begin() + at);
-    const Chain<Rational> frozen(length, stiffness);
-    if (!counts_compare(s, frozen,
-                        [](auto before, auto after) { return after <= before && before <= after + 1; }))
-      return infinity;
+    others.emplace_back(length, stiffness);
   }
-  return 0;
+  return counts_compare(s, others, one_or_none_passed);
 }
 
 /// Without a spring at the base, energy, shortening and constraint are the same read from the other end.
@@ -193,23 +198,35 @@ Margin reversal(const Sample& s) {
   std::vector<Rational> length = s.exact.length(), stiffness = s.exact.stiffness();
   std::reverse(length.begin(), length.end());
   std::reverse(stiffness.begin() + 1, stiffness.end());
-  return holds(counts_compare(s, Chain<Rational>(length, stiffness), std::equal_to<>()));
+  return counts_compare(s, {Chain<Rational>(length, stiffness)}, std::equal_to<>());
 }
 
-/// Without a spring at the base, F_i is a min-max of sum k_j (theta_j - theta_{j-1})^2 over
-/// min_c sum L_j (theta_j - c)^2, which grows with every length. An elastic base breaks it: n = 2, k_2 = 0.
+/// On a passive base for every link, on an elastic one for the first: theorem "Not monotone in length".
 Margin longer_link(const Sample& s) {
-  if (s.exact.stiffness()[0] != 0) return std::nullopt;
-  for (std::size_t j = 0; j < s.exact.size(); ++j) {
+  std::vector<Chain<Rational>> others;
+  const std::size_t links = s.exact.stiffness()[0] == 0 ? s.exact.size() : 1;
+  for (std::size_t j = 0; j < links; ++j) {
     std::vector<Rational> length = s.exact.length();
     length[j] *= Rational(3, 2);
-    if (!counts_compare(s, Chain<Rational>(length, s.exact.stiffness()), std::less_equal<>()))
-      return infinity;
+    others.emplace_back(length, s.exact.stiffness());
   }
-  return 0;
+  return counts_compare(s, others, std::less_equal<>());
 }
 
-constexpr std::array<ChainProperty, 12> properties{{
+/// The last link cut off, with its joint. On an elastic base this may lower the forces, but no further.
+Margin cut_link(const Sample& s) {
+  if (s.exact.size() == 2) return std::nullopt;
+  const auto all_but_last = [](const std::vector<Rational>& values) {
+    return std::vector<Rational>(values.begin(), values.end() - 1);
+  };
+  const Chain<Rational> cut(all_but_last(s.exact.length()), all_but_last(s.exact.stiffness()));
+  if (s.exact.stiffness()[0] == 0) return counts_compare(s, {cut}, one_or_none_passed);
+  return counts_compare(s, {cut}, [](std::size_t count, std::size_t other) {
+    return other <= count + 1 && count <= other + 1;
+  });
+}
+
+constexpr std::array<ChainProperty, 13> properties{{
     {"zero eigenvalues", "B^-1 A has the eigenvalue 0 exactly twice, in one Jordan block",
      &two_zero_eigenvalues},
     {"forces",
@@ -224,7 +241,8 @@ constexpr std::array<ChainProperty, 12> properties{{
     {"stiffer joint", "no force falls, and none passes the next one", &stiffer_joint},
     {"frozen joint", "the forces interlace with those of the chain with one joint frozen", &frozen_joint},
     {"reversal", "passive base: the reversed chain has the same forces", &reversal},
-    {"longer link", "passive base: no force rises with a length", &longer_link},
+    {"longer link", "no force rises with L_1, or on a passive base with any length", &longer_link},
+    {"cut link", "the forces interlace with those without the last link", &cut_link},
 }};
 
 }  // namespace

@@ -28,31 +28,42 @@ std::size_t length(const std::string& text) {
   return count;
 }
 
-/// The text in so many columns: filled up with spaces, or cut with an ellipsis.
-std::string fitted(const std::string& text, std::size_t columns) {
-  if (length(text) <= columns) return text + std::string(columns - length(text), ' ');
+/// The first so many characters of UTF-8 text.
+std::string first(const std::string& text, std::size_t characters) {
   std::string cut;
   std::size_t count = 0;
   for (const char c : text) {
-    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U && ++count > columns - 1) break;
+    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U && ++count > characters) break;
     cut += c;
   }
-  return cut + "…";
+  return cut;
 }
 
-/// Words in lines of at most `width` columns, each line indented.
+/// The text in so many columns: filled up with spaces, or cut with an ellipsis.
+std::string fitted(const std::string& text, std::size_t columns) {
+  if (length(text) <= columns) return text + std::string(columns - length(text), ' ');
+  return first(text, columns - 1) + "…";
+}
+
+/// Words in lines of at most `width` columns, each line indented; a longer word is broken.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::string result;
   std::string line(indent, ' ');
+  const auto finish_line = [&] {
+    result += line + "\n";
+    line = std::string(indent, ' ');
+  };
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    const bool first = line.size() == indent;
-    if (!first && length(line) + 1 + length(word) > width) {
-      result += line + "\n";
-      line = std::string(indent, ' ') + word;
-    } else {
-      line += (first ? "" : " ") + word;
+    if (line.size() > indent && length(line) + 1 + length(word) > width) finish_line();
+    if (line.size() > indent) line += ' ';
+    while (length(line) + length(word) > width) {
+      const std::string part = first(word, width - length(line));
+      line += part;
+      word.erase(0, part.size());
+      finish_line();
     }
+    line += word;
   }
   return result + line + "\n";
 }
@@ -101,7 +112,11 @@ std::string as_table(const std::vector<Judged>& judged, bool colour) {
   for (const Judged& j : judged) {
     if (section_of(j.claim) != section) {
       section = section_of(j.claim);
-      text += (text.empty() ? "" : "\n") + bold((std::isdigit(static_cast<unsigned char>(section[0])) != 0 ? "Section " : "Properties ") + section, colour) + "\n";
+      text += (text.empty() ? "" : "\n") +
+              bold((std::isdigit(static_cast<unsigned char>(section[0])) != 0 ? "Section " : "Properties ") +
+                       section,
+                   colour) +
+              "\n";
     }
     text += line(j, colour);
   }

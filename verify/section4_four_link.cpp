@@ -14,13 +14,10 @@
 #include "proofs/exact_chain.hpp"
 #include "verify/claims.hpp"
 #include "verify/judging.hpp"
+#include "verify/section4_chains.hpp"
 
 namespace plumbline {
 namespace {
-
-Chain<Rational> unit_chain() {
-  return Chain<Rational>({1, 1, 1, 1}, {1, 1, 1, 1});
-}
 
 /// A mode whose every number is certified; (q, F_y) has norm 1 and q_1 > 0.
 struct CertifiedMode {
@@ -51,8 +48,8 @@ CertifiedMode certified_mode(const Chain<Interval>& chain, const Interval& F) {
 const std::vector<CertifiedMode>& modes() {
   static const std::vector<CertifiedMode> instance = [] {
     std::vector<CertifiedMode> result;
-    const Chain<Interval> chain = from_rational<Interval>(unit_chain());
-    for (const ForceEnclosure& F : enclose_critical_forces(unit_chain(), 3, 60)) {
+    const Chain<Interval> chain = from_rational<Interval>(four_link_chain());
+    for (const ForceEnclosure& F : enclose_critical_forces(four_link_chain(), 3, 60)) {
       result.push_back(certified_mode(chain, hull(Interval(F.low), Interval(F.high))));
     }
     return result;
@@ -86,8 +83,8 @@ Judgement matrices(const Printed& printed, int) {
   const Formulas none({});
   std::vector<GiNaC::ex> computed;
   std::vector<std::string> names;
-  const Matrix<Rational> S1 = matrix_S1(unit_chain());
-  const Vector<Rational> S0 = matrix_S0(unit_chain());
+  const Matrix<Rational> S1 = matrix_S1(four_link_chain());
+  const Vector<Rational> S0 = matrix_S0(four_link_chain());
   for (Eigen::Index i = 0; i < 4; ++i) {
     for (Eigen::Index j = 0; j < 4; ++j) {
       computed.push_back(none.parse(S1(i, j).str()));
@@ -105,7 +102,7 @@ Judgement matrices(const Printed& printed, int) {
 
 Judgement polynomial(const Printed& printed, int) {
   const Formulas none({});
-  const Polynomial chi = characteristic_polynomial(unit_chain());
+  const Polynomial chi = characteristic_polynomial(four_link_chain());
   std::vector<GiNaC::ex> computed;
   std::vector<std::string> names;
   for (std::size_t i = 6; i-- > 0;) {
@@ -118,7 +115,7 @@ Judgement polynomial(const Printed& printed, int) {
 }
 
 Judgement nonzero_roots(const Printed& printed, int) {
-  const Polynomial chi = characteristic_polynomial(unit_chain());
+  const Polynomial chi = characteristic_polynomial(four_link_chain());
   const std::size_t nonzero = distinct_negative_roots(chi) + distinct_positive_roots(chi);
   const auto listed_zeros =
       static_cast<std::size_t>(std::count(printed.begin() + 1, printed.end(), std::string("0")));
@@ -300,7 +297,7 @@ Judgement stable_count(const Printed& printed, int) {
 }
 
 Judgement shapes_total(const Printed& printed, int) {
-  const std::size_t count = 2 * distinct_critical_forces(unit_chain());
+  const std::size_t count = 2 * distinct_critical_forces(four_link_chain());
   return judge_word(printed.at(0), std::to_string(count), {"3", "4", "6", "8"},
                     fmt::format("{} shapes", count),
                     {{EvidenceKind::exact, "two for each distinct root of det(A F + B), n = 4"}});

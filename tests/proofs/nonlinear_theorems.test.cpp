@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <plumbline/buckling_mode.hpp>
+
 #include "proofs/symbolic_chain.hpp"
 
 using namespace plumbline;
@@ -21,9 +23,35 @@ bool equal(const ex& a, const ex& b) {
   return (a - b).normal().expand().is_zero();
 }
 
+/// F^(2) of theorem "Supercritical" for the mode as it is scaled.
+double initial_curvature(const Chain<double>& chain, const Mode<double>& mode) {
+  double phi = 0, square = 0, cube = 0, fourth = 0;
+  for (std::size_t j = 0; j < chain.size(); ++j) {
+    phi += mode.q[j];
+    square += chain.length()[j] * phi * phi;
+    cube += chain.length()[j] * phi * phi * phi;
+    fourth += chain.length()[j] * phi * phi * phi * phi;
+  }
+  const double c = chain.stiffness()[0] * mode.q[0] / distance_to_end(chain)[0];
+  return (mode.force * fourth / 6 + 2 * c * cube / 3) / square;
+}
+
 }  // namespace
 
-TEST_CASE("Bifurcation: the initial slope of two links, from the exact energy") {
+TEST_CASE("Supercritical: all modes of equal links with equal stiffnesses, n = 2 to 100, in double") {
+  for (std::size_t n = 2; n <= 100; ++n) {
+    const Chain<double> chain(std::vector<double>(n, 1), std::vector<double>(n, 1));
+    bool positive = true;
+    for (const auto& mode : critical_modes(chain, n))
+      positive = positive && initial_curvature(chain, mode) > 0;
+    CAPTURE(n);
+    CHECK(positive);
+  }
+  const Chain<double> falling({2, 1}, {1, 0.1});
+  CHECK(initial_curvature(falling, critical_modes(falling, 1)[0]) < 0);
+}
+
+TEST_CASE("Supercritical: the initial slope of two links, from the exact energy") {
   const symbol t("t");  // theta_1
   const possymbol L1("L1"), L2("L2"), k1("k1"), k2("k2");
   // L1 sin t + L2 sin theta_2 = 0; theta_2 as a series of asin
@@ -51,7 +79,7 @@ TEST_CASE("Bifurcation: the initial slope of two links, from the exact energy") 
   CHECK(example.subs(k2 == ex(1) / 10).info(GiNaC::info_flags::negative));
 }
 
-TEST_CASE("Bifurcation: a mode of three links satisfies the expansion to third order") {
+TEST_CASE("Supercritical: a mode of three links satisfies the expansion to third order") {
   // Unit lengths on a passive base, k_2 = k_3 = 1: phi = (1, 0, -1), F_1 = 1, c = 0. The theorem says F2 =
   // 1/6; psi solves the third-order equations.
   const symbol a("a"), p("p"), q("q"), r("r"), d("d");

@@ -68,12 +68,9 @@ TEST_CASE("every property fails where it should") {
   }
 }
 
-TEST_CASE("reversal and monotonicity in length are claimed for a passive base only") {
-  const Sample passive(Chain<double>({1, 2, 1}, {0, 1, 3})), elastic(Chain<double>({1, 2, 1}, {1, 1, 3}));
-  for (const char* property : {"reversal", "longer link"}) {
-    CHECK(margin(property, passive) == Margin(0));
-    CHECK(!margin(property, elastic));
-  }
+TEST_CASE("reversal is claimed for a passive base only") {
+  CHECK(margin("reversal", Sample(Chain<double>({1, 2, 1}, {0, 1, 3}))) == Margin(0));
+  CHECK(!margin("reversal", Sample(Chain<double>({1, 2, 1}, {1, 1, 3}))));
 }
 
 TEST_CASE("with an elastic base reversal and monotonicity in length are not true") {

@@ -13,9 +13,13 @@ using namespace plumbline;
 
 namespace {
 
-Verdict verdict_on(const Claim& claim, const Printed& printed) { return claim.check(printed, 10).verdict; }
+Verdict verdict_on(const Claim& claim, const Printed& printed) {
+  return claim.check(printed, 10).verdict;
+}
 
-Claim find(const std::string& id) { return with_id(all_claims(), id).front(); }
+Claim find(const std::string& id) {
+  return with_id(all_claims(), id).front();
+}
 
 }  // namespace
 
@@ -28,7 +32,8 @@ TEST_CASE("ids are unique, and every claim says where it stands") {
   }
 }
 
-TEST_CASE("every claim can be judged, with evidence, the strongest first, and a truth where the print is not") {
+TEST_CASE(
+    "every claim can be judged, with evidence, the strongest first, and a truth where the print is not") {
   for (const Judged& judged : judge(all_claims(), 50)) {
     INFO(judged.claim.id, ": ", judged.problem);
     REQUIRE(judged.judgement);
@@ -53,7 +58,8 @@ TEST_CASE("every claim has an altered print that its check refutes") {
 TEST_CASE("the true statement is confirmed by the check that refutes the printed one") {
   const auto corrected = corrected_claims();
   for (const Claim& claim : all_claims()) {
-    if (verdict_on(claim, claim.printed) == Verdict::refuted) CHECK_MESSAGE(corrected.contains(claim.id), claim.id);
+    if (verdict_on(claim, claim.printed) == Verdict::refuted)
+      CHECK_MESSAGE(corrected.contains(claim.id), claim.id);
   }
   for (const auto& [id, printed] : corrected) {
     const Claim claim = find(id);

@@ -16,7 +16,8 @@ TEST_CASE("printed decimals: rounded right, a little off, wrong") {
   CHECK(judge_decimals({"0.34"}, {third}, {"x"}, "").verdict == Verdict::refuted);
   CHECK(judge_decimals({"-0.3333"}, {third}, {"x"}, "").verdict == Verdict::refuted);
   // wider than the rounding: no verdict
-  CHECK_THROWS_AS(judge_decimals({"0.3333"}, {Interval(Interval::End("0.3"), Interval::End("0.4"))}, {"x"}, ""), Error);
+  CHECK_THROWS_AS(
+      judge_decimals({"0.3333"}, {Interval(Interval::End("0.3"), Interval::End("0.4"))}, {"x"}, ""), Error);
 }
 
 TEST_CASE("a printed fraction may mean that all behind the slash is the denominator") {
@@ -44,10 +45,15 @@ TEST_CASE("certain signs and isolated zeros") {
 }
 
 TEST_CASE("the table fits 80 columns") {
-  const Claim claim{"an-id-that-is-far-too-long-for-its-column", "4.2, (1)", std::string(200, 'x'), {""},
+  const Claim claim{"an-id-that-is-far-too-long-for-its-column",
+                    "4.2, (1)",
+                    std::string(200, 'x'),
+                    {""},
                     [](const Printed&, int) {
-                      return Judgement{Verdict::refuted, std::string(60, 'y') + " " + std::string(60, 'z'),
-                                       {{EvidenceKind::theorem, ""}}, ""};
+                      return Judgement{Verdict::refuted,
+                                       std::string(60, 'y') + " " + std::string(60, 'z'),
+                                       {{EvidenceKind::theorem, ""}},
+                                       ""};
                     }};
   std::istringstream lines(as_table(judge({claim}, 10), false));
   for (std::string line; std::getline(lines, line);) {
