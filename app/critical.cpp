@@ -68,9 +68,9 @@ Results compute(ChainTable& table, const Options& options) {
       results.chains.push_back(
           {entry.name, entry.chain, modes_in_decimals(entry.chain, wanted(options), options.digits)});
       if (!options.certify.empty()) {
-        results.certificates.push_back(
-            certificate(entry.name, entry.chain,
-                        {.lowest = wanted(options), .digits = options.digits, .shapes = options.digits > 1}));
+        const std::size_t shapes = options.digits > 1 ? wanted(options) : 0;
+        results.certificates.push_back(certificate(
+            entry.name, entry.chain, certify(entry.chain, wanted(options), shapes, options.digits)));
       }
     } catch (const Error& error) {
       table.errors.push_back(entry.place + ": " + error.what());

@@ -10,6 +10,8 @@
 namespace plumbline {
 
 void add_critical(CLI::App& app);
+void add_check(CLI::App& app);
+void add_reference(CLI::App& app);
 void add_verify(CLI::App& app);
 
 }  // namespace plumbline
