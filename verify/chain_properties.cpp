@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <plumbline/algorithm1.hpp>
 #include <plumbline/critical_force.hpp>
+
+#include "verify/algorithm1_instances.hpp"
 
 namespace plumbline {
 namespace {

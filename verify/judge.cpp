@@ -50,9 +50,11 @@ std::vector<Judged> judge_sampled(const SampledChains& sampled, std::uint64_t se
                     p.worst_margin);
     result.push_back({claim, Judgement{Verdict::confirmed, "", {{EvidenceKind::sampled, detail}}, ""}, ""});
   }
-  const Claim digits{"sampled-digits", "of random chains", "the digits that Algorithm 1 in double gets right", {}, {}};
+  const Claim digits{
+      "sampled-digits", "of random chains", "the digits that Algorithm 1 in double gets right", {}, {}};
   result.push_back(
-      {digits, Judgement{Verdict::confirmed, "", {{EvidenceKind::sampled, summary(sampled.agreement)}}, ""}, ""});
+      {digits, Judgement{Verdict::confirmed, "", {{EvidenceKind::sampled, summary(sampled.agreement)}}, ""},
+       ""});
   return result;
 }
 

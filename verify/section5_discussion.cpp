@@ -99,7 +99,8 @@ Judgement prismatic(const Printed& printed, int) {
       printed.at(0), word, {"changed", "unchanged"},
       "axial compliance changes the critical force by a relative amount of first order in F/(kappa L): it "
       "solves F = F_c(L_j - F/kappa_j); two links on a passive base buckle where F (L - F/kappa) = 2k, above "
-      "the rigid chain's 2k/L, and not at all when kappa < 8k/L^2; on an elastic base the force can also fall",
+      "the rigid chain's 2k/L, and not at all when kappa < 8k/L^2; on an elastic base the force can also "
+      "fall",
       {{EvidenceKind::theorem,
         "Prismatic joints: at the straight shape axial and angular variations do not couple, "
         "and the links are shorter by F/kappa_j"},
