@@ -1,0 +1,70 @@
+#include <plumbline/interval.hpp>
+
+#include "tests/property.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+Interval around(long centre, long radius) {
+  return hull(Interval(Rational(centre - radius, 1000)), Interval(Rational(centre + radius, 1000)));
+}
+
+Rational inside(long centre, long radius, long part) {
+  return {centre * 16 + radius * part, 16000};
+}
+
+}  // namespace
+
+TEST_CASE("the result of an operation contains every value that its arguments allow") {
+  check_property("enclosure", [] {
+    const auto a = *rc::gen::inRange(-5000L, 5000L);
+    const auto b = *rc::gen::inRange(-5000L, 5000L);
+    const auto ra = *rc::gen::inRange(0L, 500L);
+    const auto rb = *rc::gen::inRange(0L, 500L);
+    const Rational x = inside(a, ra, *rc::gen::inRange(-16L, 17L));
+    const Rational y = inside(b, rb, *rc::gen::inRange(-16L, 17L));
+    const Interval X = around(a, ra);
+    const Interval Y = around(b, rb);
+    RC_ASSERT(X.contains(x));
+    RC_ASSERT((X + Y).contains(x + y));
+    RC_ASSERT((X - Y).contains(x - y));
+    RC_ASSERT((X * Y).contains(x * y));
+    RC_ASSERT((-X).contains(-x));
+    RC_ASSERT(sqr(X).contains(x * x));
+    RC_ASSERT(!certainly_negative(sqr(X)));
+    if (!Y.contains_zero()) RC_ASSERT((X / Y).contains(x / y));
+    if (certainly_less(X, Y)) RC_ASSERT(x < y);
+    // sin^2 + cos^2 = 1 whatever the width
+    RC_ASSERT((sqr(sin(X)) + sqr(cos(X))).contains(1));
+  });
+}
+
+TEST_CASE("a decimal is enclosed, not rounded") {
+  const Interval tenth(Rational(1, 10));
+  CHECK(tenth.contains(Rational(1, 10)));
+  CHECK(tenth.width() > 0);
+  CHECK(tenth.width() < Interval::End("1e-63"));
+  CHECK_FALSE(Interval::from_double(0.1).contains(Rational(1, 10)));
+}
+
+TEST_CASE("what is not certain is not said") {
+  const Interval zero_to_one = hull(Interval(0), Interval(1));
+  CHECK_FALSE(certainly_positive(zero_to_one));
+  CHECK_FALSE(certainly_negative(zero_to_one));
+  CHECK_FALSE(certainly_less(zero_to_one, Interval(1)));
+  CHECK(certainly_less(zero_to_one, Interval(2)));
+  CHECK_FALSE(intersection(zero_to_one, Interval(2)));
+  CHECK(intersection(zero_to_one, hull(Interval(1), Interval(3)))->contains(1));
+}
+
+TEST_CASE("outside its domain a function refuses") {
+  CHECK_THROWS_AS(sqrt(hull(Interval(-1), Interval(1))), Error);
+  CHECK_THROWS_AS(Interval(Interval::End(2), Interval::End(1)), Error);
+  CHECK(sqrt(Interval(2)).contains(Rational(1)) == false);
+  CHECK(sqr(sqrt(Interval(2))).contains(2));
+}
+
+TEST_CASE("text rounds outwards") {
+  CHECK(Interval(Rational(1, 3)).text(3) == "[0.333, 0.334]");
+}
