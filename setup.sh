@@ -16,6 +16,10 @@ packages=(
   doctest-dev librapidcheck-dev python3-jsonschema
 )
 
+# what the benchmarks compare with: ./setup.sh --bench
+peers=(liblapack-dev libopenblas-dev libspectra-dev)
+[ "${1:-}" != --bench ] || packages+=("${peers[@]}")
+
 missing=()
 for package in "${packages[@]}"; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")

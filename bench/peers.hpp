@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// Other ways to critical forces: LAPACK and Spectra on the string's form of the problem, which this project
+/// found (bead_string.hpp), and general solvers on the paper's form.
+
+#include <plumbline/bead_string.hpp>
+#include <vector>
+
+namespace plumbline::bench {
+
+using Forces = std::vector<double>;
+
+/// The symmetric tridiagonal matrix M^-1/2 K M^-1/2 of a string.
+struct Tridiagonal {
+  std::vector<double> diagonal, beside;
+};
+Tridiagonal tridiagonal(const StringPiece<double>& string);
+
+// lapack.cpp: lowest force, each from a chain without interior passive joint
+Forces dpttrf_inverse_iteration(const Chain<double>& chain);
+Forces dstebz_lowest(const Chain<double>& chain);
+Forces dsbgvx_lowest(const Chain<double>& chain);
+// lapack.cpp: all forces
+Forces dlasq1_all(const Chain<double>& chain);
+Forces dstebz_all(const Chain<double>& chain);
+Forces dsygv_all(const Chain<double>& chain);
+Forces dggev_all(const Chain<double>& chain);  ///< of the pencil (33)
+
+// algorithm1_peers.cpp
+Forces spectra_lowest(const Chain<double>& chain);               ///< shift and invert about 0
+Forces eigen_self_adjoint_all(const Chain<double>& chain);       ///< generalised, on (K, M)
+Forces eigen_algorithm1_all(const Chain<double>& chain);         ///< eigenvalues only
+Forces eigen_algorithm1_four_links(const Chain<double>& chain);  ///< the same with matrices of fixed size
+Mpfr50 eigen_algorithm1_lowest(const Chain<Mpfr50>& chain);      ///< eigenvalues only
+
+}  // namespace plumbline::bench
