@@ -49,7 +49,9 @@ std::optional<Rational> parse_decimal(std::string_view text) {
   if (digits.empty()) return std::nullopt;
   if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
     ++at;
-    if (at < text.size() && text[at] == '+') ++at;
+    const bool plus = at < text.size() && text[at] == '+';
+    if (plus) ++at;
+    if (plus && (at == text.size() || !is_digit(text[at]))) return std::nullopt;
     int power = 0;
     const auto [end, error] = std::from_chars(text.data() + at, text.data() + text.size(), power);
     if (error != std::errc() || power > 100000 || power < -100000) return std::nullopt;
