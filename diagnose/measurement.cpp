@@ -56,6 +56,22 @@ double Channel::of(const Reading& reading) const {
   return reading.q[joint];
 }
 
+Eigen::Index Channel::column() const {
+  switch (name) {
+    case Name::x:
+      return column_x;
+    case Name::y:
+      return column_y;
+    case Name::Fx:
+      return column_Fx;
+    case Name::Fy:
+      return column_Fy;
+    case Name::q:
+      break;
+  }
+  return column_q + static_cast<Eigen::Index>(joint);
+}
+
 double Channel::sigma(const Noise& noise) const {
   switch (name) {
     case Name::x:
@@ -86,15 +102,25 @@ Measurements::Measurements(const Experiment& experiment) {
   }
 }
 
-std::vector<double> Measurements::residual(const Experiment& experiment,
-                                           const std::vector<std::vector<Reading>>& predicted) const {
+std::vector<double> Measurements::residual(const Experiment& experiment, const Prediction& predicted) const {
+  std::vector<double> values = in_sigmas(predicted.runs);
+  for (const Series& series : series_) {
+    const std::vector<Reading>& measured = experiment.runs[series.run].readings;
+    for (std::size_t i = 0; i < series.readings.size(); ++i) {
+      double& value = values[series.first + i];
+      value = series.channel.of(measured[series.readings[i]]) / series.sigma - value;
+    }
+  }
+  return values;
+}
+
+std::vector<double> Measurements::in_sigmas(const std::vector<Trace>& traces) const {
   std::vector<double> values;
   values.reserve(size_);
   for (const Series& series : series_) {
-    const std::vector<Reading>& measured = experiment.runs[series.run].readings;
+    const auto column = traces[series.run].col(series.channel.column());
     for (const std::size_t i : series.readings)
-      values.push_back((series.channel.of(measured[i]) - series.channel.of(predicted[series.run][i])) /
-                       series.sigma);
+      values.push_back(column(static_cast<Eigen::Index>(i)) / series.sigma);
   }
   return values;
 }

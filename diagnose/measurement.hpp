@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/experiment.hpp"
+#include "diagnose/forward_model.hpp"
 
 namespace plumbline {
 
@@ -22,6 +22,7 @@ struct Channel {
   [[nodiscard]] Sensor sensor() const;
   [[nodiscard]] std::string label() const;  ///< "Fx", or "q3" (1-based)
   [[nodiscard]] double of(const Reading& reading) const;
+  [[nodiscard]] Eigen::Index column() const;  ///< in a predicted trace
   [[nodiscard]] double sigma(const Noise& noise) const;
 };
 
@@ -44,9 +45,10 @@ class Measurements {
   [[nodiscard]] std::size_t size() const { return size_; }
 
   /// (measured - predicted) / declared sigma, flat.
-  /// \param predicted  one list of readings per run, as many as were taken
-  [[nodiscard]] std::vector<double> residual(const Experiment& experiment,
-                                             const std::vector<std::vector<Reading>>& predicted) const;
+  [[nodiscard]] std::vector<double> residual(const Experiment& experiment, const Prediction& predicted) const;
+
+  /// What the traces (one a run) hold at the measured values, over the declared sigma, flat.
+  [[nodiscard]] std::vector<double> in_sigmas(const std::vector<Trace>& traces) const;
 
  private:
   std::vector<Series> series_;

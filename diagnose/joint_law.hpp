@@ -1,0 +1,60 @@
+#pragma once
+/// \file
+/// What one joint answers to a deflection: spring, play, stop, dry friction and Maxwell arm side by side.
+
+#include <cmath>
+
+namespace plumbline {
+
+/// A torque and its derivative with respect to the joint angle.
+struct Torque {
+  double value = 0, slope = 0;
+};
+
+/// What a joint remembers of its history, at the last reading.
+struct JointMemory {
+  double angle = 0;     ///< q
+  double friction = 0;  ///< torque that the dry friction carries
+  double arm = 0;       ///< torque that the Maxwell arm carries
+};
+
+/// One joint's parameters. `rest` includes the rest error.
+struct JointLaw {
+  double stiffness, rest, backlash, stop, stop_stiffness, hardening, friction, arm_stiffness;
+
+  /// A sticking contact is a spring this much stiffer than the joint's own: as good as rigid (it yields the
+  /// slip torque after 1e-5 of the deflection that the spring needs for it) and still solved to ten digits.
+  static constexpr double sticking = 1e5;
+
+  /// Spring with play, hardening and stop: what does not depend on history.
+  [[nodiscard]] Torque elastic(double angle) const {
+    const double d = angle - rest;
+    const double size = std::abs(d);
+    Torque torque;
+    if (const double e = std::copysign(size - backlash, d); size > backlash) {
+      torque = {stiffness * e * (1 + hardening * e * e), stiffness * (1 + 3 * hardening * e * e)};
+    }
+    if (size > stop) {
+      torque.value += stop_stiffness * std::copysign(size - stop, d);
+      torque.slope += stop_stiffness;
+    }
+    return torque;
+  }
+
+  /// Coulomb friction by return mapping: the contact carries what sticking asks for, up to the slip torque.
+  [[nodiscard]] Torque dry(double angle, const JointMemory& last) const {
+    if (friction <= 0 || stiffness <= 0) return {};
+    const double trial = last.friction + sticking * stiffness * (angle - last.angle);
+    if (std::abs(trial) <= friction) return {trial, sticking * stiffness};
+    return {std::copysign(friction, trial), 0};
+  }
+
+  /// The Maxwell arm after an interval in which the joint turned at a steady rate: exact.
+  /// \param decay  exp(-dt/tau)
+  /// \param gain   (1 - exp(-dt/tau)) tau/dt
+  [[nodiscard]] Torque viscous(double angle, const JointMemory& last, double decay, double gain) const {
+    return {decay * last.arm + arm_stiffness * gain * (angle - last.angle), arm_stiffness * gain};
+  }
+};
+
+}  // namespace plumbline
