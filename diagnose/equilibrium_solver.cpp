@@ -9,7 +9,7 @@ namespace {
 constexpr double largest_turn = 0.3;     // rad: longest Newton step
 constexpr double nearby = 0.6;           // rad: a joint that turned further between readings has snapped
 constexpr double angle_accuracy = 1e-7;  // rad: a Newton step this short leaves an error of its square
-constexpr int newton_limit = 12;
+constexpr int newton_limit = 20;
 constexpr int descent_limit = 400;
 
 Imposed between(const Imposed& from, const Imposed& to, double share) {
@@ -34,7 +34,7 @@ bool EquilibriumSolver::factorise(const RunRig& run, Control control, double dam
     matrix(i, i) += i + 1 < layout.nodes() ? 2 * damping : damping;
     if (i > 0) matrix(i, i - 1) -= damping;
   }
-  const std::size_t negative = matrix.factorise(1e-12 * largest_stiffness(run));
+  const std::size_t negative = matrix.factorise(1e-6 * largest_stiffness(run));
   if (control == Control::force) return negative == 0;
   column_x_ = equations_.by_force_x;
   column_y_ = equations_.by_force_y;
@@ -80,6 +80,20 @@ void EquilibriumSolver::apply(double share, Posture& posture) const {
   posture.force += share * force_step_;
 }
 
+bool EquilibriumSolver::settle_contacts(const RunRig& run, const Interval& interval,
+                                        const std::vector<JointMemory>& memory, Posture& posture) const {
+  if (interval.relaxed || !equations_.layout.dry) return false;
+  bool changed = false;
+  for (std::size_t i = 0; i < run.joint.size(); ++i) {
+    if (run.joint[i].stiffness <= 0) continue;
+    const double q = equations_.layout.joint_angle(posture, i);
+    const Contact next = run.joint[i].next(q, memory[i], posture.contact[i]);
+    changed = changed || next != posture.contact[i];
+    posture.contact[i] = next;
+  }
+  return changed;
+}
+
 bool EquilibriumSolver::newton(const RunRig& run, const Imposed& imposed, const Interval& interval,
                                const std::vector<JointMemory>& memory, Posture& posture) {
   if (imposed.control == Control::force) posture.force = imposed.value;
@@ -90,7 +104,9 @@ bool EquilibriumSolver::newton(const RunRig& run, const Imposed& imposed, const 
     const double turn = solve(run, imposed, posture);
     if (!std::isfinite(turn) || !force_step_.allFinite()) return false;
     apply(std::min(1.0, largest_turn / turn), posture);
-    if (turn < angle_accuracy && force_step_.norm() < 1e-7 * (scale + posture.force.norm())) return stable;
+    const bool settled = !settle_contacts(run, interval, memory, posture);
+    if (settled && turn < angle_accuracy && force_step_.norm() < 1e-7 * (scale + posture.force.norm()))
+      return stable;
   }
   return false;
 }

@@ -42,6 +42,9 @@ class EquilibriumSolver {
   /// Solves for the step that cancels residual and constraint. \returns its largest angle
   double solve(const RunRig& run, const Imposed& imposed, const Posture& posture);
   void apply(double share, Posture& posture) const;
+  /// Brings the dry contacts in line with the posture. \returns whether one changed
+  bool settle_contacts(const RunRig& run, const Interval& interval, const std::vector<JointMemory>& memory,
+                       Posture& posture) const;
 
   Equations equations_;
   std::vector<double> step_, column_x_, column_y_;

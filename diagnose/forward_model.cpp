@@ -56,7 +56,7 @@ struct Traveller {
       const JointMemory last = memory[i];
       memory[i].angle = q;
       if (during.relaxed) continue;
-      memory[i].friction = on.joint[i].dry(q, last).value;
+      memory[i].friction = on.joint[i].dry(q, last, posture.contact[i]).value;
       memory[i].arm = on.joint[i].viscous(q, last, during.decay, during.gain).value;
     }
   }
@@ -69,8 +69,13 @@ struct Traveller {
 /// A run of the rig and, beside it, of the rigs whose parameters differ by a small step each.
 class RunWalk {
  public:
-  RunWalk(const Run& run, const Layout& layout, const Rig& rig, const std::vector<Rig>& varied)
-      : run_(run), layout_(layout), solver_(layout), main_(rig, run) {
+  RunWalk(const Experiment& experiment, const Run& run, const Layout& layout, const Rig& rig,
+          const std::vector<Rig>& varied)
+      : run_(run),
+        nominal_length_(experiment.link_length),
+        layout_(layout),
+        solver_(layout),
+        main_(rig, run) {
     for (const Rig& other : varied) beside_.emplace_back(other, run);
     start();
   }
@@ -104,13 +109,27 @@ class RunWalk {
 
   void start() {
     double theta = 0;
+    main_.posture.contact.assign(layout_.links, Contact::sticks);
     for (std::size_t j = 0; j < layout_.links; ++j) {
       theta += main_.on.joint[j].rest;
       main_.posture.angle.insert(main_.posture.angle.end(), layout_.nodes_per_link(), theta);
     }
-    at_ = {run_.control, run_.control == Control::force
-                             ? Vector2(0, 0)
-                             : solver_.end_point(main_.on, main_.posture, main_.memory)};
+    at_ = {run_.control, Vector2(0, 0)};
+    if (run_.control == Control::force || run_.readings.empty()) return;
+    at_.value = solver_.end_point(main_.on, main_.posture, main_.memory);
+    approach();
+  }
+
+  /// A run whose first line is not at the unloaded end point was brought there: the guide has moved already.
+  void approach() {
+    double theta = 0, unloaded = 0, reach = 0;
+    for (std::size_t j = 0; j < layout_.links; ++j) {
+      theta += run_.rest[j];
+      unloaded += nominal_length_[j] * std::cos(theta);
+      reach += nominal_length_[j];
+    }
+    const double way = run_.readings.front().x - unloaded;
+    if (std::abs(way) > 1e-4 * reach) direction_ = way > 0 ? 1 : -1;
   }
 
   bool move_to(std::size_t r) {
@@ -153,6 +172,7 @@ class RunWalk {
   }
 
   const Run& run_;
+  const std::vector<double>& nominal_length_;
   Layout layout_;
   EquilibriumSolver solver_;
   Traveller main_;
@@ -180,8 +200,11 @@ Prediction predict(const Experiment& experiment, const Candidate& candidate,
       varied.push_back(rig_with(experiment, candidate, other));
     }
   }
-  Layout layout{n, rig.flexibility > 0, rig.coupling != 0};
-  for (const Rig& other : varied) layout.coupled = layout.coupled || other.coupling != 0;
+  Layout layout{n, rig.flexibility > 0, rig.coupling != 0, rig.friction > 0};
+  for (const Rig& other : varied) {
+    layout.coupled = layout.coupled || other.coupling != 0;
+    layout.dry = layout.dry || other.friction > 0;
+  }
   Prediction result;
   result.sensitivity.resize(varied.size());
   for (const Run& run : experiment.runs) {
@@ -190,7 +213,7 @@ Prediction predict(const Experiment& experiment, const Candidate& candidate,
     result.runs.emplace_back(rows, columns);
     std::vector<Trace*> beside;
     for (auto& traces : result.sensitivity) beside.push_back(&traces.emplace_back(rows, columns));
-    RunWalk walk(run, layout, rig, varied);
+    RunWalk walk(experiment, run, layout, rig, varied);
     if (!walk.walk(result.runs.back(), beside)) {
       result.reached = false;
       return result;

@@ -11,6 +11,9 @@ struct Torque {
   double value = 0, slope = 0;
 };
 
+/// The state of a dry contact.
+enum class Contact : signed char { slips_down = -1, sticks = 0, slips_up = 1 };
+
 /// What a joint remembers of its history, at the last reading.
 struct JointMemory {
   double angle = 0;     ///< q
@@ -41,12 +44,30 @@ struct JointLaw {
     return torque;
   }
 
-  /// Coulomb friction by return mapping: the contact carries what sticking asks for, up to the slip torque.
-  [[nodiscard]] Torque dry(double angle, const JointMemory& last) const {
+  /// Coulomb friction by return mapping: what the contact carries while it sticks or slips.
+  [[nodiscard]] Torque dry(double angle, const JointMemory& last, Contact contact) const {
     if (friction <= 0 || stiffness <= 0) return {};
+    switch (contact) {
+      case Contact::slips_up:
+        return {friction, 0};
+      case Contact::slips_down:
+        return {-friction, 0};
+      case Contact::sticks:
+        break;
+    }
+    return {last.friction + sticking * stiffness * (angle - last.angle), sticking * stiffness};
+  }
+
+  /// The state that follows from a trial in state `contact`. A contact that is turned back sticks first: two
+  /// joints can then not keep throwing each other from one direction of slip into the other.
+  [[nodiscard]] Contact next(double angle, const JointMemory& last, Contact contact) const {
     const double trial = last.friction + sticking * stiffness * (angle - last.angle);
-    if (std::abs(trial) <= friction) return {trial, sticking * stiffness};
-    return {std::copysign(friction, trial), 0};
+    if (contact == Contact::sticks) {
+      if (trial > friction) return Contact::slips_up;
+      return trial < -friction ? Contact::slips_down : Contact::sticks;
+    }
+    const bool goes_on = contact == Contact::slips_up ? trial >= friction : trial <= -friction;
+    return goes_on ? contact : Contact::sticks;
   }
 
   /// The Maxwell arm after an interval in which the joint turned at a steady rate: exact.

@@ -88,7 +88,7 @@ void Equations::add_joints(const RunRig& run, const Posture& posture, const std:
     const double q = layout.joint_angle(posture, i);
     Torque torque = law.elastic(q);
     if (!interval.relaxed) {
-      const Torque dry = law.dry(q, memory[i]);
+      const Torque dry = law.dry(q, memory[i], posture.contact[i]);
       const Torque arm = law.viscous(q, memory[i], interval.decay, interval.gain);
       torque.value += dry.value + arm.value;
       torque.slope += dry.slope + arm.slope;

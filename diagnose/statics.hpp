@@ -18,9 +18,11 @@
 
 namespace plumbline {
 
-/// The unknowns: node angles (one a link, or three where links bend) and the force on the end point.
+/// The unknowns: node angles (one a link, or three where links bend), the state of the dry contacts, and
+/// the force on the end point.
 struct Posture {
   std::vector<double> angle;
+  std::vector<Contact> contact;  ///< of each joint
   Vector2 force = Vector2::Zero();
 };
 
@@ -48,7 +50,7 @@ struct Imposed {
 /// Which unknowns there are and which of them couple.
 struct Layout {
   std::size_t links;
-  bool bending, coupled;
+  bool bending, coupled, dry;
   [[nodiscard]] std::size_t nodes_per_link() const { return bending ? 3 : 1; }
   [[nodiscard]] std::size_t nodes() const { return links * nodes_per_link(); }
   [[nodiscard]] std::size_t first(std::size_t link) const { return link * nodes_per_link(); }
