@@ -151,10 +151,10 @@ Typical typical(const Experiment& experiment) {
 }
 
 ParameterRange both_ways(std::string_view name, double scale, double low, double high) {
-  return {name, plain, scale, low, high, {0}};
+  return {name, plain, scale, low, high};
 }
 ParameterRange one_way(std::string_view name, double scale, double high) {
-  return {name, plain, scale, 0, high, {0}};
+  return {name, plain, scale, 0, high};
 }
 
 std::vector<ParameterRange> ranges(EffectId effect, const Typical& is, double own_stiffness) {
@@ -169,14 +169,13 @@ std::vector<ParameterRange> ranges(EffectId effect, const Typical& is, double ow
     case EffectId::nonlinear_spring:
       return {both_ways("c", 0.5, -3, 50)};
     case EffectId::backlash:
-      return {{"b", plain, 0.05, 0, 0.6, {0.002, 0.02, 0.1}}};
+      return {{"b", plain, 0.05, 0, 0.6}};
     case EffectId::joint_friction: {
       const double slip = is.stiffness * is.deflection;
-      return {{"tau_c", plain, 0.05 * slip, 0, 2 * slip, {0.005 * slip, 0.05 * slip}}};
+      return {{"tau_c", plain, 0.05 * slip, 0, 2 * slip}};
     }
     case EffectId::joint_stop:
-      return {{"s", plain, 0.3, 1e-3, 3, {0.9 * is.deflection, 0.5 * is.deflection, 0.2 * is.deflection}},
-              {"k_s", plain, own_stiffness, 0, 100 * own_stiffness, {own_stiffness}}};
+      return {{"s", plain, 0.3, 1e-3, 3}, {"k_s", plain, own_stiffness, 0, 100 * own_stiffness}};
     case EffectId::joint_coupling:
       return {both_ways("kappa", 0.1 * is.stiffness, -0.95 * is.stiffness, 0.95 * is.stiffness)};
     case EffectId::gravity: {
@@ -191,7 +190,7 @@ std::vector<ParameterRange> ranges(EffectId effect, const Typical& is, double ow
       return {one_way("c_a", 0.01 / is.force, 0.3 / is.force)};
     case EffectId::link_bending: {
       const double soft = 1 / (is.stiffness * is.link);
-      return {{"EI", Coordinate::reciprocal, 0.1 * soft, 1e-6 * soft, 10 * soft, {1e-3 * soft}}};
+      return {{"EI", Coordinate::reciprocal, 0.1 * soft, 1e-6 * soft, 10 * soft}};
     }
     case EffectId::rail_misalignment:
       return {both_ways("eps", 0.05, -0.6, 0.6)};
@@ -213,12 +212,7 @@ std::vector<ParameterRange> ranges(EffectId effect, const Typical& is, double ow
       return {one_way("c_t", 0.01 * compliance, compliance)};
     case EffectId::viscoelasticity:
       return {one_way("m", 0.2, 20),
-              {"tau",
-               Coordinate::logarithm,
-               1,
-               std::log(0.1 * is.pause),
-               std::log(20 * is.duration),
-               {std::log(0.1 * is.duration), std::log(0.02 * is.duration), std::log(0.5 * is.duration)}}};
+              {"tau", Coordinate::logarithm, 1, std::log(0.1 * is.pause), std::log(20 * is.duration)}};
     case EffectId::sensor_drift: {
       const double rate = is.force / is.duration;
       return {both_ways("r_x", 0.05 * rate, -3 * rate, 3 * rate),

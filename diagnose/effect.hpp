@@ -43,14 +43,12 @@ inline constexpr std::size_t effect_count = 23;
 /// so that zero is the nominal model).
 enum class Coordinate { plain, logarithm, reciprocal };
 
-/// A parameter of an effect, in one experiment. `scale`, `low`, `high` and `starts` are in the fitted
-/// coordinate.
+/// A parameter of an effect, in one experiment. `scale`, `low` and `high` are in the fitted coordinate.
 struct ParameterRange {
   std::string_view name;
   Coordinate coordinate;
   double scale;      ///< what a lab would call a sizeable effect; the difference step is a share of it
   double low, high;  ///< physical bounds
-  std::vector<double> starts;  ///< where fits start; the first is the nominal model, or next to it
 };
 
 /// An effect at its place. `joint` counts from 1; 0 where the effect is not at one joint.
