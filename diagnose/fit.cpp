@@ -151,8 +151,8 @@ bool minimise(Problem& problem, const std::vector<std::size_t>& free, double out
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
-  options.max_num_iterations = 40;
-  options.function_tolerance = 1e-7;
+  options.max_num_iterations = 30;
+  options.function_tolerance = 1e-6;
   options.parameter_tolerance = 1e-7;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &least_squares, &summary);
