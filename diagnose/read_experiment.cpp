@@ -63,7 +63,9 @@ class Section {
     return node.as_string()->get();
   }
 
+  /// Zero where the key is absent.
   [[nodiscard]] double non_negative(const std::string& key) const {
+    if (!has(key)) return 0;
     const std::string expected = "a number, zero or positive";
     const double value = number(required(key, expected), place(key), expected);
     if (value < 0) throw Error(place(key), shown(*table_.get(key)), expected);
@@ -156,8 +158,8 @@ Bench read_bench(const Section& bench) {
 
 Noise read_noise(const Section& noise) {
   noise.allow_only({"x", "y", "Fx", "Fy", "q"});
-  return {noise.non_negative("x"), noise.non_negative("y"), noise.non_negative("Fx"),
-          noise.non_negative("Fy"), noise.has("q") ? noise.non_negative("q") : 0.0};
+  return {noise.non_negative("x"), noise.non_negative("y"), noise.non_negative("Fx"), noise.non_negative("Fy"),
+          noise.non_negative("q")};
 }
 
 fs::path sample_file(const Section& run, const fs::path& folder) {
