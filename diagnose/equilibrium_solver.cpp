@@ -145,13 +145,17 @@ bool EquilibriumSolver::descend(const RunRig& run, const Imposed& imposed, const
 
 bool EquilibriumSolver::follow(const RunRig& run, const Imposed& before, const Imposed& imposed,
                                const Interval& interval, const std::vector<JointMemory>& memory,
-                               Posture& posture) {
+                               const Posture& guess, Posture& posture) {
   snapped_ = false;
   const auto near = [&](const Posture& to) {
     for (std::size_t i = 0; i < posture.angle.size(); ++i)
       if (std::abs(to.angle[i] - posture.angle[i]) > nearby) return false;
     return true;
   };
+  if (Posture trial = guess; newton(run, imposed, interval, memory, trial) && near(trial)) {
+    posture = std::move(trial);
+    return true;
+  }
   double done = 0, stride = 1;
   while (done < 1) {
     const Imposed next = between(before, imposed, std::min(1.0, done + stride));

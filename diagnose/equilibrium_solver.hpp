@@ -16,9 +16,10 @@ class EquilibriumSolver {
 
   /// Moves `posture` to the equilibrium under `imposed`, coming from where it is, which is an equilibrium
   /// under `before`.
+  /// \param guess  where that may be; looked at first
   /// \returns false where there is none within reach; `posture` is then without meaning
   bool follow(const RunRig& run, const Imposed& before, const Imposed& imposed, const Interval& interval,
-              const std::vector<JointMemory>& memory, Posture& posture);
+              const std::vector<JointMemory>& memory, const Posture& guess, Posture& posture);
 
   /// One chord step with the factors of the last follow(): the posture of a rig that differs little from the
   /// one followed.

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "diagnose/start.hpp"
 
@@ -30,6 +31,18 @@ class Problem {
   [[nodiscard]] const RowMatrix& jacobian() const { return jacobian_; }
   [[nodiscard]] bool visible(Eigen::Index i) const {
     return settings_.visible.empty() || settings_.visible[static_cast<std::size_t>(i)];
+  }
+
+  /// The cost alone; infinite where the rig cannot follow the experiment.
+  [[nodiscard]] double look(const std::vector<double>& parameters) const {
+    const Prediction predicted = predict(experiment_, candidate_, parameters);
+    if (!predicted.reached) return std::numeric_limits<double>::infinity();
+    const std::vector<double> white =
+        whiten(measurements_, measurements_.residual(experiment_, predicted), settings_.noise);
+    double sum = 0;
+    for (std::size_t i = 0; i < white.size(); ++i)
+      if (visible(static_cast<Eigen::Index>(i))) sum += huber(white[i], settings_.outlier_bound);
+    return sum;
   }
 
   /// \returns false where the rig cannot follow the experiment
@@ -138,8 +151,8 @@ bool minimise(Problem& problem, const std::vector<std::size_t>& free, double out
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
-  options.max_num_iterations = 40;
-  options.function_tolerance = 1e-7;
+  options.max_num_iterations = 30;
+  options.function_tolerance = 1e-6;
   options.parameter_tolerance = 1e-7;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &least_squares, &summary);
@@ -181,10 +194,12 @@ void judge(Problem& problem, double outlier_bound, Fit& fitted) {
   fitted.covariance(inside, inside) = scale.asDiagonal() * inverse * scale.asDiagonal();
 }
 
-std::vector<std::vector<double>> best_first(Problem& problem, std::vector<std::vector<double>> from) {
+std::vector<std::vector<double>> best_first(const Problem& problem, std::vector<std::vector<double>> from) {
+  if (from.size() == 1) return from;
   std::vector<std::pair<double, std::vector<double>>> order;
   for (std::vector<double>& start : from)
-    if (problem.evaluate(start)) order.emplace_back(problem.cost(), std::move(start));
+    if (const double cost = problem.look(start); std::isfinite(cost))
+      order.emplace_back(cost, std::move(start));
   std::sort(order.begin(), order.end());
   from.clear();
   for (auto& [cost, start] : order) from.push_back(std::move(start));
@@ -192,13 +207,12 @@ std::vector<std::vector<double>> best_first(Problem& problem, std::vector<std::v
 }
 
 Fit best_of(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
-            const FitSettings& settings, const std::vector<std::vector<double>>& from) {
-  constexpr std::size_t tried = 3;
-  Problem problem(experiment, measurements, candidate, settings);
+            const FitSettings& settings, const Starts& known) {
+  const Problem problem(experiment, measurements, candidate, settings);
   Fit best;
   best.candidate = candidate;
-  std::vector<std::vector<double>> order = best_first(problem, from);
-  if (order.size() > tried) order.resize(tried);
+  std::vector<std::vector<double>> order = best_first(problem, known.from);
+  if (order.size() > known.basins) order.resize(known.basins);
   for (const std::vector<double>& start : order) {
     Fit one = fit_from(experiment, measurements, candidate, settings, start);
     if (one.converged && (!best.converged || one.cost < best.cost)) best = std::move(one);
@@ -244,12 +258,10 @@ Fit refit_with(const Experiment& experiment, const Measurements& measurements, c
   Candidate candidate = fitted.candidate;
   candidate.effects.push_back(newcomer);
   const Prediction nominal = predict(experiment, {}, {});
-  std::vector<std::vector<double>> from;
-  for (const std::vector<double>& tail : starts(experiment, nominal, newcomer)) {
-    from.push_back(fitted.parameters);
-    from.back().insert(from.back().end(), tail.begin(), tail.end());
-  }
-  return best_of(experiment, measurements, candidate, settings, from);
+  Starts known = starts(experiment, nominal, newcomer);
+  for (std::vector<double>& start : known.from)
+    start.insert(start.begin(), fitted.parameters.begin(), fitted.parameters.end());
+  return best_of(experiment, measurements, candidate, settings, known);
 }
 
 Profile profile(const Experiment& experiment, const Measurements& measurements, const Fit& fitted,

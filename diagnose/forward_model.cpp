@@ -132,13 +132,28 @@ class RunWalk {
     if (std::abs(way) > 1e-4 * reach) direction_ = way > 0 ? 1 : -1;
   }
 
+  /// The posture that goes on as the last step went, if the load does.
+  [[nodiscard]] Posture extrapolated(const Imposed& target) const {
+    const Vector2 step = target.value - at_.value;
+    Posture guess = main_.posture;
+    if (!moved_ || step.dot(last_step_) <= 0.5 * step.norm() * last_step_.norm()) return guess;
+    const double share = step.norm() / last_step_.norm();
+    for (std::size_t i = 0; i < guess.angle.size(); ++i)
+      guess.angle[i] += share * (guess.angle[i] - last_posture_.angle[i]);
+    guess.force += share * (guess.force - last_posture_.force);
+    return guess;
+  }
+
   bool move_to(std::size_t r) {
     const Reading& reading = run_.readings[r];
     const double dt = moved_ ? reading.t - last_time_ : 0;
     if (moved_ && reading.x != last_x_) direction_ = reading.x > last_x_ ? 1 : -1;
     const auto during = [&](const Traveller& rig) { return moved_ ? rig.interval(dt) : Interval{}; };
     const Imposed target = main_.imposed(run_, reading);
-    if (!solver_.follow(main_.on, at_, target, during(main_), main_.memory, main_.posture)) return false;
+    const Posture guess = extrapolated(target);
+    last_posture_ = main_.posture;
+    if (!solver_.follow(main_.on, at_, target, during(main_), main_.memory, guess, main_.posture))
+      return false;
     snapped_ = snapped_ || solver_.snapped();
     for (Traveller& other : beside_) {
       other.posture = solver_.neighbour(other.on, other.imposed(run_, reading), during(other), other.memory,
@@ -146,6 +161,7 @@ class RunWalk {
       other.remember(layout_, during(other));
     }
     main_.remember(layout_, during(main_));
+    last_step_ = target.value - at_.value;
     at_ = target;
     last_time_ = reading.t;
     last_x_ = reading.x;
@@ -177,6 +193,8 @@ class RunWalk {
   EquilibriumSolver solver_;
   Traveller main_;
   std::vector<Traveller> beside_;
+  Posture last_posture_;
+  Vector2 last_step_ = Vector2::Zero();
   Imposed at_{Control::displacement, Vector2::Zero()};
   double last_time_ = 0, last_x_ = 0;
   double direction_ = 0;  ///< of the drive along x; 0 until it has moved

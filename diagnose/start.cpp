@@ -20,58 +20,73 @@ std::vector<double> largest_deflection(const Experiment& experiment, const Predi
   return largest;
 }
 
-}  // namespace
-
-std::vector<std::vector<double>> starts(const Experiment& experiment, const Prediction& nominal,
-                                        const EffectAt& at) {
-  const std::vector<ParameterRange> ranges = parameter_ranges(experiment, at);
-  const auto inside = [&](std::vector<double> start) {
-    for (std::size_t p = 0; p < start.size(); ++p)
-      start[p] = std::clamp(start[p], ranges[p].low, ranges[p].high);
-    return start;
-  };
-  const std::vector<double> deflection = largest_deflection(experiment, nominal);
-  std::vector<std::vector<double>> result;
-  switch (at.effect) {
-    case EffectId::backlash:
-      for (const double share : {0.02, 0.3}) result.push_back(inside({share * deflection[at.joint - 1]}));
-      break;
-    case EffectId::joint_friction: {
-      double torque = 0;
-      for (std::size_t i = 0; i < deflection.size(); ++i)
-        torque = std::max(torque, experiment.joint_stiffness[i] * deflection[i]);
-      for (const double share : {0.005, 0.05}) result.push_back(inside({share * torque}));
-      break;
+/// One effect's parameter, looked at on both sides of nothing: a coarse scan of what it may be.
+std::vector<std::vector<double>> scan(const ParameterRange& range) {
+  std::vector<std::vector<double>> result{{0}};
+  for (const double share : {0.3, 2.0}) {
+    for (const double sign : {1.0, -1.0}) {
+      const double value = sign * share * range.scale;
+      if (value > range.low && value < range.high) result.push_back({value});
     }
-    case EffectId::joint_stop:
-      for (const double share : {0.2, 0.55, 0.85})
-        result.push_back(inside({share * deflection[at.joint - 1], ranges[1].scale}));
-      break;
-    case EffectId::viscoelasticity:
-      for (const double share : {0.15, 0.5, 0.8})
-        result.push_back({0.1 * ranges[0].scale, ranges[1].low + share * (ranges[1].high - ranges[1].low)});
-      break;
-    case EffectId::link_bending:
-      result.push_back({0.01 * ranges[0].scale});
-      break;
-    default:
-      result.push_back(inside(std::vector<double>(ranges.size(), 0)));
   }
   return result;
 }
 
-std::vector<std::vector<double>> starts(const Experiment& experiment, const Prediction& nominal,
-                                        const Candidate& candidate) {
-  std::vector<std::vector<double>> all{{}};
+double largest_torque(const Experiment& experiment, const std::vector<double>& deflection) {
+  double torque = 0;
+  for (std::size_t i = 0; i < deflection.size(); ++i)
+    torque = std::max(torque, experiment.joint_stiffness[i] * deflection[i]);
+  return torque;
+}
+
+}  // namespace
+
+Starts starts(const Experiment& experiment, const Prediction& nominal, const EffectAt& at) {
+  const std::vector<ParameterRange> ranges = parameter_ranges(experiment, at);
+  const std::vector<double> deflection = largest_deflection(experiment, nominal);
+  std::vector<std::vector<double>> from;
+  const auto add = [&](std::vector<double> start) {
+    for (std::size_t p = 0; p < start.size(); ++p)
+      start[p] = std::clamp(start[p], ranges[p].low, ranges[p].high);
+    from.push_back(std::move(start));
+  };
+  switch (at.effect) {
+    case EffectId::backlash:
+      for (const double share : {0.02, 0.1, 0.4}) add({share * deflection[at.joint - 1]});
+      return {from, 2};
+    case EffectId::joint_friction:
+      for (const double share : {0.002, 0.01, 0.05}) add({share * largest_torque(experiment, deflection)});
+      return {from, 1};
+    case EffectId::joint_stop:
+      for (const double share : {0.2, 0.4, 0.6, 0.8, 0.95})
+        for (const double stiff : {0.3, 3.0})
+          add({share * deflection[at.joint - 1], stiff * ranges[1].scale});
+      return {from, 2};
+    case EffectId::viscoelasticity:
+      for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9})
+        add({0.5 * ranges[0].scale, ranges[1].low + share * (ranges[1].high - ranges[1].low)});
+      return {from, 2};
+    case EffectId::link_bending:
+      for (const double share : {0.01, 0.3, 2.0}) add({share * ranges[0].scale});
+      return {from, 1};
+    default:
+      if (ranges.size() == 1) return {scan(ranges[0]), 1};
+      return {{std::vector<double>(ranges.size(), 0)}, 1};
+  }
+}
+
+Starts starts(const Experiment& experiment, const Prediction& nominal, const Candidate& candidate) {
+  Starts all{{{}}, 1};
   for (const EffectAt& at : candidate.effects) {
+    const Starts own = starts(experiment, nominal, at);
     std::vector<std::vector<double>> longer;
-    for (const auto& head : all) {
-      for (const auto& tail : starts(experiment, nominal, at)) {
+    for (const auto& head : all.from) {
+      for (const auto& tail : own.from) {
         longer.push_back(head);
         longer.back().insert(longer.back().end(), tail.begin(), tail.end());
       }
     }
-    all = std::move(longer);
+    all = {std::move(longer), std::max(all.basins, own.basins)};
   }
   return all;
 }

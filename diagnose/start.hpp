@@ -8,13 +8,17 @@
 
 namespace plumbline {
 
-/// Parameter vectors from which to fit one effect.
+/// Parameter vectors from which to fit. All are looked at, the `basins` best are descended from.
+struct Starts {
+  std::vector<std::vector<double>> from;
+  std::size_t basins;
+};
+
+/// Starts for one effect.
 /// \param nominal  the nominal prediction: it says how far each joint goes
-std::vector<std::vector<double>> starts(const Experiment& experiment, const Prediction& nominal,
-                                        const EffectAt& at);
+Starts starts(const Experiment& experiment, const Prediction& nominal, const EffectAt& at);
 
 /// All combinations for several effects.
-std::vector<std::vector<double>> starts(const Experiment& experiment, const Prediction& nominal,
-                                        const Candidate& candidate);
+Starts starts(const Experiment& experiment, const Prediction& nominal, const Candidate& candidate);
 
 }  // namespace plumbline
