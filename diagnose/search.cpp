@@ -79,38 +79,43 @@ class Searcher {
 
 }  // namespace
 
+void weigh(const Experiment& experiment, const Measurements& measurements, Findings& findings) {
+  auto& hypotheses = findings.hypotheses;
+  if (hypotheses.empty()) return;
+  const auto best = std::min_element(hypotheses.begin(), hypotheses.end(),
+                                     [](const auto& a, const auto& b) { return better(a.fit, b.fit); });
+  findings.noise = estimate_noise(measurements, without_outliers(measurements, best->fit.residual));
+  for (Hypothesis& hypothesis : hypotheses) {
+    hypothesis.log_likelihood = log_likelihood(measurements, hypothesis.fit.residual, findings.noise);
+    hypothesis.log_evidence = log_evidence(experiment, measurements, hypothesis.fit, findings.noise);
+  }
+  std::sort(hypotheses.begin(), hypotheses.end(),
+            [](const Hypothesis& a, const Hypothesis& b) { return a.log_evidence > b.log_evidence; });
+}
+
 Findings search(const Experiment& experiment, const Measurements& measurements,
                 const std::function<void(double)>& progress) {
+  const auto report = [&](double share) {
+    if (progress) progress(share);
+  };
   Searcher searcher(experiment, measurements);
   std::vector<Fit> fits = searcher.singles();
-  if (progress) progress(0.1);
-  const auto structure = [&] { return test_gap(measurements, fits.front().residual); };
-  GapTest test = structure();
-  if (test.p_value < gap_level) {
-    const std::vector<Fit> pairs = searcher.extended(fits, single_seeds);
-    fits.insert(fits.end(), pairs.begin(), pairs.end());
+  const auto p_value = [&] { return test_gap(measurements, fits.front().residual).p_value; };
+  const auto add = [&](const std::vector<Fit>& more) {
+    fits.insert(fits.end(), more.begin(), more.end());
     std::sort(fits.begin(), fits.end(), better);
-    test = structure();
-    if (progress) progress(0.5);
-    if (test.p_value < fit_level && !pairs.empty()) {
-      const std::vector<Fit> triples = searcher.extended(pairs, pair_seeds);
-      fits.insert(fits.end(), triples.begin(), triples.end());
-      std::sort(fits.begin(), fits.end(), better);
-      test = structure();
-    }
+  };
+  report(0.1);
+  if (!fits.empty() && p_value() < gap_level) {
+    const std::vector<Fit> pairs = searcher.extended(fits, single_seeds);
+    add(pairs);
+    report(0.5);
+    if (p_value() < fit_level) add(searcher.extended(pairs, pair_seeds));
   }
   Findings findings;
-  findings.noise = test.noise;
-  for (Fit& one : fits) {
-    Hypothesis hypothesis;
-    hypothesis.log_likelihood = log_likelihood(measurements, one.residual, findings.noise);
-    hypothesis.log_evidence = log_evidence(experiment, measurements, one, findings.noise);
-    hypothesis.fit = std::move(one);
-    findings.hypotheses.push_back(std::move(hypothesis));
-  }
-  std::sort(findings.hypotheses.begin(), findings.hypotheses.end(),
-            [](const Hypothesis& a, const Hypothesis& b) { return a.log_evidence > b.log_evidence; });
-  if (progress) progress(1.0);
+  for (Fit& one : fits) findings.hypotheses.push_back({std::move(one), 0, 0, 1});
+  weigh(experiment, measurements, findings);
+  report(1);
   return findings;
 }
 
