@@ -58,11 +58,12 @@ Findings confirmed(const Experiment& experiment, const Measurements& measurement
   return all;
 }
 
-/// Bounds for the best explanation.
+/// Values and bounds for the best explanation, in the noise that it leaves.
 std::vector<std::vector<Estimate>> estimate(const Experiment& experiment, const Measurements& measurements,
-                                            const Fit& fit, const NoiseModel& noise) {
+                                            const Fit& found, const NoiseModel& noise) {
   FitSettings settings;
   settings.noise = noise;
+  const Fit fit = fit_from(experiment, measurements, found.candidate, settings, found.parameters);
   std::vector<std::vector<Estimate>> result;
   std::size_t p = 0;
   for (const EffectAt& at : fit.candidate.effects) {
@@ -91,7 +92,11 @@ std::vector<EffectAt> never_exercised(const Experiment& experiment, const Findin
   return result;
 }
 
-void explain(const Experiment& experiment, const Measurements& measurements, const Prediction& nominal,
+bool leaves_structure(const Measurements& measurements, const Findings& findings) {
+  return test_gap(measurements, findings.hypotheses.front().fit.residual).p_value < fit_level;
+}
+
+void explain(const Experiment& experiment, const Measurements& measurements,
              const std::vector<double>& residual, Diagnosis& diagnosis, const Report& progress) {
   const HeldOut heldout = choose_heldout(experiment);
   const Experiment seen = without(experiment, heldout);
@@ -108,8 +113,8 @@ void explain(const Experiment& experiment, const Measurements& measurements, con
   }
   Findings findings = confirmed(experiment, measurements, chosen);
   diagnosis.cause = judge(experiment, measurements, findings);
-  if (diagnosis.cause.verdict == Verdict::unknown && !heldout.empty()) {
-    // What was held out may hold the only trace of a further cause.
+  if (diagnosis.cause.verdict == Verdict::unknown && !leaves_structure(seen_measurements, chosen)) {
+    // What was held out holds the trace of a further cause.
     findings = search(experiment, measurements, [&](double share) { progress(0.5 + 0.4 * share); });
     diagnosis.cause = judge(experiment, measurements, findings);
   }
@@ -117,8 +122,8 @@ void explain(const Experiment& experiment, const Measurements& measurements, con
   diagnosis.not_exercised = never_exercised(experiment, chosen);
   if (!diagnosis.cause.ranking.empty())
     diagnosis.estimates =
-        estimate(experiment, measurements, diagnosis.cause.ranking.front().hypothesis.fit, findings.noise);
-  static_cast<void>(nominal);
+        estimate(experiment, measurements, diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit,
+                 findings.noise);
 }
 
 }  // namespace
@@ -132,7 +137,7 @@ Diagnosis diagnose(const Experiment& experiment, const Report& progress) {
   diagnosis.experiment = experiment.name;
   diagnosis.gap = ask_for_gap(measurements, residual);
   diagnosis.noise = diagnosis.gap.test.noise;
-  if (diagnosis.gap.present) explain(experiment, measurements, nominal, residual, diagnosis, report);
+  if (diagnosis.gap.present) explain(experiment, measurements, residual, diagnosis, report);
   diagnosis.where = locate(experiment, measurements, nominal, residual, diagnosis.noise);
   report(1);
   return diagnosis;

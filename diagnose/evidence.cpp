@@ -72,12 +72,18 @@ double log_evidence(const Experiment& experiment, const Measurements& measuremen
     value += log_parameter_prior(ranges[p], fit.parameters[p]) + 0.5 * std::log(2 * std::numbers::pi);
   }
   if (inside.empty()) return value;
-  // The readings' information and the prior's: no parameter is known worse than before the readings.
-  Eigen::MatrixXd information = fit.covariance(inside, inside).inverse();
-  for (std::size_t p = 0; p < inside.size(); ++p)
-    information(static_cast<Eigen::Index>(p), static_cast<Eigen::Index>(p)) += 1 / (width[p] * width[p]);
-  const Eigen::LDLT<Eigen::MatrixXd> factors(information);
-  return value - 0.5 * factors.vectorD().array().abs().log().sum();
+  // Posterior variances along the principal axes, the prior's width being one. What the readings do not tell
+  // (a covariance without rank there) keeps the width of the prior: nothing is known worse than before.
+  const Eigen::VectorXd unit =
+      Eigen::Map<const Eigen::VectorXd>(width.data(), static_cast<Eigen::Index>(width.size()));
+  const Eigen::MatrixXd scaled = unit.cwiseInverse().asDiagonal() *
+                                 Eigen::MatrixXd(fit.covariance(inside, inside)) *
+                                 unit.cwiseInverse().asDiagonal();
+  constexpr double no_rank = 1e-13;
+  const Eigen::VectorXd variances = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues();
+  for (const double variance : variances)
+    if (variance > no_rank) value -= 0.5 * std::log1p(1 / variance);
+  return value + unit.array().log().sum();
 }
 
 }  // namespace plumbline

@@ -60,12 +60,13 @@ Json cause(const Diagnosis& diagnosis) {
   }
   for (const EffectAt& at : diagnosis.not_exercised) idle.push_back(label(at));
   const bool explained = found.verdict == Verdict::identified || found.verdict == Verdict::ambiguous;
-  return {{"verdict", verdict_word(found.verdict)},
-          {"effects", explained ? effects(found.ranking.front().hypothesis.fit.candidate, diagnosis.estimates)
-                                : Json::array()},
-          {"equivalent", equivalent},
-          {"ranking", ranking},
-          {"not_exercised", idle}};
+  return {
+      {"verdict", verdict_word(found.verdict)},
+      {"effects", explained ? effects(found.ranking[found.best].hypothesis.fit.candidate, diagnosis.estimates)
+                            : Json::array()},
+      {"equivalent", equivalent},
+      {"ranking", ranking},
+      {"not_exercised", idle}};
 }
 
 Json shrink(const Shrink& measured) {

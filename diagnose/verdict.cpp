@@ -66,20 +66,55 @@ bool genuine(const Experiment& experiment, const Fit& fit) {
   return true;
 }
 
+namespace {
+
+/// The first of the ranking with so many effects, or the end.
+std::size_t first_of(const std::vector<Ranked>& ranking, std::size_t effects) {
+  const auto place = std::find_if(ranking.begin(), ranking.end(), [&](const Ranked& one) {
+    return one.hypothesis.fit.candidate.effects.size() == effects;
+  });
+  return static_cast<std::size_t>(place - ranking.begin());
+}
+
+/// The simplest explanation that leaves no structure, unless one more effect is significant at all the places
+/// where it could have been found; the end of the ranking when none suffices.
+std::size_t choose(const Experiment& experiment, const Measurements& measurements,
+                   std::vector<Ranked>& ranking) {
+  const double significant = told_apart + std::log(static_cast<double>(possible_effects(experiment).size()));
+  std::size_t chosen = ranking.size();
+  for (std::size_t effects = 1; effects <= 3; ++effects) {
+    const std::size_t place = first_of(ranking, effects);
+    if (place == ranking.size()) continue;
+    Hypothesis& one = ranking[place].hypothesis;
+    one.p_value = test_gap(measurements, one.fit.residual).p_value;
+    if (one.p_value < fit_level) continue;
+    if (chosen == ranking.size()) {
+      chosen = place;
+      continue;
+    }
+    const Hypothesis& simpler = ranking[chosen].hypothesis;
+    const auto more = static_cast<double>(effects - simpler.fit.candidate.effects.size());
+    if (one.log_likelihood > simpler.log_likelihood + more * significant) chosen = place;
+  }
+  return chosen;
+}
+
+}  // namespace
+
 Cause judge(const Experiment& experiment, const Measurements& measurements, const Findings& findings) {
   Cause cause;
   cause.ranking = ranked(experiment, measurements, findings);
   cause.verdict = Verdict::unknown;
-  if (cause.ranking.empty()) return cause;
-  Hypothesis& best = cause.ranking.front().hypothesis;
-  best.p_value = test_gap(measurements, best.fit.residual).p_value;
-  if (best.p_value < fit_level) return cause;
-  const auto near = [&](const Hypothesis& other) {
-    return other.fit.candidate.effects.size() == best.fit.candidate.effects.size() &&
-           other.log_likelihood > best.log_likelihood - told_apart;
-  };
-  for (std::size_t i = 1; i < cause.ranking.size(); ++i)
-    if (near(cause.ranking[i].hypothesis)) cause.equivalent.push_back(i);
+  const std::size_t chosen = choose(experiment, measurements, cause.ranking);
+  if (chosen == cause.ranking.size()) return cause;
+  cause.best = chosen;
+  const Hypothesis& best = cause.ranking[chosen].hypothesis;
+  for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
+    const Hypothesis& other = cause.ranking[i].hypothesis;
+    const bool near = other.fit.candidate.effects.size() == best.fit.candidate.effects.size() &&
+                      other.log_likelihood > best.log_likelihood - told_apart;
+    if (near && i != chosen) cause.equivalent.push_back(i);
+  }
   cause.verdict = cause.equivalent.empty() ? Verdict::identified : Verdict::ambiguous;
   return cause;
 }

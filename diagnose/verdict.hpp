@@ -21,7 +21,8 @@ struct Ranked {
 struct Cause {
   Verdict verdict = Verdict::none;
   std::vector<Ranked> ranking;          ///< most probable first
-  std::vector<std::size_t> equivalent;  ///< places in the ranking that cannot be told apart from the first
+  std::size_t best = 0;                 ///< place of the best in the ranking
+  std::vector<std::size_t> equivalent;  ///< places in the ranking that cannot be told apart from the best
 };
 
 /// Two explanations whose log-likelihoods differ by less are not told apart: the better one would be the
