@@ -34,7 +34,7 @@ struct JointLaw {
     const double d = angle - rest;
     const double size = std::abs(d);
     Torque torque;
-    if (const double e = std::copysign(size - backlash, d); size > backlash) {
+    if (const double e = std::copysign(size - backlash, d); size >= backlash) {
       torque = {stiffness * e * (1 + hardening * e * e), stiffness * (1 + 3 * hardening * e * e)};
     }
     if (size > stop) {

@@ -158,8 +158,8 @@ Bench read_bench(const Section& bench) {
 
 Noise read_noise(const Section& noise) {
   noise.allow_only({"x", "y", "Fx", "Fy", "q"});
-  return {noise.non_negative("x"), noise.non_negative("y"), noise.non_negative("Fx"), noise.non_negative("Fy"),
-          noise.non_negative("q")};
+  return {noise.non_negative("x"), noise.non_negative("y"), noise.non_negative("Fx"),
+          noise.non_negative("Fy"), noise.non_negative("q")};
 }
 
 fs::path sample_file(const Section& run, const fs::path& folder) {

@@ -9,7 +9,9 @@
 
 namespace plumbline::test {
 
-inline double nan_value() { return std::nan(""); }
+inline double nan_value() {
+  return std::nan("");
+}
 
 inline Experiment three_links() {
   Experiment experiment;
@@ -24,8 +26,8 @@ inline Experiment three_links() {
 }
 
 /// Adds a run that presses the end point by `by` in `steps` readings and, if asked, lets it come back.
-inline void press(Experiment& experiment, const std::vector<double>& rest, std::array<double, 2> by, int steps,
-                  bool back, double interval = 1) {
+inline void press(Experiment& experiment, const std::vector<double>& rest, std::array<double, 2> by,
+                  int steps, bool back, double interval = 1) {
   Run run{"press-" + std::to_string(experiment.runs.size() + 1), Control::displacement, rest, {}};
   double theta = 0, x = 0, y = 0;
   for (std::size_t j = 0; j < rest.size(); ++j) {
@@ -36,8 +38,8 @@ inline void press(Experiment& experiment, const std::vector<double>& rest, std::
   const int last = back ? 2 * steps : steps;
   for (int i = 0; i <= last; ++i) {
     const double share = 1.0 - std::abs(1.0 - static_cast<double>(i) / steps);
-    run.readings.push_back({i * interval, x + share * by[0], y + share * by[1], 0, 0,
-                            std::vector<double>(rest.size(), 0)});
+    run.readings.push_back(
+        {i * interval, x + share * by[0], y + share * by[1], 0, 0, std::vector<double>(rest.size(), 0)});
   }
   experiment.runs.push_back(run);
 }
