@@ -87,6 +87,11 @@ bool EquilibriumSolver::settle_contacts(const RunRig& run, const Interval& inter
   for (std::size_t i = 0; i < run.joint.size(); ++i) {
     if (run.joint[i].stiffness <= 0) continue;
     const double q = equations_.layout.joint_angle(posture, i);
+    if (run.joint[i].friction <= 0) {
+      // Nothing is carried, but what little friction would be is against the way that the joint goes.
+      posture.contact[i] = q < memory[i].angle ? Contact::slips_down : Contact::slips_up;
+      continue;
+    }
     const Contact next = run.joint[i].next(q, memory[i], posture.contact[i]);
     changed = changed || next != posture.contact[i];
     posture.contact[i] = next;

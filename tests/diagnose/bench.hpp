@@ -2,10 +2,14 @@
 /// \file
 /// Experiments made up for the tests: a chain of three unequal links on a vertical bench.
 
+#include <doctest/doctest.h>
+
+#include <array>
 #include <cmath>
+#include <random>
 #include <vector>
 
-#include "diagnose/experiment.hpp"
+#include "diagnose/forward_model.hpp"
 
 namespace plumbline::test {
 
@@ -62,6 +66,38 @@ inline Experiment full_bench() {
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
   press(experiment, {-0.4, 0.3, 0.5}, {-0.05, 0.03}, 15, false, 2.5);
   load(experiment, {0.2, 0.3, -0.3}, {0, 0}, {-2.0, 1.0}, 15);
+  return experiment;
+}
+
+/// The experiment as the candidate would have given it, with noise of the declared sigma; every `outlier`-th
+/// value off by 20 sigma.
+inline Experiment measured(Experiment experiment, const Candidate& truth,
+                           const std::vector<double>& parameters, unsigned seed, int outlier = 0) {
+  const Prediction predicted = predict(experiment, truth, parameters);
+  REQUIRE(predicted.reached);
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal;
+  int count = 0;
+  const auto noisy = [&](double value, double sigma) {
+    const double off = outlier > 0 && ++count % outlier == 0 ? 20 * sigma : 0;
+    return value + sigma * normal(engine) + off;
+  };
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    Run& run = experiment.runs[r];
+    for (std::size_t i = 0; i < run.readings.size(); ++i) {
+      const auto row = predicted.runs[r].row(static_cast<Eigen::Index>(i));
+      Reading& reading = run.readings[i];
+      if (run.control == Control::displacement) {
+        reading.Fx = noisy(row(column_Fx), experiment.noise.Fx);
+        reading.Fy = noisy(row(column_Fy), experiment.noise.Fy);
+      } else {
+        reading.x = noisy(row(column_x), experiment.noise.x);
+        reading.y = noisy(row(column_y), experiment.noise.y);
+      }
+      for (std::size_t j = 0; j < reading.q.size(); ++j)
+        reading.q[j] = noisy(row(column_q + static_cast<Eigen::Index>(j)), experiment.noise.q);
+    }
+  }
   return experiment;
 }
 
