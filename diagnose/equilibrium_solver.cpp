@@ -179,13 +179,22 @@ bool EquilibriumSolver::follow(const RunRig& run, const Imposed& before, const I
   return true;
 }
 
+void EquilibriumSolver::settle(const RunRig& run, const Imposed& imposed, const Interval& interval,
+                               const std::vector<JointMemory>& memory, const Posture& posture) {
+  equations_.assemble(run, posture, memory, interval, false);
+  solve(run, imposed, posture);
+  settled_step_ = step_;
+  settled_force_step_ = force_step_;
+}
+
 Posture EquilibriumSolver::neighbour(const RunRig& run, const Imposed& imposed, const Interval& interval,
                                      const std::vector<JointMemory>& memory, const Posture& posture) {
   Posture result = posture;
   if (imposed.control == Control::force) result.force = imposed.value;
   equations_.assemble(run, result, memory, interval, false);
   solve(run, imposed, result);
-  apply(1, result);
+  for (std::size_t i = 0; i < step_.size(); ++i) result.angle[i] += step_[i] - settled_step_[i];
+  result.force += force_step_ - settled_force_step_;
   return result;
 }
 

@@ -26,8 +26,8 @@ struct Fit {
   std::vector<bool> at_bound;      ///< by parameter
   Eigen::MatrixXd covariance;      ///< of the parameters; zero rows for those at a bound
   Eigen::MatrixXd jacobian;        ///< of the whitened residual; zero rows where it is not visible
-  /// Information that the visible values hold on each parameter, J_p . J_p in whitened units. Nothing, to
-  /// rounding: the runs never exercised it.
+  /// Information that the visible values hold on each parameter, J_p . J_p in whitened units. Zero: the runs
+  /// never exercised it.
   Eigen::VectorXd information;
   double cost = 0;               ///< twice the loss: the chi-square, but for outliers
   std::vector<double> residual;  ///< (measured - predicted) / declared sigma, flat, all values

@@ -33,4 +33,8 @@ inline constexpr double fit_level = 0.001;
 Findings search(const Experiment& experiment, const Measurements& measurements,
                 const std::function<void(double)>& progress = {});
 
+/// Weighs fitted hypotheses against each other, best evidence first, in the noise that the best of them
+/// leaves.
+void weigh(const Experiment& experiment, const Measurements& measurements, Findings& findings);
+
 }  // namespace plumbline
