@@ -279,7 +279,7 @@ std::vector<ParameterRange> parameter_ranges(const Experiment& experiment, const
 std::vector<ParameterRange> parameter_ranges(const Experiment& experiment, const Candidate& candidate) {
   std::vector<ParameterRange> all;
   for (const EffectAt& at : candidate.effects)
-    for (ParameterRange& range : parameter_ranges(experiment, at)) all.push_back(std::move(range));
+    for (const ParameterRange& range : parameter_ranges(experiment, at)) all.push_back(range);
   return all;
 }
 

@@ -87,6 +87,11 @@ bool EquilibriumSolver::settle_contacts(const RunRig& run, const Interval& inter
   for (std::size_t i = 0; i < run.joint.size(); ++i) {
     if (run.joint[i].stiffness <= 0) continue;
     const double q = equations_.layout.joint_angle(posture, i);
+    if (run.joint[i].friction <= 0) {
+      // Nothing is carried, but what little friction would be is against the way that the joint goes.
+      posture.contact[i] = q < memory[i].angle ? Contact::slips_down : Contact::slips_up;
+      continue;
+    }
     const Contact next = run.joint[i].next(q, memory[i], posture.contact[i]);
     changed = changed || next != posture.contact[i];
     posture.contact[i] = next;
@@ -174,13 +179,22 @@ bool EquilibriumSolver::follow(const RunRig& run, const Imposed& before, const I
   return true;
 }
 
+void EquilibriumSolver::settle(const RunRig& run, const Imposed& imposed, const Interval& interval,
+                               const std::vector<JointMemory>& memory, const Posture& posture) {
+  equations_.assemble(run, posture, memory, interval, false);
+  solve(run, imposed, posture);
+  settled_step_ = step_;
+  settled_force_step_ = force_step_;
+}
+
 Posture EquilibriumSolver::neighbour(const RunRig& run, const Imposed& imposed, const Interval& interval,
                                      const std::vector<JointMemory>& memory, const Posture& posture) {
   Posture result = posture;
   if (imposed.control == Control::force) result.force = imposed.value;
   equations_.assemble(run, result, memory, interval, false);
   solve(run, imposed, result);
-  apply(1, result);
+  for (std::size_t i = 0; i < step_.size(); ++i) result.angle[i] += step_[i] - settled_step_[i];
+  result.force += force_step_ - settled_force_step_;
   return result;
 }
 

@@ -21,8 +21,13 @@ class EquilibriumSolver {
   bool follow(const RunRig& run, const Imposed& before, const Imposed& imposed, const Interval& interval,
               const std::vector<JointMemory>& memory, const Posture& guess, Posture& posture);
 
+  /// Prepares neighbour() at the posture that follow() reached.
+  void settle(const RunRig& run, const Imposed& imposed, const Interval& interval,
+              const std::vector<JointMemory>& memory, const Posture& posture);
+
   /// One chord step with the factors of the last follow(): the posture of a rig that differs little from the
-  /// one followed.
+  /// one followed. What rounding leaves out of balance at the posture itself does not enter: a rig that does
+  /// not differ in this run has the same posture, to the bit.
   Posture neighbour(const RunRig& run, const Imposed& imposed, const Interval& interval,
                     const std::vector<JointMemory>& memory, const Posture& posture);
 
@@ -50,6 +55,8 @@ class EquilibriumSolver {
   Equations equations_;
   std::vector<double> step_, column_x_, column_y_;
   Vector2 force_step_ = Vector2::Zero();
+  std::vector<double> settled_step_;  ///< that rounding still asks for where follow() ended
+  Vector2 settled_force_step_ = Vector2::Zero();
   Eigen::Matrix2d flexibility_ = Eigen::Matrix2d::Identity();
   bool snapped_ = false;
 };

@@ -239,6 +239,7 @@ Fit fit_from(const Experiment& experiment, const Measurements& measurements, con
   fitted.cost = problem.cost();
   fitted.residual = problem.residual();
   fitted.whitened = whiten(measurements, fitted.residual, settings.noise);
+  fitted.jacobian = problem.jacobian();
   judge(problem, settings.outlier_bound, fitted);
   return fitted;
 }

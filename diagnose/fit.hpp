@@ -25,6 +25,7 @@ struct Fit {
   std::vector<double> parameters;  ///< fitted coordinates
   std::vector<bool> at_bound;      ///< by parameter
   Eigen::MatrixXd covariance;      ///< of the parameters; zero rows for those at a bound
+  Eigen::MatrixXd jacobian;        ///< of the whitened residual; zero rows where it is not visible
   /// Information that the visible values hold on each parameter, J_p . J_p in whitened units. Zero: the runs
   /// never exercised it.
   Eigen::VectorXd information;

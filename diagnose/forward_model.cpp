@@ -70,13 +70,13 @@ struct Traveller {
 class RunWalk {
  public:
   RunWalk(const Experiment& experiment, const Run& run, const Layout& layout, const Rig& rig,
-          const std::vector<Rig>& varied)
+          const std::vector<Variation>& variations)
       : run_(run),
         nominal_length_(experiment.link_length),
         layout_(layout),
         solver_(layout),
         main_(rig, run) {
-    for (const Rig& other : varied) beside_.emplace_back(other, run);
+    for (const Variation& other : variations) beside_.emplace_back(other.rig, run);
     start();
   }
 
@@ -155,6 +155,8 @@ class RunWalk {
     if (!solver_.follow(main_.on, at_, target, during(main_), main_.memory, guess, main_.posture))
       return false;
     snapped_ = snapped_ || solver_.snapped();
+    if (!beside_.empty())
+      solver_.settle(main_.on, target, during(main_), main_.memory, main_.posture);
     for (Traveller& other : beside_) {
       other.posture = solver_.neighbour(other.on, other.imposed(run_, reading), during(other), other.memory,
                                         main_.posture);
@@ -203,43 +205,44 @@ class RunWalk {
 
 }  // namespace
 
-Prediction predict(const Experiment& experiment, const Candidate& candidate,
-                   const std::vector<double>& parameters, bool with_sensitivity) {
-  constexpr double step_share = 1e-6;
+Prediction simulate(const Experiment& experiment, const Rig& rig, const std::vector<Variation>& variations) {
   const std::size_t n = experiment.link_length.size();
-  const Rig rig = rig_with(experiment, candidate, parameters);
-  std::vector<Rig> varied;
-  std::vector<double> step;
-  if (with_sensitivity) {
-    for (const ParameterRange& range : parameter_ranges(experiment, candidate)) {
-      std::vector<double> other = parameters;
-      step.push_back(step_share * range.scale);
-      other[varied.size()] += step.back();
-      varied.push_back(rig_with(experiment, candidate, other));
-    }
-  }
   Layout layout{n, rig.flexibility > 0, rig.coupling != 0, rig.friction > 0};
-  for (const Rig& other : varied) {
-    layout.coupled = layout.coupled || other.coupling != 0;
-    layout.dry = layout.dry || other.friction > 0;
+  for (const Variation& other : variations) {
+    layout.coupled = layout.coupled || other.rig.coupling != 0;
+    layout.dry = layout.dry || other.rig.friction > 0;
   }
   Prediction result;
-  result.sensitivity.resize(varied.size());
+  result.sensitivity.resize(variations.size());
   for (const Run& run : experiment.runs) {
     const auto rows = static_cast<Eigen::Index>(run.readings.size());
     const auto columns = column_q + static_cast<Eigen::Index>(n);
     result.runs.emplace_back(rows, columns);
     std::vector<Trace*> beside;
     for (auto& traces : result.sensitivity) beside.push_back(&traces.emplace_back(rows, columns));
-    RunWalk walk(experiment, run, layout, rig, varied);
+    RunWalk walk(experiment, run, layout, rig, variations);
     if (!walk.walk(result.runs.back(), beside)) {
       result.reached = false;
       return result;
     }
     result.snapped = result.snapped || walk.snapped();
-    for (std::size_t p = 0; p < step.size(); ++p) *beside[p] /= step[p];
+    for (std::size_t p = 0; p < variations.size(); ++p) *beside[p] /= variations[p].step;
   }
   return result;
+}
+
+Prediction predict(const Experiment& experiment, const Candidate& candidate,
+                   const std::vector<double>& parameters, bool with_sensitivity) {
+  std::vector<Variation> variations;
+  if (with_sensitivity) {
+    for (const ParameterRange& range : parameter_ranges(experiment, candidate)) {
+      std::vector<double> other = parameters;
+      const double step = variation_share * range.scale;
+      other[variations.size()] += step;
+      variations.push_back({rig_with(experiment, candidate, other), step});
+    }
+  }
+  return simulate(experiment, rig_with(experiment, candidate, parameters), variations);
 }
 
 }  // namespace plumbline

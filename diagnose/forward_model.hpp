@@ -27,6 +27,18 @@ struct Prediction {
   std::vector<std::vector<Trace>> sensitivity;  ///< [parameter][run]: derivative by the fitted coordinate
 };
 
+/// A rig that differs by a small step in one parameter.
+struct Variation {
+  Rig rig;
+  double step;
+};
+
+/// Predicts what a rig would give and, beside it, the difference quotients of its variations.
+Prediction simulate(const Experiment& experiment, const Rig& rig, const std::vector<Variation>& variations);
+
+/// The share of a parameter's scale by which sensitivities vary it.
+inline constexpr double variation_share = 1e-6;
+
 /// Predicts every channel of every reading.
 /// \param parameters         fitted coordinates, in the order of the candidate's effects
 /// \param with_sensitivity   also the derivatives by each parameter: one chord step and one back substitution

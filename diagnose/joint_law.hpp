@@ -28,13 +28,15 @@ struct JointLaw {
   /// A sticking contact is a spring this much stiffer than the joint's own: as good as rigid (it yields the
   /// slip torque after 1e-5 of the deflection that the spring needs for it) and still solved to ten digits.
   static constexpr double sticking = 1e5;
+  /// A contact changes its state only by more than this share of the slip torque, which rounding cannot fake.
+  static constexpr double rounding = 1e-7;
 
   /// Spring with play, hardening and stop: what does not depend on history.
   [[nodiscard]] Torque elastic(double angle) const {
     const double d = angle - rest;
     const double size = std::abs(d);
     Torque torque;
-    if (const double e = std::copysign(size - backlash, d); size > backlash) {
+    if (const double e = std::copysign(size - backlash, d); size >= backlash) {
       torque = {stiffness * e * (1 + hardening * e * e), stiffness * (1 + 3 * hardening * e * e)};
     }
     if (size > stop) {
@@ -62,11 +64,12 @@ struct JointLaw {
   /// joints can then not keep throwing each other from one direction of slip into the other.
   [[nodiscard]] Contact next(double angle, const JointMemory& last, Contact contact) const {
     const double trial = last.friction + sticking * stiffness * (angle - last.angle);
+    const double slack = rounding * friction;
     if (contact == Contact::sticks) {
-      if (trial > friction) return Contact::slips_up;
-      return trial < -friction ? Contact::slips_down : Contact::sticks;
+      if (trial > friction + slack) return Contact::slips_up;
+      return trial < -friction - slack ? Contact::slips_down : Contact::sticks;
     }
-    const bool goes_on = contact == Contact::slips_up ? trial >= friction : trial <= -friction;
+    const bool goes_on = contact == Contact::slips_up ? trial >= friction - slack : trial <= slack - friction;
     return goes_on ? contact : Contact::sticks;
   }
 

@@ -10,7 +10,9 @@ using namespace plumbline::test;
 
 namespace {
 
-Candidate only(EffectId effect, std::size_t joint = 0) { return {{{effect, joint}}}; }
+Candidate only(EffectId effect, std::size_t joint = 0) {
+  return {{{effect, joint}}};
+}
 
 double angle(const Trace& trace, Eigen::Index row, std::size_t i) {
   return trace(row, column_q + static_cast<Eigen::Index>(i));
@@ -33,8 +35,8 @@ double elastic_energy(const Experiment& experiment, const Trace& trace, Eigen::I
   return sum;
 }
 
-/// A press and back in steps so fine that the trapezoidal rule, which errs by the square of the step, is right
-/// to four digits.
+/// A press and back in steps so fine that the trapezoidal rule, which errs by the square of the step, is
+/// right to four digits.
 Experiment cycle() {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0.01}, 400, true, 0.1);
@@ -64,7 +66,8 @@ TEST_CASE("dry friction dissipates tau_c times the way of every joint, and no jo
     }
   }
   const double dissipated = work(trace, 0, 800) - elastic_energy(experiment, trace, 800);
-  CHECK(dissipated == doctest::Approx(tau_c * way).epsilon(1e-2));  // at the reversals the force jumps within a step
+  CHECK(dissipated ==
+        doctest::Approx(tau_c * way).epsilon(1e-2));  // at the reversals the force jumps within a step
   CHECK(stuck > 0);
 }
 
@@ -113,7 +116,8 @@ TEST_CASE("Maxwell arms stiffen a fast press by 1 + m and let a slow one go") {
   const auto first_force = [&](double interval, double share) {
     Experiment experiment = three_links();
     press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 1, false, interval);
-    return predict(experiment, only(EffectId::viscoelasticity), {m * share, std::log(tau)}).runs[0](1, column_Fx);
+    return predict(experiment, only(EffectId::viscoelasticity), {m * share, std::log(tau)})
+        .runs[0](1, column_Fx);
   };
   const double nominal = first_force(1, 0);
   CHECK(first_force(1e-6, 1) == doctest::Approx((1 + m) * nominal).epsilon(1e-6));
