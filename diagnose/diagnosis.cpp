@@ -139,6 +139,10 @@ Diagnosis diagnose(const Experiment& experiment, const Report& progress) {
   diagnosis.noise = diagnosis.gap.test.noise;
   if (diagnosis.gap.present) explain(experiment, measurements, residual, diagnosis, report);
   diagnosis.where = locate(experiment, measurements, nominal, residual, diagnosis.noise);
+  if (diagnosis.gap.present && diagnosis.cause.verdict == Verdict::unknown)
+    diagnosis.missing = describe_missing(experiment, measurements, nominal, residual, diagnosis.where);
+  if (diagnosis.cause.verdict == Verdict::ambiguous)
+    diagnosis.proposals = what_next(experiment, diagnosis.cause);
   report(1);
   return diagnosis;
 }
