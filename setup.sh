@@ -12,6 +12,8 @@ packages=(
   libginac-dev
   # command line, formats, text
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libfmt-dev libssl-dev
+  # least squares
+  libceres-dev
   # tests
   doctest-dev librapidcheck-dev python3-jsonschema
 )

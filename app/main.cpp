@@ -34,5 +34,6 @@ int main(int argc, char** argv) {
   plumbline::add_critical(app);
   plumbline::add_reference(app);
   plumbline::add_check(app);
+  plumbline::add_diagnose(app);
   return run(app, argc, argv);
 }

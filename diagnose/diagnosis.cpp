@@ -1,0 +1,150 @@
+#include "diagnose/diagnosis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <plumbline/error.hpp>
+
+namespace plumbline {
+namespace {
+
+using Report = std::function<void(double)>;
+
+/// The rise of twice the log-likelihood at the end of a 95 % interval of one parameter.
+constexpr double rise_95 = 3.841;
+
+Prediction nominal_prediction(const Experiment& experiment) {
+  Prediction nominal = predict(experiment, {}, {});
+  if (!nominal.reached) {
+    throw Error("experiment \"" + experiment.name + "\"", "runs that the nominal chain cannot follow",
+                "end points within reach and a stable posture at every reading");
+  }
+  return nominal;
+}
+
+GapAnswer ask_for_gap(const Measurements& measurements, const std::vector<double>& residual) {
+  GapAnswer gap;
+  gap.test = test_gap(measurements, residual);
+  gap.present = gap.test.p_value < gap_level;
+  const std::vector<double> clean = without_outliers(measurements, residual);
+  std::map<std::string, double> count;
+  double sum = 0;
+  for (const Series& series : measurements.series()) {
+    const double scale = gap.test.noise.of(series.channel.sensor());
+    for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i) {
+      gap.rms[series.channel.label()] += std::pow(series.sigma * clean[i], 2);
+      count[series.channel.label()] += 1;
+      sum += std::pow(clean[i] / scale, 2);
+    }
+  }
+  for (auto& [channel, square] : gap.rms) square = std::sqrt(square / count[channel]);
+  gap.chi2_per_value = sum / static_cast<double>(measurements.size());
+  return gap;
+}
+
+/// The hypotheses that a search on fewer readings left standing, fitted to all of them.
+Findings confirmed(const Experiment& experiment, const Measurements& measurements, const Findings& found) {
+  // More readings cannot lift what fell behind by so much.
+  constexpr double hopeless = 50;
+  Findings all;
+  FitSettings settings;
+  settings.noise = found.noise;
+  for (const Hypothesis& hypothesis : found.hypotheses) {
+    if (hypothesis.log_evidence < found.hypotheses.front().log_evidence - hopeless) break;
+    Fit one =
+        fit_from(experiment, measurements, hypothesis.fit.candidate, settings, hypothesis.fit.parameters);
+    if (one.converged) all.hypotheses.push_back({std::move(one), 0, 0, 1});
+  }
+  weigh(experiment, measurements, all);
+  return all;
+}
+
+/// Values and bounds for the best explanation, in the noise that it leaves.
+std::vector<std::vector<Estimate>> estimate(const Experiment& experiment, const Measurements& measurements,
+                                            const Fit& found, const NoiseModel& noise) {
+  FitSettings settings;
+  settings.noise = noise;
+  const Fit fit = fit_from(experiment, measurements, found.candidate, settings, found.parameters);
+  std::vector<std::vector<Estimate>> result;
+  std::size_t p = 0;
+  for (const EffectAt& at : fit.candidate.effects) {
+    result.emplace_back();
+    for (const ParameterRange& range : parameter_ranges(experiment, at)) {
+      const Profile bounds = profile(experiment, measurements, fit, p, settings, rise_95);
+      result.back().push_back({std::string(range.name), catalogue_value(range.coordinate, fit.parameters[p]),
+                               bounds.low, bounds.high, fit.at_bound[p]});
+      ++p;
+    }
+  }
+  return result;
+}
+
+/// What the runs never touched: a nominal parameter's change that no measured value shows.
+std::vector<EffectAt> never_exercised(const Experiment& experiment, const Findings& findings) {
+  std::vector<EffectAt> result;
+  for (const EffectAt& at : possible_effects(experiment)) {
+    const auto place =
+        std::find_if(findings.hypotheses.begin(), findings.hypotheses.end(),
+                     [&](const Hypothesis& one) { return one.fit.candidate == Candidate{{at}}; });
+    if (place != findings.hypotheses.end() && place->fit.information.size() > 0 &&
+        place->fit.information.maxCoeff() == 0)
+      result.push_back(at);
+  }
+  return result;
+}
+
+bool leaves_structure(const Measurements& measurements, const Findings& findings) {
+  return test_gap(measurements, findings.hypotheses.front().fit.residual).p_value < fit_level;
+}
+
+void explain(const Experiment& experiment, const Measurements& measurements,
+             const std::vector<double>& residual, Diagnosis& diagnosis, const Report& progress) {
+  const HeldOut heldout = choose_heldout(experiment);
+  const Experiment seen = without(experiment, heldout);
+  const Measurements seen_measurements(seen);
+  const Findings chosen = search(seen, seen_measurements, [&](double share) { progress(0.1 + 0.4 * share); });
+  if (chosen.hypotheses.empty()) return;
+  if (!heldout.empty()) {
+    const Fit& best = chosen.hypotheses.front().fit;
+    const Prediction after = predict(experiment, best.candidate, best.parameters);
+    if (after.reached) {
+      diagnosis.shrink = measure_shrink(measurements, heldout, residual,
+                                        measurements.residual(experiment, after), chosen.noise);
+    }
+  }
+  Findings findings = confirmed(experiment, measurements, chosen);
+  diagnosis.cause = judge(experiment, measurements, findings);
+  if (diagnosis.cause.verdict == Verdict::unknown && !leaves_structure(seen_measurements, chosen)) {
+    // What was held out holds the trace of a further cause.
+    findings = search(experiment, measurements, [&](double share) { progress(0.5 + 0.4 * share); });
+    diagnosis.cause = judge(experiment, measurements, findings);
+  }
+  diagnosis.noise = findings.noise;
+  diagnosis.not_exercised = never_exercised(experiment, chosen);
+  if (!diagnosis.cause.ranking.empty())
+    diagnosis.estimates =
+        estimate(experiment, measurements, diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit,
+                 findings.noise);
+}
+
+}  // namespace
+
+Diagnosis diagnose(const Experiment& experiment, const Report& progress) {
+  const Report report = progress ? progress : [](double) {};
+  const Measurements measurements(experiment);
+  const Prediction nominal = nominal_prediction(experiment);
+  const std::vector<double> residual = measurements.residual(experiment, nominal);
+  Diagnosis diagnosis;
+  diagnosis.experiment = experiment.name;
+  diagnosis.gap = ask_for_gap(measurements, residual);
+  diagnosis.noise = diagnosis.gap.test.noise;
+  if (diagnosis.gap.present) explain(experiment, measurements, residual, diagnosis, report);
+  diagnosis.where = locate(experiment, measurements, nominal, residual, diagnosis.noise);
+  if (diagnosis.gap.present && diagnosis.cause.verdict == Verdict::unknown)
+    diagnosis.missing = describe_missing(experiment, measurements, nominal, residual, diagnosis.where);
+  if (diagnosis.cause.verdict == Verdict::ambiguous)
+    diagnosis.proposals = what_next(experiment, diagnosis.cause);
+  report(1);
+  return diagnosis;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,23 @@
+#include "diagnose/rig.hpp"
+
+#include <limits>
+
+namespace plumbline {
+
+Rig nominal_rig(const Experiment& experiment) {
+  const std::size_t n = experiment.link_length.size();
+  Rig rig;
+  rig.length = experiment.link_length;
+  rig.stiffness = experiment.joint_stiffness;
+  rig.rest_error.assign(n, 0);
+  rig.backlash.assign(n, 0);
+  rig.stop.assign(n, std::numeric_limits<double>::infinity());
+  rig.stop_stiffness.assign(n, 0);
+  rig.weight.assign(n, Vector2::Zero());
+  const Vector2 gravity(experiment.gravity[0], experiment.gravity[1]);
+  for (std::size_t j = 0; j < n && j < experiment.link_mass.size(); ++j)
+    rig.weight[j] = experiment.link_mass[j] * gravity;
+  return rig;
+}
+
+}  // namespace plumbline

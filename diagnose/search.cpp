@@ -1,0 +1,127 @@
+#include "diagnose/search.hpp"
+
+#include <algorithm>
+
+#include "diagnose/screen.hpp"
+
+namespace plumbline {
+namespace {
+
+bool better(const Fit& a, const Fit& b) {
+  return a.cost < b.cost;
+}
+
+/// How far a search goes. A second effect is looked for beside the twenty best effects alone: of two causes
+/// one is among them unless both hide behind more than a score that mimic their sum. A third is looked for
+/// beside the ten best pairs. The two dozen that promise most are fitted.
+constexpr std::size_t single_seeds = 20, pair_seeds = 10, finalists = 24;
+
+/// Effects that might act together, and where their fit should start.
+struct Combination {
+  Candidate candidate;
+  std::vector<double> start;
+  double cost;  ///< forecast
+};
+
+class Searcher {
+ public:
+  Searcher(const Experiment& experiment, const Measurements& measurements)
+      : experiment_(experiment), measurements_(measurements) {}
+
+  [[nodiscard]] std::vector<Fit> singles() const {
+    std::vector<Fit> fits;
+    for (const EffectAt& at : possible_effects(experiment_))
+      keep(fits, fit(experiment_, measurements_, Candidate{{at}}, {}));
+    std::sort(fits.begin(), fits.end(), better);
+    return fits;
+  }
+
+  /// Adds one more effect to each of the best so far.
+  [[nodiscard]] std::vector<Fit> extended(const std::vector<Fit>& from, std::size_t seeds) const {
+    std::vector<Combination> combinations;
+    for (std::size_t s = 0; s < std::min(seeds, from.size()); ++s) {
+      for (const Prospect& prospect : screen(experiment_, measurements_, from[s], {}))
+        offer(combinations, joined(from[s], prospect));
+    }
+    std::sort(combinations.begin(), combinations.end(),
+              [](const Combination& a, const Combination& b) { return a.cost < b.cost; });
+    std::vector<Fit> fits;
+    for (std::size_t c = 0; c < std::min(finalists, combinations.size()); ++c)
+      keep(fits, fit_from(experiment_, measurements_, combinations[c].candidate, {}, combinations[c].start));
+    std::sort(fits.begin(), fits.end(), better);
+    return fits;
+  }
+
+ private:
+  static void keep(std::vector<Fit>& fits, Fit one) {
+    if (one.converged) fits.push_back(std::move(one));
+  }
+
+  static Combination joined(const Fit& base, const Prospect& prospect) {
+    Combination both{base.candidate, base.parameters, prospect.cost};
+    both.candidate.effects.push_back(prospect.effect);
+    both.start.insert(both.start.end(), prospect.start.begin(), prospect.start.end());
+    return both;
+  }
+
+  /// Keeps the better of two ways to the same combination.
+  static void offer(std::vector<Combination>& combinations, Combination one) {
+    const auto& effects = one.candidate.effects;
+    const auto known = std::find_if(combinations.begin(), combinations.end(), [&](const Combination& other) {
+      return std::is_permutation(effects.begin(), effects.end(), other.candidate.effects.begin(),
+                                 other.candidate.effects.end());
+    });
+    if (known == combinations.end()) {
+      combinations.push_back(std::move(one));
+    } else if (one.cost < known->cost) {
+      *known = std::move(one);
+    }
+  }
+
+  const Experiment& experiment_;
+  const Measurements& measurements_;
+};
+
+}  // namespace
+
+void weigh(const Experiment& experiment, const Measurements& measurements, Findings& findings) {
+  auto& hypotheses = findings.hypotheses;
+  if (hypotheses.empty()) return;
+  const auto best = std::min_element(hypotheses.begin(), hypotheses.end(),
+                                     [](const auto& a, const auto& b) { return better(a.fit, b.fit); });
+  findings.noise = estimate_noise(measurements, without_outliers(measurements, best->fit.residual));
+  for (Hypothesis& hypothesis : hypotheses) {
+    hypothesis.log_likelihood = log_likelihood(measurements, hypothesis.fit.residual, findings.noise);
+    hypothesis.log_evidence = log_evidence(experiment, measurements, hypothesis.fit, findings.noise);
+  }
+  std::sort(hypotheses.begin(), hypotheses.end(),
+            [](const Hypothesis& a, const Hypothesis& b) { return a.log_evidence > b.log_evidence; });
+}
+
+Findings search(const Experiment& experiment, const Measurements& measurements,
+                const std::function<void(double)>& progress) {
+  const auto report = [&](double share) {
+    if (progress) progress(share);
+  };
+  const Searcher searcher(experiment, measurements);
+  std::vector<Fit> fits = searcher.singles();
+  const auto p_value = [&] { return test_gap(measurements, fits.front().residual).p_value; };
+  const auto add = [&](const std::vector<Fit>& more) {
+    fits.insert(fits.end(), more.begin(), more.end());
+    std::sort(fits.begin(), fits.end(), better);
+  };
+  report(0.1);
+  if (!fits.empty() && p_value() < gap_level) {
+    const std::vector<Fit> pairs = searcher.extended(fits, single_seeds);
+    add(pairs);
+    report(0.5);
+    if (p_value() < fit_level) add(searcher.extended(pairs, pair_seeds));
+  }
+  Findings findings;
+  for (Fit& one : fits) findings.hypotheses.push_back({std::move(one), 0, 0, 1});
+  weigh(experiment, measurements, findings);
+  report(1);
+  return findings;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// Where fits start: several places where the derivative by a parameter vanishes at the nominal model.
+
+#include <vector>
+
+#include "diagnose/forward_model.hpp"
+
+namespace plumbline {
+
+/// Parameter vectors from which to fit. All are looked at, the `basins` best are descended from.
+struct Starts {
+  std::vector<std::vector<double>> from;
+  std::size_t basins;
+};
+
+/// Starts for one effect.
+/// \param nominal  the nominal prediction: it says how far each joint goes
+Starts starts(const Experiment& experiment, const Prediction& nominal, const EffectAt& at);
+
+/// All combinations for several effects.
+Starts starts(const Experiment& experiment, const Prediction& nominal, const Candidate& candidate);
+
+}  // namespace plumbline

@@ -1,0 +1,122 @@
+#include "diagnose/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+namespace {
+
+bool zero_is_nominal(const ParameterRange& range) {
+  return range.coordinate == Coordinate::plain && range.low <= 0;
+}
+
+double chi2_per_dof(const Measurements& measurements, const Fit& fit, const NoiseModel& noise) {
+  double sum = 0;
+  for (const double z : whiten(measurements, fit.residual, noise))
+    sum += huber(z, FitSettings().outlier_bound);
+  const std::size_t values = measurements.size(), parameters = fit.parameters.size();
+  return sum / static_cast<double>(values > parameters ? values - parameters : 1);
+}
+
+/// Posterior probabilities of the genuine hypotheses.
+std::vector<Ranked> ranked(const Experiment& experiment, const Measurements& measurements,
+                           const Findings& findings) {
+  std::vector<Ranked> ranking;
+  double sum = 0;
+  for (const Hypothesis& hypothesis : findings.hypotheses) {
+    if (!genuine(experiment, hypothesis.fit)) continue;
+    const double best = ranking.empty() ? hypothesis.log_evidence : ranking.front().hypothesis.log_evidence;
+    ranking.push_back({hypothesis, std::exp(hypothesis.log_evidence - best),
+                       chi2_per_dof(measurements, hypothesis.fit, findings.noise)});
+    sum += ranking.back().probability;
+  }
+  for (Ranked& one : ranking) one.probability /= sum;
+  return ranking;
+}
+
+}  // namespace
+
+std::string verdict_word(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::none:
+      return "none";
+    case Verdict::identified:
+      return "identified";
+    case Verdict::ambiguous:
+      return "ambiguous";
+    case Verdict::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+bool genuine(const Experiment& experiment, const Fit& fit) {
+  std::size_t p = 0;
+  for (const EffectAt& at : fit.candidate.effects) {
+    bool acts = false;
+    for (const ParameterRange& range : parameter_ranges(experiment, at)) {
+      const bool natural_zero = zero_is_nominal(range);
+      const bool at_zero = fit.at_bound[p] && natural_zero && std::abs(fit.parameters[p]) < range.scale;
+      if (fit.at_bound[p] && !at_zero) return false;
+      acts = acts || (natural_zero && !at_zero) || range.coordinate == Coordinate::reciprocal;
+      ++p;
+    }
+    if (!acts) return false;
+  }
+  return true;
+}
+
+namespace {
+
+/// The first of the ranking with so many effects, or the end.
+std::size_t first_of(const std::vector<Ranked>& ranking, std::size_t effects) {
+  const auto place = std::find_if(ranking.begin(), ranking.end(), [&](const Ranked& one) {
+    return one.hypothesis.fit.candidate.effects.size() == effects;
+  });
+  return static_cast<std::size_t>(place - ranking.begin());
+}
+
+/// The simplest explanation that leaves no structure, unless one more effect is significant at all the places
+/// where it could have been found; the end of the ranking when none suffices.
+std::size_t choose(const Experiment& experiment, const Measurements& measurements,
+                   std::vector<Ranked>& ranking) {
+  const double significant = told_apart + std::log(static_cast<double>(possible_effects(experiment).size()));
+  std::size_t chosen = ranking.size();
+  for (std::size_t effects = 1; effects <= 3; ++effects) {
+    const std::size_t place = first_of(ranking, effects);
+    if (place == ranking.size()) continue;
+    Hypothesis& one = ranking[place].hypothesis;
+    one.p_value = test_gap(measurements, one.fit.residual).p_value;
+    if (one.p_value < fit_level) continue;
+    if (chosen == ranking.size()) {
+      chosen = place;
+      continue;
+    }
+    const Hypothesis& simpler = ranking[chosen].hypothesis;
+    const auto more = static_cast<double>(effects - simpler.fit.candidate.effects.size());
+    if (one.log_likelihood > simpler.log_likelihood + more * significant) chosen = place;
+  }
+  return chosen;
+}
+
+}  // namespace
+
+Cause judge(const Experiment& experiment, const Measurements& measurements, const Findings& findings) {
+  Cause cause;
+  cause.ranking = ranked(experiment, measurements, findings);
+  cause.verdict = Verdict::unknown;
+  const std::size_t chosen = choose(experiment, measurements, cause.ranking);
+  if (chosen == cause.ranking.size()) return cause;
+  cause.best = chosen;
+  const Hypothesis& best = cause.ranking[chosen].hypothesis;
+  for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
+    const Hypothesis& other = cause.ranking[i].hypothesis;
+    const bool near = other.fit.candidate.effects.size() == best.fit.candidate.effects.size() &&
+                      other.log_likelihood > best.log_likelihood - told_apart;
+    if (near && i != chosen) cause.equivalent.push_back(i);
+  }
+  cause.verdict = cause.equivalent.empty() ? Verdict::identified : Verdict::ambiguous;
+  return cause;
+}
+
+}  // namespace plumbline

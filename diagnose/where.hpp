@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// Where a gap lies: shares of the squared, noise-weighted residual of the nominal model beyond noise.
+
+#include "diagnose/gap.hpp"
+
+namespace plumbline {
+
+struct ChannelShare {
+  std::string channel;
+  double share;
+};
+struct RunShare {
+  std::string run;
+  double share;
+};
+struct PathShare {
+  std::string run;
+  std::size_t from, to;  ///< first and last reading, from 0
+  double share;
+  std::string regime;  ///< "pre-buckling", "near the loss of stiffness", "post-buckling" or "unloading"
+};
+struct JointShare {
+  std::size_t joint;  ///< from 1
+  double share;
+};
+
+struct Where {
+  std::vector<ChannelShare> channels;
+  std::vector<RunShare> runs;
+  std::vector<PathShare> load_path;
+  std::vector<JointShare> joints;
+  bool torques_measured = false;  ///< the joints' shares are of measured missing torque, not implied
+};
+
+/// \param residual  of the nominal model, flat, in declared sigmas
+/// \param noise     scale of the noise as it is
+Where locate(const Experiment& experiment, const Measurements& measurements, const Prediction& nominal,
+             const std::vector<double>& residual, const NoiseModel& noise);
+
+}  // namespace plumbline

@@ -1,0 +1,104 @@
+#pragma once
+/// \file
+/// Experiments made up for the tests: a chain of three unequal links on a vertical bench.
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "diagnose/forward_model.hpp"
+
+namespace plumbline::test {
+
+inline double nan_value() {
+  return std::nan("");
+}
+
+inline Experiment three_links() {
+  Experiment experiment;
+  experiment.name = "three links";
+  experiment.link_length = {0.20, 0.25, 0.15};
+  experiment.joint_stiffness = {2.0, 1.5, 1.0};
+  experiment.link_mass = {0, 0, 0};
+  experiment.gravity = {0, 0};
+  experiment.bench = {Bench::Plane::vertical, {0, -1}, true};
+  experiment.noise = {1e-4, 1e-4, 0.01, 0.01, 1e-3};
+  return experiment;
+}
+
+/// Adds a run that presses the end point by `by` in `steps` readings and, if asked, lets it come back.
+inline void press(Experiment& experiment, const std::vector<double>& rest, std::array<double, 2> by,
+                  int steps, bool back, double interval = 1) {
+  Run run{"press-" + std::to_string(experiment.runs.size() + 1), Control::displacement, rest, {}};
+  double theta = 0, x = 0, y = 0;
+  for (std::size_t j = 0; j < rest.size(); ++j) {
+    theta += rest[j];
+    x += experiment.link_length[j] * std::cos(theta);
+    y += experiment.link_length[j] * std::sin(theta);
+  }
+  const int last = back ? 2 * steps : steps;
+  for (int i = 0; i <= last; ++i) {
+    const double share = 1.0 - std::abs(1.0 - static_cast<double>(i) / steps);
+    run.readings.push_back(
+        {i * interval, x + share * by[0], y + share * by[1], 0, 0, std::vector<double>(rest.size(), 0)});
+  }
+  experiment.runs.push_back(run);
+}
+
+/// Adds a run under an imposed force that grows from `from` to `to`.
+inline void load(Experiment& experiment, const std::vector<double>& rest, std::array<double, 2> from,
+                 std::array<double, 2> to, int steps) {
+  Run run{"load-" + std::to_string(experiment.runs.size() + 1), Control::force, rest, {}};
+  for (int i = 0; i <= steps; ++i) {
+    const double share = static_cast<double>(i) / steps;
+    run.readings.push_back({static_cast<double>(i), 0, 0, from[0] + share * (to[0] - from[0]),
+                            from[1] + share * (to[1] - from[1]), std::vector<double>(rest.size(), 0)});
+  }
+  experiment.runs.push_back(run);
+}
+
+/// Three links with a press along x and back, an oblique press and a force run.
+inline Experiment full_bench() {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
+  press(experiment, {-0.4, 0.3, 0.5}, {-0.05, 0.03}, 15, false, 2.5);
+  load(experiment, {0.2, 0.3, -0.3}, {0, 0}, {-2.0, 1.0}, 15);
+  return experiment;
+}
+
+/// The experiment as the candidate would have given it, with noise of the declared sigma; every `outlier`-th
+/// value off by 20 sigma.
+inline Experiment measured(Experiment experiment, const Candidate& truth,
+                           const std::vector<double>& parameters, unsigned seed, int outlier = 0) {
+  const Prediction predicted = predict(experiment, truth, parameters);
+  REQUIRE(predicted.reached);
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal;
+  int count = 0;
+  const auto noisy = [&](double value, double sigma) {
+    const double off = outlier > 0 && ++count % outlier == 0 ? 20 * sigma : 0;
+    return value + sigma * normal(engine) + off;
+  };
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    Run& run = experiment.runs[r];
+    for (std::size_t i = 0; i < run.readings.size(); ++i) {
+      const auto row = predicted.runs[r].row(static_cast<Eigen::Index>(i));
+      Reading& reading = run.readings[i];
+      if (run.control == Control::displacement) {
+        reading.Fx = noisy(row(column_Fx), experiment.noise.Fx);
+        reading.Fy = noisy(row(column_Fy), experiment.noise.Fy);
+      } else {
+        reading.x = noisy(row(column_x), experiment.noise.x);
+        reading.y = noisy(row(column_y), experiment.noise.y);
+      }
+      for (std::size_t j = 0; j < reading.q.size(); ++j)
+        reading.q[j] = noisy(row(column_q + static_cast<Eigen::Index>(j)), experiment.noise.q);
+    }
+  }
+  return experiment;
+}
+
+}  // namespace plumbline::test

@@ -1,0 +1,62 @@
+#include "diagnose/gap.hpp"
+
+#include <doctest/doctest.h>
+
+#include <numbers>
+
+#include "tests/diagnose/simulated_noise.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+struct Lab {
+  std::vector<std::size_t> readings;
+  double scale, correlation, outliers;
+};
+
+double alarm_rate(const Lab& lab, int draws, std::uint64_t seed) {
+  const Measurements measurements(blank_experiment(lab.readings));
+  std::mt19937_64 random(seed);
+  int alarms = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    std::vector<double> noise = correlated_noise(measurements, lab.scale, lab.correlation, random);
+    add_outliers(noise, lab.outliers, 10, random);
+    alarms += test_gap(measurements, noise).p_value < gap_level;
+  }
+  MESSAGE("scale ", lab.scale, ", correlation ", lab.correlation, ", outliers ", lab.outliers, ": ", alarms,
+          " of ", draws);
+  return static_cast<double>(alarms) / draws;
+}
+
+}  // namespace
+
+TEST_CASE("noise alone, however a lab mis-declares it, is called a gap one time in twenty at most") {
+  constexpr int draws = 100;
+  // One deviation of a count of 5 % in 100 is 2.2 %: 12 % is more than three above.
+  constexpr double limit = 0.12;
+  std::uint64_t seed = 10;
+  for (const double scale : {0.67, 1.5}) {
+    for (const double correlation : {0.0, 0.6})
+      CHECK(alarm_rate({{55, 90, 30}, scale, correlation, 0.0}, draws, ++seed) <= limit);
+  }
+  CHECK(alarm_rate({{55, 90, 30}, 1.0, 0.0, 0.02}, draws, ++seed) <= limit);
+  CHECK(alarm_rate({{55, 90, 30}, 1.2, 0.4, 0.01}, draws, ++seed) <= limit);
+  CHECK(alarm_rate({{120, 110, 90, 100, 80}, 1.0, 0.0, 0.0}, draws, ++seed) <= limit);
+  CHECK(alarm_rate({{8}, 1.0, 0.0, 0.0}, draws, ++seed) <= limit);
+}
+
+TEST_CASE("a slow gap of two sigmas rms in one run of three is found") {
+  const Measurements measurements(blank_experiment({55, 90, 30}));
+  std::mt19937_64 random(5);
+  int found = 0;
+  constexpr int draws = 50;
+  for (int draw = 0; draw < draws; ++draw) {
+    std::vector<double> residual = correlated_noise(measurements, 1.2, 0.3, random);
+    const Series& series = measurements.series().front();
+    for (std::size_t i = 0; i < series.readings.size(); ++i)
+      residual[i] += 2.8 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / 55);
+    found += test_gap(measurements, residual).p_value < gap_level;
+  }
+  CHECK(found >= 45);
+}

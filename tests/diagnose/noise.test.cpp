@@ -1,0 +1,72 @@
+#include "diagnose/noise.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "tests/diagnose/simulated_noise.hpp"
+
+using namespace plumbline;
+
+TEST_CASE("scale and correlation of noise are found again, with outliers among the readings") {
+  const Experiment experiment = blank_experiment({60, 90, 80});
+  const Measurements measurements(experiment);
+  std::mt19937_64 random(1);
+  for (const double scale : {0.75, 1.0, 1.4}) {
+    for (const double correlation : {0.0, 0.4}) {
+      double mean_scale = 0, mean_correlation = 0;
+      constexpr int draws = 50;
+      for (int draw = 0; draw < draws; ++draw) {
+        std::vector<double> noise = correlated_noise(measurements, scale, correlation, random);
+        add_outliers(noise, 0.015, 12, random);
+        const NoiseModel found = estimate_noise(measurements, without_outliers(measurements, noise));
+        mean_scale += found.of(Sensor::force) / draws;
+        mean_correlation += found.correlation / draws;
+      }
+      // 460 values: each estimate spreads by about 5 %; the priors pull by a few percent more.
+      CHECK(mean_scale == doctest::Approx(scale).epsilon(0.06));
+      CHECK(std::abs(mean_correlation - correlation) < 0.06);
+    }
+  }
+}
+
+TEST_CASE("a slow gap ten sigmas high does not pass for noise") {
+  const Experiment experiment = blank_experiment({80, 100});
+  const Measurements measurements(experiment);
+  std::mt19937_64 random(2);
+  std::vector<double> residual = correlated_noise(measurements, 1.0, 0.0, random);
+  for (const Series& series : measurements.series())
+    for (std::size_t i = 0; i < series.readings.size(); ++i)
+      residual[series.first + i] +=
+          10 * std::sin(3.0 * static_cast<double>(i) / static_cast<double>(series.readings.size()));
+  CHECK(estimate_noise(measurements, residual).of(Sensor::force) < 1.15);
+}
+
+TEST_CASE("an outlier is marked, the readings beside it and a step are not") {
+  const Experiment experiment = blank_experiment({20});
+  const Measurements measurements(experiment);
+  std::vector<double> residual(measurements.size());
+  for (std::size_t i = 0; i < residual.size(); ++i)
+    residual[i] = (i % 2 == 0 ? 0.5 : -0.5) + (i % 20 > 12 ? 30 : 0);
+  residual[6] += 12;
+  const std::vector<bool> marked = outliers(measurements, residual);
+  for (std::size_t i = 0; i < marked.size(); ++i) CHECK(marked[i] == (i == 6));
+}
+
+TEST_CASE("innovations of correlated noise are white") {
+  const Experiment experiment = blank_experiment({4000});
+  const Measurements measurements(experiment);
+  std::mt19937_64 random(3);
+  NoiseModel noise;
+  noise.scale = {1.3, 1.3, 1.3};
+  noise.correlation = 0.5;
+  const std::vector<double> white =
+      whiten(measurements, correlated_noise(measurements, 1.3, 0.5, random), noise);
+  double variance = 0, neighbour = 0;
+  for (std::size_t i = 1; i < white.size(); ++i) {
+    variance += white[i] * white[i] / static_cast<double>(white.size());
+    neighbour += white[i] * white[i - 1] / static_cast<double>(white.size());
+  }
+  CHECK(variance == doctest::Approx(1).epsilon(0.05));  // three deviations of sqrt(2 / 8000)
+  CHECK(std::abs(neighbour) < 0.035);
+}

@@ -1,0 +1,194 @@
+#include "diagnose/read_experiment.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <plumbline/error.hpp>
+#include <utility>
+#include <vector>
+
+#include "tests/diagnose/folder.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+const std::string good_toml = R"(format = "chain-experiment/1"
+name = "two"
+
+[nominal]
+link_length = [0.3, 0.2]
+joint_stiffness = [2.0, 1.5]
+
+[bench]
+gravity_plane = "vertical"
+gravity_direction = [0.0, -1.0]
+
+[noise]
+x = 0.001
+y = 0.001
+Fx = 0.02
+Fy = 0.02
+q = 0.001
+
+[[run]]
+id = "press"
+control = "displacement"
+rest = [0.4, -0.9]
+samples = "press.csv"
+
+[[run]]
+id = "pull"
+control = "force"
+rest = [0.4, -0.9]
+samples = "pull.csv"
+)";
+// End point of the rest shape: 0.3 (cos 0.4, sin 0.4) + 0.2 (cos 0.5, -sin 0.5) = (0.4518, 0.0209).
+const std::string good_press =
+    "t,x,y,Fx,Fy,q1,q2\n0,0.4518,0.0209,0,0,0.4,-0.9\n1,0.4500,0.0209,-0.1,,0.41,\n";
+const std::string good_pull = "t,x,y,Fx,Fy\r\n0,,0.0209,0,0\r\n2,0.453,0.02,0.1,+1e-2\r\n";
+
+struct Files {
+  std::string toml = good_toml, press = good_press, pull = good_pull;
+};
+
+void lay(const Folder& folder, const Files& files) {
+  folder.write("experiment.toml", files.toml);
+  folder.write("press.csv", files.press);
+  folder.write("pull.csv", files.pull);
+}
+
+std::string fault(const Files& files) {
+  const Folder folder;
+  lay(folder, files);
+  try {
+    read_experiment(folder.path());
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+std::string toml_fault(const std::string& from, const std::string& to) {
+  return fault({.toml = replaced(good_toml, from, to)});
+}
+
+std::string press_fault(const std::string& from, const std::string& to) {
+  return fault({.press = replaced(good_press, from, to)});
+}
+
+bool says(const std::string& message, const std::vector<std::string>& words) {
+  INFO(message);
+  bool all = message.find('\n') == std::string::npos;
+  for (const std::string& word : words) {
+    const bool found = message.find(word) != std::string::npos;
+    CHECK_MESSAGE(found, word);
+    all = all && found;
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a good experiment is read as it stands") {
+  const Folder folder;
+  lay(folder, {});
+  const Experiment experiment = read_experiment(folder.path());
+  CHECK(experiment.name == "two");
+  CHECK(experiment.link_length == std::vector{0.3, 0.2});
+  CHECK(experiment.link_mass == std::vector{0.0, 0.0});
+  CHECK(experiment.gravity == std::array{0.0, 0.0});
+  CHECK(experiment.bench.plane == Bench::Plane::vertical);
+  CHECK(experiment.bench.gravity_direction == std::array{0.0, -1.0});
+  CHECK(experiment.noise.q == 0.001);
+  REQUIRE(experiment.runs.size() == 2);
+  const Run& press = experiment.runs[0];
+  CHECK(press.control == Control::displacement);
+  REQUIRE(press.readings.size() == 2);
+  CHECK(press.readings[1].Fx == -0.1);
+  CHECK(std::isnan(press.readings[1].Fy));
+  CHECK(press.readings[1].q[0] == 0.41);
+  CHECK(std::isnan(press.readings[1].q[1]));
+  const Run& pull = experiment.runs[1];
+  CHECK(pull.control == Control::force);
+  CHECK(pull.readings[0].q.empty());
+  CHECK(std::isnan(pull.readings[0].x));
+  CHECK(pull.readings[1].Fy == 0.01);
+}
+
+TEST_CASE("a fault of experiment.toml is named by its key") {
+  CHECK(says(toml_fault("chain-experiment/1", "chain-experiment/2"), {"format", "chain-experiment/2"}));
+  CHECK(says(toml_fault("format =", "formt ="), {"format", "no such key"}));
+  CHECK(says(toml_fault("name = \"two\"", "name = 2"), {"name", "found 2"}));
+  CHECK(says(toml_fault("[bench]", "[bnch]"), {"bnch", "unknown key", "bench"}));
+  CHECK(says(toml_fault("gravity_plane", "plane"), {"bench.plane", "unknown key"}));
+  CHECK(says(toml_fault("\"vertical\"", "\"upright\""), {"bench.gravity_plane", "upright", "horizontal"}));
+  CHECK(says(toml_fault("[0.0, -1.0]", "[0.0, -2.0]"), {"gravity_direction", "length 2", "unit"}));
+  CHECK(says(toml_fault("\"vertical\"", "\"horizontal\""), {"gravity_direction", "horizontal plane"}));
+  CHECK(says(toml_fault("[0.3, 0.2]", "[0.3, -0.2]"), {"nominal.link_length[2]", "-0.2", "positive"}));
+  CHECK(says(toml_fault("[0.3, 0.2]", "[0.3, \"a\"]"), {"nominal.link_length[2]", "a", "finite"}));
+  CHECK(says(toml_fault("[0.3, 0.2]", "0.3"), {"nominal.link_length", "0.3", "list"}));
+  CHECK(says(toml_fault("[0.3, 0.2]", "[]"), {"nominal.link_length", "0 values"}));
+  CHECK(says(toml_fault("[2.0, 1.5]", "[2.0, -1.5]"), {"joint_stiffness[2]", "-1.5"}));
+  CHECK(says(toml_fault("[2.0, 1.5]", "[2.0, inf]"), {"joint_stiffness[2]", "inf", "finite"}));
+  CHECK(says(toml_fault("[2.0, 1.5]", "[2.0, 1.5, 1.0]"), {"joint_stiffness", "3 values", "2 numbers"}));
+  CHECK(says(toml_fault("Fy = 0.02", "Fy = -0.02"), {"noise.Fy", "-0.02"}));
+  CHECK(says(toml_fault("Fy = 0.02", "Fy = 0"), {"noise.Fy", "press"}));
+  CHECK(says(toml_fault("q = 0.001", ""), {"noise.q", "press"}));
+  CHECK(says(toml_fault("Fy = 0.02", ""), {"noise.Fy", "press"}));
+  CHECK(says(toml_fault("rest = [0.4, -0.9]", "rest = [0.4]"), {"run[1].rest", "1 values", "2 numbers"}));
+  CHECK(says(toml_fault("id = \"pull\"", "id = \"press\""), {"run[2].id", "\"press\" again"}));
+  CHECK(says(toml_fault("\"force\"", "\"torque\""), {"run[2].control", "torque", "displacement"}));
+  CHECK(says(toml_fault("\"pull.csv\"", "\"push.csv\""), {"push.csv"}));
+  CHECK(says(toml_fault("\"pull.csv\"", "\"../pull.csv\""), {"run[2].samples", "inside"}));
+  CHECK(says(toml_fault("\"pull.csv\"", "\"/etc/passwd\""), {"run[2].samples", "inside"}));
+  CHECK(says(toml_fault("\"pull.csv\"", "\".\""), {"found"}));
+  CHECK(says(toml_fault("[noise]", "[noise"), {"experiment.toml:12"}));
+}
+
+TEST_CASE("a fault of a sample file is named by its line") {
+  CHECK(says(press_fault("t,x,y", "t,y,x"), {"press.csv:1", "t,y,x", "t,x,y,Fx,Fy,q1,q2"}));
+  CHECK(says(press_fault("-0.1", "abc"), {"press.csv:3, Fx", "'abc'", "finite number"}));
+  CHECK(says(press_fault("-0.1", "nan"), {"press.csv:3, Fx", "'nan'"}));
+  CHECK(says(press_fault("-0.1", "1e999"), {"press.csv:3, Fx", "'1e999'"}));
+  CHECK(says(press_fault("-0.1", "1.0x"), {"press.csv:3, Fx", "'1.0x'"}));
+  CHECK(says(press_fault("-0.1,", ""), {"press.csv:3", "6 fields", "7"}));
+  CHECK(says(press_fault("1,0.4500", ",0.4500"), {"press.csv:3, t", "empty"}));
+  CHECK(says(press_fault("1,0.4500", "1,"), {"press.csv:3", "imposed"}));
+  CHECK(says(press_fault("1,0.4500", "-1,0.4500"), {"press.csv:3, t", "-1", "not before"}));
+  CHECK(says(press_fault("-0.1", "\"-0.1"), {"press.csv"}));
+  CHECK(says(fault({.press = "t,x,y,Fx,Fy\n"}), {"press.csv", "header alone"}));
+  CHECK(says(fault({.press = ""}), {"press.csv", "empty"}));
+}
+
+TEST_CASE("what cannot be physical is refused") {
+  CHECK(says(press_fault("1,0.4500", "1,0.5200"), {"press", "reading 2", "0.52", "0.5 m"}));
+  CHECK(says(press_fault("1,0.4500,0.0209", "1,0.0500,0.0209"), {"press", "reading 2", "0.1 m", "folded"}));
+  CHECK(says(press_fault("0.4,-0.9\n", "22.9,-51.6\n"), {"press", "joint angles", "radians"}));
+  CHECK(says(fault({.press = "t,x,y,Fx,Fy\n0,0.4518,0.0209,0,0\n", .pull = "t,x,y,Fx,Fy\n0,,,0,0\n"}),
+             {"2 measured values", "at least 3"}));
+}
+
+TEST_CASE("two passive joints are a chain while its end point is held, three are a mechanism") {
+  CHECK(toml_fault("[2.0, 1.5]", "[0, 0]").empty());
+  std::string toml = replaced(good_toml, "[0.3, 0.2]", "[0.3, 0.1, 0.1]");
+  toml = replaced(toml, "[2.0, 1.5]", "[0, 0, 0]");
+  for (int run = 0; run < 2; ++run) toml = replaced(toml, "[0.4, -0.9]", "[0.4, -0.9, 0.0]");
+  const std::string press = "t,x,y,Fx,Fy\n0,0.4518,0.0209,0,0\n";
+  CHECK(says(fault({.toml = toml, .press = press}), {"joint_stiffness", "3 passive joints", "mechanism"}));
+}
+
+TEST_CASE("a folder that is none, and an experiment that is a folder") {
+  const Folder folder;
+  CHECK_THROWS_WITH_AS(read_experiment(folder.path() / "nowhere"), doctest::Contains("no such folder"),
+                       Error);
+  CHECK_THROWS_WITH_AS(read_experiment(folder.path()), doctest::Contains("experiment.toml"), Error);
+  std::filesystem::create_directory(folder.path() / "experiment.toml");
+  CHECK_THROWS_WITH_AS(read_experiment(folder.path()), doctest::Contains("experiment.toml"), Error);
+}

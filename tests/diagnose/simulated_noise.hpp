@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// Noise of a lab, simulated, for the tests of the diagnosis.
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "diagnose/measurement.hpp"
+
+/// Runs under an imposed end point of which only the layout matters: all readings are zero.
+inline plumbline::Experiment blank_experiment(const std::vector<std::size_t>& readings) {
+  using namespace plumbline;
+  Experiment experiment{"blank",         {0.2, 0.2}, {1, 1},
+                        {0, 0},          {0, 0},     {Bench::Plane::unknown, {0, 0}, false},
+                        {0, 0, 1, 1, 0}, {}};
+  for (const std::size_t count : readings) {
+    Run run{"run-" + std::to_string(experiment.runs.size() + 1), Control::displacement, {0, 0}, {}};
+    for (std::size_t i = 0; i < count; ++i)
+      run.readings.push_back({static_cast<double>(i), 0.3, 0, 0, 0, {}});
+    experiment.runs.push_back(run);
+  }
+  return experiment;
+}
+
+inline std::vector<double> correlated_noise(const plumbline::Measurements& measurements, double scale,
+                                            double correlation, std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  std::vector<double> noise(measurements.size());
+  for (const plumbline::Series& series : measurements.series()) {
+    double state = normal(random);
+    for (std::size_t i = 0; i < series.readings.size(); ++i) {
+      noise[series.first + i] = scale * state;
+      state = correlation * state + std::sqrt(1 - correlation * correlation) * normal(random);
+    }
+  }
+  return noise;
+}
+
+inline void add_outliers(std::vector<double>& noise, double share, double size, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform;
+  for (double& value : noise)
+    if (uniform(random) < share) value += uniform(random) < 0.5 ? size : -size;
+}
