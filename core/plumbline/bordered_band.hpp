@@ -128,9 +128,9 @@ class BorderedBand {
     return factor_dense();
   }
 
-  /// Negative eigenvalues of the whole; presumes a symmetric one (R = C, D = D^T).
-  [[nodiscard]] std::size_t negative() const {
-    Matrix<Real> G = G_;
+  /// Negative eigenvalues of the matrix with only the first so many borders; presumes it is symmetric there.
+  [[nodiscard]] std::size_t negative(Eigen::Index borders) const {
+    Matrix<Real> G = G_.topLeftCorner(shifted() + borders, shifted() + borders);
     std::size_t count = negative_ + negative_eigenvalues(G);
     for (const auto& shift : shifts_) count -= shift.second < Real(0) ? 1 : 0;
     return count;

@@ -133,7 +133,8 @@ class EquilibriumSolver {
   Equilibrium<Real> finish(Control control, Vector<Real> theta, const Point<Real>& force) {
     model_->expand(theta, force, expansion_);
     require_regular(factor(control));
-    const std::size_t negative = matrix_.negative() - (control == Control::end_point ? 2 : 0);
+    const std::size_t borders = control == Control::end_point ? 2 : 0;
+    const std::size_t negative = matrix_.negative(static_cast<Eigen::Index>(borders)) - borders;
     return {std::move(theta), force, expansion_.end_point, expansion_.energy, negative};
   }
 

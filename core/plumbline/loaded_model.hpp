@@ -33,6 +33,25 @@ concept LoadedModel = requires(const M& model, const Vector<typename M::Real>& t
   model.require_reach(load);
 };
 
+/// A change of shape, force and load; a tangent of a branch, for one.
+template <Number Real>
+struct Variation {
+  Vector<Real> theta;
+  Point<Real> force;
+  Real load;
+};
+
+/// A model that also says how its stiffness changes: `second_derivative(theta, F, v, w, moment, place)` gives
+/// the second derivative of residual (n) and end point in the directions v and w. Branches are followed with
+/// it.
+template <class M>
+concept SmoothModel = LoadedModel<M> &&
+    requires(const M& model, const Vector<typename M::Real>& theta, const Point<typename M::Real>& load,
+             const Variation<typename M::Real>& v, Vector<typename M::Real>& moment,
+             Point<typename M::Real>& place) {
+  model.second_derivative(theta, load, v, v, moment, place);
+};
+
 /// The nominal chain: rigid links, linear springs V = sum k_i (q_i - rest_i)^2 / 2, q_i = theta_i -
 /// theta_(i-1).
 template <Analytic Number_>
@@ -77,6 +96,22 @@ class NominalModel {
     at.energy = at.energy / Real(2);
     at.force_gradient = at.end_point_gradient;
     at.compliance.setConstant(Real(0));
+  }
+
+  void second_derivative(const Vector<Real>& theta, const Point<Real>& force, const Variation<Real>& v,
+                         const Variation<Real>& w, Vector<Real>& moment, Point<Real>& place) const {
+    using std::cos, std::sin;
+    const Eigen::Index n = theta.size();
+    moment.resize(n);
+    place.x = place.y = Real(0);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Real& L = chain_.length()[static_cast<std::size_t>(i)];
+      const Real x = L * cos(theta(i)), y = L * sin(theta(i)), turn = v.theta(i) * w.theta(i);
+      moment(i) = (x * force.y - y * force.x) * turn + x * (v.theta(i) * w.force.x + w.theta(i) * v.force.x) +
+                  y * (v.theta(i) * w.force.y + w.theta(i) * v.force.y);
+      place.x = place.x - x * turn;
+      place.y = place.y - y * turn;
+    }
   }
 
   /// \throws Error where the end point p is out of reach, on the edge of reach (where only the stretched or

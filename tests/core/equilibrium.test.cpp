@@ -36,7 +36,7 @@ TEST_CASE("a singular band inside a regular bordered matrix is solved and counte
   matrix.factor(T);
   REQUIRE(matrix.border(Eigen::MatrixXd::Identity(2, 2), Eigen::MatrixXd::Identity(2, 2),
                         Eigen::MatrixXd::Zero(2, 2)));
-  CHECK(matrix.negative() == 2);
+  CHECK(matrix.negative(2) == 2);
   Eigen::VectorXd v(2), w(2);
   v << 3, 4;
   w << 5, 6;
@@ -68,7 +68,7 @@ TEST_CASE("bordered band: solution and inertia of random matrices, singular lead
     BorderedBand<double, 2> matrix;
     matrix.factor(T);
     RC_ASSERT(matrix.border(K.topRightCorner(n, p), K.topRightCorner(n, p), K.bottomRightCorner(p, p)));
-    RC_ASSERT(static_cast<Eigen::Index>(matrix.negative()) == (eigenvalues.array() < 0).count());
+    RC_ASSERT(static_cast<Eigen::Index>(matrix.negative(p)) == (eigenvalues.array() < 0).count());
     Eigen::VectorXd right(n + p);
     for (int i = 0; i < n + p; ++i) right(i) = entry();
     Eigen::VectorXd v = right.head(n), w = right.tail(p);
