@@ -11,7 +11,7 @@ packages=(
   # symbolic algebra
   libginac-dev
   # command line, formats, text
-  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libfmt-dev
+  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libfmt-dev libssl-dev
   # tests
   doctest-dev librapidcheck-dev
 )

@@ -1,7 +1,36 @@
-#include <CLI/CLI.hpp>
+#include <iostream>
+#include <plumbline/error.hpp>
+
+#include "app/verbs.hpp"
+
+namespace {
+
+constexpr int bad_input = 2;
+
+int run(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+    if (app.get_subcommands().empty()) std::cout << app.help();
+    if (!std::cout.flush())
+      throw plumbline::Error("standard output", "a failure while writing", "all written");
+    return 0;
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::RuntimeError& status) {
+    return status.get_exit_code();
+  } catch (const std::exception& error) {
+    std::cerr << "plumbline: " << error.what() << '\n';
+    return bad_input;
+  }
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("What is true of elastic serial chains under load.");
-  CLI11_PARSE(app, argc, argv);
-  return 0;
+  CLI::App app("What is true of elastic serial chains under load.", "plumbline");
+  app.require_subcommand(0, 1);
+  app.footer("Exit status: 0 done, 1 a claim or a check failed, 2 bad input.");
+  plumbline::add_verify(app);
+  plumbline::add_critical(app);
+  return run(app, argc, argv);
 }

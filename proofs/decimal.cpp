@@ -63,6 +63,18 @@ std::optional<Rational> parse_decimal(std::string_view text) {
   return negative ? Rational(-value) : value;
 }
 
+Rational unit_in_digit(const Rational& x, int digit) {
+  return shifted(Rational(1), decimal_exponent(x < 0 ? Rational(-x) : x) - digit + 1);
+}
+
+std::string to_exact(const Rational& x) {
+  Integer rest = mp::denominator(x);
+  int twos = 0, fives = 0;
+  for (; rest % 2 == 0; rest /= 2) ++twos;
+  for (; rest % 5 == 0; rest /= 5) ++fives;
+  return rest == 1 ? to_fixed(x, std::max(twos, fives)) : x.str();
+}
+
 std::string to_fixed(const Rational& x, int places) {
   const Rational magnitude = x < 0 ? Rational(-x) : x;
   std::string digits = nearest_integer(shifted(magnitude, places)).str();

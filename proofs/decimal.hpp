@@ -17,6 +17,12 @@ std::optional<Rational> parse_decimal(std::string_view text);
 /// for decimal exponents from -5 to `digits` and scientific notation otherwise. Exact zero is "0".
 std::string to_decimal(const Rational& x, int digits);
 
+/// One unit in a significant digit (from 1) of x, which is not zero: 0.01 for the third digit of 9.87.
+Rational unit_in_digit(const Rational& x, int digit);
+
+/// x itself: a decimal where it has a finite one, otherwise a fraction "p/q".
+std::string to_exact(const Rational& x);
+
 /// x rounded to nearest (ties away from zero) at so many places behind the point, as printed tables do.
 std::string to_fixed(const Rational& x, int places);
 

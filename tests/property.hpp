@@ -16,5 +16,5 @@ void check_property(const std::string& description, Testable&& property) {
   std::ostringstream report;
   rc::detail::printResultMessage(result, report);
   INFO(report.str());
-  CHECK(result.is<rc::detail::SuccessResult>());
+  CHECK(result.template is<rc::detail::SuccessResult>());
 }

@@ -20,21 +20,23 @@ struct Evidence {
 };
 
 struct Judgement {
-  Verdict verdict;
+  Verdict verdict = Verdict::refuted;
   std::string truth;               ///< the true statement where the printed one is not; else empty
   std::vector<Evidence> evidence;  ///< strongest first
-  std::string value;               ///< to 50 digits where the claim is about a number; else empty
+  std::string value;               ///< the number that the claim is about, where there is one; else empty
 };
 
 /// What the paper prints, as text that a check can read: formulas, decimals, counts, words.
 using Printed = std::vector<std::string>;
 
-/// Computes first, then compares with what is printed. The same check judges any altered print.
-using Check = std::function<Judgement(const Printed&)>;
+/// Computes first, then compares with what is printed; the same check judges any altered print.
+/// The second argument is the number of digits of Judgement::value.
+/// \throws Error where the printed text cannot be judged
+using Check = std::function<Judgement(const Printed&, int)>;
 
 struct Claim {
   std::string id;
-  std::string where;      ///< place in the paper
+  std::string where;      ///< place in the paper, its section first: "4.1, (13)"
   std::string statement;  ///< one line
   Printed printed;
   Check check;

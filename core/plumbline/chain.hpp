@@ -47,6 +47,8 @@ class Chain {
   [[nodiscard]] const std::vector<Real>& stiffness() const { return stiffness_; }
   [[nodiscard]] const std::vector<Real>& rest() const { return rest_; }
 
+  /// Whether joint i (from 0) has no spring.
+  [[nodiscard]] bool passive_joint(std::size_t i) const { return !positive(stiffness_[i]); }
   [[nodiscard]] std::size_t passive_joints() const {
     return static_cast<std::size_t>(
         std::count_if(stiffness_.begin(), stiffness_.end(), [](const Real& k) { return !positive(k); }));

@@ -33,6 +33,12 @@ class Interval {
     mpfi_interv_fr(value_.backend().data(), low.backend().data(), high.backend().data());
   }
 
+  static Interval pi() {
+    Interval result;
+    mpfi_const_pi(result.value_.backend().data());
+    return result;
+  }
+
   [[nodiscard]] End lower() const {
     End end;
     mpfi_get_left(end.backend().data(), value_.backend().data());

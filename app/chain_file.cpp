@@ -1,0 +1,139 @@
+#include "app/chain_file.hpp"
+
+#include <cctype>
+#include <cstring>
+#include <set>
+#include <sstream>
+
+#include "files/csv_file.hpp"
+#include "files/toml_file.hpp"
+#include "proofs/decimal.hpp"
+
+namespace plumbline {
+namespace {
+
+Rational parse_number(const std::string& text, const std::string& list, std::size_t i) {
+  if (const auto value = parse_decimal(text)) return *value;
+  throw Error(list + ", entry " + std::to_string(i + 1), text.empty() ? "nothing" : text, "a decimal number");
+}
+
+/// The text with every bare decimal quoted: a TOML parser rounds numbers to double and refuses those that
+/// overflow, but keeps strings as they are. What is in quotes or a comment already stays.
+std::string quote_decimals(const std::string& text) {
+  std::string result;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at + 1;
+    if (text[at] == '#') {
+      end = std::min(text.find('\n', at), text.size());
+    } else if (text[at] == '"' || text[at] == '\'') {
+      end = std::min(text.find_first_of({text[at], '\n'}, end), text.size() - 1) + 1;
+    } else if (std::isalnum(static_cast<unsigned char>(text[at])) != 0 || text[at] == '+' ||
+               text[at] == '-') {
+      const auto is_bare = [](unsigned char c) {
+        return std::isalnum(c) != 0 || (c != 0 && std::strchr("+-._:", c));
+      };
+      while (end < text.size() && is_bare(static_cast<unsigned char>(text[end]))) ++end;
+    }
+    const std::string token = text.substr(at, end - at);
+    std::string digits = token;
+    std::erase(digits, '_');  // TOML groups digits with it
+    result += parse_decimal(digits) ? '"' + digits + '"' : token;
+    at = end;
+  }
+  return result;
+}
+
+std::vector<Rational> number_list(const toml::table& table, const std::string& key,
+                                  const std::string& source) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) throw Error(source, "no key " + key, "lengths and stiffness, a list each");
+  const std::string where = place(*node, source) + ": " + key;
+  const toml::array* list = node->as_array();
+  if (list == nullptr) throw Error(where, "a single value", "a list of numbers in brackets");
+  std::vector<Rational> values;
+  for (const toml::node& item : *list) {
+    std::ostringstream found;
+    found << toml::node_view(item);
+    values.push_back(parse_number(item.value_or(found.str()), where, values.size()));
+  }
+  return values;
+}
+
+std::vector<Rational> joined_numbers(const std::string& field, const std::string& list) {
+  std::vector<Rational> values;
+  for (std::size_t at = 0; at <= field.size();) {
+    const std::size_t end = std::min(field.find(';', at), field.size());
+    const std::size_t first = std::min(field.find_first_not_of(' ', at), end);
+    const std::size_t last = field.find_last_not_of(' ', end - 1);
+    values.push_back(parse_number(field.substr(first, last + 1 - first), list, values.size()));
+    at = end + 1;
+  }
+  return values;
+}
+
+NamedChain parse_row(const CsvRow& row, const std::vector<std::size_t>& column, const std::string& where,
+                     std::set<std::string>& names) {
+  if (row.fields.size() != column.size()) {
+    throw Error(where, std::to_string(row.fields.size()) + " fields", std::to_string(column.size()));
+  }
+  const std::string& name = row.fields[column[0]];
+  const std::string place = where + ": chain " + name;
+  if (name.empty()) throw Error(where, "a chain without a name", "a name in the column chain");
+  if (!names.insert(name).second) throw Error(place, "a name that occurred before", "every chain once");
+  try {
+    return {name, place,
+            Chain<Rational>(joined_numbers(row.fields[column[1]], "lengths"),
+                            joined_numbers(row.fields[column[2]], "stiffness"))};
+  } catch (const Error& error) {
+    throw Error(place + ": " + error.what());
+  }
+}
+
+/// Where the columns `chain`, `lengths`, `stiffness` stand.
+std::vector<std::size_t> find_columns(const CsvRow& header, const std::string& source) {
+  std::vector<std::size_t> column;
+  for (const std::string name : {"chain", "lengths", "stiffness"}) {
+    const auto found = std::find(header.fields.begin(), header.fields.end(), name);
+    if (found == header.fields.end() || header.fields.size() != 3) {
+      std::string fields;
+      for (const std::string& field : header.fields) fields += (fields.empty() ? "" : ",") + field;
+      throw Error(source + ":" + std::to_string(header.line), "the header " + fields,
+                  "chain,lengths,stiffness");
+    }
+    column.push_back(static_cast<std::size_t>(found - header.fields.begin()));
+  }
+  return column;
+}
+
+}  // namespace
+
+Chain<Rational> parse_chain(const std::string& text, const std::string& source) {
+  const toml::table table = parse_toml(quote_decimals(text), source);
+  refuse_unknown_keys(table, {"lengths", "stiffness", "rest"}, source);
+  const auto lengths = number_list(table, "lengths", source);
+  const auto stiffness = number_list(table, "stiffness", source);
+  const auto rest = table.contains("rest") ? number_list(table, "rest", source) : std::vector<Rational>();
+  try {
+    return Chain<Rational>(lengths, stiffness, rest);
+  } catch (const Error& error) {
+    throw Error(source + ": " + error.what());
+  }
+}
+
+ChainTable parse_chain_table(const std::string& text, const std::string& source) {
+  const std::vector<CsvRow> rows = parse_csv(text, source);
+  const std::vector<std::size_t> column = find_columns(rows.at(0), source);
+  if (rows.size() == 1) throw Error(source, "a header and no chain", "a row for each chain");
+  ChainTable table;
+  std::set<std::string> names;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    try {
+      table.chains.push_back(parse_row(rows[i], column, source + ":" + std::to_string(rows[i].line), names));
+    } catch (const Error& error) {
+      table.errors.emplace_back(error.what());
+    }
+  }
+  return table;
+}
+
+}  // namespace plumbline

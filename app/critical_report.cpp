@@ -1,0 +1,113 @@
+#include "app/critical_report.hpp"
+
+#include <fmt/core.h>
+
+#include "files/csv_file.hpp"
+#include "proofs/decimal.hpp"
+
+namespace plumbline {
+namespace {
+
+/// The decimal as short as it can be written with 15 digits.
+std::string brief(const Rational& x) {
+  std::string text = to_decimal(x, 15);
+  const std::size_t exponent = std::min(text.find('e'), text.size());
+  if (text.find('.') < exponent) {
+    const std::size_t last = text.find_last_not_of('0', exponent - 1);
+    text.erase(last + (text[last] == '.' ? 0 : 1), exponent - last - (text[last] == '.' ? 0 : 1));
+  }
+  return text;
+}
+
+/// "first, second, …", the middle left out when there are many.
+std::string listing(const std::vector<Rational>& values) {
+  constexpr std::size_t most = 8;
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values.size() > most && i == most - 2) {
+      text += ", ...";
+      i = values.size() - 2;
+      continue;
+    }
+    text += (text.empty() ? "" : ", ") + brief(values[i]);
+  }
+  return text;
+}
+
+/// Rows of right-aligned angles with so many to a line.
+std::string angles(std::size_t number, const CriticalMode& mode) {
+  constexpr std::size_t to_a_line = 8;
+  std::string text = fmt::format("{:4}", number);
+  for (std::size_t i = 0; i < mode.q.size(); ++i) {
+    if (i > 0 && i % to_a_line == 0) text += "\n    ";
+    text += fmt::format(" {:8.4f}", mode.q[i]);
+  }
+  return text + fmt::format("   Fy {:.4g}\n", mode.fy);
+}
+
+}  // namespace
+
+std::string as_text(const CriticalModes& result) {
+  const std::size_t wide = std::max<std::size_t>(result.modes.back().force.size(), 14) + 2;
+  std::string text =
+      fmt::format("{}: {} links\n  lengths    {}\n  stiffness  {}\n\n", result.chain, result.data.size(),
+                  listing(result.data.length()), listing(result.data.stiffness()));
+  text += fmt::format("Critical force {}, shape {}\n\n", result.modes[0].force,
+                      shape_name(result.modes[0].signs));
+  text += fmt::format("mode  {:<{}}{:<22}{:<7}{}\n", "force", wide, "energy factor", "shape", "signs");
+  for (std::size_t m = 0; m < result.modes.size(); ++m) {
+    const CriticalMode& mode = result.modes[m];
+    text += fmt::format("{:4}  {:<{}}{:<22}{:<7}{}\n", m + 1, mode.force, wide, mode.energy_factor,
+                        shape_name(mode.signs), mode.signs);
+  }
+  text += "\nmode  joint angles q1 ... qn and lateral force Fy, up to a common factor\n";
+  for (std::size_t m = 0; m < result.modes.size(); ++m) text += angles(m + 1, result.modes[m]);
+  return text;
+}
+
+std::string as_text(const std::vector<CriticalModes>& results) {
+  std::size_t name = 5, force = 5;
+  for (const CriticalModes& result : results) {
+    name = std::max(name, result.chain.size());
+    for (const CriticalMode& mode : result.modes) force = std::max(force, mode.force.size());
+  }
+  std::string text = fmt::format("{:<{}}  links  mode  {:<{}}  shape\n", "chain", name, "force", force);
+  for (const CriticalModes& result : results) {
+    for (std::size_t m = 0; m < result.modes.size(); ++m) {
+      text += fmt::format("{:<{}}  {:5}  {:4}  {:<{}}  {}\n", result.chain, name, result.data.size(), m + 1,
+                          result.modes[m].force, force, shape_name(result.modes[m].signs));
+    }
+  }
+  return text;
+}
+
+std::string as_csv(const std::vector<CriticalModes>& results) {
+  std::string text = "chain,mode,force\n";
+  for (const CriticalModes& result : results) {
+    for (std::size_t m = 0; m < result.modes.size(); ++m)
+      text += fmt::format("{},{},{}\n", csv_field(result.chain), m + 1, result.modes[m].force);
+  }
+  return text;
+}
+
+nlohmann::ordered_json as_json(const std::vector<CriticalModes>& results,
+                               const std::vector<std::string>& errors) {
+  nlohmann::ordered_json chains = nlohmann::ordered_json::array();
+  for (const CriticalModes& result : results) {
+    nlohmann::ordered_json modes = nlohmann::ordered_json::array();
+    for (std::size_t m = 0; m < result.modes.size(); ++m) {
+      const CriticalMode& mode = result.modes[m];
+      modes.push_back({{"mode", m + 1},
+                       {"force", mode.force},
+                       {"energy_factor", mode.energy_factor},
+                       {"shape", shape_name(mode.signs)},
+                       {"signs", mode.signs},
+                       {"q", mode.q},
+                       {"fy", mode.fy}});
+    }
+    chains.push_back({{"chain", result.chain}, {"links", result.data.size()}, {"modes", modes}});
+  }
+  return {{"chains", chains}, {"errors", errors}};
+}
+
+}  // namespace plumbline

@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""Checks Plumbline certificates with integers and fractions alone. What is checked, and what that proves, stands in
+certificate-format.md. Usage: check_certificates.py FILE... (exit status 0 when everything in them holds)."""
+import hashlib, json, re, sys
+from fractions import Fraction
+from itertools import accumulate
+from math import ceil, floor, lcm
+
+def require(holds, what):
+    if not holds: raise ValueError(what)
+
+def fields(entry, required, optional=""):
+    found = set(entry) if isinstance(entry, dict) else {"no object"}
+    require(set(required.split()) <= found <= set((required + " " + optional).split()), f"fields {sorted(found)}")
+
+def number(text):
+    good = isinstance(text, str) and re.fullmatch(r"-?\d+(/0*[1-9]\d*|(\.\d+)?(e[+-]?\d{1,4})?)", text, re.ASCII)
+    require(good, f"{text!r} where a decimal or a fraction is expected")
+    return Fraction(text)
+
+def unit(x, digits):
+    """One unit in a significant digit of x; for x = 0 one unit in that place behind the point."""
+    e = len(str(abs(x.numerator))) - len(str(x.denominator)) if x else 0
+    return Fraction(10) ** (e + (x != 0 and abs(x) >= Fraction(10) ** e) - digits)
+
+def value(polynomial, x):
+    return sum(c * x**i for i, c in enumerate(polynomial))
+
+def determinant(rows):
+    i = next((i for i, row in enumerate(rows) if row[0]), None)
+    if i is None or len(rows) == 1:
+        return rows[0][0]
+    rest = [[a - b * row[0] / rows[i][0] for a, b in zip(row[1:], rows[i][1:])] for row in rows[:i] + rows[i + 1:]]
+    return (-1) ** i * rows[i][0] * determinant(rest)
+
+def times(a, b):
+    products = [x * y for x in a for y in b]
+    return min(products), max(products)
+
+def outward(interval, bits):
+    top = max(map(abs, interval))
+    grid = Fraction(2) ** (bits - top.numerator.bit_length() + top.denominator.bit_length())
+    return floor(interval[0] * grid) / grid, ceil(interval[1] * grid) / grid
+
+class Chain:
+    def __init__(self, lengths, stiffness):
+        self.L, self.k = [number(x) for x in lengths], [number(x) for x in stiffness]
+        n = self.n = len(self.L)
+        require(n > 1 and len(self.k) == n and min(self.L) > 0 and min(self.k) >= 0, "lengths or stiffness")
+        require(self.k.count(0) < 2, "two passive joints")
+        self.z = list(accumulate(self.L[::-1]))[::-1]
+        passive = self.k.index(0) if 0 in self.k else 0
+        self.blocks = [(0, passive), (passive, n - 1)] if passive else [(0, n - 1)]
+        dL, dk = lcm(*(x.denominator for x in self.L)), lcm(*(x.denominator for x in self.k))
+        self.whole = [[int(x * d) for x in values] for values, d in ((self.L, dL), (self.z, dL), (self.k, dk))]
+        self.per_force = Fraction(dk, dL)
+
+    def recursion(self, block, force):
+        """The sign changes in h_first ... h_last, and h_last up to a positive factor that is the same for every
+        integer force / per_force; a part that ends in a passive joint has g_last in place of h_last."""
+        (L, z, k), (P, D) = self.whole, (force * self.per_force).as_integer_ratio()
+        h, m, count, positive = z[block[0]], k[block[0]], 0, True
+        for i in range(*block):
+            t = D * z[i + 1] * m - P * L[i] * h
+            h, m = (D * z[i] * k[i + 1] * h + z[i + 1] * t, k[i + 1] * t) if k[i + 1] else (t, 0)
+            if h:
+                count, positive = count + ((h > 0) != positive), h > 0
+        return count, h
+
+    def shape(self, block, force):
+        """Intervals around the joint angles of the buckling mode of a part, for an interval of forces."""
+        bits, first, zero = int(force[1] / (force[1] - force[0])).bit_length() + 64, block[0], Fraction(0)
+        h, g, q = (zero + 1,) * 2, (self.k[first] / self.z[first] ** 2,) * 2, [(zero, zero)] * self.n
+        q[first] = (1 / self.z[first],) * 2
+        for i in range(*block):
+            load, z, k = times(force, h)[::-1], self.z[i + 1], self.k[i + 1]
+            g = outward([a - b * self.L[i] / (self.z[i] * z) for a, b in zip(g, load)], bits)
+            q[i + 1] = tuple(a * z / k for a in g) if k else tuple(-a / z for a in h[::-1])
+            h = outward([a + z * b for a, b in zip(h, q[i + 1])], bits)
+        return q
+
+    def check_force(self, entry):
+        fields(entry, "mode digits low high below_low below_high", "shape")
+        low, high = number(entry["low"]), number(entry["high"])
+        require(0 < low < high and 2 * (high - low) < unit(low, entry["digits"]) and entry["digits"] > 0, "bounds too wide")
+        counts = [[self.recursion(block, force)[0] for block in self.blocks] for force in (low, high)]
+        require([entry["below_low"], entry["below_high"]] == [*map(sum, counts)], "counts")
+        require(entry["below_low"] < entry["mode"] <= entry["below_high"], "mode not within the bounds")
+        if "shape" in entry:
+            self.check_shape(entry["shape"], (low, high), counts)
+
+    def check_shape(self, shape, force, counts):
+        fields(shape, "first last digits q")
+        block, digits = (shape["first"] - 1, shape["last"] - 1), shape["digits"]
+        part, one, q = self.blocks.index(block), shape["q"].index("1"), self.shape(block, force)
+        require(counts[1][part] == counts[0][part] + 1, "not one mode of this part of the chain within the bounds")
+        require(digits > 0 and len(shape["q"]) == self.n and q[one][0] * q[one][1] > 0, "q")
+        for text, angle in zip(shape["q"], q):
+            v, (low, high) = number(text), times(angle, (1 / q[one][1], 1 / q[one][0]))
+            require(v - unit(v, digits) <= low <= high <= v + unit(v, digits), f"q {text}")
+
+    def check_tie(self, tie):
+        fields(tie, "mode low high factor cofactors")
+        low, high, d = number(tie["low"]), number(tie["high"]), [number(x) for x in tie["factor"]]
+        ends = [sum(self.recursion(block, force)[0] for block in self.blocks) for force in (low, high)]
+        require(low < high and ends == [tie["mode"] - 1, tie["mode"] + 1], "not two modes from this on")
+        require(value(d, low) * value(d, high) < 0 and len(self.blocks) == len(tie["cofactors"]) == 2, "no common root")
+        for block, cofactor in zip(self.blocks, tie["cofactors"]):
+            e, degree, start = [number(x) for x in cofactor], block[1] - block[0], self.recursion(block, 0)[1]
+            require(len(d) + len(e) <= degree + 2 and d[0] and e[0], "degree")
+            for x in (i / self.per_force for i in range(degree + 1)):
+                require(value(d, x) * value(e, x) * start == d[0] * e[0] * self.recursion(block, x)[1], "the factor does not divide")
+
+    def check_matrices(self, entry, forces):
+        fields(entry, "rank_A rank_B zero_algebraic zero_geometric characteristic")
+        n, c = self.n, [number(x) for x in entry["characteristic"]]
+        A = [[-self.z[max(i, j)] for j in range(n)] + [0] for i in range(n)] + [[0] * (n + 1)]
+        B = [[self.k[i] * (i == j) for j in range(n)] + [self.z[i]] for i in range(n)] + [self.z + [0]]
+        for x in map(Fraction, range(n + 2)):
+            pencil = [[x * b - a for a, b in zip(*rows)] for rows in zip(A, B)]
+            require(len(c) == n + 2 and value(c, x) == determinant(pencil), "characteristic polynomial")
+        require(c[-1] and c[2] and not c[1] and not c[0] and determinant([row[:n] for row in A[:n]]), "degenerate")
+        found = [entry[name] for name in ("rank_A", "rank_B", "zero_algebraic", "zero_geometric")]
+        require(found == [n, n + 1, 2, 1], "ranks or multiplicities")
+        for f in forces:  # the bounds once more, from the determinant itself: no recursion, no theorem
+            ends = [value(c, -1 / number(f[end])) for end in ("low", "high")]
+            require(f["below_high"] - f["below_low"] > 1 or ends[0] * ends[1] < 0, "no eigenvalue within the bounds")
+
+def check(document):
+    fields(document, "format version licence provenance certificates sha256")
+    text = json.dumps({**document, "sha256": ""}, sort_keys=True, separators=(",", ":"))
+    require(hashlib.sha256(text.encode()).hexdigest() == document["sha256"], "sha256: the file has been changed")
+    require([document["format"], document["version"]] == ["plumbline-certificates", 1], "format or version")
+    for entry in document["certificates"]:
+        try:
+            fields(entry, "chain lengths stiffness forces", "ties matrices")
+            chain, modes = Chain(entry["lengths"], entry["stiffness"]), [force["mode"] for force in entry["forces"]]
+            require(modes == sorted(set(modes)), "modes out of order")
+            for force in entry["forces"]:
+                chain.check_force(force)
+            for tie in entry.get("ties", []):
+                chain.check_tie(tie)
+            if "matrices" in entry:
+                chain.check_matrices(entry["matrices"], entry["forces"])
+        except (ValueError, TypeError, KeyError, IndexError) as error:
+            raise ValueError(f"chain {entry['chain']}: {error}") from None
+    return len(document["certificates"])
+
+if __name__ == "__main__":
+    for name in sys.argv[1:]:
+        with open(name, encoding="utf-8") as file:
+            print(f"{name}: {check(json.load(file, parse_float=str))} chains hold")

@@ -1,0 +1,79 @@
+#include "proofs/enclosure.hpp"
+
+#include <algorithm>
+#include <plumbline/critical_force.hpp>
+#include <string>
+
+#include "proofs/exact_count.hpp"
+#include "proofs/working_precision.hpp"
+
+namespace plumbline {
+namespace {
+
+Integer power_of_ten(long exponent) {
+  return mp::pow(Integer(10), static_cast<unsigned>(exponent));
+}
+
+Rational decimal(const Integer& mantissa, long exponent) {
+  return exponent < 0 ? Rational(mantissa, power_of_ten(-exponent))
+                      : Rational(mantissa * power_of_ten(exponent));
+}
+
+/// Two units on either side of x in the digit after `kept` + `guard` significant ones, and whether the two
+/// ends round to the same decimal of `kept` digits.
+struct Bounds {
+  Rational low, high;
+  bool agree;
+};
+Bounds bounds(const Mpfr& x, int kept, int guard) {
+  long exponent = 0;
+  const auto digits = static_cast<std::size_t>(kept + guard);
+  char* const text = mpfr_get_str(nullptr, &exponent, 10, digits, x.backend().data(), MPFR_RNDN);
+  const Integer mantissa(text), tail = power_of_ten(guard);
+  mpfr_free_str(text);
+  const Integer low = mantissa - 2, high = mantissa + 2;
+  const auto rounded = [&](const Integer& m) { return Integer((m + tail / 2) / tail); };
+  const long place = exponent - static_cast<long>(digits);
+  return {decimal(low, place), decimal(high, place), rounded(low) == rounded(high)};
+}
+
+/// Bounds on critical force number `index` from a value of so many digits, the last eight of which rounding
+/// may have spoilt. Nothing when they do not suffice.
+std::optional<ForceEnclosure> enclose(const ExactCount& count, std::size_t index, const Mpfr& value,
+                                      int digits, int working_digits) {
+  for (int guard = 3; digits + guard + 8 <= working_digits; guard += 6) {
+    const Bounds at = bounds(value, digits, guard);
+    if (!at.agree && guard < 20) continue;
+    const std::size_t below_low = count.below(at.low), below_high = count.below(at.high);
+    if (below_low < index && index <= below_high) return {{index, at.low, at.high, below_low, below_high}};
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<ForceEnclosure> enclose_critical_forces(const Chain<Rational>& chain, std::size_t lowest,
+                                                    int digits) {
+  const ExactCount count(chain);
+  const std::size_t wanted = std::min(lowest, mode_count(chain));
+  std::vector<ForceEnclosure> result;
+  for (int working_digits = digits + 12; result.size() < wanted; working_digits += 12) {
+    const WorkingPrecision precision(working_digits);
+    const std::vector<Mpfr> forces = critical_forces(from_rational<Mpfr>(chain), wanted);
+    while (result.size() < wanted) {
+      const std::size_t index = result.size() + 1;
+      if (index > 1 && result.back().below_high >= index) {  // a tie: the same bounds
+        result.push_back(result.back());
+        result.back().index = index;
+        continue;
+      }
+      const auto enclosed = enclose(count, index, forces[index - 1], digits, working_digits);
+      if (!enclosed) break;
+      result.push_back(*enclosed);
+    }
+  }
+  return result;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,77 @@
+#include "proofs/exact_count.hpp"
+
+namespace plumbline {
+namespace {
+
+/// Multiplies all values by the same positive number, so that they become integers without a common factor;
+/// returns that number.
+Rational clear_denominators(const std::vector<Rational>& values, std::vector<Integer>& cleared) {
+  Integer multiple(1), divisor(0);
+  for (const Rational& x : values) multiple = mp::lcm(multiple, Integer(mp::denominator(x)));
+  for (const Rational& x : values) divisor = mp::gcd(divisor, Integer(mp::numerator(Rational(x * multiple))));
+  const Rational factor(multiple, divisor);
+  for (const Rational& x : values) cleared.push_back(mp::numerator(Rational(x * factor)));
+  return factor;
+}
+
+mpz_ptr raw(Integer& x) {
+  return x.backend().data();
+}
+mpz_srcptr raw(const Integer& x) {
+  return x.backend().data();
+}
+
+}  // namespace
+
+std::vector<ChainPart> parts(const Chain<Rational>& chain) {
+  const std::size_t last = mode_count(chain);
+  for (std::size_t i = 1; i <= last; ++i) {
+    if (chain.stiffness()[i] == 0 && i < last) return {{0, i}, {i, last}};
+  }
+  return {{0, last}};
+}
+
+ExactCount::ExactCount(const Chain<Rational>& chain) : parts_(plumbline::parts(chain)) {
+  const Rational per_length = clear_denominators(chain.length(), length_);
+  per_force_ = clear_denominators(chain.stiffness(), stiffness_) / per_length;
+  distance_.assign(length_.size(), Integer(0));
+  Integer sum(0);
+  for (std::size_t i = length_.size(); i-- > 0;) distance_[i] = sum += length_[i];
+}
+
+std::size_t ExactCount::below(const Rational& F) const {
+  std::size_t count = 0;
+  for (const ChainPart& part : parts_) count += below(F, part);
+  return count;
+}
+
+std::size_t ExactCount::below(const Rational& F, const ChainPart& part) const {
+  const Rational scaled = F * per_force_;
+  const Integer P = mp::numerator(scaled), D = mp::denominator(scaled);
+  Integer h = distance_[part.first], M = stiffness_[part.first], t, factor;
+  std::size_t count = 0;
+  bool positive = true;
+  for (std::size_t i = part.first; i < part.last; ++i) {
+    const Integer &z = distance_[i + 1], &k = stiffness_[i + 1];
+    mpz_mul(raw(factor), raw(D), raw(z));
+    mpz_mul(raw(t), raw(factor), raw(M));
+    mpz_mul(raw(factor), raw(P), raw(length_[i]));
+    mpz_submul(raw(t), raw(factor), raw(h));
+    if (k == 0) {  // the part ends here: a passive joint transmits no moment
+      h = t;
+    } else {
+      mpz_mul(raw(factor), raw(D), raw(distance_[i]));
+      mpz_mul(raw(factor), raw(factor), raw(k));
+      mpz_mul(raw(h), raw(h), raw(factor));
+      mpz_addmul(raw(h), raw(z), raw(t));
+      mpz_mul(raw(M), raw(k), raw(t));
+    }
+    if (h != 0 && (h > 0) != positive) {
+      ++count;
+      positive = !positive;
+    }
+  }
+  return count;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,131 @@
+#include "proofs/expression.hpp"
+
+#include <algorithm>
+#include <map>
+#include <plumbline/error.hpp>
+#include <sstream>
+#include <stdexcept>
+
+namespace plumbline {
+namespace {
+
+using GiNaC::ex;
+
+/// Replaces sines and cosines by rational functions of the half-angle tangents of their symbols.
+class HalfAngles : public GiNaC::map_function {
+ public:
+  ex operator()(const ex& e) override {
+    if (GiNaC::is_a<GiNaC::function>(e)) {
+      const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
+      if (name == "sin") return turn(e.op(0)).second;
+      if (name == "cos") return turn(e.op(0)).first;
+      throw Error("formula", text(e), "no function but sin and cos");
+    }
+    return e.map(*this);
+  }
+
+ private:
+  using Turn = std::pair<ex, ex>;  // cosine and sine
+
+  static Turn add(const Turn& a, const Turn& b) {
+    return {a.first * b.first - a.second * b.second, a.second * b.first + a.first * b.second};
+  }
+
+  Turn turn(const ex& angle) {
+    Turn result{1, 0};
+    const ex sum = angle.expand();
+    const std::size_t terms = GiNaC::is_a<GiNaC::add>(sum) ? sum.nops() : 1;
+    for (std::size_t i = 0; i < terms; ++i) {
+      const ex term = GiNaC::is_a<GiNaC::add>(sum) ? sum.op(i) : sum;
+      result = add(result, multiple(term));
+    }
+    return result;
+  }
+
+  Turn multiple(const ex& term) {
+    if (term.is_zero()) return {1, 0};
+    ex symbol = term;
+    ex factor = 1;
+    if (GiNaC::is_a<GiNaC::mul>(term) && term.nops() == 2 && GiNaC::is_a<GiNaC::numeric>(term.op(1))) {
+      symbol = term.op(0);
+      factor = term.op(1);
+    }
+    if (!GiNaC::is_a<GiNaC::symbol>(symbol) || !factor.info(GiNaC::info_flags::integer)) {
+      throw Error("formula", "the angle " + text(term), "an integer multiple of a symbol");
+    }
+    const ex t = tangent(symbol);
+    const Turn once{(1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)};
+    const int times = GiNaC::ex_to<GiNaC::numeric>(factor).to_int();
+    Turn result{1, 0};
+    for (int i = 0; i < std::abs(times); ++i) result = add(result, once);
+    if (times < 0) result.second = -result.second;
+    return result;
+  }
+
+  ex tangent(const ex& symbol) {
+    auto [at, is_new] = tangents_.try_emplace(symbol, 0);
+    if (is_new) at->second = GiNaC::symbol("t_" + text(symbol));
+    return at->second;
+  }
+
+  std::map<ex, ex, GiNaC::ex_is_less> tangents_;
+};
+
+}  // namespace
+
+Formulas::Formulas(const std::vector<std::string>& names) {
+  for (const std::string& name : names) symbols_[name] = GiNaC::realsymbol(name);
+}
+
+ex Formulas::symbol(const std::string& name) const {
+  const auto found = symbols_.find(name);
+  if (found == symbols_.end()) throw Error("formula", "the symbol " + name, "a declared symbol");
+  return found->second;
+}
+
+ex Formulas::parse(const std::string& formula) const {
+  GiNaC::parser reader(symbols_, true);
+  try {
+    return reader(formula);
+  } catch (const std::exception& error) {
+    throw Error("formula", "'" + formula + "' (" + error.what() + ")", "a formula in the declared symbols");
+  }
+}
+
+bool identical(const ex& a, const ex& b) {
+  HalfAngles rational;
+  return rational(a - b).normal().expand().is_zero();
+}
+
+bool proportional(const ex& a, const ex& b) {
+  HalfAngles rational;
+  const ex ratio = (rational(a) / rational(b)).normal();
+  return GiNaC::is_a<GiNaC::numeric>(ratio) && !ratio.is_zero();
+}
+
+ex series_coefficient(const ex& e, const ex& x, int power) {
+  const ex series = e.series(x == 0, power + 1);
+  return GiNaC::series_to_poly(series).expand().coeff(x, power).normal();
+}
+
+int leading_order(const ex& e, const ex& x, int none) {
+  for (int order = std::min(2, none);;
+       order = std::min(2 * order, none)) {  // long series are dear, short ones mostly do
+    const ex terms = GiNaC::series_to_poly(e.series(x == 0, order)).expand();
+    if (!terms.is_zero()) return terms.ldegree(x);
+    if (order == none) return none;
+  }
+}
+
+ex limit_at_zero(const ex& e, const ex& x) {
+  if (leading_order(e, x, 1) < 0) throw Error("limit", text(e) + " without a bound", "a finite limit");
+  return series_coefficient(e, x, 0);
+}
+
+std::string text(const ex& e) {
+  std::ostringstream out;
+  out << e;
+  return out.str();
+}
+
+}  // namespace plumbline

@@ -1,0 +1,12 @@
+#pragma once
+/// \file
+/// The digest that closes a file.
+
+#include <string>
+
+namespace plumbline {
+
+/// SHA-256 of a text as 64 hexadecimal digits.
+std::string sha256(const std::string& text);
+
+}  // namespace plumbline

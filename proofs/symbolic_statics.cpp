@@ -1,0 +1,67 @@
+#include "proofs/symbolic_statics.hpp"
+
+namespace plumbline {
+namespace {
+
+using GiNaC::ex;
+
+std::vector<ex> orientations(const SymbolicShape& shape) {
+  std::vector<ex> theta;
+  ex sum = 0;
+  for (const ex& angle : shape.q) theta.push_back(sum = (sum + angle).expand());
+  return theta;
+}
+
+unsigned count(const SymbolicShape& shape) {
+  return static_cast<unsigned>(shape.length.size());
+}
+
+}  // namespace
+
+GiNaC::matrix end_point(const SymbolicShape& shape) {
+  GiNaC::matrix p(2, 1);
+  const std::vector<ex> theta = orientations(shape);
+  for (std::size_t j = 0; j < theta.size(); ++j) {
+    p(0, 0) += shape.length[j] * cos(theta[j]);
+    p(1, 0) += shape.length[j] * sin(theta[j]);
+  }
+  return p;
+}
+
+GiNaC::matrix jacobian(const SymbolicShape& shape) {
+  const std::vector<ex> theta = orientations(shape);
+  GiNaC::matrix J(2, count(shape));
+  ex x = 0;
+  ex y = 0;
+  for (unsigned i = count(shape); i-- > 0;) {
+    x += shape.length[i] * cos(theta[i]);
+    y += shape.length[i] * sin(theta[i]);
+    J(0, i) = -y;
+    J(1, i) = x;
+  }
+  return J;
+}
+
+GiNaC::matrix torque_balance(const SymbolicShape& shape, const ex& Fx, const ex& Fy) {
+  const GiNaC::matrix J = jacobian(shape);
+  GiNaC::matrix balance(count(shape), 1);
+  for (unsigned i = 0; i < count(shape); ++i) {
+    balance(i, 0) = J(0, i) * Fx + J(1, i) * Fy + shape.stiffness[i] * shape.q[i];
+  }
+  return balance;
+}
+
+GiNaC::matrix hessian(const SymbolicShape& shape, const ex& Fx, const ex& Fy) {
+  const std::vector<ex> theta = orientations(shape);
+  GiNaC::matrix H(count(shape), count(shape));
+  for (unsigned i = 0; i < count(shape); ++i) {
+    H(i, i) += shape.stiffness[i] - shape.length[i] * (Fx * cos(theta[i]) + Fy * sin(theta[i]));
+    if (i == 0) continue;
+    H(i - 1, i - 1) += shape.stiffness[i];
+    H(i - 1, i) -= shape.stiffness[i];
+    H(i, i - 1) -= shape.stiffness[i];
+  }
+  return H;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// The precision of the number types that choose it at run time, for a while.
+
+#include <boost/multiprecision/mpfi.hpp>
+#include <plumbline/number.hpp>
+
+namespace plumbline {
+
+/// Intervals at run-time precision; Interval of the core has the 64 digits that 50 certified ones take.
+using MpfrInterval = mp::number<mp::mpfi_float_backend<0>, mp::et_off>;
+
+/// Mpfr and MpfrInterval have so many decimal digits while this lives. The precision is one for all threads.
+class WorkingPrecision {
+ public:
+  explicit WorkingPrecision(int digits) : before_(Mpfr::default_precision()) {
+    set(static_cast<unsigned>(digits));
+  }
+  ~WorkingPrecision() { set(before_); }
+  WorkingPrecision(const WorkingPrecision&) = delete;
+  WorkingPrecision& operator=(const WorkingPrecision&) = delete;
+
+ private:
+  static void set(unsigned digits) {
+    Mpfr::default_precision(digits);
+    MpfrInterval::default_precision(digits);
+  }
+  unsigned before_;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,158 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/process.hpp"
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("without arguments the command lists its verbs, and critical computes the bundled example") {
+  const Workplace here;
+  const Outcome help = here.plumbline("");
+  CHECK(help.status == 0);
+  CHECK(contains(help.out, "critical"));
+  CHECK(here.plumbline("critical --help").status == 0);
+  const Outcome example = here.plumbline("critical");
+  CHECK(example.status == 0);
+  CHECK(contains(example.out, "Critical force 0.924027591295903, shape U"));
+  CHECK(contains(example.out, "0.6628"));  // the paper's Table 2, second vector
+}
+
+TEST_CASE("a wrong command line is bad input") {
+  const Workplace here;
+  for (const char* arguments : {"nonsense", "critical --nonsense", "critical --digits 0",
+                                "critical --digits x", "critical a.toml b.toml"}) {
+    CAPTURE(arguments);
+    const Outcome outcome = here.plumbline(arguments);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.starts_with("plumbline: "));
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  }
+}
+
+TEST_CASE("the bad chain files are refused in one line that says where, what and what instead") {
+  const Workplace here;
+  const struct {
+    const char *content, *where, *found, *expected;
+  } cases[] = {
+      {"lengths = [1, -1]\nstiffness = [1, 1]", "lengths, entry 2", "not positive", "positive"},
+      {"lengths = [0, 1]\nstiffness = [1, 1]", "lengths, entry 1", "not positive", "positive"},
+      {"lengths = [1, nan]\nstiffness = [1, 1]", "bad.toml:1: lengths, entry 2", "nan", "a decimal number"},
+      {"lengths = [1, inf]\nstiffness = [1, 1]", "bad.toml:1: lengths, entry 2", "inf", "a decimal number"},
+      {"lengths = [1, 'x']\nstiffness = [1, 1]", "bad.toml:1: lengths, entry 2", "x", "a decimal number"},
+      {"lengths = [1, 1]\nstiffness = [1, -1e-400]", "stiffness, entry 2", "negative",
+       "zero (passive) or positive"},
+      {"lengths = [1, 1]\nstiffness = [1]", "stiffness", "1 values", "one per link, 2"},
+      {"lengths = [1, 1]\nstiffness = [1, 1]\nrest = [0]", "rest", "1 values", "one per link, 2"},
+      {"lengths = [1, 1]\nstiffness = [1, 1]\nmass = [1, 1]", "bad.toml:3", "unknown key mass",
+       "only lengths"},
+      {"lengths = [1, 1]", "bad.toml", "no key stiffness", "lengths and stiffness"},
+      {"lengths = 1\nstiffness = [1, 1]", "bad.toml:1: lengths", "a single value", "a list"},
+      {"lengths = [1, 1]\nstiffness = [1, 1", "bad.toml:2", "not TOML", "key = value"},
+      {"lengths = []\nstiffness = []", "lengths", "no link", "at least one"},
+      {"lengths = [1]\nstiffness = [1]", "bad.toml: chain", "one link", "two links or more"},
+      {"lengths = [1,1,1]\nstiffness = [0,1,0]", "bad.toml: stiffness", "2 passive joints", "at most one"},
+      {"", "bad.toml", "an empty file", "some content"},
+      {" \n", "bad.toml", "an empty file", "some content"},
+  };
+  for (const auto& [content, where, found, expected] : cases) {
+    CAPTURE(content);
+    here.write("bad.toml", content);
+    const Outcome outcome = here.plumbline("critical bad.toml --csv out.csv");
+    INFO(outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.err.starts_with("plumbline: bad.toml"));
+    CHECK(contains(outcome.err, where));
+    const std::size_t at = outcome.err.find(": found ");
+    REQUIRE(at != std::string::npos);
+    CHECK(contains(outcome.err.substr(at), found));
+    const std::size_t instead = outcome.err.find(", expected ", at);
+    REQUIRE(instead != std::string::npos);
+    CHECK(contains(outcome.err.substr(instead), expected));
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    CHECK(here.files() == 1);  // nothing written
+  }
+}
+
+TEST_CASE("files that cannot be read or written are named, and nothing is left behind") {
+  const Workplace here;
+  std::filesystem::create_directory(here.folder() / "folder");
+  for (const char* arguments :
+       {"critical missing.toml", "critical folder", "critical --csv folder", "critical --csv missing/out.csv",
+        "critical --json missing/out.json", "critical --csv /dev/full", "critical >/dev/full"}) {
+    CAPTURE(arguments);
+    const Outcome outcome = here.plumbline(arguments);
+    CHECK(outcome.status == 2);
+    CHECK(contains(outcome.err, "expected"));
+    CHECK(here.files() == 1);
+  }
+  here.write("chain.csv", "chain,lengths,stiffness\na,1;1,1;1\n");
+  CHECK(here.plumbline("critical chain.csv --csv chain.csv").status == 2);
+  CHECK(here.read("chain.csv") == "chain,lengths,stiffness\na,1;1,1;1\n");
+}
+
+TEST_CASE("numbers are taken exactly as they are written, far beyond double") {
+  const Workplace here;
+  // F_c = (k1 z2^2 + k2 z1^2) / (L1 L2 (L1 + L2)), here 5 k / (2 L)
+  here.write("huge.toml", "lengths = [1e400, \"1e400\"] # 'quote\nstiffness = [ 1e400, 1_0e399,]");
+  CHECK(here.plumbline("critical huge.toml --csv --digits 3").out == "chain,mode,force\nhuge,1,2.50\n");
+  here.write("tenth.toml", "stiffness = [0.1, +0.1]\nlengths = [1, 1]");
+  CHECK(here.plumbline("critical tenth.toml --csv --digits 40").out ==
+        "chain,mode,force\ntenth,1,0.2500000000000000000000000000000000000000\n");
+}
+
+TEST_CASE("in a table a wrong chain has one error line and no rows, and the others are computed") {
+  const Workplace here;
+  here.write("c.csv",
+             "chain,lengths,stiffness\n"
+             "good,1;1,1;1\n"
+             "negative,1;-1,1;1\n"
+             "\n"
+             "short,1;1,1\n"
+             "good,1;1,1;1\n"
+             "mechanism,1;1;1,0;0;1\n"
+             "word,1;x,1;1\n"
+             "fields,1;1\n"
+             "\"a, b\",1;1,2;2\n");
+  const Outcome outcome = here.plumbline("critical c.csv --all --digits 5 --csv out.csv");
+  CHECK(outcome.status == 2);
+  CHECK(here.read("out.csv") == "chain,mode,force\ngood,1,2.5000\n\"a, b\",1,5.0000\n");
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 6);
+  for (const char* line :
+       {"c.csv:3: chain negative: lengths, entry 2", "c.csv:5: chain short: stiffness: found 1 values",
+        "c.csv:6: chain good: found a name that occurred before",
+        "c.csv:7: chain mechanism: stiffness: found 2 passive",
+        "c.csv:8: chain word: lengths, entry 2: found x", "c.csv:9: found 2 fields, expected 3"}) {
+    CAPTURE(line);
+    CHECK(contains(outcome.err, line));
+  }
+  for (const char* content : {"chain,lengths\na,1;1\n", "chain,lengths,stiffness\n",
+                              "chain,lengths,stiffness,mass\n", "chain,lengths,stiffness\na,-1;1,1;1\n"}) {
+    CAPTURE(content);
+    here.write("c.csv", content);
+    CHECK(here.plumbline("critical c.csv --csv new.csv").status == 2);
+    CHECK(!here.exists("new.csv"));
+  }
+}
+
+TEST_CASE("the JSON holds every mode with its shape") {
+  const Workplace here;
+  const auto json = nlohmann::json::parse(here.plumbline("critical --json --digits 20").out);
+  const auto& modes = json.at("chains").at(0).at("modes");
+  REQUIRE(modes.size() == 3);
+  // characteristic polynomial after (40) of the paper: lambda^3 + 9/5 lambda^2 + 9/10 lambda + 2/15 = 0
+  for (const auto& mode : modes) {
+    const double lambda = -1 / std::stod(mode.at("force").get<std::string>());
+    CHECK(std::abs(((lambda + 1.8) * lambda + 0.9) * lambda + 2.0 / 15) < 1e-15);
+    CHECK(mode.at("force") == mode.at("energy_factor").get<std::string>());
+  }
+  CHECK(modes[1].at("shape") == "ZU");
+  CHECK(modes[1].at("signs") == "+--+");
+}

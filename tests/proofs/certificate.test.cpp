@@ -1,0 +1,87 @@
+#include "proofs/certificate.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "proofs/decimal.hpp"
+#include "proofs/sha256.hpp"
+#include "tests/property.hpp"
+
+using namespace plumbline;
+using nlohmann::json;
+
+namespace {
+
+/// A decimal of three digits, its exponent anywhere from -decades to decades.
+Rational graded(std::mt19937_64& random, int decades) {
+  const auto mantissa = std::to_string(100 + random() % 900);
+  const auto exponent = static_cast<int>(random() % static_cast<unsigned>(2 * decades + 1)) - decades - 2;
+  return *parse_decimal(mantissa + "e" + std::to_string(exponent));
+}
+
+Chain<Rational> graded_chain(std::mt19937_64& random, std::size_t n, int decades, std::size_t passive) {
+  std::vector<Rational> length, stiffness;
+  for (std::size_t i = 1; i <= n; ++i) {
+    length.push_back(graded(random, decades));
+    stiffness.push_back(i == passive ? Rational(0) : graded(random, decades));
+  }
+  return Chain<Rational>(length, stiffness);
+}
+
+/// What the stand-alone checker says of certificates: its exit status, 0 when all hold.
+int check_alone(const std::vector<json>& certificates) {
+  const auto path = std::filesystem::temp_directory_path() / "plumbline-certificate-test.json";
+  std::ofstream(path) << certificate_file({"test", "test", ""}, certificates);
+  const std::string command = "python3 " PLUMBLINE_SOURCE_DIR "/proofs/check_certificates.py " + path.string();
+  const int status = std::system((command + " >/dev/null").c_str());
+  std::filesystem::remove(path);
+  return status;
+}
+
+}  // namespace
+
+TEST_CASE("the stand-alone checker confirms chains graded over sixteen decades, with shapes and matrices") {
+  std::mt19937_64 random(1);
+  std::vector<json> certificates;
+  for (std::size_t n = 2; n <= 9; ++n) {
+    for (const int decades : {0, 8}) {
+      const auto chain = graded_chain(random, n, decades, random() % (n + 1));
+      certificates.push_back(
+          certificate("graded", chain, {n, 40, true, n <= 6}));
+      CHECK(certificates.back()["forces"].size() == n - 1);
+    }
+  }
+  CHECK(check_alone(certificates) == 0);
+}
+
+TEST_CASE("two equal critical forces are proved equal") {
+  // before the passive joint k_1 z_2 / (z_1 L_1) = 2, behind it k_3 (1 / L_2 + 1 / L_3) = 2
+  const json rational = certificate("tie", Chain<Rational>({1, 1, 1}, {3, 0, 1}), {2, 30, true, true});
+  REQUIRE(rational["ties"].size() == 1);
+  CHECK(rational["ties"][0]["factor"].size() == 2);
+  CHECK(rational["forces"][0]["low"] == rational["forces"][1]["low"]);
+  CHECK(check_alone({rational}) == 0);
+  // a part in 10^40 apart: different, with equal digits; the shapes are told apart all the same
+  const auto stiffness = *parse_decimal("3.0000000000000000000000000000000000000001");
+  const Chain<Rational> near({1, 1, 1}, {stiffness, 0, 1});
+  const json apart = certificate("near tie", near, {2, 30});
+  CHECK(apart["forces"][0]["below_high"] == 2);
+  CHECK(!apart.contains("ties"));
+  const json shapes = certificate("near tie", near, {2, 30, true});
+  CHECK(shapes["forces"][0]["below_high"] == 1);
+  CHECK(shapes["forces"][0]["shape"]["last"] == 3);
+  CHECK(check_alone({apart, shapes}) == 0);
+}
+
+TEST_CASE("a thousand links") {
+  std::mt19937_64 random(2);
+  CHECK(check_alone({certificate("long", graded_chain(random, 1000, 1, 0), {1, 50, true})}) == 0);
+}
+
+TEST_CASE("the digest is SHA-256") {
+  // FIPS 180-2, appendix B.1
+  CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}

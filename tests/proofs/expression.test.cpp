@@ -1,0 +1,41 @@
+#include "proofs/expression.hpp"
+
+#include <doctest/doctest.h>
+
+#include <plumbline/error.hpp>
+
+using namespace plumbline;
+
+TEST_CASE("identities in sines, cosines and symbols are decided both ways") {
+  const Formulas f({"a", "b", "L"});
+  CHECK(identical(f.parse("sin(a+b)"), f.parse("sin(a)*cos(b)+cos(a)*sin(b)")));
+  CHECK_FALSE(identical(f.parse("sin(a+b)"), f.parse("sin(a)*cos(b)-cos(a)*sin(b)")));
+  CHECK(identical(f.parse("sin(3*a)"), f.parse("3*sin(a)-4*sin(a)^3")));
+  CHECK(identical(f.parse("cos(-2*a)*L/L"), f.parse("1-2*sin(a)^2")));
+  CHECK_FALSE(identical(f.parse("a*sin(a)"), f.parse("sin(a)")));
+  CHECK(identical(f.parse("(L^2-a^2)/(L-a)"), f.parse("L+a")));
+}
+
+TEST_CASE("proportional means by a number") {
+  const Formulas f({"a", "L"});
+  CHECK(proportional(f.parse("2*L*sin(a)"), f.parse("-L*sin(a)")));
+  CHECK_FALSE(proportional(f.parse("L^2*sin(a)"), f.parse("L*sin(a)")));
+}
+
+TEST_CASE("series and limits around zero") {
+  const Formulas f({"x", "k"});
+  const auto x = f.symbol("x");
+  CHECK(limit_at_zero(f.parse("k*x/sin(x)"), x).is_equal(f.symbol("k")));
+  CHECK(series_coefficient(f.parse("x/sin(x)"), x, 2).is_equal(GiNaC::numeric(1, 6)));
+  CHECK(leading_order(f.parse("2*sin(x)-sin(2*x)"), x) == 3);
+  CHECK(leading_order(f.parse("sin(x)-sin(x)"), x, 9) == 9);
+  CHECK_THROWS_AS(limit_at_zero(f.parse("1/x"), x), Error);
+}
+
+TEST_CASE("what cannot be read or decided is refused") {
+  const Formulas f({"x"});
+  CHECK_THROWS_AS(f.parse("x+y"), Error);
+  CHECK_THROWS_AS(f.parse("x+*"), Error);
+  CHECK_THROWS_AS(f.symbol("y"), Error);
+  CHECK_THROWS_AS(identical(f.parse("exp(x)"), f.parse("x")), Error);
+}

@@ -1,0 +1,59 @@
+#include "verify/judge.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <plumbline/error.hpp>
+#include <set>
+
+#include "verify/claims.hpp"
+
+namespace plumbline {
+
+std::vector<Claim> all_claims() {
+  std::vector<Claim> claims;
+  for (const auto& section : {two_link_claims, three_link_claims, linearised_model_claims, eigenvalue_claims,
+                              four_link_claims, discussion_claims}) {
+    const std::vector<Claim> part = section();
+    claims.insert(claims.end(), part.begin(), part.end());
+  }
+  return claims;
+}
+
+std::vector<Judged> judge(const std::vector<Claim>& claims, int digits) {
+  std::vector<Judged> result;
+  for (const Claim& claim : claims) {
+    try {
+      result.push_back({claim, claim.check(claim.printed, digits), ""});
+    } catch (const std::exception& error) {
+      result.push_back({claim, std::nullopt, error.what()});
+    }
+  }
+  return result;
+}
+
+std::string section_of(const Claim& claim) { return claim.where.substr(0, claim.where.find(',')); }
+
+std::vector<Claim> in_section(const std::vector<Claim>& claims, const std::string& section) {
+  std::vector<Claim> result;
+  std::set<std::string> sections;
+  for (const Claim& claim : claims) {
+    const std::string own = section_of(claim);
+    sections.insert(own);
+    if (section.empty() || own == section || own.starts_with(section + ".")) result.push_back(claim);
+  }
+  if (result.empty()) throw Error("--section", section, fmt::format("one of {}", fmt::join(sections, ", ")));
+  return result;
+}
+
+std::vector<Claim> with_id(const std::vector<Claim>& claims, const std::string& id) {
+  std::vector<std::string> alike;
+  for (const Claim& claim : claims) {
+    if (claim.id == id) return {claim};
+    if (claim.id.find(id) != std::string::npos) alike.push_back(claim.id);
+  }
+  throw Error("--claim", id,
+              alike.empty() ? "an id that `plumbline verify` lists" : fmt::format("{}", fmt::join(alike, " or ")));
+}
+
+}  // namespace plumbline

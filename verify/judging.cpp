@@ -1,0 +1,121 @@
+#include "verify/judging.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <plumbline/error.hpp>
+
+#include "proofs/decimal.hpp"
+
+namespace plumbline {
+namespace {
+
+Rational rational(const Interval::End& end) {
+  Rational result;
+  mpfr_get_q(result.backend().data(), end.backend().data());
+  return result;
+}
+
+void require_count(std::size_t printed, std::size_t computed) {
+  if (printed != computed) {
+    throw Error("claim", fmt::format("{} printed entries", printed), fmt::format("{}", computed));
+  }
+}
+
+int places_behind_point(const std::string& decimal) {
+  const std::size_t point = decimal.find('.');
+  return point == std::string::npos ? 0 : static_cast<int>(decimal.size() - point - 1);
+}
+
+std::string certified_fixed(const Interval& value, int places) {
+  const std::string low = to_fixed(rational(value.lower()), places);
+  if (low != to_fixed(rational(value.upper()), places)) {
+    throw Error("enclosure", value.text(10), fmt::format("narrow enough for {} places", places));
+  }
+  return low;
+}
+
+/// Whether the printed number is within one percent of every value of the enclosure.
+bool within_percent(const Rational& printed, const Interval& value) {
+  const Interval error = Interval(printed) - value;
+  const Interval bound = value / Interval(100);
+  return !certainly_less(sqr(bound), sqr(error));
+}
+
+}  // namespace
+
+Verdict worst(Verdict a, Verdict b) {
+  for (const Verdict v : {Verdict::refuted, Verdict::imprecise, Verdict::convention}) {
+    if (a == v || b == v) return v;
+  }
+  return Verdict::confirmed;
+}
+
+std::string fraction_reading(const std::string& formula) {
+  const std::size_t slash = formula.find('/');
+  if (slash == std::string::npos) return formula;
+  return formula.substr(0, slash) + "/(" + formula.substr(slash + 1) + ")";
+}
+
+Judgement judge_formulas(const Formulas& formulas, const Printed& printed,
+                         const std::vector<GiNaC::ex>& computed, const std::vector<std::string>& names,
+                         const std::string& how) {
+  require_count(printed.size(), computed.size());
+  Judgement result{Verdict::confirmed, "", {{EvidenceKind::symbolic, how}}, ""};
+  std::vector<std::string> truths;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    if (identical(formulas.parse(printed[i]), computed[i])) continue;
+    if (identical(formulas.parse(fraction_reading(printed[i])), computed[i])) {
+      result.verdict = worst(result.verdict, Verdict::convention);
+      truths.push_back(
+          fmt::format("{} = {} with all that follows the slash in the denominator; read by the usual "
+                      "precedence, {} is another function",
+                      names[i], fraction_reading(printed[i]), printed[i]));
+    } else {
+      result.verdict = Verdict::refuted;
+      truths.push_back(fmt::format("{} = {}, not {}", names[i], text(computed[i]), printed[i]));
+    }
+  }
+  result.truth = fmt::format("{}", fmt::join(truths, "; "));
+  return result;
+}
+
+Judgement judge_word(const std::string& printed, const std::string& computed,
+                     const std::vector<std::string>& possible, const std::string& truth,
+                     std::vector<Evidence> evidence) {
+  if (std::find(possible.begin(), possible.end(), printed) == possible.end()) {
+    throw Error("claim", "'" + printed + "'", fmt::format("one of: {}", fmt::join(possible, ", ")));
+  }
+  const bool right = printed == computed;
+  return {right ? Verdict::confirmed : Verdict::refuted, right ? "" : truth, std::move(evidence), ""};
+}
+
+Judgement judge_decimals(const Printed& printed, const std::vector<Interval>& computed,
+                         const std::vector<std::string>& names, const std::string& how) {
+  require_count(printed.size(), computed.size());
+  Judgement result{Verdict::confirmed, "", {{EvidenceKind::interval, how}}, ""};
+  std::vector<std::string> truths;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    const std::optional<Rational> number = parse_decimal(printed[i]);
+    if (!number) throw Error("claim", "'" + printed[i] + "'", "a decimal");
+    const std::string right = certified_fixed(computed[i], places_behind_point(printed[i]));
+    if (right == printed[i]) continue;
+    result.verdict =
+        worst(result.verdict, within_percent(*number, computed[i]) ? Verdict::imprecise : Verdict::refuted);
+    truths.push_back(
+        fmt::format("{} = {}, printed {}", names[i], certified_decimal(computed[i], 10), printed[i]));
+  }
+  result.truth = fmt::format("{}", fmt::join(truths, "; "));
+  return result;
+}
+
+std::string certified_decimal(const Interval& value, int digits) {
+  const std::string low = to_decimal(rational(value.lower()), digits);
+  if (low != to_decimal(rational(value.upper()), digits)) {
+    throw Error("enclosure", value.text(10), fmt::format("narrow enough for {} digits", digits));
+  }
+  return low;
+}
+
+}  // namespace plumbline
