@@ -14,6 +14,8 @@ packages=(
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libfmt-dev libssl-dev
   # tests
   doctest-dev librapidcheck-dev
+  # drawings, at run time
+  gnuplot-nox
 )
 
 missing=()
