@@ -34,5 +34,6 @@ int main(int argc, char** argv) {
   plumbline::add_critical(app);
   plumbline::add_path(app);
   plumbline::add_equilibria(app);
+  plumbline::add_figure(app);
   return run(app, argc, argv);
 }

@@ -48,12 +48,30 @@ std::string colour(int index) {
   return palette[static_cast<std::size_t>(index) % std::size(palette)];
 }
 
+/// Contour lines, as a file that gnuplot computes from the grid.
+void add_contours(std::string& script, const Panel& panel) {
+  script += "$grid << END\n";
+  const std::size_t columns = panel.surface.size() / panel.surface_rows;
+  for (std::size_t i = 0; i < panel.surface.size(); ++i) {
+    const auto& [x, y, z] = panel.surface[i];
+    script += fmt::format("{:.6g} {:.6g} {:.6g}\n", x, y, z);
+    if ((i + 1) % columns == 0) script += "\n";
+  }
+  script +=
+      "END\nset contour base\nunset surface\nset cntrparam levels auto 24\nset table 'contours'\n"
+      "splot $grid using 1:2:3\nunset table\nunset contour\nset surface\n";
+}
+
 void add_panel(std::string& script, const Panel& panel) {
   script += fmt::format("set title {} font ',13'\nset xlabel {}\nset ylabel {}\n", quoted(panel.title),
                         quoted(panel.x_label), quoted(panel.y_label));
   script += panel.equal_axes ? "set size ratio -1\n" : "set size noratio\n";
   script += "unset label\nset autoscale\n" + panel.extra + "\n";
   std::string data, plots;
+  if (!panel.surface.empty()) {
+    add_contours(script, panel);
+    plots = "plot 'contours' using 1:2:3 with lines lc palette lw 0.8 notitle";
+  }
   for (const Curve& curve : panel.curves) {
     plots += fmt::format("{}'-' with lines lc rgb '{}' lw {} dt {} {}", plots.empty() ? "plot " : ", ",
                          colour(curve.colour), curve.width, curve.dashed ? "(6,5)" : "1",
@@ -79,7 +97,8 @@ std::string as_svg(const std::vector<Panel>& panels, std::size_t columns) {
   std::string script = fmt::format(
       "set terminal svg size {},{} enhanced font 'Helvetica,12' background rgb 'white'\nset output "
       "'plot.svg'\n"
-      "set grid lc rgb '#dddddd' dt 1\nset border lc rgb '#444444'\nset key top left samplen 2\n"
+      "set palette defined (0 '#08306b', 1 '#9ecae1')\nunset colorbox\nset grid lc rgb '#dddddd' dt 1\nset "
+      "border lc rgb '#444444'\nset key top left samplen 2\n"
       "set multiplot layout {},{}\n",
       520 * columns, 400 * rows, rows, columns);
   for (const Panel& panel : panels) add_panel(script, panel);

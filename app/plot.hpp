@@ -2,6 +2,7 @@
 /// \file
 /// Line drawings as SVG, by gnuplot.
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,9 @@ struct Panel {
   std::vector<Mark> marks;
   std::string extra;  ///< further gnuplot commands before the plot, such as ranges
   bool equal_axes = false;
+  /// Contour lines below the curves: (x, y, z) row by row, `surface_rows` rows; z may be NaN.
+  std::vector<std::array<double, 3>> surface = {};
+  std::size_t surface_rows = 0;
 };
 
 /// The drawing as SVG text; one row of panels each `columns` panels.

@@ -11,6 +11,7 @@ namespace plumbline {
 
 void add_critical(CLI::App& app);
 void add_equilibria(CLI::App& app);
+void add_figure(CLI::App& app);
 void add_path(CLI::App& app);
 void add_verify(CLI::App& app);
 

@@ -99,7 +99,7 @@ class BifurcationSolver {
   Real curvature(const BranchPoint<Real>& point, const Variation<Real>& a, const Variation<Real>& b) {
     Vector<Real> moment;
     Point<Real> place;
-    brancher_->model().second_derivative(point.theta, point.force, a, b, moment, place);
+    brancher_->model().second_derivative(at_, point.force, a, b, moment, place);
     Real sum = psi_.dot(moment);
     if (brancher_->loading().control == Control::end_point)
       sum += psi_place_.x * place.x + psi_place_.y * place.y;

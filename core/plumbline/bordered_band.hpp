@@ -129,9 +129,9 @@ class BorderedBand {
   }
 
   /// Negative eigenvalues of the matrix with only the first so many borders; presumes it is symmetric there.
-  [[nodiscard]] std::size_t negative(Eigen::Index borders) const {
-    Matrix<Real> G = G_.topLeftCorner(shifted() + borders, shifted() + borders);
-    std::size_t count = negative_ + negative_eigenvalues(G);
+  [[nodiscard]] std::size_t negative(Eigen::Index borders) {
+    scratch_ = G_.topLeftCorner(shifted() + borders, shifted() + borders);
+    std::size_t count = negative_ + negative_eigenvalues(scratch_);
     for (const auto& shift : shifts_) count -= shift.second < Real(0) ? 1 : 0;
     return count;
   }
@@ -213,7 +213,7 @@ class BorderedBand {
   Band<Real, B> L_;  // unit lower band below, pivots in row 0
   std::vector<std::pair<Eigen::Index, Real>> shifts_;
   std::size_t negative_ = 0;
-  Matrix<Real> X_, R_, G_, LU_;
+  Matrix<Real> X_, R_, G_, LU_, scratch_;
   std::vector<Eigen::Index> rows_;
   Vector<Real> z_;
 };

@@ -37,6 +37,7 @@ struct BranchPoint {
   std::size_t negative_directions;  ///< in the sense of the control
   Real stiffness;                   ///< tangent stiffness along the loading's direction; infinite where the
                                     ///< end point stands still (a fold in deflection)
+  Real stiffness_rate;              ///< of the sign of d stiffness/d load; meaningless at a fold
   Variation<Real> tangent;          ///< of unit length in the branch's own measure
 };
 
@@ -160,36 +161,18 @@ class Brancher {
     for (Eigen::Index i = 0; i < weight_.size(); ++i) probe_.theta(i) += noise() / Real(8);
     scale(probe_, Real(1) / length(probe_));
     for (int i = 0; i < iterations; ++i) {
-      Variation<Real> image = change_of_equations(point, probe_);
+      const Variation<Real>& image = change_of_equations(point, point.tangent, probe_);
       const Real growth = length(image), quotient = product(image, probe_);
       if (!(growth > Real(0))) break;
       fastest = max(fastest, growth);
       const Real off = growth * growth - quotient * quotient;  // squared length of image - quotient · probe
       seen.ahead = off < growth * growth / Real(16) ? Real(-1) / quotient : Real(0);
-      probe_ = std::move(image);
+      probe_ = image;
       scale(probe_, Real(1) / growth);
     }
     seen.distance = fastest > Real(0) ? Real(1) / fastest : std::numeric_limits<Real>::max();
-    seen.direction = probe_;
+    if (seen.ahead > Real(0)) seen.direction = probe_;
     return seen;
-  }
-
-  /// Second derivative of the force along the branch by the load, times direction: how the tangent stiffness
-  /// changes with the load (imposed end point), or the compliance does (imposed force). At the point that was
-  /// corrected last; meaningless at a fold.
-  Real stiffness_rate(const BranchPoint<Real>& point) {
-    Variation<Real> rate = point.tangent;
-    scale(rate, Real(1) / point.tangent.load);
-    Vector<Real> moment;
-    Point<Real> place;
-    model_->second_derivative(point.theta, point.force, rate, rate, moment, place);
-    // at constant d load: second-order change u'' solves A u'' = -(second derivative), with u''.load = 0
-    const Variation<Real> second = solve_at_load(point, moment, place);
-    const Point<Real>& d = loading_.direction;
-    if (loading_.control == Control::end_point) return second.force.x * d.x + second.force.y * d.y;
-    const Real x = at_.end_point_gradient.col(0).dot(second.theta) + place.x;
-    const Real y = at_.end_point_gradient.col(1).dot(second.theta) + place.y;
-    return -(x * d.x + y * d.y);
   }
 
   /// Whether the force is still of a size that bends joints: less than a million times the chain's own.
@@ -219,10 +202,16 @@ class Brancher {
     Vector<Real> theta;
     Real load;
   };
-  [[nodiscard]] Row row(const Variation<Real>& tangent) const {
-    return {weighted(tangent.theta), load_weight_ * tangent.load};
+  const Row& row(const Variation<Real>& tangent) {
+    row_.theta = weight_.cwiseProduct(tangent.theta);
+    row_.load = load_weight_ * tangent.load;
+    return row_;
   }
-  [[nodiscard]] Row at_load() const { return {Vector<Real>::Constant(weight_.size(), Real(0)), Real(1)}; }
+  const Row& at_load() {
+    row_.theta.setConstant(weight_.size(), Real(0));
+    row_.load = Real(1);
+    return row_;
+  }
 
   bool assemble(const BranchPoint<Real>& point, const Row& last) {
     model_->expand(point.theta, point.force, at_);
@@ -252,9 +241,19 @@ class Brancher {
     else
       w_ << point.force.x - wanted.x, point.force.y - wanted.y, Real(0);
   }
-  Variation<Real> solution() {
+  const Variation<Real>& solution() {
     matrix_.solve(v_, w_);
-    return {v_, {Real(-w_(0)), Real(-w_(1))}, w_(2)};
+    solved_.theta.swap(v_);
+    solved_.force = {Real(-w_(0)), Real(-w_(1))};
+    solved_.load = w_(2);
+    return solved_;
+  }
+  /// The solution for the last row's right-hand side 1, all others 0: along the tangent.
+  const Variation<Real>& tangent_solution() {
+    v_.setConstant(weight_.size(), Real(0));
+    w_.resize(3);
+    w_ << Real(0), Real(0), Real(1);
+    return solution();
   }
 
   /// Newton's method in the hyperplane; the factors at hand become those of the accepted point.
@@ -265,7 +264,7 @@ class Brancher {
     for (int iteration = 0; iteration < 8; ++iteration) {
       if (!assemble(point, plane)) return false;
       defect(point);
-      const Variation<Real> newton = solution();
+      const Variation<Real>& newton = solution();
       const Real size = length(newton);
       if (!is_finite(size)) return false;
       if (iteration == 0 && size > h / Real(4) && size > settled) return false;    // far from the tangent
@@ -279,13 +278,9 @@ class Brancher {
 
   /// Tangent, inertia and stiffness from the factors at hand.
   bool finish(BranchPoint<Real>& point, const Variation<Real>& towards) {
-    v_ = Vector<Real>::Constant(weight_.size(), Real(0));
-    w_.resize(3);
-    w_ << Real(0), Real(0), Real(1);
-    point.tangent = solution();
-    const Real size = length(point.tangent);
+    const Real along = product(tangent_solution(), towards), size = length(solved_);
     if (!is_finite(size) || !(size > Real(0))) return false;
-    const Real along = product(point.tangent, towards);
+    point.tangent = solved_;
     scale(point.tangent, (along < Real(0) ? Real(-1) : Real(1)) / size);
     describe(point);
     return abs_value(along) > Real(4) / Real(5) * size * length(towards);
@@ -294,10 +289,7 @@ class Brancher {
 
   bool settle_on(BranchPoint<Real>& point, const Row& plane) {
     if (!assemble(point, plane)) return false;
-    v_ = Vector<Real>::Constant(weight_.size(), Real(0));
-    w_.resize(3);
-    w_ << Real(0), Real(0), Real(1);
-    point.tangent = solution();
+    point.tangent = tangent_solution();
     const Real size = length(point.tangent);
     if (!is_finite(size)) return false;
     scale(point.tangent, Real(1) / size);
@@ -312,33 +304,36 @@ class Brancher {
     point.energy = at_.energy;
     const Point<Real>& d = loading_.direction;
     const Variation<Real>& t = point.tangent;
+    const auto along = [&](const Variation<Real>& v) -> Real {  // the end point's way
+      Real sum(0);
+      for (Eigen::Index i = 0; i < v.theta.size(); ++i)
+        sum += v.theta(i) * (at_.end_point_gradient(i, 0) * d.x + at_.end_point_gradient(i, 1) * d.y);
+      return sum;
+    };
+    // second-order change u'' along the branch at an even pace of the load: A u'' = -(second derivative),
+    // u''.load = 0
+    Variation<Real>& second = change_of_equations(point, t, t);
+    const Real pace = second.load / t.load;
     if (loading_.control == Control::end_point) {
       point.stiffness = (t.force.x * d.x + t.force.y * d.y) / t.load;
+      point.stiffness_rate =
+          pace * (t.force.x * d.x + t.force.y * d.y) - (second.force.x * d.x + second.force.y * d.y);
     } else {
-      const Real x = at_.end_point_gradient.col(0).dot(t.theta),
-                 y = at_.end_point_gradient.col(1).dot(t.theta);
-      point.stiffness = t.load / (x * d.x + y * d.y);
+      const Real way = along(t), bend = place_.x * d.x + place_.y * d.y;
+      point.stiffness = t.load / way;
+      point.stiffness_rate = along(second) - pace * way - bend;  // of minus the compliance
     }
   }
 
-  /// A^-1 A'(t) v at the point of the factors at hand.
-  Variation<Real> change_of_equations(const BranchPoint<Real>& point, const Variation<Real>& v) {
-    Point<Real> place;
-    model_->second_derivative(point.theta, point.force, point.tangent, v, v_, place);
+  /// A^-1 A'(v) w at the point of the factors at hand.
+  Variation<Real>& change_of_equations(const BranchPoint<Real>& point, const Variation<Real>& v,
+                                       const Variation<Real>& w) {
+    model_->second_derivative(at_, point.force, v, w, v_, place_);
     w_.resize(3);
-    w_ << place.x, place.y, Real(0);
+    w_ << place_.x, place_.y, Real(0);
     if (loading_.control == Control::force) w_.setConstant(Real(0));
-    return solution();
-  }
-
-  Variation<Real> solve_at_load(const BranchPoint<Real>& point, const Vector<Real>& moment,
-                                const Point<Real>& place) {
-    assemble(point, at_load());
-    v_ = -moment;
-    w_.resize(3);
-    w_ << -place.x, -place.y, Real(0);
-    if (loading_.control == Control::force) w_.setConstant(Real(0));
-    return solution();
+    solution();
+    return solved_;
   }
 
   /// Deterministic noise in [-1, 1]: keeps the probe from being blind to a direction, for symmetry's sake
@@ -356,7 +351,9 @@ class Brancher {
   BorderedBand<Real, bandwidth> matrix_;
   Matrix<Real> C_, R_, D_;
   Vector<Real> v_, w_;
-  Variation<Real> probe_;
+  Variation<Real> probe_, solved_;
+  Point<Real> place_;
+  Row row_;
   std::uint64_t state_ = 1;
 };
 

@@ -41,15 +41,15 @@ struct Variation {
   Real load;
 };
 
-/// A model that also says how its stiffness changes: `second_derivative(theta, F, v, w, moment, place)` gives
-/// the second derivative of residual (n) and end point in the directions v and w. Branches are followed with
-/// it.
+/// A model that also says how its stiffness changes: `second_derivative(at, F, v, w, moment, place)` gives,
+/// where the model was expanded, the second derivative of residual (n) and end point in the directions v and
+/// w. Branches are followed with it.
 template <class M>
 concept SmoothModel = LoadedModel<M> &&
-    requires(const M& model, const Vector<typename M::Real>& theta, const Point<typename M::Real>& load,
-             const Variation<typename M::Real>& v, Vector<typename M::Real>& moment,
-             Point<typename M::Real>& place) {
-  model.second_derivative(theta, load, v, v, moment, place);
+    requires(const M& model, const Expansion<typename M::Real, M::bandwidth>& at,
+             const Point<typename M::Real>& force, const Variation<typename M::Real>& v,
+             Vector<typename M::Real>& moment, Point<typename M::Real>& place) {
+  model.second_derivative(at, force, v, v, moment, place);
 };
 
 /// The nominal chain: rigid links, linear springs V = sum k_i (q_i - rest_i)^2 / 2, q_i = theta_i -
@@ -98,15 +98,14 @@ class NominalModel {
     at.compliance.setConstant(Real(0));
   }
 
-  void second_derivative(const Vector<Real>& theta, const Point<Real>& force, const Variation<Real>& v,
+  void second_derivative(const Expansion<Real, 1>& at, const Point<Real>& force, const Variation<Real>& v,
                          const Variation<Real>& w, Vector<Real>& moment, Point<Real>& place) const {
-    using std::cos, std::sin;
-    const Eigen::Index n = theta.size();
+    const Eigen::Index n = v.theta.size();
     moment.resize(n);
     place.x = place.y = Real(0);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const Real& L = chain_.length()[static_cast<std::size_t>(i)];
-      const Real x = L * cos(theta(i)), y = L * sin(theta(i)), turn = v.theta(i) * w.theta(i);
+      const Real x = at.end_point_gradient(i, 1), y = -at.end_point_gradient(i, 0);  // of link i
+      const Real turn = v.theta(i) * w.theta(i);
       moment(i) = (x * force.y - y * force.x) * turn + x * (v.theta(i) * w.force.x + w.theta(i) * v.force.x) +
                   y * (v.theta(i) * w.force.y + w.theta(i) * v.force.y);
       place.x = place.x - x * turn;

@@ -84,7 +84,7 @@ class Tracer {
         return branch;
       }
       if (outside(next->load)) return finish(branch, here);
-      horizon = brancher_->horizon(*next, 3);
+      horizon = brancher_->horizon(*next, 2);
       if (horizon.distance > Real(4) * tried) tried = std::numeric_limits<Real>::max();
       branch.points.push_back(std::move(*next));
       note_events(branch, h);
@@ -103,7 +103,7 @@ class Tracer {
 
   /// The stationary tangent stiffness between a point and the one h ahead.
   BranchPoint<Real> stationary_stiffness(const BranchPoint<Real>& from, const Real& h) {
-    return zero(from, h, [this](const BranchPoint<Real>& at) { return brancher_->stiffness_rate(at); });
+    return zero(from, h, [](const BranchPoint<Real>& at) { return at.stiffness_rate; });
   }
 
  private:
@@ -178,8 +178,8 @@ class Tracer {
       branch.events.push_back({EventKind::fold, last - 1, fold(a, h), {}});
       return;
     }
-    const Real now = brancher_->stiffness_rate(b) * sign(b.tangent.load);
-    const Real before = brancher_->stiffness_rate(a) * sign(a.tangent.load);
+    const Real now = b.stiffness_rate * sign(b.tangent.load);
+    const Real before = a.stiffness_rate * sign(a.tangent.load);
     if (before < Real(0) && now > Real(0) && !is_event(branch, last - 1))
       branch.events.push_back({EventKind::quasi_buckling, last - 1, stationary_stiffness(a, h), {}});
   }
