@@ -62,9 +62,8 @@ PathReport follow_slowly(const PathTask& task) {
   Brancher<Model> brancher(model, task.loading, absolute_angles(task.chain.rest()));
   const auto starts = starts_of(brancher, task);
   PathReport report{"", task.loading, task.last, true, {}, {}};
-  for (auto& stretch :
-       load_slowly(brancher, starts[0], {starts[0].load, task.last, task.step, 200000}, task.side))
-    report.branches.push_back({std::move(stretch.points), std::move(stretch.events), BranchEnd::load});
+  report.branches =
+      load_slowly(brancher, starts[0], {starts[0].load, task.last, task.step, 200000}, task.side);
   return report;
 }
 

@@ -86,6 +86,8 @@ std::string_view name(BranchEnd end) {
       return "end of the load window";
     case BranchEnd::closed:
       return "closed";
+    case BranchEnd::unstable:
+      return "stability lost";
     case BranchEnd::unbounded:
       return "force unbounded: links in one line";
     case BranchEnd::degenerate:
@@ -113,6 +115,8 @@ std::string as_text(const PathReport& report) {
       text +=
           fmt::format("\nBranch {} ({} points; ends: {})\n", i + 1, branch.points.size(), name(branch.end));
     text += table(branch);
+    if (report.history && branch.end != BranchEnd::load && branch.end != BranchEnd::unstable)
+      text += fmt::format("the path ends here: {}\n", name(branch.end));
   }
   return text;
 }

@@ -8,13 +8,6 @@
 
 namespace plumbline {
 
-/// One stretch of the history: a stable branch up to where it ends.
-template <Number Real>
-struct Stretch {
-  std::vector<BranchPoint<Real>> points;
-  std::vector<BranchEvent<Real>> events;  ///< of these points; the last one ends the stretch unless load does
-};
-
 /// The part of a branch before stability is lost.
 /// \return whether it was lost
 template <Number Real>
@@ -23,6 +16,7 @@ bool cut_where_unstable(Branch<Real>& branch) {
   while (end < branch.points.size() && branch.points[end].negative_directions == 0) ++end;
   if (end == branch.points.size()) return false;
   branch.points.resize(end);
+  branch.end = BranchEnd::unstable;
   std::erase_if(branch.events, [end](const BranchEvent<Real>& event) { return event.before >= end; });
   if (!branch.events.empty() && branch.events.back().kind != EventKind::quasi_buckling &&
       branch.events.back().before + 1 == end) {
@@ -37,20 +31,20 @@ bool cut_where_unstable(Branch<Real>& branch) {
 /// new branch it goes on without a jump where that is stable, else it flows from there. \throws Error where
 /// the start is unstable or no equilibrium is reached
 template <SmoothModel Model>
-std::vector<Stretch<typename Model::Real>> load_slowly(Brancher<Model>& brancher,
-                                                       const BranchPoint<typename Model::Real>& start,
-                                                       const TraceLimits<typename Model::Real>& limits,
-                                                       int side = 1) {
+std::vector<Branch<typename Model::Real>> load_slowly(Brancher<Model>& brancher,
+                                                      const BranchPoint<typename Model::Real>& start,
+                                                      const TraceLimits<typename Model::Real>& limits,
+                                                      int side = 1) {
   using Real = typename Model::Real;
   if (start.negative_directions > 0) throw Error("slow loading", "an unstable start", "a stable one");
   const Real nudge = limits.longest / Real(50);
-  std::vector<Stretch<Real>> history;
+  std::vector<Branch<Real>> history;
   BranchPoint<Real> from = start;
   for (int stretch = 0; stretch < 64; ++stretch) {
     if (from.tangent.load < Real(0)) Brancher<Model>::scale(from.tangent, Real(-1));
     Branch<Real> branch = Tracer<Model>(brancher, limits).run(from);
     const bool lost = cut_where_unstable(branch);
-    history.push_back({branch.points, branch.events});
+    history.push_back(branch);
     if (!lost) return history;
     BranchPoint<Real> last = branch.points.back();
     if (!branch.events.empty() && branch.events.back().kind == EventKind::bifurcation) {

@@ -25,6 +25,7 @@ struct BranchEvent {
 enum class BranchEnd {
   load,        ///< the last point is at the end of the load window
   closed,      ///< it came back to where it began
+  unstable,    ///< it goes on, unstable; only its stable part was asked for
   unbounded,   ///< the force grows beyond bounds: all links come into one line
   degenerate,  ///< a singular point that is neither a fold nor a simple bifurcation
   points       ///< as many points as were allowed
