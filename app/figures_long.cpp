@@ -21,8 +21,8 @@ PathTask compressed(const Chain<double>& chain, double reach, double last) {
   return {chain, {Control::end_point, {reach, 0}, {-1, 0}}, last, 0.03, 1};
 }
 
-/// E(q1, q2) with q3, q4 from the closure, on the sheet of the elbow that has the given sign of q4, and the
-/// certified equilibria there.
+/// Contours of the root of E(q1, q2), with q3, q4 from the closure, on the sheet of the elbow that has the
+/// given sign of q4, and the certified equilibria there.
 Panel energy_surface(const Chain<double>& chain, double x, int elbow, const std::string& title) {
   Panel panel{title, "q_1 [rad]", "q_2 [rad]", {}, {}, "set xrange [-1.6:1.6]\nset yrange [-2.2:2.2]", false};
   constexpr int steps = 110;
@@ -40,7 +40,7 @@ Panel energy_surface(const Chain<double>& chain, double x, int elbow, const std:
         energy = 0;
         for (std::size_t l = 0; l < 4; ++l) energy += std::pow(q[l] - chain.rest()[l], 2) / 2;
       }
-      panel.surface.push_back({q1, q2, energy});
+      panel.surface.push_back({q1, q2, std::sqrt(energy)});  // even steps of the root show shallow minima
     }
   }
   panel.surface_rows = steps + 1;
@@ -64,7 +64,7 @@ Panel energy_surface(const Chain<double>& chain, double x, int elbow, const std:
 }
 
 Panel shapes_at(const Chain<double>& chain, double x) {
-  Panel panel{"all equilibria", "x / L", "y / L", {}, {}, "", true};
+  Panel panel{"all equilibria", "x / L", "y / L", {}, {}, "set key below", true};
   const auto exact = [](double v) { return Interval::from_double(v); };
   const Census census = census_at_end_point(convert<Interval>(chain, exact), {exact(x), Interval(0)});
   int colour = 1;
@@ -80,11 +80,10 @@ Panel shapes_at(const Chain<double>& chain, double x) {
 
 std::vector<Panel> force_curves(const Chain<double>& chain) {
   const PathReport slow = follow_slowly(compressed(chain, 3.8, 1.5));
-  Panel along{"F_x, compression positive", "{/Symbol d}_x / L", "-F_x L / k", {}, {}, "", false};
-  Panel across{"F_y", "{/Symbol d}_x / L", "F_y L / k", {}, {}, "", false};
-  Panel stiffness{
-      "tangent stiffness", "{/Symbol d}_x / L", "dF_x/dx L^2 / k", {}, {}, "set logscale y", false};
-  Panel shapes{"shapes", "x / L", "y / L", {}, {}, "set key off", true};
+  Panel along{"F_x, compression positive", "δ_x / L", "-F_x L / k", {}, {}, "", false};
+  Panel across{"F_y", "δ_x / L", "F_y L / k", {}, {}, "", false};
+  Panel stiffness{"tangent stiffness", "δ_x / L", "dF_x/dx L^2 / k", {}, {}, "set logscale y", false};
+  Panel shapes{"shapes", "x / L", "y / L", {}, {}, "set key below", true};
   const auto load = [](const BranchPoint<double>& p) { return p.load; };
   for (const auto& stretch : slow.branches) {
     add_curves(
@@ -143,7 +142,7 @@ std::vector<Panel> draw_figure_15() {
     for (const std::size_t i : {n / 10, n / 2, n - 1})
       panel.curves.push_back({outline(chain, branch.points[i].theta), colour++,
                               branch.points[i].negative_directions > 0,
-                              fmt::format("{{/Symbol d}}_x = {:.2g}", branch.points[i].load), 2.4});
+                              fmt::format("δ_x = {:.2g}", branch.points[i].load), 2.4});
     panels.push_back(panel);
   }
   return panels;
@@ -151,7 +150,7 @@ std::vector<Panel> draw_figure_15() {
 
 std::vector<Panel> draw_figure_16() {
   const auto chain = four_links({0, 0, 0, 0});
-  return {energy_surface(chain, 3.5, 1, "E(q_1, q_2), straight, {/Symbol d}_x = 0.5 L, q_4 > 0"),
+  return {energy_surface(chain, 3.5, 1, "E(q_1, q_2), straight, δ_x = 0.5 L, q_4 > 0"),
           energy_surface(chain, 3.5, -1, "the other sheet, q_4 < 0"), shapes_at(chain, 3.5)};
 }
 

@@ -21,7 +21,7 @@ double deflection_of(double alpha, double q) {
 }
 
 Panel two_links_force(double alpha) {
-  Panel panel{"force", "deflection {/Symbol D} / L", "F L / k", {}, {}, "set yrange [0:6]", false};
+  Panel panel{"force", "deflection Δ / L", "F L / k", {}, {}, "set yrange [0:6]", false};
   Curve curve;
   for (double q = 0; alpha + q < 2.2; q += 0.01)
     curve.points.emplace_back(deflection_of(alpha, q), force_of(alpha, q));
@@ -35,8 +35,7 @@ Panel two_links_force(double alpha) {
 }
 
 Panel two_links_energy(double alpha, const std::vector<double>& forces) {
-  Panel panel{
-      "potential energy V = U - F {/Symbol D}", "deflection {/Symbol D} / L", "V / k", {}, {}, "", false};
+  Panel panel{"potential energy V = U - F Δ", "deflection Δ / L", "V / k", {}, {}, "", false};
   int colour = 1;
   for (const double F : forces) {
     Curve curve{{}, colour++, false, fmt::format("F = {:g} k/L", F), 1.6};
@@ -89,19 +88,30 @@ void add_report(Panel& panel, const PathReport& report, int first_colour) {
 }
 
 Panel force_panel(const std::string& title, const PathReport& report, const std::string& extra) {
-  Panel panel{title, "deflection {/Symbol D} / L", "compression F L / k", {}, {}, extra, false};
+  Panel panel{title, "deflection Δ / L", "compression F L / k", {}, {}, extra, false};
   add_report(panel, report, 1);
   return panel;
 }
 
 Panel shapes_panel(const std::string& title, const Chain<double>& chain,
                    const std::vector<BranchPoint<double>>& points) {
-  Panel panel{title, "x / L", "y / L", {}, {}, "", true};
+  Panel panel{title, "x / L", "y / L", {}, {}, "set key below", true};
   int colour = 1;
   for (const auto& p : points)
     panel.curves.push_back({outline(chain, p.theta), colour++, p.negative_directions > 0,
-                            fmt::format("{} {{/Symbol D}} = {:.3g}", letter(p), p.load), 2.4});
+                            fmt::format("{} Δ = {:.3g}", letter(p), p.load), 2.4});
   return panel;
+}
+
+/// The point of a history at about a load.
+BranchPoint<double> nearest_to(const PathReport& history, double load) {
+  BranchPoint<double> nearest = history.branches[0].points[0];
+  for (const auto& stretch : history.branches) {
+    for (const auto& p : stretch.points) {
+      if (std::abs(p.load - load) < std::abs(nearest.load - load)) nearest = p;
+    }
+  }
+  return nearest;
 }
 
 }  // namespace
@@ -115,10 +125,13 @@ std::vector<Panel> draw_figure_3() {
 }
 
 std::vector<Panel> draw_figure_5() {
-  const auto straight = follow_all(three_links(0, 0, 1));
+  Panel straight =
+      force_panel("straight", follow_all(three_links(0, 0, 1)), "set yrange [0:6]\nset xrange [-0.05:1]");
+  straight.curves.push_back({{{0, 0}, {0, 1}}, 0, false, "straight shape", 1.6});  // (16): stable up to k / L
+  straight.curves.push_back({{{0, 1}, {0, 6}}, 0, true, "", 1.6});
   const auto nearly = follow_all(three_links(-0.05, -0.05, 1));
-  return {force_panel("straight", straight, "set yrange [0:6]"),
-          force_panel("quasi-straight, {/Symbol a}_1 = {/Symbol a}_2 = -0.05", nearly, "set yrange [0:6]")};
+  return {straight,
+          force_panel("quasi-straight, α_1 = α_2 = -0.05", nearly, "set yrange [0:6]\nset xrange [-0.05:1]")};
 }
 
 std::vector<Panel> draw_figure_6() {
@@ -139,7 +152,7 @@ std::vector<Panel> draw_figure_7() {
   const PathReport report = follow_all(task);
   std::vector<BranchPoint<double>> last;
   for (const auto& branch : report.branches) last.push_back(branch.points.back());
-  return {force_panel("{/Symbol a} = (-{/Symbol p}/4, -{/Symbol p}/3)", report, "set yrange [-6:6]"),
+  return {force_panel("α = (-π/4, -π/3)", report, "set yrange [0:6]"),
           shapes_panel("shapes at the ends of the branches", task.chain, last)};
 }
 
@@ -151,42 +164,35 @@ std::vector<Panel> draw_figure_8() {
     shapes.push_back(stretch.points.front());
     shapes.push_back(stretch.points.back());
   }
-  return {force_panel("the slowly loaded chain, {/Symbol a} = ({/Symbol p}/10, -{/Symbol p}/10)", slow, ""),
+  return {force_panel("the slowly loaded chain, α = (π/10, -π/10)", slow, ""),
           force_panel("every branch", all, "set yrange [0:4]"), shapes_panel("shapes", task.chain, shapes)};
 }
 
 std::vector<Panel> draw_figure_9() {
-  // E(phi) with both elbows of (9); the stable state of the slowly loaded chain is marked
-  const PathTask task = three_links(pi / 10, -pi / 10, 0.6);
+  // E(phi) with both elbows of (9); the state of the slowly loaded chain is marked
+  PathTask task = three_links(pi / 10, -pi / 10, 0.6);
+  task.step = 0.01;
   const PathReport slow = follow_slowly(task);
   std::vector<Panel> panels;
   for (const double load : {0.01, 0.0407353, 0.06, 0.15, 0.3, 0.55}) {
-    Panel panel{fmt::format("{{/Symbol D}} = {:.4g} L", load),
-                "{/Symbol j} [rad]",
-                "E / k",
-                {},
-                {},
-                "set xrange [-1.2:1.2]\nset yrange [0:2.5]\nset key top center",
-                false};
-    const double x = task.loading.start.x - load, reference = pi / 10;
+    const BranchPoint<double> state = nearest_to(slow, load);
+    const std::string range = fmt::format("set yrange [{:.4f}:{:.4f}]\nset key top center",
+                                          state.energy - 0.1 * load, state.energy + 0.002 + 1.5 * load);
+    Panel panel{fmt::format("Δ = {:.4g} L", load), "φ [rad]", "E / k", {}, {}, range, false};
+    const double x = task.loading.start.x - load;
     for (const int elbow : {1, -1}) {
       Curve curve{{}, elbow > 0 ? 1 : 2, false, elbow > 0 ? "q_3 bends left" : "q_3 bends right", 1.6};
-      for (double phi = -1.2; phi < 1.2; phi += 0.004) {
-        const double dx = x - std::cos(phi), dy = -std::sin(phi), c = (dx * dx + dy * dy - 2) / 2;
-        if (std::abs(c) > 1) continue;
-        const double q3 = elbow * std::acos(c);
+      const double widest = std::acos((x * x - 3) / (2 * x));  // links 2 and 3 stretched
+      for (double s = -pi / 2; s < pi / 2 + 0.01; s += 0.01) {
+        const double phi = widest * std::sin(std::min(s, pi / 2)), dx = x - std::cos(phi),
+                     dy = -std::sin(phi);
+        const double c = std::min(1.0, (dx * dx + dy * dy - 2) / 2), q3 = elbow * std::acos(c);
         const double q2 = std::remainder(std::atan2(dy, dx) - std::atan2(std::sin(q3), 1 + c) - phi, 2 * pi);
-        curve.points.emplace_back(phi, (std::pow(q2 - reference, 2) + std::pow(q3 + reference, 2)) / 2);
+        curve.points.emplace_back(phi, (std::pow(q2 - pi / 10, 2) + std::pow(q3 + pi / 10, 2)) / 2);
       }
       panel.curves.push_back(curve);
     }
-    const BranchPoint<double>* nearest = nullptr;
-    for (const auto& stretch : slow.branches) {
-      for (const auto& p : stretch.points) {
-        if (nearest == nullptr || std::abs(p.load - load) < std::abs(nearest->load - load)) nearest = &p;
-      }
-    }
-    panel.marks.push_back({nearest->theta(0), nearest->energy, "state"});
+    panel.marks.push_back({state.theta(0), state.energy, "state"});
     panels.push_back(panel);
   }
   return panels;

@@ -37,7 +37,7 @@ void add_census(std::vector<BranchPoint<double>>& starts, Brancher<Model>& branc
   const auto exact = [](double x) { return Interval::from_double(x); };
   const auto middle = [](const Interval& x) { return static_cast<double>(x.middle()); };
   const auto enclosed = convert<Interval>(task.chain, exact);
-  for (const double load : {task.last, 0.50000013 * task.last}) {
+  for (const double load : {task.last, 0.50000013 * task.last, 0.02 * task.last}) {
     const Point<double> at = task.loading.at(load);
     const Point<Interval> load_exactly{exact(at.x), exact(at.y)};
     try {

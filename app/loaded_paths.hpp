@@ -31,7 +31,8 @@ struct PathReport {
 PathReport follow_slowly(const PathTask& task);
 
 /// Every branch that hangs together with the unloaded shape (a straight chain: with a buckling mode), or that
-/// passes one of the equilibria of certified censuses at the last and the middle load (up to five links).
+/// passes one of the equilibria of certified censuses at the last, the middle and a small load (up to five
+/// links).
 PathReport follow_all(const PathTask& task);
 
 }  // namespace plumbline

@@ -66,7 +66,7 @@ void add_panel(std::string& script, const Panel& panel) {
   script += fmt::format("set title {} font ',13'\nset xlabel {}\nset ylabel {}\n", quoted(panel.title),
                         quoted(panel.x_label), quoted(panel.y_label));
   script += panel.equal_axes ? "set size ratio -1\n" : "set size noratio\n";
-  script += "unset label\nset autoscale\n" + panel.extra + "\n";
+  script += "unset label\nunset logscale\nset key on top left\nset autoscale\n" + panel.extra + "\n";
   std::string data, plots;
   if (!panel.surface.empty()) {
     add_contours(script, panel);
@@ -95,7 +95,7 @@ void add_panel(std::string& script, const Panel& panel) {
 std::string as_svg(const std::vector<Panel>& panels, std::size_t columns) {
   const std::size_t rows = (panels.size() + columns - 1) / columns;
   std::string script = fmt::format(
-      "set terminal svg size {},{} enhanced font 'Helvetica,12' background rgb 'white'\nset output "
+      "set encoding utf8\nset terminal svg size {},{} enhanced font 'Helvetica,12' background rgb 'white'\nset output "
       "'plot.svg'\n"
       "set palette defined (0 '#08306b', 1 '#9ecae1')\nunset colorbox\nset grid lc rgb '#dddddd' dt 1\nset "
       "border lc rgb '#444444'\nset key top left samplen 2\n"

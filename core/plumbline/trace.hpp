@@ -63,8 +63,7 @@ class Tracer {
     auto horizon = brancher_->horizon(branch.points.back(), 8);
     while (branch.points.size() < limits_.points) {
       const BranchPoint<Real> here = branch.points.back();
-      if (horizon.ahead > Real(0) && horizon.ahead < Real(4) * limits_.longest &&
-          horizon.ahead < tried / Real(2)) {
+      if (horizon.ahead > Real(0) && horizon.ahead < limits_.longest && horizon.ahead < tried / Real(2)) {
         tried = horizon.ahead;
         if (cross(branch, horizon)) {
           tried = std::numeric_limits<Real>::max();
@@ -161,6 +160,7 @@ class Tracer {
     if (along(tangent) < Real(0)) Brancher<Model>::scale(tangent, Real(-1));
     if (!(along(tangent) > straight)) return false;
     brancher_->describe_singular(found->point, tangent);
+    found->point.negative_directions = here.negative_directions;  // in between, rounding alone would decide
     if (outside(found->point.load)) return false;
     auto beyond = brancher_->step(found->point, distance);
     if (!beyond || orientation(*beyond) == orientation(here)) return false;
@@ -202,7 +202,9 @@ class Tracer {
     const auto close = [&](const Real& a, const Real& b) { return abs(b - a) <= epsilon<Real>() * h; };
     const Real left = value(Real(0)), right = value(h);
     const auto [a, b] = boost::math::tools::toms748_solve(value, Real(0), h, left, right, close, most);
-    return at((a + b) / Real(2));
+    BranchPoint<Real> found = at((a + b) / Real(2));
+    found.negative_directions = from.negative_directions;  // at a fold rounding alone would decide
+    return found;
   }
 
   bool closed(const Branch<Real>& branch) const {
