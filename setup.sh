@@ -13,7 +13,7 @@ packages=(
   # command line, formats, text
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libfmt-dev libssl-dev
   # tests
-  doctest-dev librapidcheck-dev
+  doctest-dev librapidcheck-dev python3-jsonschema
   # drawings, at run time
   gnuplot-nox
 )

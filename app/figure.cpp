@@ -22,30 +22,43 @@ const std::vector<Figure>& figures() {
        "The paper shows a rising force through the origin and one minimum in every energy curve. Agrees.", 2,
        draw_figure_3},
       {5, "three links, straight and nearly straight: force over deflection",
-       "The paper shows four equilibria, U+ and U- stable, Z+ and Z- unstable.", 2, draw_figure_5},
-      {6, "three links, straight: shapes after buckling", "The paper shows U and Z shapes.", 2,
-       draw_figure_6},
+       "The paper shows four equilibria, U+ and U- stable, Z+ and Z- unstable. Agrees; U+ and U- have one "
+       "curve, Z+ and Z- another, and of the quasi-straight chain's two U shapes both are stable.",
+       2, draw_figure_5},
+      {6, "three links, straight: shapes after buckling",
+       "The paper shows U and Z shapes. Agrees: U stable, Z unstable.", 2, draw_figure_6},
       {7, "three links, U-shaped at rest: force over deflection",
-       "The paper shows four curves, one of them feasible, without a jump.", 2, draw_figure_7},
+       "The paper shows four curves, one of them feasible, without a jump. Agrees for small deflections; "
+       "from 0.3 L on, shapes with a joint more than half a turn from rest come in as well, in tension.",
+       2, draw_figure_7},
       {8, "three links, Z-shaped at rest: force over deflection",
        "The paper shows a kink and speaks of a sudden jump. The kink is a pitchfork bifurcation at 0.0407 L: "
        "the shape "
        "leaves the zigzag continuously, to either side, and no jump occurs.",
        2, draw_figure_8},
       {9, "three links, Z-shaped at rest: energy over the first angle",
-       "The paper shows the minimum moving from negative to positive angles.", 3, draw_figure_9},
+       "The paper shows the first angle at zero at the critical force. It is -0.156 there. Both later minima "
+       "have the same energy: neither is only local.",
+       3, draw_figure_9},
       {11, "four links, U-shaped at rest: energy surface at 0.4 L",
-       "The paper shows one maximum, one minimum, one saddle.", 2, draw_figure_11},
+       "The paper shows one maximum, one minimum and one saddle for q_4 > 0. Agrees; the other sheet has as "
+       "many again.",
+       2, draw_figure_11},
       {12, "four links, U-shaped at rest: forces over deflection",
-       "The paper shows smooth curves and a falling stiffness.", 2, draw_figure_12},
+       "The paper shows smooth curves and a stiffness that falls all the way. Agrees up to 1.5 L.", 2,
+       draw_figure_12},
       {13, "four links, Z-shaped at rest: energy surface at 0.4 L",
-       "The paper shows one maximum and one minimum.", 2, draw_figure_13},
+       "The paper shows one maximum and one minimum for q_4 > 0. There are two minima and a saddle; the "
+       "maximum has q_4 < 0.",
+       2, draw_figure_13},
       {14, "four links, Z-shaped at rest: forces over deflection",
-       "The paper shows a steep rise, then a plateau of low stiffness.", 2, draw_figure_14},
-      {15, "four links, straight: shapes after buckling", "The paper shows U-, Z- and ZU-shapes.", 2,
-       draw_figure_15},
+       "The paper shows a steep rise, then a plateau of low stiffness. Agrees; the stiffness is least at "
+       "0.5855 L.",
+       2, draw_figure_14},
+      {15, "four links, straight: shapes after buckling",
+       "The paper shows U-, Z- and ZU-shapes. Agrees: only U is stable.", 2, draw_figure_15},
       {16, "four links, straight: energy surface at 0.5 L",
-       "The paper shows two minima, two maxima and two saddles.", 2, draw_figure_16},
+       "The paper shows two minima, two maxima and two saddles. Agrees.", 2, draw_figure_16},
   };
   return all;
 }

@@ -96,10 +96,12 @@ std::vector<Panel> force_curves(const Chain<double>& chain) {
       along.marks.push_back({event.point.load, -event.point.force.x, std::string(name(event.kind))});
       stiffness.marks.push_back({event.point.load, event.point.stiffness, std::string(name(event.kind))});
     }
-    const std::size_t n = stretch.points.size();
-    for (const std::size_t i : {std::size_t{0}, n / 4, n / 2, n - 1})
+    int colour = 1;
+    for (const double at : {0.0, 0.1, 0.4, 0.8, 1.5}) {
+      const BranchPoint<double> p = nearest_on(stretch, at);
       shapes.curves.push_back(
-          {outline(chain, stretch.points[i].theta), static_cast<int>(4 * i / n) + 1, false, "", 2.4});
+          {outline(chain, p.theta), colour++, false, fmt::format("δ_x = {:.2g} L", p.load), 2.4});
+    }
   }
   return {along, across, stiffness, shapes};
 }
@@ -130,19 +132,19 @@ std::vector<Panel> draw_figure_15() {
   const auto chain = four_links({0, 0, 0, 0});
   std::vector<Panel> panels;
   for (const auto& branch : follow_all(compressed(chain, 4, 0.6)).branches) {
-    const std::size_t n = branch.points.size();
-    Panel panel{branch.points[n / 2].negative_directions == 0 ? "stable" : "unstable",
+    Panel panel{branch.points.back().negative_directions == 0 ? "stable" : "unstable",
                 "x / L",
                 "y / L",
                 {},
                 {},
-                "",
+                "set key below",
                 true};
     int colour = 1;
-    for (const std::size_t i : {n / 10, n / 2, n - 1})
-      panel.curves.push_back({outline(chain, branch.points[i].theta), colour++,
-                              branch.points[i].negative_directions > 0,
-                              fmt::format("δ_x = {:.2g}", branch.points[i].load), 2.4});
+    for (const double at : {0.05, 0.2, 0.4, 0.6}) {
+      const BranchPoint<double> p = nearest_on(branch, at);
+      panel.curves.push_back({outline(chain, p.theta), colour++, p.negative_directions > 0,
+                              fmt::format("δ_x = {:.2g} L", p.load), 2.4});
+    }
     panels.push_back(panel);
   }
   return panels;

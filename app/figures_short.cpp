@@ -107,9 +107,8 @@ Panel shapes_panel(const std::string& title, const Chain<double>& chain,
 BranchPoint<double> nearest_to(const PathReport& history, double load) {
   BranchPoint<double> nearest = history.branches[0].points[0];
   for (const auto& stretch : history.branches) {
-    for (const auto& p : stretch.points) {
-      if (std::abs(p.load - load) < std::abs(nearest.load - load)) nearest = p;
-    }
+    const BranchPoint<double> p = nearest_on(stretch, load);
+    if (std::abs(p.load - load) < std::abs(nearest.load - load)) nearest = p;
   }
   return nearest;
 }
@@ -139,10 +138,10 @@ std::vector<Panel> draw_figure_6() {
   std::vector<Panel> panels;
   const PathReport report = follow_all(task);
   for (const auto& branch : report.branches) {
-    const std::size_t n = branch.points.size();
-    panels.push_back(shapes_panel(branch.points[n / 2].negative_directions == 0 ? "stable" : "unstable",
-                                  task.chain,
-                                  {branch.points[n / 8], branch.points[n / 2], branch.points[n - 1]}));
+    std::vector<BranchPoint<double>> shapes;
+    for (const double load : {0.05, 0.2, 0.4, 0.6}) shapes.push_back(nearest_on(branch, load));
+    panels.push_back(shapes_panel(branch.points.back().negative_directions == 0 ? "stable" : "unstable",
+                                  task.chain, shapes));
   }
   return panels;
 }

@@ -35,5 +35,7 @@ int main(int argc, char** argv) {
   plumbline::add_path(app);
   plumbline::add_equilibria(app);
   plumbline::add_figure(app);
+  plumbline::add_reference(app);
+  plumbline::add_check(app);
   return run(app, argc, argv);
 }

@@ -9,10 +9,12 @@
 
 namespace plumbline {
 
+void add_check(CLI::App& app);
 void add_critical(CLI::App& app);
 void add_equilibria(CLI::App& app);
 void add_figure(CLI::App& app);
 void add_path(CLI::App& app);
+void add_reference(CLI::App& app);
 void add_verify(CLI::App& app);
 
 }  // namespace plumbline

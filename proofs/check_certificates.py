@@ -28,8 +28,7 @@ def value(polynomial, x):
 
 def determinant(rows):
     i = next((i for i, row in enumerate(rows) if row[0]), None)
-    if i is None or len(rows) == 1:
-        return rows[0][0]
+    if i is None or len(rows) == 1: return rows[0][0]
     rest = [[a - b * row[0] / rows[i][0] for a, b in zip(row[1:], rows[i][1:])] for row in rows[:i] + rows[i + 1:]]
     return (-1) ** i * rows[i][0] * determinant(rest)
 
@@ -46,8 +45,7 @@ class Chain:
     def __init__(self, lengths, stiffness):
         self.L, self.k = [number(x) for x in lengths], [number(x) for x in stiffness]
         n = self.n = len(self.L)
-        require(n > 1 and len(self.k) == n and min(self.L) > 0 and min(self.k) >= 0, "lengths or stiffness")
-        require(self.k.count(0) < 2, "two passive joints")
+        require(n == len(self.k) > 1 and min(self.L) > 0 <= min(self.k) and self.k.count(0) < 2, "no such chain")
         self.z = list(accumulate(self.L[::-1]))[::-1]
         passive = self.k.index(0) if 0 in self.k else 0
         self.blocks = [(0, passive), (passive, n - 1)] if passive else [(0, n - 1)]
@@ -63,8 +61,7 @@ class Chain:
         for i in range(*block):
             t = D * z[i + 1] * m - P * L[i] * h
             h, m = (D * z[i] * k[i + 1] * h + z[i + 1] * t, k[i + 1] * t) if k[i + 1] else (t, 0)
-            if h:
-                count, positive = count + ((h > 0) != positive), h > 0
+            count, positive = (count + ((h > 0) != positive), h > 0) if h else (count, positive)
         return count, h
 
     def shape(self, block, force):
@@ -82,12 +79,11 @@ class Chain:
     def check_force(self, entry):
         fields(entry, "mode digits low high below_low below_high", "shape")
         low, high = number(entry["low"]), number(entry["high"])
-        require(0 < low < high and 2 * (high - low) < unit(low, entry["digits"]) and entry["digits"] > 0, "bounds too wide")
+        require(0 < low < high and 2 * (high - low) < unit(low, entry["digits"]) <= low, "bounds too wide")
         counts = [[self.recursion(block, force)[0] for block in self.blocks] for force in (low, high)]
         require([entry["below_low"], entry["below_high"]] == [*map(sum, counts)], "counts")
         require(entry["below_low"] < entry["mode"] <= entry["below_high"], "mode not within the bounds")
-        if "shape" in entry:
-            self.check_shape(entry["shape"], (low, high), counts)
+        if "shape" in entry: self.check_shape(entry["shape"], (low, high), counts)
 
     def check_shape(self, shape, force, counts):
         fields(shape, "first last digits q")
@@ -103,13 +99,13 @@ class Chain:
         fields(tie, "mode low high factor cofactors")
         low, high, d = number(tie["low"]), number(tie["high"]), [number(x) for x in tie["factor"]]
         ends = [sum(self.recursion(block, force)[0] for block in self.blocks) for force in (low, high)]
-        require(low < high and ends == [tie["mode"] - 1, tie["mode"] + 1], "not two modes from this on")
+        require(0 < low < high and ends == [tie["mode"] - 1, tie["mode"] + 1], "not two modes from this on")
         require(value(d, low) * value(d, high) < 0 and len(self.blocks) == len(tie["cofactors"]) == 2, "no common root")
         for block, cofactor in zip(self.blocks, tie["cofactors"]):
             e, degree, start = [number(x) for x in cofactor], block[1] - block[0], self.recursion(block, 0)[1]
-            require(len(d) + len(e) <= degree + 2 and d[0] and e[0], "degree")
+            require(len(d) + len(e) <= degree + 2, "degree")
             for x in (i / self.per_force for i in range(degree + 1)):
-                require(value(d, x) * value(e, x) * start == d[0] * e[0] * self.recursion(block, x)[1], "the factor does not divide")
+                require(value(d, x) * value(e, x) * start == self.recursion(block, x)[1], "the factor does not divide")
 
     def check_matrices(self, entry, forces):
         fields(entry, "rank_A rank_B zero_algebraic zero_geometric characteristic")
@@ -120,8 +116,8 @@ class Chain:
             pencil = [[x * b - a for a, b in zip(*rows)] for rows in zip(A, B)]
             require(len(c) == n + 2 and value(c, x) == determinant(pencil), "characteristic polynomial")
         require(c[-1] and c[2] and not c[1] and not c[0] and determinant([row[:n] for row in A[:n]]), "degenerate")
-        found = [entry[name] for name in ("rank_A", "rank_B", "zero_algebraic", "zero_geometric")]
-        require(found == [n, n + 1, 2, 1], "ranks or multiplicities")
+        stated = [entry[name] for name in ("rank_A", "rank_B", "zero_algebraic", "zero_geometric")]
+        require(stated == [n, n + 1, 2, 1], "ranks or multiplicities")
         for f in forces:  # the bounds once more, from the determinant itself: no recursion, no theorem
             ends = [value(c, -1 / number(f[end])) for end in ("low", "high")]
             require(f["below_high"] - f["below_low"] > 1 or ends[0] * ends[1] < 0, "no eigenvalue within the bounds")
@@ -130,23 +126,25 @@ def check(document):
     fields(document, "format version licence provenance certificates sha256")
     text = json.dumps({**document, "sha256": ""}, sort_keys=True, separators=(",", ":"))
     require(hashlib.sha256(text.encode()).hexdigest() == document["sha256"], "sha256: the file has been changed")
+    require(not re.search(r"[:,\[](true|false|null)[],}]", text), "true, false or null")
+    fields(document["provenance"], "command program seed")
     require([document["format"], document["version"]] == ["plumbline-certificates", 1], "format or version")
     for entry in document["certificates"]:
         try:
             fields(entry, "chain lengths stiffness forces", "ties matrices")
             chain, modes = Chain(entry["lengths"], entry["stiffness"]), [force["mode"] for force in entry["forces"]]
             require(modes == sorted(set(modes)), "modes out of order")
-            for force in entry["forces"]:
-                chain.check_force(force)
-            for tie in entry.get("ties", []):
-                chain.check_tie(tie)
-            if "matrices" in entry:
-                chain.check_matrices(entry["matrices"], entry["forces"])
+            for force in entry["forces"]: chain.check_force(force)
+            for tie in entry.get("ties", []): chain.check_tie(tie)
+            if "matrices" in entry: chain.check_matrices(entry["matrices"], entry["forces"])
         except (ValueError, TypeError, KeyError, IndexError) as error:
             raise ValueError(f"chain {entry['chain']}: {error}") from None
     return len(document["certificates"])
 
 if __name__ == "__main__":
     for name in sys.argv[1:]:
-        with open(name, encoding="utf-8") as file:
-            print(f"{name}: {check(json.load(file, parse_float=str))} chains hold")
+        try:
+            with open(name, encoding="utf-8") as file: document = json.load(file, parse_float=str)
+            print(f"{name}: {check(document)} chains, every statement holds")
+        except (OSError, ValueError, TypeError, KeyError) as error:
+            sys.exit(f"{name}: {error}")

@@ -27,7 +27,7 @@ struct Bounds {
 };
 Bounds bounds(const Mpfr& x, int kept, int guard) {
   long exponent = 0;
-  const auto digits = static_cast<std::size_t>(kept + guard);
+  const auto digits = static_cast<std::size_t>(kept) + static_cast<std::size_t>(guard);
   char* const text = mpfr_get_str(nullptr, &exponent, 10, digits, x.backend().data(), MPFR_RNDN);
   const Integer mantissa(text), tail = power_of_ten(guard);
   mpfr_free_str(text);

@@ -1,5 +1,7 @@
 #include "proofs/exact_count.hpp"
 
+#include "proofs/working_precision.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -20,6 +22,15 @@ mpz_ptr raw(Integer& x) {
 mpz_srcptr raw(const Integer& x) {
   return x.backend().data();
 }
+
+MpfrInterval interval(const Rational& x) {
+  MpfrInterval result;
+  mpfi_set_q(result.backend().data(), x.backend().data());
+  return result;
+}
+
+/// From so many joints on intervals are faster than integers, whose length grows along the chain.
+constexpr std::size_t long_part = 100;
 
 }  // namespace
 
@@ -47,6 +58,33 @@ std::size_t ExactCount::below(const Rational& F) const {
 
 std::size_t ExactCount::below(const Rational& F, const ChainPart& part) const {
   const Rational scaled = F * per_force_;
+  if (part.last - part.first >= long_part) {
+    if (const auto certain = certainly_below(scaled, part)) return *certain;
+  }
+  return exactly_below(scaled, part);
+}
+
+std::optional<std::size_t> ExactCount::certainly_below(const Rational& scaled, const ChainPart& part) const {
+  const auto digits = static_cast<int>(mp::numerator(scaled).str().size());
+  const WorkingPrecision precision(digits + 30);
+  const MpfrInterval F = interval(scaled);
+  MpfrInterval h = interval(distance_[part.first]), M = interval(stiffness_[part.first]);
+  std::size_t count = 0;
+  bool positive = true;
+  for (std::size_t i = part.first; i < part.last; ++i) {
+    const MpfrInterval z = interval(distance_[i + 1]), L = interval(length_[i]);
+    M = (z * M - F * L * h) / interval(distance_[i]);
+    h = stiffness_[i + 1] == 0 ? M : MpfrInterval(h + z * M / interval(stiffness_[i + 1]));
+    if (mpfi_has_zero(h.backend().data()) != 0) return std::nullopt;
+    if ((mpfi_is_strictly_pos(h.backend().data()) != 0) != positive) {
+      ++count;
+      positive = !positive;
+    }
+  }
+  return count;
+}
+
+std::size_t ExactCount::exactly_below(const Rational& scaled, const ChainPart& part) const {
   const Integer P = mp::numerator(scaled), D = mp::denominator(scaled);
   Integer h = distance_[part.first], M = stiffness_[part.first], t, factor;
   std::size_t count = 0;

@@ -7,9 +7,11 @@
 ///
 ///     t = D z_{i+1} M_i - P L_i h_i;   h_{i+1} = D z_i k_{i+1} h_i + z_{i+1} t,   M_{i+1} = k_{i+1} t.
 ///
-/// No common factor is ever sought, which is what exact fractions spend their time on: a count costs O(n^2)
-/// operations on words, 10 ms for n = 1000 and a force of 50 digits.
+/// No common factor is ever sought, which is what exact fractions spend their time on; still the integers
+/// grow along the chain, and a count costs O(n^2) operations on words. Long chains are therefore tried in
+/// intervals first, which count just as certainly where no interval contains zero.
 
+#include <optional>
 #include <plumbline/chain.hpp>
 #include <vector>
 
@@ -39,6 +41,10 @@ class ExactCount {
   [[nodiscard]] const std::vector<ChainPart>& parts() const { return parts_; }
 
  private:
+  [[nodiscard]] std::optional<std::size_t> certainly_below(const Rational& scaled,
+                                                           const ChainPart& part) const;
+  [[nodiscard]] std::size_t exactly_below(const Rational& scaled, const ChainPart& part) const;
+
   std::vector<ChainPart> parts_;
   std::vector<Integer> length_, distance_, stiffness_;
   Rational per_force_;  ///< force of the chain of integers over the force of the given one

@@ -57,7 +57,8 @@ std::optional<Tie> find_tie(const Chain<Rational>& chain, const ForceEnclosure& 
   const Polynomial factor = greatest_common_factor(polynomials.front(), polynomials.back());
   if (evaluate(factor, bounds.low) * evaluate(factor, bounds.high) >= 0) return std::nullopt;
   Tie tie{bounds.below_low + 1, bounds.low, bounds.high, factor, {}};
-  for (const Polynomial& p : polynomials) tie.cofactors.push_back(divide(p, factor).quotient);
+  for (const Polynomial& p : polynomials)
+    tie.cofactors.push_back(plus({}, 1 / p.front(), divide(p, factor).quotient));
   return tie;
 }
 

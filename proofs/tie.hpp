@@ -16,7 +16,7 @@ struct Tie {
   Rational low, high;  ///< bounds of both forces
   Polynomial factor;   ///< the greatest common factor
   std::vector<Polynomial>
-      cofactors;  ///< of the parts in order: factor times cofactor is the part's polynomial
+      cofactors;  ///< of the parts in order: factor times cofactor is the part's polynomial, 1 at F = 0
 };
 
 /// The tie that makes the count pass these bounds in a step of two; nothing when the two forces between them

@@ -21,6 +21,9 @@ Interval unloaded_reach(const Chain<Interval>& chain);
 Chain<Interval> u_shaped_chain();
 Chain<Interval> z_shaped_chain();
 
+/// Digits of a located event that Newton's method in fifty digits leaves no doubt about.
+inline constexpr int located_digits = 40;
+
 /// What happens to the Z-shape of Fig. 8 where it loses stability.
 struct ZigzagBuckling {
   BranchPoint<Mpfr50> point;

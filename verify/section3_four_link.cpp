@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "proofs/census.hpp"
 #include "verify/claims.hpp"
 #include "verify/judging.hpp"
@@ -75,7 +77,7 @@ Judgement z_quasi(const Printed& printed, int digits) {
             : fmt::format("least stiffness {} at {} L, at the start {}; the path is {}",
                           path.points[0].stiffness.str(8), path.points[0].load.str(8),
                           path.first_stiffness.str(6), path.stable ? "stable" : "not stable throughout")}});
-  if (!path.points.empty()) result.value = path.points[0].load.str(digits);
+  if (!path.points.empty()) result.value = path.points[0].load.str(std::min(digits, located_digits));
   return result;
 }
 

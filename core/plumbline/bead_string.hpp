@@ -12,94 +12,132 @@
 /// squares of its frequencies. A passive joint is an infinite spacing: it cuts the string and leaves free
 /// ends.
 
-#include <algorithm>
 #include <cmath>
 #include <plumbline/chain.hpp>
+#include <plumbline/lanes.hpp>
+#include <plumbline/scratch.hpp>
+#include <span>
 
 namespace plumbline {
 
 /// A piece of the string between cuts. All its frequencies are simple.
 template <Number Real>
-struct BeadString {
-  std::size_t first;  ///< the joint (from 0) at its left end, and the chain's link that is its first bead
-  std::vector<Real> mass;     ///< one a bead
-  std::vector<Real> spacing;  ///< behind each bead; a free right end has one entry fewer
-  Real slope;  ///< of the string before the first bead where that has deflection 1; 0 at a free end
+struct StringPiece {
+  std::size_t first;                   ///< the joint (from 0) at its left end, whose link is its first bead
+  std::span<const Real> mass;          ///< one a bead
+  std::span<const Real> spacing;       ///< behind each bead; at a free right end there is one fewer
+  Real slope;                          ///< before the first bead where that has deflection 1; 0 at a free end
+  Real largest_mass, largest_spacing;  ///< bounds that hold for all pieces
 
   [[nodiscard]] std::size_t size() const { return mass.size(); }
+  [[nodiscard]] bool free_end() const { return spacing.size() < mass.size(); }
+  /// The same at the other end: slope behind the last bead, away from it.
+  [[nodiscard]] Real end_slope() const { return free_end() ? Real(0) : Real(Real(1) / spacing.back()); }
 };
 
-/// The one or two pieces of a chain's string; together they have n - 1 beads.
-/// \throws Error for n = 1 or a mechanism
+/// The string of a chain.
 template <Number Real>
-std::vector<BeadString<Real>> bead_strings(const Chain<Real>& chain) {
-  const std::size_t beads = mode_count(chain);
-  const std::vector<Real> z = distance_to_end(chain);
-  const auto& k = chain.stiffness();
-  const auto passive = [&](std::size_t i) { return chain.passive_joint(i); };
-
-  std::vector<BeadString<Real>> pieces;
-  for (std::size_t i = 0; i < beads; ++i) {
-    if (i == 0 || passive(i)) pieces.push_back({i, {}, {}, passive(i) ? Real(0) : k[i] / (z[i] * z[i])});
-    pieces.back().mass.push_back(chain.length()[i] / z[i] / z[i + 1]);
-    if (!passive(i + 1)) pieces.back().spacing.push_back(z[i + 1] / k[i + 1] * z[i + 1]);
-  }
-  return pieces;
-}
-
-/// State of the recursion at the right end of a string, up to a positive factor: the deflection there (at a
-/// free end the slope), whose roots are the critical forces, with its first two Taylor coefficients in the
-/// relative change of F, and the number of critical forces below F.
-template <Number Real, int order>
-struct EndState {
-  Real h[order + 1];
-  std::size_t count;
-};
-
-/// Multiplies h and g by a power of two when they threaten to leave the range of the type. Returns its
-/// exponent. Exact types and MPFR have no such range.
-template <Number Real, std::size_t terms>
-int keep_in_range(Real (&h)[terms], Real (&g)[terms]) {
-  if constexpr (std::floating_point<Real>) {
-    constexpr int safe = std::numeric_limits<Real>::max_exponent / 4;
-    static const Real high = std::ldexp(Real(1), safe), low = std::ldexp(Real(1), -safe);
-    Real size(0);
-    for (std::size_t t = 0; t < terms; ++t) size = std::max({size, std::abs(h[t]), std::abs(g[t])});
-    if (size < low || size > high) {
-      const int shift = -std::ilogb(size);
-      for (std::size_t t = 0; t < terms; ++t) {
-        h[t] = std::ldexp(h[t], shift);
-        g[t] = std::ldexp(g[t], shift);
-      }
-      return shift;
+class BeadString {
+ public:
+  /// \throws Error for n = 1 or a mechanism
+  explicit BeadString(const Chain<Real>& chain)
+      : chain_(chain), mass_(mode_count(chain)), spacing_(chain.size()) {
+    if constexpr (std::same_as<Real, double>) {
+      hang_in_lanes();
+    } else {
+      hang();
     }
   }
-  return 0;
-}
+  BeadString(const BeadString&) = delete;  // pieces look into it
+  BeadString& operator=(const BeadString&) = delete;
 
-/// Runs the recursion along a string.
-template <int order, Ordered Real>
-EndState<Real, order> sweep(const BeadString<Real>& string, const Real& F) {
-  Real h[order + 1] = {Real(1)}, g[order + 1] = {string.slope};
-  for (int t = 1; t <= order; ++t) h[t] = g[t] = Real(0);
-  std::size_t count = 0;
-  bool negative = false;
-  for (std::size_t i = 0; i < string.size(); ++i) {
-    const Real Fm = F * string.mass[i];
-    for (int t = order; t > 0; --t) g[t] -= Fm * (h[t] + h[t - 1]);
-    g[0] -= Fm * h[0];
-    const bool free_end = i == string.spacing.size();
-    for (int t = 0; t <= order; ++t) h[t] = free_end ? g[t] : Real(h[t] + string.spacing[i] * g[t]);
-    // A zero between two values has opposite signs beside it, and is one change; a zero at the end is none.
-    const bool now_negative = h[0] == Real(0) ? negative : h[0] < Real(0);
-    count += now_negative != negative ? 1 : 0;
-    negative = now_negative;
-    keep_in_range(h, g);
+  /// Whether masses and spacings leave a floating-point type enough of its range for the run along them.
+  [[nodiscard]] bool in_range() const {
+    const Real limit = std::ldexp(Real(1), std::numeric_limits<Real>::max_exponent / 8);
+    return largest_mass_ < limit && largest_spacing_ < limit && smallest_ > 1 / limit;
   }
-  EndState<Real, order> end;
-  std::copy(std::begin(h), std::end(h), end.h);
-  end.count = count;
-  return end;
-}
+
+  /// One piece, or two where an interior joint is passive.
+  [[nodiscard]] std::vector<StringPiece<Real>> pieces() const {
+    std::vector<StringPiece<Real>> result;
+    const std::span<const Real> mass(mass_), spacing(spacing_);
+    for (std::size_t first = 0, end = 1; first < mass.size(); first = end++) {
+      while (end < mass.size() && !chain_.passive_joint(end)) ++end;
+      const std::size_t spacings = end - first - (chain_.passive_joint(end) ? 1 : 0);
+      result.push_back({first, mass.subspan(first, end - first), spacing.subspan(first + 1, spacings),
+                        chain_.passive_joint(first) ? Real(0) : Real(Real(1) / spacing[first]), largest_mass_,
+                        largest_spacing_});
+    }
+    return result;
+  }
+
+ private:
+  void hang() {
+    const std::vector<Real> z = distance_to_end(chain_);
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      spacing_[i] = chain_.passive_joint(i) ? Real(0) : Real(z[i] / chain_.stiffness()[i] * z[i]);
+      if (i < mass_.size()) mass_[i] = chain_.length()[i] / z[i] / z[i + 1];
+    }
+    if constexpr (Ordered<Real>) {
+      largest_mass_ = *std::max_element(mass_.begin(), mass_.end());
+      largest_spacing_ = *std::max_element(spacing_.begin(), spacing_.end());
+    }
+  }
+
+  /// The same from the end point to the base, eight links at a time. The distance is summed with its rounding
+  /// errors (Knuth), so that it is as good as exact for a million links.
+  void hang_in_lanes() {
+    const double *const L = chain_.length().data(), *const k = chain_.stiffness().data();
+    double z = 0, lost = 0;
+    const auto lengthen = [&](double by) {
+      const double sum = z + by, part = sum - z;
+      lost += (z - (sum - part)) + (by - part);
+      z = sum;
+    };
+    const std::size_t n = chain_.size(), whole = (n - 1) / lane_count * lane_count;
+    double behind = 0;
+    Lanes largest_mass{}, largest_spacing{}, smallest = all_lanes(1);
+    for (std::size_t i = n; i-- > whole;) {
+      lengthen(L[i]);
+      const double here = z + lost;
+      spacing_[i] = k[i] > 0 ? here / k[i] * here : 0;
+      if (i + 1 < n) mass_[i] = L[i] / here / behind;
+      behind = here;
+    }
+    for (std::size_t i = whole; i > 0;) {
+      i -= lane_count;
+      Lanes length, stiffness;
+      __builtin_memcpy(&length, L + i, sizeof length);
+      __builtin_memcpy(&stiffness, k + i, sizeof stiffness);
+      const Lanes sums = suffix_sums(length);
+      const Lanes here = z + (lost + sums);
+      const Lanes next = __builtin_shufflevector(here, all_lanes(behind), 1, 2, 3, 4, 5, 6, 7, 8);
+      const Lanes spacing = stiffness > 0 ? here * here / stiffness : 0, mass = length / (here * next);
+      largest_mass = larger(largest_mass, mass);
+      largest_spacing = larger(largest_spacing, spacing);
+      smallest = smaller(smallest, smaller(mass, stiffness > 0 ? spacing : mass));
+      __builtin_memcpy(&spacing_[i], &spacing, sizeof spacing);
+      __builtin_memcpy(&mass_[i], &mass, sizeof mass);
+      lengthen(sums[0]);
+      behind = here[0];
+    }
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      largest_mass_ = std::max(largest_mass_, largest_mass[lane]);
+      largest_spacing_ = std::max(largest_spacing_, largest_spacing[lane]);
+      smallest_ = std::min(smallest_, smallest[lane]);
+    }
+    for (std::size_t i = whole; i < n; ++i) {
+      largest_spacing_ = std::max(largest_spacing_, spacing_[i]);
+      if (k[i] > 0) smallest_ = std::min(smallest_, spacing_[i]);
+      if (i + 1 == n) break;
+      largest_mass_ = std::max(largest_mass_, mass_[i]);
+      smallest_ = std::min(smallest_, mass_[i]);
+    }
+  }
+
+  const Chain<Real>& chain_;
+  Scratch<Real> mass_, spacing_;
+  Real largest_mass_{0}, largest_spacing_{0}, smallest_{1};  // the last for double only
+};
 
 }  // namespace plumbline

@@ -15,39 +15,49 @@ template <Floating Real>
 struct StringRun {
   std::vector<Real> deflection, slope;
   std::vector<int> exponent;
+
+  void keep(const StringState<Real, 0>& state) {
+    deflection.push_back(state.h[0]);
+    slope.push_back(state.g[0]);
+    exponent.push_back(scale_);
+  }
+  /// Binary exponents of MPFR do not run out; those of the machine's types are kept apart.
+  void restore(StringState<Real, 0>& state) {
+    if constexpr (std::floating_point<Real>) {
+      const int shift = std::ilogb(std::max(std::abs(state.h[0]), std::abs(state.g[0])));
+      state.scale(std::ldexp(Real(1), -shift));
+      scale_ += shift;
+    }
+  }
+
+ private:
+  int scale_ = 0;
 };
 
 /// From the left: bead i with the slope before it.
 template <Floating Real>
-StringRun<Real> run_rightwards(const BeadString<Real>& string, const Real& F) {
+StringRun<Real> run_rightwards(const StringPiece<Real>& string, const Real& F) {
   StringRun<Real> run;
-  Real h[1] = {Real(1)}, g[1] = {string.slope};
-  int exponent = 0;
+  StringState<Real, 0> state(Real(1), string.slope);
   for (std::size_t i = 0; i < string.size(); ++i) {
-    run.deflection.push_back(h[0]);
-    run.slope.push_back(g[0]);
-    run.exponent.push_back(exponent);
-    g[0] -= F * string.mass[i] * h[0];
-    if (i < string.spacing.size()) h[0] += string.spacing[i] * g[0];
-    exponent -= keep_in_range(h, g);
+    run.keep(state);
+    state.pass_bead(F * string.mass[i]);
+    if (i < string.spacing.size()) state.pass_spacing(string.spacing[i]);
+    run.restore(state);
   }
   return run;
 }
 
-/// From the right: bead i with the slope behind it.
+/// From the right: bead i with the slope behind it, positive when the string falls.
 template <Floating Real>
-StringRun<Real> run_leftwards(const BeadString<Real>& string, const Real& F) {
+StringRun<Real> run_leftwards(const StringPiece<Real>& string, const Real& F) {
   StringRun<Real> run;
-  const bool free_end = string.spacing.size() < string.size();
-  Real h[1] = {Real(1)}, g[1] = {free_end ? Real(0) : Real(Real(-1) / string.spacing.back())};
-  int exponent = 0;
+  StringState<Real, 0> state(Real(1), string.end_slope());
   for (std::size_t i = string.size(); i-- > 0;) {
-    run.deflection.push_back(h[0]);
-    run.slope.push_back(g[0]);
-    run.exponent.push_back(exponent);
-    g[0] += F * string.mass[i] * h[0];
-    if (i > 0) h[0] -= string.spacing[i - 1] * g[0];
-    exponent -= keep_in_range(h, g);
+    run.keep(state);
+    state.pass_bead(F * string.mass[i]);
+    if (i > 0) state.pass_spacing(string.spacing[i - 1]);
+    run.restore(state);
   }
   std::reverse(run.deflection.begin(), run.deflection.end());
   std::reverse(run.slope.begin(), run.slope.end());
@@ -57,14 +67,14 @@ StringRun<Real> run_leftwards(const BeadString<Real>& string, const Real& F) {
 
 /// The bead at which the force that holds the two runs together, over the bead's mass, is smallest.
 template <Floating Real>
-std::size_t best_joint(const BeadString<Real>& string, const Real& F, const StringRun<Real>& left,
+std::size_t best_joint(const StringPiece<Real>& string, const Real& F, const StringRun<Real>& left,
                        const StringRun<Real>& right) {
   using std::abs;
   std::size_t best = 0;
   Real least(-1);
   for (std::size_t i = 0; i < string.size(); ++i) {
     if (left.deflection[i] == Real(0) || right.deflection[i] == Real(0)) continue;
-    const Real force = left.slope[i] / left.deflection[i] - right.slope[i] / right.deflection[i];
+    const Real force = left.slope[i] / left.deflection[i] + right.slope[i] / right.deflection[i];
     const Real misfit = abs(force / string.mass[i] - F);
     if (least < Real(0) || misfit < least) {
       least = misfit;
@@ -76,7 +86,7 @@ std::size_t best_joint(const BeadString<Real>& string, const Real& F, const Stri
 
 /// The shape of one string's mode as joint angles of the whole chain; the rest of the chain is straight.
 template <Floating Real>
-std::vector<Real> joint_angles(const Chain<Real>& chain, const BeadString<Real>& string, const Real& F) {
+std::vector<Real> joint_angles(const Chain<Real>& chain, const StringPiece<Real>& string, const Real& F) {
   using std::ldexp;
   const std::vector<Real> z = distance_to_end(chain);
   const auto left = run_rightwards(string, F), right = run_leftwards(string, F);
@@ -90,7 +100,7 @@ std::vector<Real> joint_angles(const Chain<Real>& chain, const BeadString<Real>&
   };
   for (std::size_t i = 0; i <= joint; ++i) bend(string.first + i, joined(left, left.slope, i));
   for (std::size_t i = joint; i < string.size(); ++i)
-    bend(string.first + i + 1, joined(right, right.slope, i));
+    bend(string.first + i + 1, -joined(right, right.slope, i));
   // A passive joint turns by the jump of the deflection between its two sides, one of which is straight.
   const std::size_t end = string.first + string.size();
   if (chain.passive_joint(string.first)) q[string.first] = joined(left, left.deflection, 0) / z[string.first];
@@ -101,7 +111,7 @@ std::vector<Real> joint_angles(const Chain<Real>& chain, const BeadString<Real>&
 /// Mode of one string: (q, F_y) of norm 1, the first joint that turns at all turns to the positive side.
 /// Since S_0^T q = 0 (30), the first equation of (29) is F_y = -k_1 q_1 / z_1.
 template <Floating Real>
-Mode<Real> mode_of(const Chain<Real>& chain, const BeadString<Real>& string, const Real& force) {
+Mode<Real> mode_of(const Chain<Real>& chain, const StringPiece<Real>& string, const Real& force) {
   using std::abs;
   using std::sqrt;
   std::vector<Real> q = joint_angles(chain, string, force);
@@ -116,19 +126,29 @@ Mode<Real> mode_of(const Chain<Real>& chain, const BeadString<Real>& string, con
   return {force, std::move(q), Real(fy / scale)};
 }
 
+inline Mode<double> in_double(const Mode<long double>& mode) {
+  return {force_in_double(mode.force), {mode.q.begin(), mode.q.end()}, static_cast<double>(mode.fy)};
+}
+
 /// The shape at a critical force that critical_forces() gave. Where two parts of a chain with an interior
-/// passive joint share that force, the shape of the first part; critical_modes() gives both.
+/// passive joint share that force, the shape of the first part; critical_modes() gives both. An angle is as
+/// accurate as the force lets it be: relative errors of the force count as many times as the reciprocal of
+/// the relative distance to the next force.
 /// \throws Error for n = 1 or a mechanism
 template <Floating Real>
 Mode<Real> buckling_mode(const Chain<Real>& chain, const Real& force) {
-  const auto strings = bead_strings(chain);
-  const auto step = [&](const BeadString<Real>& string) {  // Newton's, from the force to the string's own
+  const BeadString<Real> string(chain);
+  if constexpr (std::same_as<Real, double>) {
+    if (!string.in_range()) return in_double(buckling_mode(widened(chain), static_cast<long double>(force)));
+  }
+  const auto pieces = string.pieces();
+  const auto newton = [&](const StringPiece<Real>& piece) {
     using std::abs;
-    const auto at = sweep<1>(string, force);
-    return at.h[1] == Real(0) ? std::numeric_limits<Real>::infinity() : Real(abs(at.h[0] / at.h[1]));
+    const auto at = sweep(piece, force);
+    return Real(abs(at.f[0] / at.f[1]));
   };
-  const auto& own = strings.size() == 1 || step(strings[0]) <= step(strings[1]) ? strings[0] : strings[1];
-  return mode_of(chain, own, force);
+  const bool second = pieces.size() > 1 && newton(pieces[1]) < newton(pieces[0]);
+  return mode_of(chain, pieces[second ? 1 : 0], force);
 }
 
 /// The lowest critical forces with their shapes, ascending: `lowest` of them, or all n - 1. Critical forces
@@ -136,9 +156,18 @@ Mode<Real> buckling_mode(const Chain<Real>& chain, const Real& force) {
 /// \throws Error for n = 1 or a mechanism
 template <Floating Real>
 std::vector<Mode<Real>> critical_modes(const Chain<Real>& chain, std::size_t lowest) {
+  const BeadString<Real> string(chain);
   std::vector<Mode<Real>> modes;
-  for (const auto& string : bead_strings(chain)) {
-    for (const Real& force : critical_forces(string, lowest)) modes.push_back(mode_of(chain, string, force));
+  if constexpr (std::same_as<Real, double>) {
+    if (!string.in_range()) {
+      for (const auto& mode : critical_modes(widened(chain), lowest)) modes.push_back(in_double(mode));
+      return modes;
+    }
+  }
+  const auto roots = lowest_roots(chain, lowest);
+  const auto pieces = string.pieces();
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    for (const auto& root : roots[p]) modes.push_back(mode_of(chain, pieces[p], root.value));
   }
   std::stable_sort(modes.begin(), modes.end(),
                    [](const auto& a, const auto& b) { return a.force < b.force; });

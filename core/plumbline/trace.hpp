@@ -198,10 +198,10 @@ class Tracer {
       return *point;
     };
     const auto value = [&](const Real& s) { return quantity(at(s)); };
-    std::uintmax_t most = 200;
+    std::uintmax_t evaluations = 200;
     const auto close = [&](const Real& a, const Real& b) { return abs(b - a) <= epsilon<Real>() * h; };
     const Real left = value(Real(0)), right = value(h);
-    const auto [a, b] = boost::math::tools::toms748_solve(value, Real(0), h, left, right, close, most);
+    const auto [a, b] = boost::math::tools::toms748_solve(value, Real(0), h, left, right, close, evaluations);
     BranchPoint<Real> found = at((a + b) / Real(2));
     found.negative_directions = from.negative_directions;  // at a fold rounding alone would decide
     return found;

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <boost/math/constants/constants.hpp>
+#include <numbers>
 #include <plumbline/algorithm1.hpp>
 #include <plumbline/buckling_mode.hpp>
 #include <plumbline/linearised.hpp>
@@ -117,9 +118,101 @@ TEST_CASE("Algorithm 1 in 50 digits finds the same forces and shapes") {
   }
 }
 
-TEST_CASE("a force that is met on the way is counted as one change of sign") {
-  // h_2 = 0 at F = 5/2 for the first two links alone
-  const Chain<Rational> chain({1, 1, 1}, {1, 1, 1});
-  CHECK(count_below(chain, Rational(0)) == 0);
-  CHECK(count_below(chain, Rational(1000)) == 2);
+TEST_CASE("forces that tie across an interior passive joint come twice, with independent shapes") {
+  // Unit links; before the passive joint F = k_1 z_2 / (z_1 L_1) = 2, behind it F = k_3 (1/L_2 + 1/L_3) = 2.
+  const Chain<double> chain({1, 1, 1}, {3, 0, 1});
+  CHECK(critical_forces(chain, 9) == std::vector<double>{2, 2});
+  CHECK(critical_forces(chain, 1) == std::vector<double>{2});
+  const auto modes = critical_modes(chain, 9);
+  REQUIRE(modes.size() == 2);
+  CHECK(modes[0].q[2] == 0);  // the links behind the joint stay in line
+  CHECK(modes[0].q[0] > 0);
+  CHECK(modes[1].q[0] == 0);
+  CHECK(modes[1].q[1] > 0);
+  CHECK(modes[1].fy == 0);
+  for (const auto& mode : modes) CHECK(energy_factor(chain, mode.q) == doctest::Approx(2).epsilon(1e-14));
+}
+
+TEST_CASE("near ties in one piece are told apart as far as the type can") {
+  // A weak spring in place of the passive joint above.
+  for (const double weak : {1e-6, 1e-12, 1e-17, 1e-30}) {
+    const Chain<double> chain({1, 1, 1}, {6, weak, 1});  // near {6, 0, 1}: forces 4 and 2 plus the coupling
+    const Chain<double> tied({1, 1, 1}, {3, weak, 1});
+    for (const auto& near : {chain, tied}) {
+      const auto forces = critical_forces(near, 9);
+      for (std::size_t m = 0; m < 2; ++m) CHECK(certified(exactly(near), m, forces[m], tolerance(3)));
+    }
+  }
+}
+
+TEST_CASE("scales that leave the range of double on the way do no harm") {
+  for (const double scale : {1e-300, 1e-150, 1.0, 1e150, 1e300}) {
+    // F is [k] / [L]
+    const Chain<double> long_links({scale, scale}, {scale, scale});
+    CHECK(critical_forces(long_links, 1)[0] == doctest::Approx(2.5).epsilon(1e-14));
+    CHECK(critical_modes(long_links, 1)[0].q[0] == doctest::Approx(2 / std::sqrt(21)).epsilon(1e-14));
+  }
+  const auto apart = critical_modes(Chain<double>({1, 1e-200, 1}, {1, 1e250, 1}), 1)[0];
+  const Chain<Mpfr50> same({1, Mpfr50(1e-200), 1}, {1, Mpfr50(1e250), 1});
+  const auto expected = critical_modes(same, 2)[0];
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(apart.q[i] == doctest::Approx(expected.q[i].convert_to<double>()).epsilon(1e-14));
+  }
+  CHECK_THROWS_AS(critical_forces(Chain<double>({1e-300, 1e-300}, {1e300, 1e300}), 1), Error);
+  std::mt19937 random(4);
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    const auto chain = graded_chain(6, 70, random);
+    const auto forces = critical_forces(chain, 6);
+    for (std::size_t m = 0; m < 5; ++m) CHECK(certified(exactly(chain), m, forces[m], tolerance(6)));
+  }
+}
+
+TEST_CASE("the lowest force alone is the first of all, and so are the m lowest") {
+  std::mt19937 random(5);
+  for (const std::size_t n : {2U, 33U, 64U, 257U, 500U}) {
+    for (const double decades : {0.0, 0.5, 4.0}) {
+      const auto chain = graded_chain(n, decades, random);
+      const auto all = critical_forces(chain, n), three = critical_forces(chain, 3);
+      REQUIRE(all.size() == n - 1);
+      CHECK(std::is_sorted(all.begin(), all.end()));
+      CHECK(critical_forces(chain, 1)[0] == doctest::Approx(all[0]).epsilon(tolerance(n)));
+      for (std::size_t m = 0; m < three.size(); ++m) {
+        CHECK(three[m] == doctest::Approx(all[m]).epsilon(tolerance(n)));
+      }
+    }
+  }
+}
+
+TEST_CASE("long chains keep 13 digits") {
+  for (const std::size_t n : {1000U, 100000U, 1000000U}) {
+    // equal links of a length that is no double's power of two on a passive base
+    std::vector<double> k(n, 0.3);
+    k[0] = 0;
+    const double force = critical_forces(Chain<double>(std::vector<double>(n, 0.1), k), 1)[0];
+    const long double L = 0.1, stiffness = 0.3, s = std::sin(std::numbers::pi_v<long double> / (2.0L * n));
+    CHECK(std::abs(static_cast<double>(force / (4 * stiffness / L * s * s) - 1)) < 1e-13);
+  }
+}
+
+TEST_CASE("two hundred digits, in a precision set at run time") {
+  const unsigned before = Mpfr::default_precision();
+  Mpfr::default_precision(200);
+  const Mpfr force = critical_forces(Chain<Mpfr>({1, 1, 1}, {0, 1, 1}), 2)[1];
+  CHECK(abs(force - 3) < pow(Mpfr(10), -198));
+  Mpfr::default_precision(before);
+}
+
+TEST_CASE("a force that is met on the way is counted as one change of sign, and not below itself") {
+  // h_2 = 0 at F = 5/2 for two unit links with unit springs; a third link goes on from there
+  const Rational F(5, 2), little(1, 1000000);
+  const Chain<Rational> two({1, 1}, {1, 1});
+  CHECK(count_below(two, F) == 0);
+  CHECK(count_below(two, Rational(F + little)) == 1);
+  CHECK(count_below(two, Rational(0)) == 0);
+  // h_2 = 0 at F = p_1 (c_1 + c_2) with p_1 = 6, c_1 = 1/9, c_2 = 1/4
+  const Chain<Rational> three({1, 1, 1}, {1, 1, 1});
+  const Rational zero(13, 6);
+  CHECK(count_below(three, Rational(zero - little)) == count_below(three, zero));
+  CHECK(count_below(three, Rational(zero + little)) == count_below(three, zero));
+  CHECK(count_below(three, Rational(1000)) == 2);
 }

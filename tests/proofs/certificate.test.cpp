@@ -35,7 +35,8 @@ Chain<Rational> graded_chain(std::mt19937_64& random, std::size_t n, int decades
 int check_alone(const std::vector<json>& certificates) {
   const auto path = std::filesystem::temp_directory_path() / "plumbline-certificate-test.json";
   std::ofstream(path) << certificate_file({"test", "test", ""}, certificates);
-  const std::string command = "python3 " PLUMBLINE_SOURCE_DIR "/proofs/check_certificates.py " + path.string();
+  const std::string command =
+      "python3 " PLUMBLINE_SOURCE_DIR "/proofs/check_certificates.py " + path.string();
   const int status = std::system((command + " >/dev/null").c_str());
   std::filesystem::remove(path);
   return status;
@@ -49,8 +50,8 @@ TEST_CASE("the stand-alone checker confirms chains graded over sixteen decades, 
   for (std::size_t n = 2; n <= 9; ++n) {
     for (const int decades : {0, 8}) {
       const auto chain = graded_chain(random, n, decades, random() % (n + 1));
-      certificates.push_back(
-          certificate("graded", chain, {n, 40, true, n <= 6}));
+      certificates.push_back(certificate("graded", chain, certify(chain, n, n, 40)));
+      if (n <= 6) certificates.back()["matrices"] = matrix_certificate(chain);
       CHECK(certificates.back()["forces"].size() == n - 1);
     }
   }
@@ -59,7 +60,9 @@ TEST_CASE("the stand-alone checker confirms chains graded over sixteen decades, 
 
 TEST_CASE("two equal critical forces are proved equal") {
   // before the passive joint k_1 z_2 / (z_1 L_1) = 2, behind it k_3 (1 / L_2 + 1 / L_3) = 2
-  const json rational = certificate("tie", Chain<Rational>({1, 1, 1}, {3, 0, 1}), {2, 30, true, true});
+  const Chain<Rational> tied({1, 1, 1}, {3, 0, 1});
+  json rational = certificate("tie", tied, certify(tied, 2, 2, 30));
+  rational["matrices"] = matrix_certificate(tied);
   REQUIRE(rational["ties"].size() == 1);
   CHECK(rational["ties"][0]["factor"].size() == 2);
   CHECK(rational["forces"][0]["low"] == rational["forces"][1]["low"]);
@@ -67,10 +70,10 @@ TEST_CASE("two equal critical forces are proved equal") {
   // a part in 10^40 apart: different, with equal digits; the shapes are told apart all the same
   const auto stiffness = *parse_decimal("3.0000000000000000000000000000000000000001");
   const Chain<Rational> near({1, 1, 1}, {stiffness, 0, 1});
-  const json apart = certificate("near tie", near, {2, 30});
+  const json apart = certificate("near tie", near, certify(near, 2, 0, 30));
   CHECK(apart["forces"][0]["below_high"] == 2);
   CHECK(!apart.contains("ties"));
-  const json shapes = certificate("near tie", near, {2, 30, true});
+  const json shapes = certificate("near tie", near, certify(near, 2, 2, 30));
   CHECK(shapes["forces"][0]["below_high"] == 1);
   CHECK(shapes["forces"][0]["shape"]["last"] == 3);
   CHECK(check_alone({apart, shapes}) == 0);
@@ -78,7 +81,8 @@ TEST_CASE("two equal critical forces are proved equal") {
 
 TEST_CASE("a thousand links") {
   std::mt19937_64 random(2);
-  CHECK(check_alone({certificate("long", graded_chain(random, 1000, 1, 0), {1, 50, true})}) == 0);
+  const auto chain = graded_chain(random, 1000, 1, 0);
+  CHECK(check_alone({certificate("long", chain, certify(chain, 1, 1, 50))}) == 0);
 }
 
 TEST_CASE("the digest is SHA-256") {

@@ -2,6 +2,7 @@
 
 #include <plumbline/critical_force.hpp>
 
+#include "proofs/working_precision.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;
@@ -48,4 +49,13 @@ TEST_CASE("an interior passive joint splits the chain in two that are counted ap
   CHECK(count.below(Rational(2001, 1000)) == 2);
   CHECK(count.below(Rational(2001, 1000), {0, 1}) == 1);
   CHECK(count.below(Rational(2001, 1000), {1, 2}) == 1);
+}
+
+TEST_CASE("long chains, counted in intervals, give the count of a hundred digits") {
+  const WorkingPrecision precision(100);
+  check_property("150 links, passive joint anywhere or nowhere", [] {
+    const auto chain = any_chain(150, *rc::gen::inRange<std::size_t>(0, 151));
+    const Rational F(*rc::gen::inRange(1, 400), 100000);
+    RC_ASSERT(ExactCount(chain).below(F) == count_below(from_rational<Mpfr>(chain), from_rational<Mpfr>(F)));
+  });
 }

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/progress.hpp"
+#include "app/verbs.hpp"
+#include "files/text_file.hpp"
+#include "verify/reference_set.hpp"
+
+namespace plumbline {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  fs::path out;
+  bool compact = false;
+  std::uint64_t seed = reference_seed;
+};
+
+std::vector<NamedText> compute(const Options& options) {
+  const auto chains =
+      reference_chains(options.compact ? ReferenceSize::compact : ReferenceSize::full, options.seed);
+  std::vector<ReferenceEntry> entries;
+  Progress progress("chains", chains.size());
+  for (const ReferenceChain& chain : chains) {
+    entries.push_back(reference_entry(chain));
+    progress.advance();
+  }
+  const std::string command = fmt::format("plumbline reference{} --seed {} --out DIR",
+                                          options.compact ? " --compact" : "", options.seed);
+  return reference_files(entries, {command, "plumbline " PLUMBLINE_VERSION, std::to_string(options.seed)});
+}
+
+/// The directory, made if it is not there. Asked for before the work, so that a mistake shows at once.
+void require_directory(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (!fs::is_directory(path))
+    throw Error(path.string(), error ? error.message() : "no directory",
+                "a directory, or a name to make one by");
+}
+
+void run(const Options& options) {
+  require_directory(options.out);
+  const auto files = compute(options);
+  std::vector<std::unique_ptr<OutputFile>> written;
+  for (const NamedText& file : files) {
+    written.push_back(std::make_unique<OutputFile>(options.out / file.name));
+    written.back()->write(file.text);
+  }
+  for (const auto& file : written) file->commit();
+}
+
+}  // namespace
+
+void add_reference(CLI::App& app) {
+  CLI::App* verb =
+      app.add_subcommand("reference", "Write the reference values for other implementations, certified");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("--out", options->out, "Directory to write into")->type_name("DIR")->required();
+  verb->add_flag("--compact", options->compact, "About a hundred chains instead of a few thousand");
+  verb->add_option("--seed", options->seed, "Of the random chains")->capture_default_str();
+  verb->footer("README.md in DIR says what the files hold.");
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace plumbline

@@ -1,0 +1,153 @@
+#include "verify/reference_set.hpp"
+
+#include <fmt/format.h>
+
+#include <plumbline/buckling_mode.hpp>
+
+#include "proofs/decimal.hpp"
+#include "proofs/sha256.hpp"
+#include "proofs/working_precision.hpp"
+#include "verify/reference_texts.hpp"
+
+namespace plumbline {
+namespace {
+
+using nlohmann::json;
+
+/// Up to so many links the certificate of a chain has its matrices: exact determinants take longer and
+/// longer.
+constexpr std::size_t most_links_with_matrices = 8;
+
+/// Energy factors (39) of the lowest modes from their joint angles, which have twice the digits.
+std::vector<std::string> energy_factors(const Chain<Rational>& chain, std::size_t modes) {
+  const WorkingPrecision precision(2 * reference_digits + 20);
+  const auto rounded = from_rational<Mpfr>(chain);
+  std::vector<std::string> factors;
+  for (const auto& mode : critical_modes(rounded, modes)) {
+    Rational exact;
+    mpfr_get_q(exact.backend().data(), energy_factor(rounded, mode.q).backend().data());
+    factors.push_back(to_decimal(exact, reference_digits));
+  }
+  return factors;
+}
+
+std::string joined(const std::vector<Rational>& values) {
+  std::vector<std::string> texts;
+  for (const Rational& x : values) texts.push_back(to_exact(x));
+  return fmt::format("{}", fmt::join(texts, ";"));
+}
+
+std::string chains_csv(const std::vector<ReferenceEntry>& entries) {
+  std::string text = "chain,lengths,stiffness\n";
+  for (const auto& e : entries)
+    text += fmt::format("{},{},{}\n", e.name, joined(e.chain.length()), joined(e.chain.stiffness()));
+  return text;
+}
+
+std::string forces_csv(const std::vector<ReferenceEntry>& entries) {
+  std::string text = "chain,mode,force,energy_factor\n";
+  for (const auto& e : entries) {
+    for (std::size_t m = 0; m < e.modes.size(); ++m)
+      text += fmt::format("{},{},{},{}\n", e.name, m + 1, e.modes[m].force, e.modes[m].energy_factor);
+  }
+  return text;
+}
+
+std::string shapes_csv(const std::vector<ReferenceEntry>& entries) {
+  std::string text = "chain,mode,joint,angle\n";
+  for (const auto& e : entries) {
+    for (std::size_t m = 0; m < e.modes.size(); ++m) {
+      const auto& angles = e.modes[m].angles;
+      for (std::size_t i = 0; i < angles.size(); ++i)
+        text += fmt::format("{},{},{},{}\n", e.name, m + 1, i + 1, angles[i]);
+    }
+  }
+  return text;
+}
+
+json to_json(const ReferenceEntry& e) {
+  json modes = json::array();
+  for (std::size_t m = 0; m < e.modes.size(); ++m) {
+    modes.push_back(
+        {{"mode", m + 1}, {"force", e.modes[m].force}, {"energy_factor", e.modes[m].energy_factor}});
+    if (!e.modes[m].angles.empty()) modes.back()["angles"] = e.modes[m].angles;
+  }
+  return {{"chain", e.name},
+          {"lengths", e.certificate["lengths"]},
+          {"stiffness", e.certificate["stiffness"]},
+          {"modes", std::move(modes)}};
+}
+
+json reference_json(const std::vector<ReferenceEntry>& entries, const Provenance& provenance) {
+  json chains = json::array();
+  for (const auto& e : entries) chains.push_back(to_json(e));
+  return {{"$schema", "reference.schema.json"},
+          {"format", "plumbline-reference"},
+          {"version", 1},
+          {"licence", "CC0-1.0"},
+          {"provenance", to_json(provenance)},
+          {"digits", reference_digits},
+          {"chains", std::move(chains)}};
+}
+
+/// JSON text with the entries of one list on a line each.
+std::string line_by_line(json file, const std::string& list) {
+  std::vector<std::string> lines;
+  for (const json& entry : file[list]) lines.push_back("  " + entry.dump());
+  file[list] = json::array();
+  std::string text = file.dump(1) + "\n";
+  const std::string empty = fmt::format("\"{}\": []", list);
+  return text.replace(text.find(empty), empty.size(),
+                      fmt::format("\"{}\": [\n{}\n ]", list, fmt::join(lines, ",\n")));
+}
+
+/// The Frictionless data package descriptor: what each file is, column by column, and its digest.
+json data_package(const std::vector<NamedText>& files, const Provenance& provenance) {
+  json package = json::parse(data_package_text);
+  package["provenance"] = to_json(provenance);
+  for (json& resource : package["resources"]) {
+    const auto file = std::find_if(files.begin(), files.end(), [&](const NamedText& candidate) {
+      return candidate.name == resource["path"];
+    });
+    resource["bytes"] = file->text.size();
+    resource["hash"] = "sha256:" + sha256(file->text);
+  }
+  return package;
+}
+
+}  // namespace
+
+ReferenceEntry reference_entry(const ReferenceChain& reference) {
+  const auto modes = certify(reference.chain, reference.modes, reference.shapes, reference_digits);
+  ReferenceEntry entry{
+      reference.name, reference.chain, {}, certificate(reference.name, reference.chain, modes)};
+  const auto factors = energy_factors(reference.chain, reference.modes);
+  for (std::size_t m = 0; m < modes.forces.size(); ++m) {
+    entry.modes.push_back({certified_force(modes, m + 1), factors[m],
+                           m < modes.shapes.size() ? modes.shapes[m].q : std::vector<std::string>{}});
+  }
+  if (reference.chain.size() <= most_links_with_matrices)
+    entry.certificate["matrices"] = matrix_certificate(reference.chain);
+  return entry;
+}
+
+std::vector<NamedText> reference_files(const std::vector<ReferenceEntry>& entries,
+                                       const Provenance& provenance) {
+  std::vector<json> certificates;
+  for (const auto& e : entries) certificates.push_back(e.certificate);
+  std::vector<NamedText> files{
+      {"chains.csv", chains_csv(entries)},
+      {"forces.csv", forces_csv(entries)},
+      {"shapes.csv", shapes_csv(entries)},
+      {"reference.json", line_by_line(reference_json(entries, provenance), "chains")},
+      {"reference.schema.json", reference_schema_text},
+      {"certificates.json",
+       line_by_line(certificate_file(provenance, std::move(certificates)), "certificates")},
+      {"certificate.schema.json", certificate_schema_text},
+      {"README.md", reference_readme_text},
+  };
+  files.push_back({"datapackage.json", data_package(files, provenance).dump(2) + "\n"});
+  return files;
+}
+
+}  // namespace plumbline
