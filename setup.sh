@@ -16,6 +16,8 @@ packages=(
   libceres-dev
   # tests
   doctest-dev librapidcheck-dev python3-jsonschema
+  # drawings, at run time
+  gnuplot-nox
 )
 
 # what the benchmarks compare with: ./setup.sh --bench

@@ -32,6 +32,9 @@ int main(int argc, char** argv) {
   app.footer("Exit status: 0 done, 1 a claim or a check failed, 2 bad input.");
   plumbline::add_verify(app);
   plumbline::add_critical(app);
+  plumbline::add_path(app);
+  plumbline::add_equilibria(app);
+  plumbline::add_figure(app);
   plumbline::add_reference(app);
   plumbline::add_check(app);
   plumbline::add_diagnose(app);

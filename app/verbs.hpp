@@ -9,8 +9,11 @@
 
 namespace plumbline {
 
-void add_critical(CLI::App& app);
 void add_check(CLI::App& app);
+void add_critical(CLI::App& app);
+void add_equilibria(CLI::App& app);
+void add_figure(CLI::App& app);
+void add_path(CLI::App& app);
 void add_reference(CLI::App& app);
 void add_diagnose(CLI::App& app);
 void add_verify(CLI::App& app);

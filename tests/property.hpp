@@ -12,7 +12,7 @@
 template <class Testable>
 void check_property(const std::string& description, Testable&& property) {
   const rc::detail::TestMetadata metadata{description, description};
-  const auto result = rc::detail::checkTestable(std::forward<Testable>(property), metadata);
+  const rc::detail::TestResult result = rc::detail::checkTestable(std::forward<Testable>(property), metadata);
   std::ostringstream report;
   rc::detail::printResultMessage(result, report);
   INFO(report.str());

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The paper's figures 2 to 16, from computation.
+
+#include <string>
+#include <vector>
+
+#include "app/plot.hpp"
+
+namespace plumbline {
+
+struct Figure {
+  int number;
+  std::string title;
+  std::string sentence;  ///< what the paper's drawing shows, and whether the computation agrees
+  std::size_t columns;   ///< panels in a row
+  std::vector<Panel> (*draw)();
+};
+
+/// All figures that are drawn, ascending.
+const std::vector<Figure>& figures();
+
+// Two links, and three links with a passive base (figures_short.cpp).
+std::vector<Panel> draw_figure_2();
+std::vector<Panel> draw_figure_3();
+std::vector<Panel> draw_figure_5();
+std::vector<Panel> draw_figure_6();
+std::vector<Panel> draw_figure_7();
+std::vector<Panel> draw_figure_8();
+std::vector<Panel> draw_figure_9();
+// Four links (figures_long.cpp).
+std::vector<Panel> draw_figure_11();
+std::vector<Panel> draw_figure_12();
+std::vector<Panel> draw_figure_13();
+std::vector<Panel> draw_figure_14();
+std::vector<Panel> draw_figure_15();
+std::vector<Panel> draw_figure_16();
+
+}  // namespace plumbline

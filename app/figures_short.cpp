@@ -1,0 +1,200 @@
+#include <fmt/core.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/figures.hpp"
+#include "app/path_report.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// --- two links (1) to (3), k = L = 1: F(q) = 2 q / sin(alpha + q), deflection 2 (cos alpha - cos(alpha + q))
+
+double force_of(double alpha, double q) {
+  return std::abs(alpha + q) < 1e-9 ? 2 : 2 * q / std::sin(alpha + q);
+}
+double deflection_of(double alpha, double q) {
+  return 2 * (std::cos(alpha) - std::cos(alpha + q));
+}
+
+Panel two_links_force(double alpha) {
+  Panel panel{"force", "deflection Δ / L", "F L / k", {}, {}, "set yrange [0:6]", false};
+  Curve curve;
+  for (double q = 0; alpha + q < 2.2; q += 0.01)
+    curve.points.emplace_back(deflection_of(alpha, q), force_of(alpha, q));
+  panel.curves.push_back(curve);
+  if (alpha == 0) {
+    panel.curves.push_back({{{0, 0}, {0, 2}}, 1, false, "", 1.6});
+    panel.curves.push_back({{{0, 2}, {0, 6}}, 1, true, "", 1.6});
+    panel.marks.push_back({0, 2, "F_c = 2 k / L"});
+  }
+  return panel;
+}
+
+Panel two_links_energy(double alpha, const std::vector<double>& forces) {
+  Panel panel{"potential energy V = U - F Δ", "deflection Δ / L", "V / k", {}, {}, "", false};
+  int colour = 1;
+  for (const double F : forces) {
+    Curve curve{{}, colour++, false, fmt::format("F = {:g} k/L", F), 1.6};
+    std::pair<double, double> least{0, 1e9};
+    for (double q = 0; alpha + q < 1.9; q += 0.005) {
+      const double d = deflection_of(alpha, q), V = 2 * q * q - F * d;
+      curve.points.emplace_back(d, V);
+      if (V < least.second) least = {d, V};
+    }
+    panel.curves.push_back(curve);
+    panel.marks.push_back({least.first, least.second, ""});
+  }
+  return panel;
+}
+
+// --- three links with a passive base, k = L = 1, the end point on the x axis
+
+PathTask three_links(double alpha1, double alpha2, double last) {
+  std::vector<double> rest{0, alpha1, alpha2};
+  const Chain<double> shape({1, 1, 1}, {0, 1, 1}, rest);
+  const Point<double> p = end_point(shape, rest);
+  rest[0] = -std::atan2(p.y, p.x);
+  const double reach = std::hypot(p.x, p.y);
+  return {
+      Chain<double>({1, 1, 1}, {0, 1, 1}, rest), {Control::end_point, {reach, 0}, {-1, 0}}, last, 0.03, 1};
+}
+
+double compression(const BranchPoint<double>& p) {
+  return -p.force.x;
+}
+double deflection(const BranchPoint<double>& p) {
+  return p.load;
+}
+
+/// U or Z by the bends of joints 2 and 3, with the sign of the middle link's side.
+std::string letter(const BranchPoint<double>& p) {
+  const std::vector<double> q = joint_angles(p.theta);
+  const bool arch = (q[1] > 0) == (q[2] > 0);
+  return std::string(arch ? "U" : "Z") + ((arch ? q[1] < 0 : q[1] > 0) ? "^+" : "^-");
+}
+
+void add_report(Panel& panel, const PathReport& report, int first_colour) {
+  int colour = first_colour;
+  for (const auto& branch : report.branches) {
+    add_curves(panel.curves, branch, colour++, deflection, compression, letter(branch.points.back()));
+    for (const auto& event : branch.events)
+      panel.marks.push_back({event.point.load, -event.point.force.x, std::string(name(event.kind)),
+                             event.kind == EventKind::quasi_buckling ? 6 : 7});
+  }
+}
+
+Panel force_panel(const std::string& title, const PathReport& report, const std::string& extra) {
+  Panel panel{title, "deflection Δ / L", "compression F L / k", {}, {}, extra, false};
+  add_report(panel, report, 1);
+  return panel;
+}
+
+Panel shapes_panel(const std::string& title, const Chain<double>& chain,
+                   const std::vector<BranchPoint<double>>& points) {
+  Panel panel{title, "x / L", "y / L", {}, {}, "set key below", true};
+  int colour = 1;
+  for (const auto& p : points)
+    panel.curves.push_back({outline(chain, p.theta), colour++, p.negative_directions > 0,
+                            fmt::format("{} Δ = {:.3g}", letter(p), p.load), 2.4});
+  return panel;
+}
+
+/// The point of a history at about a load.
+BranchPoint<double> nearest_to(const PathReport& history, double load) {
+  BranchPoint<double> nearest = history.branches[0].points[0];
+  for (const auto& stretch : history.branches) {
+    const BranchPoint<double> p = nearest_on(stretch, load);
+    if (std::abs(p.load - load) < std::abs(nearest.load - load)) nearest = p;
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::vector<Panel> draw_figure_2() {
+  return {two_links_force(0), two_links_energy(0, {1, 2, 2.5, 3})};
+}
+
+std::vector<Panel> draw_figure_3() {
+  return {two_links_force(pi / 6), two_links_energy(pi / 6, {0.5, 1, 2, 3})};
+}
+
+std::vector<Panel> draw_figure_5() {
+  Panel straight =
+      force_panel("straight", follow_all(three_links(0, 0, 1)), "set yrange [0:6]\nset xrange [-0.05:1]");
+  straight.curves.push_back({{{0, 0}, {0, 1}}, 0, false, "straight shape", 1.6});  // (16): stable up to k / L
+  straight.curves.push_back({{{0, 1}, {0, 6}}, 0, true, "", 1.6});
+  const auto nearly = follow_all(three_links(-0.05, -0.05, 1));
+  return {straight,
+          force_panel("quasi-straight, α_1 = α_2 = -0.05", nearly, "set yrange [0:6]\nset xrange [-0.05:1]")};
+}
+
+std::vector<Panel> draw_figure_6() {
+  const PathTask task = three_links(0, 0, 0.6);
+  std::vector<Panel> panels;
+  const PathReport report = follow_all(task);
+  for (const auto& branch : report.branches) {
+    std::vector<BranchPoint<double>> shapes;
+    for (const double load : {0.05, 0.2, 0.4, 0.6}) shapes.push_back(nearest_on(branch, load));
+    panels.push_back(shapes_panel(branch.points.back().negative_directions == 0 ? "stable" : "unstable",
+                                  task.chain, shapes));
+  }
+  return panels;
+}
+
+std::vector<Panel> draw_figure_7() {
+  const PathTask task = three_links(-pi / 4, -pi / 3, 1);
+  const PathReport report = follow_all(task);
+  std::vector<BranchPoint<double>> last;
+  for (const auto& branch : report.branches) last.push_back(branch.points.back());
+  return {force_panel("α = (-π/4, -π/3)", report, "set yrange [0:6]"),
+          shapes_panel("shapes at the ends of the branches", task.chain, last)};
+}
+
+std::vector<Panel> draw_figure_8() {
+  const PathTask task = three_links(pi / 10, -pi / 10, 0.6);
+  const PathReport slow = follow_slowly(task), all = follow_all(task);
+  std::vector<BranchPoint<double>> shapes;
+  for (const auto& stretch : slow.branches) {
+    shapes.push_back(stretch.points.front());
+    shapes.push_back(stretch.points.back());
+  }
+  return {force_panel("the slowly loaded chain, α = (π/10, -π/10)", slow, ""),
+          force_panel("every branch", all, "set yrange [0:4]"), shapes_panel("shapes", task.chain, shapes)};
+}
+
+std::vector<Panel> draw_figure_9() {
+  // E(phi) with both elbows of (9); the state of the slowly loaded chain is marked
+  PathTask task = three_links(pi / 10, -pi / 10, 0.6);
+  task.step = 0.01;
+  const PathReport slow = follow_slowly(task);
+  std::vector<Panel> panels;
+  for (const double load : {0.01, 0.0407353, 0.06, 0.15, 0.3, 0.55}) {
+    const BranchPoint<double> state = nearest_to(slow, load);
+    const std::string range = fmt::format("set yrange [{:.4f}:{:.4f}]\nset key top center",
+                                          state.energy - 0.1 * load, state.energy + 0.002 + 1.5 * load);
+    Panel panel{fmt::format("Δ = {:.4g} L", load), "φ [rad]", "E / k", {}, {}, range, false};
+    const double x = task.loading.start.x - load;
+    for (const int elbow : {1, -1}) {
+      Curve curve{{}, elbow > 0 ? 1 : 2, false, elbow > 0 ? "q_3 bends left" : "q_3 bends right", 1.6};
+      const double widest = std::acos((x * x - 3) / (2 * x));  // links 2 and 3 stretched
+      for (double s = -pi / 2; s < pi / 2 + 0.01; s += 0.01) {
+        const double phi = widest * std::sin(std::min(s, pi / 2)), dx = x - std::cos(phi),
+                     dy = -std::sin(phi);
+        const double c = std::min(1.0, (dx * dx + dy * dy - 2) / 2), q3 = elbow * std::acos(c);
+        const double q2 = std::remainder(std::atan2(dy, dx) - std::atan2(std::sin(q3), 1 + c) - phi, 2 * pi);
+        curve.points.emplace_back(phi, (std::pow(q2 - pi / 10, 2) + std::pow(q3 + pi / 10, 2)) / 2);
+      }
+      panel.curves.push_back(curve);
+    }
+    panel.marks.push_back({state.theta(0), state.energy, "state"});
+    panels.push_back(panel);
+  }
+  return panels;
+}
+
+}  // namespace plumbline

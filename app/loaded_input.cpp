@@ -1,0 +1,41 @@
+#include "app/loaded_input.hpp"
+
+#include <filesystem>
+
+#include "app/chain_file.hpp"
+#include "files/text_file.hpp"
+
+namespace plumbline {
+
+namespace {
+
+const char* const table1_z =
+    "lengths = [1, 1, 1, 1]\nstiffness = [1, 1, 1, 1]\nrest = [-0.2417, 0.6821, -0.7958, 0.5170]\n";
+
+}  // namespace
+
+void LoadedChain::add_to(CLI::App& verb) {
+  verb.add_option(
+          "chain", path,
+          "CHAIN.toml with the lists lengths, stiffness and rest (the joint angles of the unloaded shape; a "
+          "passive base joint begins at its own). Without it: the four-link Z-chain of the paper's Table 1")
+      ->type_name("FILE");
+}
+
+void LoadedChain::read() {
+  if (path.empty()) {
+    exact = parse_chain(table1_z, name);
+    return;
+  }
+  if (std::filesystem::path(path).extension() != ".toml" && !std::filesystem::is_directory(path))
+    throw Error(path, "a name that does not end in .toml", "CHAIN.toml");
+  exact = parse_chain(read_text(path), path);
+  name = std::filesystem::path(path).stem();
+}
+
+void LoadedChain::refuse_as_output(const std::string& output) const {
+  if (!output.empty() && output == path)
+    throw Error(output, "the input itself", "another file for the output");
+}
+
+}  // namespace plumbline

@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// The chain that a verb about loaded chains works on.
+
+#include <CLI/CLI.hpp>
+#include <plumbline/chain.hpp>
+#include <string>
+
+namespace plumbline {
+
+struct LoadedChain {
+  std::string path;  ///< as the user wrote it; empty: the four-link Z-chain of the paper's Table 1
+  std::string name = "Z-chain of Table 1";
+  Chain<Rational> exact{{1}, {1}};
+
+  void add_to(CLI::App& verb);
+  /// \throws Error that names the file and the line or key
+  void read();
+  /// \throws Error where an output would overwrite the chain
+  void refuse_as_output(const std::string& output) const;
+};
+
+}  // namespace plumbline

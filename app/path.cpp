@@ -1,0 +1,99 @@
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "app/loaded_input.hpp"
+#include "app/path_report.hpp"
+#include "app/verbs.hpp"
+#include "files/text_file.hpp"
+
+namespace plumbline {
+namespace {
+
+struct Options {
+  LoadedChain chain;
+  double to = 0, dy = 0, step = 0.05;
+  std::vector<double> force;
+  std::string branches = "stable", csv, json, svg;
+  int side = 1;
+};
+
+/// From the unloaded state to the load that was asked for.
+std::pair<Loading<double>, double> loading_of(const Options& options, const Chain<double>& chain) {
+  const auto ray = [](Control control, Point<double> start, double x, double y) {
+    const double size = std::hypot(x, y);
+    if (!(size > 0) || !std::isfinite(size))
+      throw Error("load", "nothing to do", "a finite load that is not zero");
+    return std::pair{Loading<double>{control, start, {x / size, y / size}}, size};
+  };
+  if (!options.force.empty()) return ray(Control::force, {0, 0}, options.force[0], options.force[1]);
+  return ray(Control::end_point, end_point(chain, chain.rest()), -options.to, options.dy);
+}
+
+void run(Options options) {
+  options.chain.read();
+  for (const std::string* output : {&options.csv, &options.json, &options.svg})
+    options.chain.refuse_as_output(*output);
+  const auto chain = from_rational<double>(options.chain.exact);
+  const auto [loading, last] = loading_of(options, chain);
+  const PathTask task{chain, loading, last, options.step, options.side};
+  PathReport report = options.branches == "stable" ? follow_slowly(task) : follow_all(task);
+  report.chain = options.chain.name;
+  for (const std::string& warning : report.warnings) fmt::print(stderr, "plumbline: warning: {}\n", warning);
+  const auto write = [](const std::string& path, const std::string& text) {
+    OutputFile file(path);
+    file.write(text);
+    file.commit();
+  };
+  const std::string svg = options.svg.empty() ? "" : as_svg(as_drawing(report, chain), 2);
+  if (!options.csv.empty()) write(options.csv, as_csv(report));
+  if (!options.json.empty()) write(options.json, as_json(report).dump(2) + "\n");
+  if (!options.svg.empty()) write(options.svg, svg);
+  if (options.csv.empty() && options.json.empty() && options.svg.empty()) fmt::print("{}", as_text(report));
+}
+
+}  // namespace
+
+void add_path(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand(
+      "path", "Force-deflection curve of a loaded chain, with stability, buckling and quasi-buckling points");
+  const auto options = std::make_shared<Options>();
+  options->chain.add_to(*verb);
+  auto* to =
+      verb->add_option("--to", options->to, "Move the end point by DX against x: compression is positive")
+          ->type_name("DX");
+  auto* dy = verb->add_option("--dy", options->dy, "and by DY along y, in proportion")->type_name("DY");
+  verb->add_option(
+          "--force", options->force,
+          "Instead: load the end point with a force that grows from zero to (FX, FY); compression has FX < 0")
+      ->type_name("FX,FY")
+      ->delimiter(',')
+      ->expected(2)
+      ->excludes(to)
+      ->excludes(dy);
+  verb->add_option("--branches", options->branches,
+                   "stable: what a slowly loaded chain does, jumps included; all: every branch that hangs "
+                   "together with "
+                   "it or (up to five links) passes the last or the middle load")
+      ->check(CLI::IsMember({"stable", "all"}))
+      ->capture_default_str();
+  verb->add_option("--side", options->side, "Where a symmetric chain buckles: 1 or -1, the side it leaves to")
+      ->check(CLI::IsMember({1, -1}))
+      ->capture_default_str();
+  verb->add_option("--step", options->step, "Longest step: root mean square turn of the links, in radians")
+      ->check(CLI::Range(1e-4, 0.5))
+      ->capture_default_str();
+  const auto output = [&](const char* flag, std::string& target, const char* what) {
+    verb->add_option(flag, target, what)->type_name("[FILE]")->expected(0, 1)->default_str("-");
+  };
+  output("--csv", options->csv, "Write every point as CSV (without FILE: to standard output)");
+  output("--json", options->json, "Write everything as JSON (without FILE: to standard output)");
+  output("--svg", options->svg,
+         "Draw force over deflection and the shapes as SVG (without FILE: to standard output)");
+  verb->callback([options, to] {
+    if (options->force.empty() && to->count() == 0) options->to = 0.5;
+    run(*options);
+  });
+}
+
+}  // namespace plumbline

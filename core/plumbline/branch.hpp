@@ -1,0 +1,360 @@
+#pragma once
+/// \file
+/// A branch of equilibria, followed by pseudo-arclength in O(n) a step.
+///
+/// A step is never chosen by hope. Along the tangent t the bordered matrix A of the equations changes, to
+/// leading order, by s D, D = A'(t); it is singular where -1/s is an eigenvalue of A^-1 D. A few steps of
+/// power iteration bound that distance, the *horizon*, and a step goes only a fraction of it. Where another
+/// branch comes near, or crosses, A is nearly singular, the horizon closes in, and the steps shrink with it.
+/// Beside that, (-1)^negative_directions · sign(dload/ds) cannot change along a branch without a crossing; a
+/// step that changes it is taken back.
+
+#include <optional>
+#include <plumbline/equilibrium.hpp>
+
+namespace plumbline {
+
+/// What is imposed grows along a ray: start + load · direction, an end point or a force. The direction is a
+/// unit vector, so the load is a length or a force.
+template <Number Real>
+struct Loading {
+  Control control;
+  Point<Real> start;
+  Point<Real> direction;
+
+  [[nodiscard]] Point<Real> at(const Real& load) const {
+    return {start.x + load * direction.x, start.y + load * direction.y};
+  }
+};
+
+template <Number Real>
+struct BranchPoint {
+  Real load;
+  Vector<Real> theta;
+  Point<Real> force;
+  Point<Real> end_point;
+  Real energy;                      ///< stored energy
+  std::size_t negative_directions;  ///< in the sense of the control
+  Real stiffness;                   ///< tangent stiffness along the loading's direction; infinite where the
+                                    ///< end point stands still (a fold in deflection)
+  Real stiffness_rate;              ///< of the sign of d stiffness/d load; meaningless at a fold
+  Variation<Real> tangent;          ///< of unit length in the branch's own measure
+};
+
+/// Follows branches of one model under one loading. Keeps its storage.
+template <SmoothModel Model>
+class Brancher {
+ public:
+  using Real = typename Model::Real;
+  static constexpr int bandwidth = Model::bandwidth;
+
+  /// \param shape  any shape of the chain, such as the unloaded one: sets the measure of arc length
+  Brancher(const Model& model, Loading<Real> loading, const Vector<Real>& shape)
+      : model_(&model), loading_(std::move(loading)) {
+    using std::sqrt;
+    model.expand(shape, {Real(0), Real(0)}, at_);
+    const auto n = static_cast<Eigen::Index>(model.size());
+    weight_.resize(n);
+    Real length(0), softness(0);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Real x = at_.end_point_gradient(i, 0), y = at_.end_point_gradient(i, 1);
+      weight_(i) = sqrt(x * x + y * y);
+      length += weight_(i);
+      if (at_.hessian(0, i) > Real(0)) softness += Real(1) / at_.hessian(0, i);
+    }
+    weight_ /= length;
+    force_scale_ = Real(1) / (length * softness);
+    const Real scale = loading_.control == Control::end_point ? length : force_scale_;
+    load_weight_ = Real(1) / (scale * scale);
+    C_ = Matrix<Real>::Constant(n, 3, Real(0));
+    R_ = C_;
+    D_ = Matrix<Real>::Constant(3, 3, Real(0));
+    probe_.theta.resize(n);
+    probe_.force = {Real(0), Real(0)};
+    probe_.load = Real(0);
+    for (Eigen::Index i = 0; i < n; ++i) probe_.theta(i) = noise();
+  }
+
+  [[nodiscard]] const Model& model() const { return *model_; }
+  [[nodiscard]] const Loading<Real>& loading() const { return loading_; }
+
+  /// A change of angles as a functional, and the weight of the load, in that measure.
+  [[nodiscard]] Vector<Real> weighted(const Vector<Real>& theta) const { return weight_.cwiseProduct(theta); }
+  [[nodiscard]] const Real& load_weight() const { return load_weight_; }
+  /// The load that counts as much as a turn of one radian.
+  [[nodiscard]] Real load_scale() const {
+    using std::sqrt;
+    return Real(1) / sqrt(load_weight_);
+  }
+  /// Length in the branch's measure: root mean square turn, by link length, and load by its scale.
+  [[nodiscard]] Real length(const Variation<Real>& v) const {
+    using std::sqrt;
+    return sqrt(product(v, v));
+  }
+  [[nodiscard]] Real product(const Variation<Real>& a, const Variation<Real>& b) const {
+    Real sum = load_weight_ * a.load * b.load;
+    for (Eigen::Index i = 0; i < weight_.size(); ++i) sum += weight_(i) * a.theta(i) * b.theta(i);
+    return sum;
+  }
+
+  /// The equilibrium at a load, from a guess of shape and force; tangent towards growing load.
+  /// \throws Error out of reach, at a singular point, or where Newton's method does not settle
+  BranchPoint<Real> start(const Real& load, const Vector<Real>& theta,
+                          const Point<Real>& force = {Real(0), Real(0)}) {
+    EquilibriumSolver<Model> solver(*model_);
+    const bool held = loading_.control == Control::end_point;
+    const Equilibrium<Real> found = held ? solver.at_end_point(loading_.at(load), theta, force)
+                                         : solver.under_force(loading_.at(load), theta);
+    BranchPoint<Real> point;
+    point.load = load;
+    point.theta = found.theta;
+    point.force = found.force;
+    if (!settle_on(point, at_load())) throw Error("branch", "a singular start", "an isolated equilibrium");
+    return point;
+  }
+
+  /// The point of the same branch at a load near by. Nothing where Newton's method does not contract.
+  std::optional<BranchPoint<Real>> at_load(BranchPoint<Real> point, const Real& load) {
+    using std::abs;
+    const Variation<Real> tangent = point.tangent;
+    if (!(abs(tangent.load) > Real(0))) return std::nullopt;
+    const Real ahead = (load - point.load) / tangent.load;
+    move(point, tangent, ahead);
+    point.load = load;
+    if (!correct(point, at_load(), tangent, Real(abs(ahead)))) return std::nullopt;
+    return point;
+  }
+
+  /// The point a length h ahead of (h < 0: behind) a point, measured along its tangent. Nothing where
+  /// Newton's method does not contract at once, or the branch turns too much.
+  std::optional<BranchPoint<Real>> step(const BranchPoint<Real>& from, const Real& h) {
+    using std::abs;
+    BranchPoint<Real> point = from;
+    move(point, from.tangent, h);
+    if (!correct(point, row(from.tangent), from.tangent, Real(abs(h)))) return std::nullopt;
+    return point;
+  }
+
+  /// Makes the factors at hand those of a point.
+  void refresh(const BranchPoint<Real>& point) { assemble(point, row(point.tangent)); }
+
+  /// Fills in what is known of a point where the equations are singular, whose tangent is known otherwise.
+  void describe_singular(BranchPoint<Real>& point, const Variation<Real>& tangent) {
+    point.tangent = tangent;
+    assemble(point, row(tangent));
+    describe(point);
+  }
+
+  /// Distance along the tangent, ahead or behind, within which the equations stay regular, and the direction
+  /// that becomes singular there; `ahead` is the signed distance if that direction is settled, else 0.
+  struct Horizon {
+    Real distance;
+    Real ahead;
+    Variation<Real> direction;
+  };
+
+  /// The horizon at the point that was corrected last.
+  Horizon horizon(const BranchPoint<Real>& point, int iterations) {
+    using std::max;
+    Horizon seen{Real(0), Real(0), {}};
+    Real fastest(0);
+    for (Eigen::Index i = 0; i < weight_.size(); ++i) probe_.theta(i) += noise() / Real(8);
+    scale(probe_, Real(1) / length(probe_));
+    for (int i = 0; i < iterations; ++i) {
+      const Variation<Real>& image = change_of_equations(point, point.tangent, probe_);
+      const Real growth = length(image), quotient = product(image, probe_);
+      if (!(growth > Real(0))) break;
+      fastest = max(fastest, growth);
+      const Real off = growth * growth - quotient * quotient;  // squared length of image - quotient · probe
+      seen.ahead = off < growth * growth / Real(16) ? Real(-1) / quotient : Real(0);
+      probe_ = image;
+      scale(probe_, Real(1) / growth);
+    }
+    seen.distance = fastest > Real(0) ? Real(1) / fastest : std::numeric_limits<Real>::max();
+    if (seen.ahead > Real(0)) seen.direction = probe_;
+    return seen;
+  }
+
+  /// Whether the force is still of a size that bends joints: less than a million times the chain's own.
+  [[nodiscard]] bool force_bounded(const BranchPoint<Real>& point) const {
+    using std::abs;
+    return loading_.control == Control::force ||
+           abs(point.force.x) + abs(point.force.y) < Real(1000000) * force_scale_;
+  }
+
+  static void move(BranchPoint<Real>& point, const Variation<Real>& along, const Real& h) {
+    point.theta += h * along.theta;
+    point.force.x += h * along.force.x;
+    point.force.y += h * along.force.y;
+    point.load += h * along.load;
+  }
+  static void scale(Variation<Real>& v, const Real& factor) {
+    v.theta *= factor;
+    v.force.x *= factor;
+    v.force.y *= factor;
+    v.load *= factor;
+  }
+
+ private:
+  // The linear equations are A (dtheta, -dF, dload): the sign makes their leading part symmetric. The last
+  // row says in which hyperplane the next point is sought.
+  struct Row {
+    Vector<Real> theta;
+    Real load;
+  };
+  const Row& row(const Variation<Real>& tangent) {
+    row_.theta = weight_.cwiseProduct(tangent.theta);
+    row_.load = load_weight_ * tangent.load;
+    return row_;
+  }
+  const Row& at_load() {
+    row_.theta.setConstant(weight_.size(), Real(0));
+    row_.load = Real(1);
+    return row_;
+  }
+
+  bool assemble(const BranchPoint<Real>& point, const Row& last) {
+    model_->expand(point.theta, point.force, at_);
+    matrix_.factor(at_.hessian);
+    C_.template leftCols<2>() = at_.force_gradient;
+    const bool held = loading_.control == Control::end_point;
+    if (held) {
+      R_.template leftCols<2>() = at_.end_point_gradient;
+      D_.template topLeftCorner<2, 2>() = -at_.compliance;
+    } else {
+      D_(0, 0) = D_(1, 1) = Real(1);
+    }
+    D_(0, 2) = held ? Real(-loading_.direction.x) : loading_.direction.x;
+    D_(1, 2) = held ? Real(-loading_.direction.y) : loading_.direction.y;
+    R_.col(2) = last.theta;
+    D_(2, 2) = last.load;
+    return matrix_.border(C_, R_, D_);
+  }
+
+  /// What the equations lack at the point: right-hand side of a Newton step.
+  void defect(const BranchPoint<Real>& point) {
+    v_ = -at_.residual;
+    const Point<Real> wanted = loading_.at(point.load);
+    w_.resize(3);
+    if (loading_.control == Control::end_point)
+      w_ << wanted.x - at_.end_point.x, wanted.y - at_.end_point.y, Real(0);
+    else
+      w_ << point.force.x - wanted.x, point.force.y - wanted.y, Real(0);
+  }
+  const Variation<Real>& solution() {
+    matrix_.solve(v_, w_);
+    solved_.theta.swap(v_);
+    solved_.force = {Real(-w_(0)), Real(-w_(1))};
+    solved_.load = w_(2);
+    return solved_;
+  }
+  /// The solution for the last row's right-hand side 1, all others 0: along the tangent.
+  const Variation<Real>& tangent_solution() {
+    v_.setConstant(weight_.size(), Real(0));
+    w_.resize(3);
+    w_ << Real(0), Real(0), Real(1);
+    return solution();
+  }
+
+  /// Newton's method in the hyperplane; the factors at hand become those of the accepted point.
+  bool correct(BranchPoint<Real>& point, const Row& plane, const Variation<Real>& tangent, const Real& h) {
+    using std::sqrt;
+    static const Real settled = sqrt(epsilon<Real>());
+    Real last(0);
+    for (int iteration = 0; iteration < 8; ++iteration) {
+      if (!assemble(point, plane)) return false;
+      defect(point);
+      const Variation<Real>& newton = solution();
+      const Real size = length(newton);
+      if (!is_finite(size)) return false;
+      if (iteration == 0 && size > h / Real(4) && size > settled) return false;    // far from the tangent
+      if (iteration > 0 && size > last / Real(4) && size > settled) return false;  // no contraction
+      move(point, newton, Real(1));
+      last = size;
+      if (size <= settled) return assemble(point, plane) && finish(point, tangent);
+    }
+    return false;
+  }
+
+  /// Tangent, inertia and stiffness from the factors at hand.
+  bool finish(BranchPoint<Real>& point, const Variation<Real>& towards) {
+    const Real along = product(tangent_solution(), towards), size = length(solved_);
+    if (!is_finite(size) || !(size > Real(0))) return false;
+    point.tangent = solved_;
+    scale(point.tangent, (along < Real(0) ? Real(-1) : Real(1)) / size);
+    describe(point);
+    return abs_value(along) > Real(4) / Real(5) * size * length(towards);
+  }
+  static Real abs_value(const Real& x) { return x < Real(0) ? Real(-x) : x; }
+
+  bool settle_on(BranchPoint<Real>& point, const Row& plane) {
+    if (!assemble(point, plane)) return false;
+    point.tangent = tangent_solution();
+    const Real size = length(point.tangent);
+    if (!is_finite(size)) return false;
+    scale(point.tangent, Real(1) / size);
+    describe(point);
+    return true;
+  }
+
+  void describe(BranchPoint<Real>& point) {
+    const std::size_t borders = loading_.control == Control::end_point ? 2 : 0;
+    point.negative_directions = matrix_.negative(static_cast<Eigen::Index>(borders)) - borders;
+    point.end_point = at_.end_point;
+    point.energy = at_.energy;
+    const Point<Real>& d = loading_.direction;
+    const Variation<Real>& t = point.tangent;
+    const auto along = [&](const Variation<Real>& v) -> Real {  // the end point's way
+      Real sum(0);
+      for (Eigen::Index i = 0; i < v.theta.size(); ++i)
+        sum += v.theta(i) * (at_.end_point_gradient(i, 0) * d.x + at_.end_point_gradient(i, 1) * d.y);
+      return sum;
+    };
+    // second-order change u'' along the branch at an even pace of the load: A u'' = -(second derivative),
+    // u''.load = 0
+    Variation<Real>& second = change_of_equations(point, t, t);
+    const Real pace = second.load / t.load;
+    if (loading_.control == Control::end_point) {
+      point.stiffness = (t.force.x * d.x + t.force.y * d.y) / t.load;
+      point.stiffness_rate =
+          pace * (t.force.x * d.x + t.force.y * d.y) - (second.force.x * d.x + second.force.y * d.y);
+    } else {
+      const Real way = along(t), bend = place_.x * d.x + place_.y * d.y;
+      point.stiffness = t.load / way;
+      point.stiffness_rate = along(second) - pace * way - bend;  // of minus the compliance
+    }
+  }
+
+  /// A^-1 A'(v) w at the point of the factors at hand.
+  Variation<Real>& change_of_equations(const BranchPoint<Real>& point, const Variation<Real>& v,
+                                       const Variation<Real>& w) {
+    model_->second_derivative(at_, point.force, v, w, v_, place_);
+    w_.resize(3);
+    w_ << place_.x, place_.y, Real(0);
+    if (loading_.control == Control::force) w_.setConstant(Real(0));
+    solution();
+    return solved_;
+  }
+
+  /// Deterministic noise in [-1, 1]: keeps the probe from being blind to a direction, for symmetry's sake
+  /// say.
+  Real noise() {
+    state_ = state_ * 6364136223846793005ULL + 1442695040888963407ULL;
+    return Real(static_cast<double>(state_ >> 11) / 4503599627370496.0 - 1.0);
+  }
+
+  const Model* model_;
+  Loading<Real> loading_;
+  Vector<Real> weight_;
+  Real load_weight_, force_scale_;
+  Expansion<Real, bandwidth> at_;
+  BorderedBand<Real, bandwidth> matrix_;
+  Matrix<Real> C_, R_, D_;
+  Vector<Real> v_, w_;
+  Variation<Real> probe_, solved_;
+  Point<Real> place_;
+  Row row_;
+  std::uint64_t state_ = 1;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,287 @@
+#include "proofs/equilibrium_box.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace plumbline {
+
+namespace {
+
+constexpr double half_turn = 3.1415926535897936;  // above pi
+
+/// A passive joint's circle is cut where no symmetric shape lies.
+constexpr double cut = 0.1234567;
+
+}  // namespace
+
+EquilibriumBox::EquilibriumBox(const Chain<Interval>& chain, Control control, const Point<Interval>& load)
+    : n_(chain.size()),
+      size_(chain.size() + (control == Control::end_point ? 2 : 0)),
+      held_(control == Control::end_point),
+      load_x_(load.x),
+      load_y_(load.y) {
+  if (n_ > most_links)
+    throw Error("census", std::to_string(n_) + " links", "at most " + std::to_string(most_links));
+  double reach = 0, softness = 0;
+  const std::vector<Interval> z = distance_to_end(chain);
+  for (std::size_t i = 0; i < n_; ++i) {
+    length_.emplace_back(chain.length()[i]);
+    stiffness_.emplace_back(chain.stiffness()[i]);
+    rest_.emplace_back(chain.rest()[i]);
+    const Span& k = stiffness_.back();
+    passive_.push_back(k.high <= 0);
+    if (!passive_.back() && !(k.low > 0))
+      throw Error("census", "a stiffness that may or may not be zero", "a passive or an elastic joint");
+    reach += length_.back().high;
+    if (passive_.back()) {
+      range_.emplace_back(-half_turn + cut, half_turn + cut);
+    } else {
+      double turn = half_turn;
+      if (!held_) {
+        const Span bound = Span(z[i]) * Span(load_x_.magnitude() + load_y_.magnitude()) / k;
+        turn = Span::up(bound.high);
+      }
+      range_.push_back(rest_.back() + Span(-turn, turn));
+      softness += 1 / k.low;
+    }
+  }
+  force_weight_ = reach * softness / static_cast<double>(n_);
+  if (held_) force_limit_ = force_bound(chain, load);
+}
+
+double EquilibriumBox::force_bound(const Chain<Interval>& chain, const Point<Interval>& place) const {
+  NominalModel<double>(convert<double>(chain, [](const Interval& x) {
+    return Span(x).middle();
+  })).require_reach({Span(place.x).middle(), Span(place.y).middle()});
+  const double distance = std::hypot(load_x_.middle(), load_y_.middle());
+  double gap = distance, bend = 0, moment = 0, rounding = 0;
+  for (std::size_t i = 0; i < n_; ++i) {
+    bend += 4 / length_[i].low;
+    if (!passive_[i]) moment = std::max(moment, stiffness_[i].high * half_turn);
+    rounding += length_[i].width() + 1e-15 * length_[i].high;
+  }
+  rounding += load_x_.width() + load_y_.width();
+  for (std::size_t signs = 0; signs < (std::size_t{1} << n_); ++signs) {
+    double sum = 0;
+    for (std::size_t i = 0; i < n_; ++i)
+      sum += ((signs >> i) & 1U) != 0 ? length_[i].middle() : -length_[i].middle();
+    gap = std::min(gap, std::abs(distance - std::abs(sum)));
+  }
+  gap -= rounding;
+  if (!(gap > 1e-9 * distance)) {
+    throw Error("end point", "distance " + std::to_string(distance) + " from the base",
+                "one that no shape with all links in one line has: there the force is not bounded");
+  }
+  const double delta = (std::sqrt(1 + 4 * bend * gap) - 1) / (2 * bend);  // bend delta^2 + delta = gap
+  return 1.001 * moment / delta;
+}
+
+Box EquilibriumBox::everything() const {
+  Box z;
+  Span sum(0);
+  for (std::size_t j = 0; j < n_; ++j) z[j] = sum = sum + range_[j];
+  if (held_) z[n_] = z[n_ + 1] = Span(-force_limit_, force_limit_);
+  return z;
+}
+
+bool EquilibriumBox::ranges(Box& z) const {
+  if (!bind(z[0], range_[0])) return false;
+  for (std::size_t i = 1; i < n_; ++i) {
+    if (!bind(z[i], z[i - 1] + range_[i])) return false;
+  }
+  for (std::size_t i = n_; i-- > 1;) {
+    if (!bind(z[i - 1], z[i] - range_[i])) return false;
+  }
+  return true;
+}
+
+bool EquilibriumBox::recursion(Box& z) const {
+  std::array<Span, most_links + 1> moment;  // M_i at joint i, and none at the free end
+  std::array<Span, most_links> gain;        // M_i - M_{i+1}
+  Span left_x = load_x_, left_y = load_y_;
+  for (std::size_t i = 0; i < n_; ++i) {
+    const Circle t = circle(z[i]);
+    gain[i] = length_[i] * (fy(z) * t.cosine - fx(z) * t.sine);
+    if (held_) {
+      left_x -= length_[i] * t.cosine;
+      left_y -= length_[i] * t.sine;
+    }
+    const Span turn = (i > 0 ? z[i] - z[i - 1] : z[i]) - rest_[i];
+    moment[i] = passive_[i] ? Span(0) : stiffness_[i] * turn;
+  }
+  if (held_ && (!left_x.contains(0) || !left_y.contains(0))) return false;
+  moment[n_] = Span(0);
+  if (held_ && !bind(moment[0], load_x_ * fy(z) - load_y_ * fx(z))) return false;
+  const auto turn_by = [&](std::size_t i) {  // what the moment says of the angles on both sides of joint i
+    if (passive_[i]) return true;
+    const Span q = rest_[i] + moment[i] / stiffness_[i];
+    if (i == 0) return bind(z[0], q);
+    return bind(z[i], z[i - 1] + q) && bind(z[i - 1], z[i] - q);
+  };
+  for (std::size_t i = 0; i < n_; ++i) {
+    if (!turn_by(i) || !bind(moment[i + 1], moment[i] - gain[i])) return false;
+  }
+  for (std::size_t i = n_; i-- > 0;) {
+    if (!bind(moment[i], moment[i + 1] + gain[i]) || !turn_by(i)) return false;
+  }
+  return true;
+}
+
+bool EquilibriumBox::contract(Box& z) const {
+  for (int round = 0; round < 4; ++round) {
+    double before = 0, after = 0;
+    for (std::size_t j = 0; j < size_; ++j) before += width(z, j);
+    if (!ranges(z) || !recursion(z)) return false;
+    for (std::size_t j = 0; j < size_; ++j) after += width(z, j);
+    if (!(after < 0.8 * before)) break;
+  }
+  return true;
+}
+
+Box EquilibriumBox::residual(const Box& z) const {
+  Box f;
+  Span x = -load_x_, y = -load_y_, torque(0);
+  for (std::size_t i = 0; i < n_; ++i) {
+    const Circle t = circle(z[i]);
+    torque = stiffness_[i] * ((i > 0 ? z[i] - z[i - 1] : z[i]) - rest_[i]);
+    f[i] = torque + length_[i] * (t.sine * fx(z) - t.cosine * fy(z));
+    if (i > 0) f[i - 1] -= torque;
+    x += length_[i] * t.cosine;
+    y += length_[i] * t.sine;
+  }
+  if (held_) f[n_] = x, f[n_ + 1] = y;
+  return f;
+}
+
+EquilibriumBox::SpanMatrix EquilibriumBox::derivative(const Box& z) const {
+  SpanMatrix A;
+  for (std::size_t i = 0; i < size_; ++i) A.entry[i].fill(Span(0));
+  for (std::size_t i = 0; i < n_; ++i) {
+    const Circle t = circle(z[i]);
+    const Span x = length_[i] * t.cosine, y = length_[i] * t.sine;
+    A.entry[i][i] = stiffness_[i] + x * fx(z) + y * fy(z);
+    if (i + 1 < n_) {
+      A.entry[i][i] += stiffness_[i + 1];
+      A.entry[i][i + 1] = A.entry[i + 1][i] = -stiffness_[i + 1];
+    }
+    if (held_) {
+      A.entry[i][n_] = y;
+      A.entry[i][n_ + 1] = -x;
+      A.entry[n_][i] = -y;
+      A.entry[n_ + 1][i] = x;
+    }
+  }
+  return A;
+}
+
+bool EquilibriumBox::inverse_of_middle(const SpanMatrix& A, Matrix& inverse) const {
+  Matrix M;
+  for (std::size_t i = 0; i < size_; ++i) {
+    for (std::size_t j = 0; j < size_; ++j) {
+      M.entry[i][j] = A.entry[i][j].middle();
+      inverse.entry[i][j] = i == j ? 1 : 0;
+    }
+  }
+  for (std::size_t k = 0; k < size_; ++k) {
+    std::size_t best = k;
+    for (std::size_t i = k + 1; i < size_; ++i) {
+      if (std::abs(M.entry[i][k]) > std::abs(M.entry[best][k])) best = i;
+    }
+    if (!(std::abs(M.entry[best][k]) > 1e-300)) return false;
+    std::swap(M.entry[best], M.entry[k]);
+    std::swap(inverse.entry[best], inverse.entry[k]);
+    const double pivot = 1 / M.entry[k][k];
+    for (std::size_t j = 0; j < size_; ++j) {
+      M.entry[k][j] *= pivot;
+      inverse.entry[k][j] *= pivot;
+    }
+    for (std::size_t i = 0; i < size_; ++i) {
+      const double factor = M.entry[i][k];
+      if (i == k || factor == 0) continue;
+      for (std::size_t j = 0; j < size_; ++j) {
+        M.entry[i][j] -= factor * M.entry[k][j];
+        inverse.entry[i][j] -= factor * inverse.entry[k][j];
+      }
+    }
+  }
+  return true;
+}
+
+bool EquilibriumBox::newton(Box& z) const {
+  const SpanMatrix A = derivative(z);
+  Matrix Y;
+  if (!inverse_of_middle(A, Y)) return true;
+  Box middle;
+  for (std::size_t j = 0; j < size_; ++j) middle[j] = Span(z[j].middle());
+  const Box f = residual(middle);
+  for (std::size_t i = 0; i < size_; ++i) {
+    Span sum(0), diagonal(0);
+    for (std::size_t l = 0; l < size_; ++l) sum += Y.entry[i][l] * f[l];
+    for (std::size_t j = 0; j < size_; ++j) {
+      Span G(0);
+      for (std::size_t l = 0; l < size_; ++l) {
+        const Span& a = A.entry[l][j];
+        if (a.low != 0 || a.high != 0) G += Y.entry[i][l] * a;
+      }
+      if (i == j)
+        diagonal = G;
+      else
+        sum += G * (z[j] - middle[j]);
+    }
+    if (diagonal.contains(0)) continue;
+    if (!bind(z[i], middle[i] - sum / diagonal)) return false;
+  }
+  return true;
+}
+
+std::optional<Midpoint> EquilibriumBox::root_near(const Box& z) const {
+  Midpoint point;
+  for (std::size_t j = 0; j < size_; ++j) point[j] = z[j].middle();
+  double last = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < 12; ++iteration) {
+    Box at;
+    for (std::size_t j = 0; j < size_; ++j) at[j] = Span(point[j]);
+    Matrix Y;
+    if (!inverse_of_middle(derivative(at), Y)) return std::nullopt;
+    const Box f = residual(at);
+    double size = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      double step = 0;
+      for (std::size_t l = 0; l < size_; ++l) step += Y.entry[i][l] * f[l].middle();
+      point[i] -= step;
+      size = std::max(size, std::abs(step) * (i < n_ ? 1 : force_weight_));
+    }
+    if (!(size < 3)) return std::nullopt;
+    if (size < 1e-13 || (size < 1e-9 && size >= last / 2)) return point;
+    last = size;
+  }
+  return std::nullopt;
+}
+
+std::optional<Box> EquilibriumBox::isolate(const Midpoint& root) const {
+  for (double radius = 0.4; radius > 1e-12; radius *= 0.5) {
+    Box z;
+    for (std::size_t j = 0; j < size_; ++j) {
+      const double r = j < n_ ? radius : radius / force_weight_;
+      z[j] = Span(root[j] - r, root[j] + r);
+    }
+    // one Newton step strictly into the box's inside proves that exactly one root lies in it
+    Box image = z;
+    if (!newton(image)) return std::nullopt;
+    bool strictly = true;
+    for (std::size_t j = 0; j < size_ && strictly; ++j)
+      strictly = z[j].low < image[j].low && image[j].high < z[j].high;
+    if (strictly) return z;
+  }
+  return std::nullopt;
+}
+
+std::size_t EquilibriumBox::widest(const Box& z) const {
+  std::size_t best = 0;
+  for (std::size_t j = 1; j < size_; ++j) {
+    if (width(z, j) > width(z, best)) best = j;
+  }
+  return best;
+}
+
+}  // namespace plumbline

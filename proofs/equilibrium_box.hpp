@@ -1,0 +1,77 @@
+#pragma once
+/// \file
+/// The equilibrium equations over a box of angles and force: what can be cut off, and what is proved to hold
+/// one root.
+
+#include <array>
+#include <optional>
+#include <plumbline/chain.hpp>
+#include <plumbline/equilibrium.hpp>
+#include <plumbline/kinematics.hpp>
+#include <vector>
+
+#include "proofs/span.hpp"
+
+namespace plumbline {
+
+constexpr std::size_t most_links = 16;
+
+/// Unknowns theta_1 … theta_n and, where the end point is held, Fx and Fy.
+using Box = std::array<Span, most_links + 2>;
+using Midpoint = std::array<double, most_links + 2>;
+
+class EquilibriumBox {
+ public:
+  /// \param load  the place of the end point, or the force
+  EquilibriumBox(const Chain<Interval>& chain, Control control, const Point<Interval>& load);
+
+  [[nodiscard]] std::size_t links() const { return n_; }
+  [[nodiscard]] std::size_t unknowns() const { return size_; }
+  /// The box that holds every equilibrium counted.
+  [[nodiscard]] Box everything() const;
+  /// Where joint i of a box may be, by its range alone.
+  [[nodiscard]] const Span& range(std::size_t joint) const { return range_[joint]; }
+
+  /// Cuts off what the moment recursion, the closure and the joint ranges exclude. False: nothing is left.
+  bool contract(Box& z) const;
+  /// One interval Newton step. False: nothing is left.
+  bool newton(Box& z) const;
+  /// A root near the middle of a box, in plain doubles.
+  [[nodiscard]] std::optional<Midpoint> root_near(const Box& z) const;
+  /// A box around a point, as large as possible, that holds exactly one root.
+  [[nodiscard]] std::optional<Box> isolate(const Midpoint& root) const;
+  /// The unknown to halve: the widest, forces measured by the turn that they cause.
+  [[nodiscard]] std::size_t widest(const Box& z) const;
+  [[nodiscard]] double width(const Box& z, std::size_t unknown) const {
+    return z[unknown].width() * (unknown < n_ ? 1 : force_weight_);
+  }
+
+ private:
+  struct Matrix {
+    std::array<std::array<double, most_links + 2>, most_links + 2> entry;
+  };
+  struct SpanMatrix {
+    std::array<std::array<Span, most_links + 2>, most_links + 2> entry;
+  };
+  [[nodiscard]] Box residual(const Box& z) const;
+  [[nodiscard]] SpanMatrix derivative(const Box& z) const;
+  [[nodiscard]] bool inverse_of_middle(const SpanMatrix& A, Matrix& inverse) const;
+  [[nodiscard]] double force_bound(const Chain<Interval>& chain, const Point<Interval>& place) const;
+  bool bind(Span& known, const Span& other) const {
+    known = intersection(known, other);
+    return !known.empty();
+  }
+  [[nodiscard]] Span fx(const Box& z) const { return held_ ? z[n_] : load_x_; }
+  [[nodiscard]] Span fy(const Box& z) const { return held_ ? z[n_ + 1] : load_y_; }
+  bool recursion(Box& z) const;
+  bool ranges(Box& z) const;
+
+  std::size_t n_, size_;
+  bool held_;
+  std::vector<Span> length_, stiffness_, rest_, range_;
+  std::vector<bool> passive_;
+  Span load_x_, load_y_;
+  double force_limit_ = 0, force_weight_ = 1;
+};
+
+}  // namespace plumbline

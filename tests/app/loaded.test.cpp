@@ -1,0 +1,118 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/process.hpp"
+
+namespace {
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+const char* const zigzag = "lengths = [1, 1, 1]\nstiffness = [0, 1, 1]\nrest = [-0.1, 0.3, -0.3]\n";
+
+}  // namespace
+
+TEST_CASE("path: the bundled Z-chain, as text, CSV and JSON") {
+  const Workplace here;
+  const Outcome text = here.plumbline("path --to 1.5");
+  CHECK(text.status == 0);
+  CHECK(has(text.out, "quasi-buckling"));
+  const Outcome csv = here.plumbline("path --to 1.5 --csv");
+  CHECK(csv.status == 0);
+  CHECK(csv.out.starts_with(
+      "branch,point,load,x,y,Fx,Fy,energy,stiffness,negative_directions,event,q1,q2,q3,q4\n"));
+  CHECK(std::count(csv.out.begin(), csv.out.end(), '\n') > 30);
+  CHECK(here.plumbline("path --to 1.5 --json out.json").status == 0);
+  const auto json = nlohmann::json::parse(here.read("out.json"));
+  const auto& points = json["history"][0]["points"];
+  CHECK(points.front()["load"] == 0);
+  CHECK(points.back()["load"] == 1.5);
+  // work balance: energy gained = integral of the compression, by trapezoids; their error stays below one
+  // percent
+  double work = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double h = points[i]["load"].get<double>() - points[i - 1]["load"].get<double>();
+    work -= h * (points[i]["force"][0].get<double>() + points[i - 1]["force"][0].get<double>()) / 2;
+  }
+  CHECK(points.back()["energy"].get<double>() == doctest::Approx(work).epsilon(0.01));
+}
+
+TEST_CASE("path: all branches of a straight chain begin in its buckling modes") {
+  const Workplace here;
+  here.write("straight.toml", "lengths = [1, 1, 1, 1]\nstiffness = [1, 1, 1, 1]\n");
+  const Outcome all = here.plumbline("path straight.toml --to 0.5 --branches all --json");
+  REQUIRE(all.status == 0);
+  const auto json = nlohmann::json::parse(all.out);
+  CHECK(json["branches"].size() == 6);
+  // near the straight shape the compressions are the critical forces, Table 2 of the paper:
+  // 0.924, 3.000, 4.076
+  std::vector<double> forces;
+  for (const auto& branch : json["branches"]) {
+    const auto& first = branch["points"].front();
+    forces.push_back(-first["force"][0].get<double>());
+  }
+  std::sort(forces.begin(), forces.end());
+  CHECK(forces[0] == doctest::Approx(0.924028).epsilon(1e-3));
+  const Outcome slow = here.plumbline("path straight.toml --to 0.5 --side -1 --json");
+  const auto history = nlohmann::json::parse(slow.out)["history"];
+  CHECK(history.size() == 1);
+  CHECK(history[0]["points"].back()["negative_directions"] == 0);
+}
+
+TEST_CASE("path: drawings are SVG") {
+  const Workplace here;
+  here.write("zigzag.toml", zigzag);
+  const Outcome outcome = here.plumbline("path zigzag.toml --to 0.3 --svg out.svg");
+  CHECK(outcome.status == 0);
+  CHECK(has(here.read("out.svg"), "<svg"));
+}
+
+TEST_CASE("equilibria: certified and sampled lists agree for the bundled chain") {
+  const Workplace here;
+  const auto read = [&](const std::string& arguments) {
+    const Outcome outcome = here.plumbline(arguments);
+    REQUIRE(outcome.status == 0);
+    return nlohmann::json::parse(outcome.out);
+  };
+  const auto certified = read("equilibria --end-point 3.4,0 --certify --digits 30 --json");
+  const auto sampled = read("equilibria --end-point 3.4,0 --json");
+  CHECK(certified["complete"] == true);
+  REQUIRE(certified["equilibria"].size() == sampled["equilibria"].size());
+  for (std::size_t i = 0; i < sampled["equilibria"].size(); ++i) {
+    CHECK(certified["equilibria"][i]["type"] == sampled["equilibria"][i]["type"]);
+    CHECK(certified["equilibria"][i]["energy"].get<std::string>().substr(0, 9) ==
+          sampled["equilibria"][i]["energy"].get<std::string>().substr(0, 9));
+  }
+  const auto forced = read("equilibria --force -0.5,0.1 --certify --json");
+  int sum = 0;
+  for (const auto& one : forced["equilibria"])
+    sum += has(one["type"], "(1)") || has(one["type"], "(3)") ? -1 : 1;
+  CHECK(sum == 1);  // Euler characteristic of the space of all joint angles
+}
+
+TEST_CASE("loads that cannot be are refused in one line") {
+  const Workplace here;
+  here.write("zigzag.toml", zigzag);
+  for (const char* arguments :
+       {"path --to x", "path --to 0", "path --to -5", "path nowhere.toml",
+        "path zigzag.toml --to 1 --force 1,0", "equilibria --at 1", "equilibria --at a,b",
+        "equilibria --end-point 9,0", "equilibria --end-point 4,0 --certify",
+        "equilibria --end-point 2,0 --certify", "figure 99", "figure 2 --out nowhere"}) {
+    CAPTURE(arguments);
+    const Outcome outcome = here.plumbline(arguments);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.starts_with("plumbline: "));
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  }
+}
+
+TEST_CASE("figure: two links are drawn, with a sentence") {
+  const Workplace here;
+  const Outcome outcome = here.plumbline("figure 2");
+  CHECK(outcome.status == 0);
+  CHECK(has(outcome.out, "figure-02.svg"));
+  CHECK(has(here.read("figure-02.svg"), "<svg"));
+}

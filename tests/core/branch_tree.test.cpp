@@ -1,0 +1,57 @@
+#include <doctest/doctest.h>
+
+#include <plumbline/branch_tree.hpp>
+#include <plumbline/straight_start.hpp>
+
+using namespace plumbline;
+
+using Nominal = NominalModel<double>;
+
+TEST_CASE("a straight chain has two branches a mode, which begin at its critical forces") {
+  const Nominal model(Chain<double>({1, 2, 1, 1.5}, {1, 0.5, 2, 1}));
+  Brancher<Nominal> brancher(model, {Control::end_point, {5.5, 0}, {-1, 0}}, Vector<double>::Zero(4));
+  const double shortening = 1e-6;
+  const auto starts = straight_starts(brancher, shortening);
+  const auto forces = critical_forces(model.chain(), 3);
+  REQUIRE(starts.size() == 6);
+  for (std::size_t m = 0; m < 6; ++m) {
+    // the force along a branch departs from the critical one in proportion to the shortening
+    CHECK(-starts[m].force.x == doctest::Approx(forces[m / 2]).epsilon(1e-4));
+    CHECK(starts[m].negative_directions == m / 2);
+    CHECK((starts[m].theta + starts[m ^ 1U].theta).norm() < 1e-6);  // mirror images
+  }
+  const auto tree = branch_tree(brancher, starts, {shortening, 0.5});
+  CHECK(tree.size() == 6);
+  for (const auto& branch : tree) CHECK(branch.end == BranchEnd::load);
+}
+
+TEST_CASE("under a growing force the straight cantilever bifurcates at its own critical forces") {
+  // the end is free to move sideways here, so K is the springs and the lateral force is zero: the
+  // bifurcations are the eigenvalues of k (tridiagonal) against diag(L) in absolute angles; two unit links: 1
+  // -+ : (3 -+ sqrt 5) / 2
+  const Nominal model(Chain<double>({1, 1}, {1, 1}));
+  Brancher<Nominal> brancher(model, {Control::force, {0, 0}, {-1, 0}}, Vector<double>::Zero(2));
+  const auto branch = Tracer<Nominal>(brancher, {0, 4}).run(brancher.start(0, Vector<double>::Zero(2)));
+  REQUIRE(branch.events.size() == 2);
+  CHECK(branch.events[0].point.load == doctest::Approx((3 - std::sqrt(5)) / 2).epsilon(1e-12));
+  CHECK(branch.events[1].point.load == doctest::Approx((3 + std::sqrt(5)) / 2).epsilon(1e-12));
+  CHECK(branch.points.back().negative_directions == 2);
+}
+
+TEST_CASE("branches switch at a bifurcation: a symmetric zigzag and the two arches that leave it") {
+  const double angle = std::acos(-1.0) / 10;
+  std::vector<double> rest{0, angle, -angle};
+  const auto p = end_point(Chain<double>({1, 1, 1}, {0, 1, 1}, rest), rest);
+  rest[0] = -std::atan2(p.y, p.x);
+  const Nominal model(Chain<double>({1, 1, 1}, {0, 1, 1}, rest));
+  const auto shape = absolute_angles(rest);
+  Brancher<Nominal> brancher(model, {Control::end_point, {std::hypot(p.x, p.y), 0}, {-1, 0}}, shape);
+  const auto tree = branch_tree(brancher, {brancher.start(0, shape)}, {0, 0.5});
+  // the zigzag, and one branch through the bifurcation from arch to arch
+  REQUIRE(tree.size() == 2);
+  const auto& arches = tree[1];
+  CHECK(arches.points.front().load == 0.5);
+  CHECK(arches.points.back().load == 0.5);
+  CHECK(arches.points.front().theta(0) * arches.points.back().theta(0) < 0);
+  for (const auto& point : arches.points) CHECK(point.negative_directions == 0);
+}

@@ -1,0 +1,228 @@
+#include <doctest/doctest.h>
+
+#include <plumbline/slow_loading.hpp>
+
+using namespace plumbline;
+
+namespace {
+
+using Nominal = NominalModel<double>;
+
+Nominal table1(std::vector<double> rest) {
+  return Nominal(Chain<double>({1, 1, 1, 1}, {1, 1, 1, 1}, std::move(rest)));
+}
+const std::vector<double> u_shape{-0.3179, 0.0558, 0.3804, 0.3524}, z_shape{-0.2417, 0.6821, -0.7958, 0.5170};
+
+/// The paper's three-link chain with a passive base, its end point on the x axis, compressed along it.
+struct ThreeLinks {
+  Nominal model;
+  Vector<double> shape;
+  Loading<double> loading;
+  ThreeLinks(double alpha1, double alpha2) : model(Chain<double>({1, 1, 1}, {0, 1, 1}, {0, alpha1, alpha2})) {
+    std::vector<double> q = model.chain().rest();
+    const auto p = end_point(model.chain(), q);
+    q[0] = -std::atan2(p.y, p.x);
+    shape = absolute_angles(q);
+    loading = {Control::end_point, {std::hypot(p.x, p.y), 0}, {-1, 0}};
+  }
+};
+const double pi = std::acos(-1.0);
+
+std::vector<BranchEvent<double>> of_kind(const std::vector<BranchEvent<double>>& events, EventKind kind) {
+  std::vector<BranchEvent<double>> result;
+  for (const auto& event : events) {
+    if (event.kind == kind) result.push_back(event);
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("along a branch every point is an equilibrium and energy grows by the force's work") {
+  const Nominal model = table1(z_shape);
+  const auto shape = absolute_angles(model.chain().rest());
+  Brancher<Nominal> brancher(model, {Control::end_point, {3.8, 0}, {-1, 0}}, shape);
+  const auto error_of_work = [&](double longest) {
+    const auto branch = Tracer<Nominal>(brancher, {0, 1.5, longest}).run(brancher.start(0, shape));
+    REQUIRE(branch.end == BranchEnd::load);
+    CHECK(branch.points.back().load == 1.5);
+    Expansion<double, 1> at;
+    double error = 0;
+    for (std::size_t i = 0; i < branch.points.size(); ++i) {
+      const auto& p = branch.points[i];
+      model.expand(p.theta, p.force, at);
+      CHECK(at.residual.cwiseAbs().maxCoeff() < 1e-13);
+      CHECK(std::abs(at.end_point.x - (3.8 - p.load)) < 1e-13);
+      if (i == 0) continue;
+      // trapezoidal rule with the slopes at both ends: fourth order
+      const auto& o = branch.points[i - 1];
+      const double h = p.load - o.load;
+      const double work = -h * (p.force.x + o.force.x) / 2 + h * h * (o.stiffness - p.stiffness) / 12;
+      error += std::abs(p.energy - o.energy - work);
+    }
+    return error;
+  };
+  // fourth order, 4^4 = 256, once the longest step and not the horizon rules everywhere
+  CHECK(error_of_work(0.005 / 4) < error_of_work(0.005) / 100);
+}
+
+TEST_CASE("a symmetric zigzag crosses a bifurcation; a nearly symmetric one turns before it") {
+  const ThreeLinks exact(pi / 10, -pi / 10);
+  Brancher<Nominal> symmetric(exact.model, exact.loading, exact.shape);
+  const auto branch = Tracer<Nominal>(symmetric, {0, 1}).run(symmetric.start(0, exact.shape));
+  const auto buckling = of_kind(branch.events, EventKind::bifurcation);
+  REQUIRE(buckling.size() == 1);
+  CHECK(branch.points.front().negative_directions == 0);
+  CHECK(branch.points.back().negative_directions == 1);
+  // on the symmetric branch theta = (-a, b, -a) throughout
+  for (const auto& p : branch.points) CHECK(std::abs(p.theta(0) - p.theta(2)) < 1e-9);
+  const double critical = buckling[0].point.load;
+
+  for (const double off : {1e-3, 1e-6, -1e-6, 1e-8}) {
+    CAPTURE(off);
+    const ThreeLinks nearly(pi / 10 + off, -pi / 10);
+    Brancher<Nominal> brancher(nearly.model, nearly.loading, nearly.shape);
+    const auto turned = Tracer<Nominal>(brancher, {0, 1}).run(brancher.start(0, nearly.shape));
+    REQUIRE(turned.end == BranchEnd::load);
+    CHECK(of_kind(turned.events, EventKind::bifurcation).empty());
+    for (const auto& p : turned.points) CHECK(p.negative_directions == 0);
+    // it leaves the zigzag to the side of the imperfection, into an arch
+    const auto& last = turned.points.back();
+    CHECK((last.theta(2) > 0) == (off > 0));
+    CHECK(std::abs(last.theta(0) - last.theta(2)) > 1);
+    // the bend lies next to the crossing: its distance scales like off^(2/3) (unfolding of a pitchfork)
+    for (const auto& p : turned.points) {
+      if (p.load < critical - 20 * std::pow(std::abs(off), 2.0 / 3.0))
+        CHECK(std::abs(p.theta(0) - p.theta(2)) < 0.1);
+    }
+  }
+}
+
+TEST_CASE("the bifurcation of the symmetric zigzag, to 50 digits") {
+  using Exact = NominalModel<Mpfr50>;
+  const Mpfr50 angle = boost::math::constants::pi<Mpfr50>() / 10;
+  const Chain<Mpfr50> chain({1, 1, 1}, {0, 1, 1}, {0, angle, -angle});
+  const Exact model(chain);
+  std::vector<Mpfr50> q = chain.rest();
+  const auto p = end_point(chain, q);
+  q[0] = -atan2(p.y, p.x);
+  Vector<Mpfr50> shape = absolute_angles(q);
+  Brancher<Exact> brancher(model, {Control::end_point, {sqrt(p.x * p.x + p.y * p.y), 0}, {-1, 0}}, shape);
+  const auto branch = Tracer<Exact>(brancher, {Mpfr50(0), Mpfr50(1) / 10}).run(brancher.start(0, shape));
+  REQUIRE(branch.events.size() == 1);
+  const auto& buckled = branch.events[0].point;
+  // By hand: theta = (-a, b, -a); the antisymmetric second variation, on (1, 0, -1) turned into the tangent
+  // space, vanishes with the moment balance of one end link: F sin a = k (a + b - angle), where the middle
+  // link moves with the tangent: checked here through the determinant of the bordered matrix, in exact 5 x 5
+  // form.
+  Expansion<Mpfr50, 1> at;
+  model.expand(buckled.theta, buckled.force, at);
+  Matrix<Mpfr50> K = Matrix<Mpfr50>::Constant(5, 5, Mpfr50(0));
+  for (int i = 0; i < 3; ++i) {
+    K(i, i) = at.hessian(0, i);
+    if (i < 2) K(i + 1, i) = K(i, i + 1) = at.hessian(1, i);
+    for (int a = 0; a < 2; ++a) K(i, 3 + a) = K(3 + a, i) = at.end_point_gradient(i, a);
+  }
+  Mpfr50 determinant(1);
+  for (int k = 0; k < 5; ++k) {  // plain elimination, rows exchanged for the largest pivot
+    int best = k;
+    for (int i = k + 1; i < 5; ++i) {
+      if (abs(K(i, k)) > abs(K(best, k))) best = i;
+    }
+    K.row(best).swap(K.row(k));
+    determinant *= K(k, k);
+    for (int i = k + 1; i < 5; ++i) {
+      const Mpfr50 factor = K(i, k) / K(k, k);
+      for (int j = k; j < 5; ++j) K(i, j) -= factor * K(k, j);
+    }
+  }
+  CHECK(abs(determinant) < Mpfr50("1e-46"));
+  CHECK(abs(buckled.load - Mpfr50("0.040735331464751")) < Mpfr50("1e-14"));
+}
+
+TEST_CASE("folds: one link under a compression that is too much for it snaps when pushed aside") {
+  // k = L = 1, Fx = -1.2, Fy = -load: theta = 1.2 sin theta - load cos theta. By hand load = (1.2 sin theta -
+  // theta) / cos theta, whose derivative vanishes where 1.2 - cos theta = theta sin theta
+  const double at_fold =
+      boost::math::tools::bisect([](double t) { return 1.2 - std::cos(t) - t * std::sin(t); }, 0.3, 1.2,
+                                 [](double a, double b) { return b - a < 1e-15; })
+          .first;
+  const double fold_load = (1.2 * std::sin(at_fold) - at_fold) / std::cos(at_fold);
+  const Nominal model(Chain<double>({1}, {1}));
+  Vector<double> start(1);
+  start << 1;
+  Brancher<Nominal> brancher(model, {Control::force, {-1.2, 0}, {0, -1}}, start);
+  const auto first = brancher.start(0, start);
+  REQUIRE(first.negative_directions == 0);
+  const auto branch = Tracer<Nominal>(brancher, {-2, 2}).run(first);
+  const auto folds = of_kind(branch.events, EventKind::fold);
+  REQUIRE(folds.size() == 2);  // there, and back by symmetry: the branch is an S
+  CHECK(folds[0].point.load == doctest::Approx(fold_load).epsilon(1e-14));
+  CHECK(folds[0].point.theta(0) == doctest::Approx(at_fold).epsilon(1e-7));
+  CHECK(folds[1].point.load == doctest::Approx(-fold_load).epsilon(1e-14));
+  CHECK(std::abs(folds[0].point.stiffness) < 1e-7);
+
+  const auto history = load_slowly(brancher, first, {-2, 2});
+  REQUIRE(history.size() == 2);
+  const auto &before = history[0].points.back(), &after = history[1].points.front();
+  CHECK(before.load == doctest::Approx(fold_load));
+  CHECK(std::abs(after.load - before.load) < 1e-5);
+  CHECK(after.theta(0) < -0.8);
+  const auto total = [](const BranchPoint<double>& at) {
+    return at.energy - at.force.x * at.end_point.x - at.force.y * at.end_point.y;
+  };
+  CHECK(total(after) < total(before));
+  CHECK(history[1].points.back().load == 2);
+}
+
+TEST_CASE("a slowly loaded symmetric zigzag leaves to the side it is told, without a jump") {
+  const ThreeLinks exact(pi / 10, -pi / 10);
+  Brancher<Nominal> brancher(exact.model, exact.loading, exact.shape);
+  for (const int side : {1, -1}) {
+    const auto history = load_slowly(brancher, brancher.start(0, exact.shape), {0, 1}, side);
+    REQUIRE(history.size() == 2);
+    const auto &before = history[0].points.back(), &after = history[1].points.front();
+    CHECK(std::abs(after.load - before.load) < 1e-5);
+    CHECK((after.theta - before.theta).cwiseAbs().maxCoeff() < 0.05);
+    const auto& last = history[1].points.back();
+    CHECK(last.load == 1);
+    CHECK((last.theta(0) > last.theta(2)) == (side > 0));
+  }
+}
+
+TEST_CASE("quasi-buckling: the stiffness is least where it is said to be") {
+  const Nominal model = table1(z_shape);
+  const auto shape = absolute_angles(model.chain().rest());
+  Brancher<Nominal> brancher(model, {Control::end_point, {3.8, 0}, {-1, 0}}, shape);
+  const auto branch = Tracer<Nominal>(brancher, {0, 1.5}).run(brancher.start(0, shape));
+  REQUIRE(branch.events.size() == 1);
+  CHECK(branch.events[0].kind == EventKind::quasi_buckling);
+  const auto least = branch.events[0].point;
+  for (const double off : {-0.05, 0.05}) {
+    const auto near = brancher.at_load(least, least.load + off);
+    REQUIRE(near);
+    CHECK(near->stiffness > least.stiffness);
+  }
+}
+
+TEST_CASE("the work of a step grows linearly with the chain") {
+  // the discretised elastica: its path does not depend on n beyond the discretisation error O(1/n)
+  double force_at_200 = 0;
+  for (const std::size_t n : {200U, 2000U}) {
+    const double N = static_cast<double>(n);
+    std::vector<double> length(n, 1 / N), stiffness(n, N), rest(n, -0.5 / N);
+    rest[0] = 0.25;
+    const Nominal model{Chain<double>(length, stiffness, rest)};
+    const auto shape = absolute_angles(rest);
+    const auto p = end_point(model.chain(), rest);
+    Brancher<Nominal> brancher(model, {Control::end_point, p, {-1, 0}}, shape);
+    const auto branch = Tracer<Nominal>(brancher, {0, 0.3}).run(brancher.start(0, shape));
+    CHECK(branch.end == BranchEnd::load);
+    CHECK(branch.points.size() < 200);
+    if (n == 200) {
+      force_at_200 = branch.points.back().force.x;
+    } else {
+      CHECK(branch.points.back().force.x == doctest::Approx(force_at_200).epsilon(0.05));
+    }
+  }
+}

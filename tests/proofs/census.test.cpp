@@ -1,0 +1,293 @@
+#include "proofs/census.hpp"
+
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <random>
+
+#include "proofs/equilibrium_box.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+Interval decimal(long long digits, long long unit) {
+  return Interval(Rational(digits, unit));
+}
+
+Chain<Interval> unit_chain(const std::vector<Interval>& rest, const std::vector<Interval>& stiffness = {}) {
+  const std::vector<Interval> ones(rest.size(), Interval(1));
+  return Chain<Interval>(ones, stiffness.empty() ? ones : stiffness, rest);
+}
+
+/// Sum of (-1)^negative directions.
+int morse_count(const Census& census) {
+  int sum = 0;
+  for (const auto& one : census.equilibria) sum += one.negative_directions.value() % 2 == 0 ? 1 : -1;
+  return sum;
+}
+
+std::vector<Rational> random_decimals(std::mt19937& random, std::size_t count, int low, int high) {
+  std::uniform_int_distribution<int> thousandths(low, high);
+  std::vector<Rational> values;
+  for (std::size_t i = 0; i < count; ++i) values.emplace_back(thousandths(random), 1000);
+  return values;
+}
+
+std::vector<Interval> enclosed(const std::vector<Rational>& values) {
+  return {values.begin(), values.end()};
+}
+
+double middle(const Interval& x) {
+  return static_cast<double>(x.middle());
+}
+
+Chain<double> rounded(const Chain<Interval>& chain) {
+  return convert<double>(chain, middle);
+}
+
+/// Whether an equilibrium that floating point found is among the certified ones, up to full turns.
+bool listed(const Census& census, const Equilibrium<double>& found) {
+  return std::any_of(
+      census.equilibria.begin(), census.equilibria.end(), [&](const CertifiedEquilibrium& one) {
+        double theta = 0;
+        for (std::size_t j = 0; j < one.q.size(); ++j) {
+          theta += middle(one.q[j]);
+          if (std::abs(std::remainder(theta - found.theta(static_cast<Eigen::Index>(j)), 2 * M_PI)) > 1e-6)
+            return false;
+        }
+        return true;
+      });
+}
+
+// --- Euler characteristic of the configuration space, by the count of short subsets (Farber and Schuetz
+// 2007, after Kapovich and Millson): the closed polygons with the sides L_1 … L_n and |p|, up to rotation.
+// With a_k the number of subsets of k + 1 sides that contain the longest and are shorter than the rest, the
+// Betti numbers are b_k = a_k + a_(n-2-k), the dimension being n - 2.
+int euler_characteristic(std::vector<double> sides) {
+  std::sort(sides.begin(), sides.end(), std::greater<>());
+  const std::size_t count = sides.size(), dimension = count - 3;
+  std::vector<int> a(dimension + 1, 0);
+  for (std::size_t subset = 1; subset < (std::size_t{1} << count);
+       subset += 2) {  // odd: contains the longest
+    double difference = 0;
+    std::size_t members = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool in = ((subset >> i) & 1U) != 0;
+      difference += in ? sides[i] : -sides[i];
+      members += in ? 1 : 0;
+    }
+    if (difference < 0 && members - 1 <= dimension) ++a[members - 1];
+  }
+  int sum = 0;
+  for (std::size_t k = 0; k <= dimension; ++k) sum += (k % 2 == 0 ? 1 : -1) * (a[k] + a[dimension - k]);
+  return sum;
+}
+
+bool has(std::size_t set, std::size_t i) {
+  return ((set >> i) & 1U) != 0;
+}
+
+/// The chain with some joints locked half a turn from rest, as a shorter chain, and the end point that
+/// remains.
+std::pair<Chain<Interval>, Point<Interval>> locked(const Chain<Interval>& chain, Point<Interval> place,
+                                                   std::size_t set) {
+  const Interval pi(Interval::End("3.14159265358979323846264338327950288419716939937510582097494459"),
+                    Interval::End("3.14159265358979323846264338327950288419716939937510582097494460"));
+  std::vector<Interval> length, stiffness, rest;
+  Interval carried(0);  // direction of the last link against that of the merged link it belongs to
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Interval& L = chain.length()[i];
+    if (!has(set, i)) {
+      length.push_back(L);
+      stiffness.push_back(chain.stiffness()[i]);
+      rest.push_back(chain.rest()[i] + carried);
+      carried = Interval(0);
+      continue;
+    }
+    carried = carried + chain.rest()[i] + pi;
+    if (length.empty()) {  // fixed to the base: the chain starts at its end
+      place.x = place.x - L * cos(carried);
+      place.y = place.y - L * sin(carried);
+      continue;
+    }
+    const Interval x = length.back() + L * cos(carried), y = L * sin(carried);
+    const Mpfr50 turn = atan2(Mpfr50(y.middle()), Mpfr50(x.middle())), slack("1e-47");
+    const Interval off{Interval::End(turn - slack), Interval::End(turn + slack)};
+    length.back() = sqrt(sqr(x) + sqr(y));
+    rest.back() = rest.back() + off;
+    carried = carried - off;
+  }
+  return {Chain<Interval>(length, stiffness, rest), place};
+}
+
+/// Whether the moments at the locked joints lie within ± k pi: the equilibrium of the shorter chain is
+/// critical for the energy of the whole one.
+bool critical(const Chain<Interval>& chain, std::size_t set, const Chain<Interval>& shorter,
+              const Point<Interval>& place, const CertifiedEquilibrium& one) {
+  double theta = 0, x = middle(place.x), y = middle(place.y);
+  bool within = true;
+  for (std::size_t i = 0, free = 0; i < chain.size(); ++i) {
+    theta += middle(chain.rest()[i]);
+    if (has(set, i)) {
+      theta += M_PI;
+      const double moment = x * middle(one.fy) - y * middle(one.fx);
+      within = within && std::abs(moment) < middle(chain.stiffness()[i]) * M_PI;
+    } else {
+      theta += middle(one.q[free]) - middle(shorter.rest()[free]);
+      ++free;
+    }
+    x -= middle(chain.length()[i]) * std::cos(theta);
+    y -= middle(chain.length()[i]) * std::sin(theta);
+  }
+  CHECK(std::abs(x) + std::abs(y) < 1e-9);  // the whole chain closes
+  return within;
+}
+
+/// The sum over all faces of (-1)^(index on the face + number of locked joints).
+int sum_over_faces(const Chain<Interval>& chain, const Point<Interval>& place) {
+  int sum = 0;
+  for (std::size_t set = 0; set < (std::size_t{1} << chain.size()); ++set) {
+    const auto locks = static_cast<std::size_t>(std::popcount(set));
+    if (chain.size() < locks + 2) continue;  // fewer than two free joints close no chain, but by accident
+    const auto [shorter, end] = locked(chain, place, set);
+    Census census;
+    try {
+      census = census_at_end_point(shorter, end);
+    } catch (const Error& error) {
+      const std::string why = error.what();
+      CAPTURE(why);
+      REQUIRE(why.find("the reach") != std::string::npos);
+      continue;  // out of reach: the face is empty
+    }
+    REQUIRE(census.complete());
+    for (const auto& one : census.equilibria) {
+      if (critical(chain, set, shorter, place, one))
+        sum += (one.negative_directions.value() + locks) % 2 == 0 ? 1 : -1;
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the census of the paper's Z-chain at 0.4 L has the equilibria that floating point finds, and no other") {
+  const auto chain =
+      unit_chain({decimal(-2417, 10000), decimal(6821, 10000), decimal(-7958, 10000), decimal(517, 1000)});
+  const Census census = census_at_end_point(chain, {decimal(34, 10), Interval(0)});
+  REQUIRE(census.complete());
+  CHECK(morse_count(census) ==
+        euler_characteristic({1, 1, 1, 1, 3.4}));  // no joint near half a turn: a sphere, 2
+  CHECK(euler_characteristic({1, 1, 1, 1, 3.4}) == 2);
+  const NominalModel<double> model(rounded(chain));
+  EquilibriumSolver<NominalModel<double>> solver(model);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> angle(-3, 3);
+  int found = 0;
+  for (int start = 0; start < 2000; ++start) {
+    Eigen::VectorXd theta(4);
+    for (auto& t : theta) t = angle(random);
+    try {
+      const auto at = solver.at_end_point({3.4, 0}, theta);
+      const auto q = joint_angles(at.theta);
+      bool counted = true;
+      for (std::size_t i = 0; i < 4; ++i) counted &= std::abs(q[i] - model.chain().rest()[i]) < M_PI;
+      if (!counted) continue;
+      ++found;
+      CHECK(listed(census, at));
+    } catch (const Error&) {
+    }
+  }
+  CHECK(found > 200);
+  for (const auto& one : census.equilibria) {
+    CHECK(one.energy.width() < Interval::End("1e-40"));
+    CHECK(one.q[0].width() < Interval::End("1e-40"));
+  }
+  // the lowest is the one that the slowly loaded chain reaches
+  CHECK(census.equilibria[0].negative_directions == 0);
+}
+
+TEST_CASE("under an imposed force the count of equilibria with signs is 1, with a passive base 0") {
+  // the total potential grows beyond bounds in every direction of R^n, whose Euler characteristic is 1; a
+  // passive base makes the space a circle times R^(n-1), whose characteristic is 0
+  std::mt19937 random(11);
+  for (std::size_t n = 1; n <= 5; ++n) {
+    for (int trial = 0; trial < 3; ++trial) {
+      auto stiffness = random_decimals(random, n, 300, 3000);
+      const auto rest = random_decimals(random, n, -900, 900);
+      const Point<Interval> force{Interval(Rational(-900, 1000)), Interval(Rational(310 + trial, 1000))};
+      const auto census = census_under_force(unit_chain(enclosed(rest), enclosed(stiffness)), force);
+      REQUIRE(census.complete());
+      CHECK(morse_count(census) == 1);
+      stiffness[0] = 0;
+      const auto loose = census_under_force(unit_chain(enclosed(rest), enclosed(stiffness)), force);
+      REQUIRE(loose.complete());
+      CHECK(morse_count(loose) == 0);
+    }
+  }
+}
+
+TEST_CASE("with the end point held the count with signs is the Euler characteristic of the polygon space") {
+  // On the space of shapes, joint angles taken up to full turns, the energy is the least of its values over
+  // all turns. It is smooth but for concave ridges where some joints stand half a turn from rest. For such a
+  // function the characteristic is the sum over the critical points of every face of ridges (those joints
+  // locked, their moments within ± k pi) of (-1)^(index on the face + number of locked joints).
+  std::mt19937 random(5);
+  for (const std::size_t n : {3U, 4U}) {
+    for (int trial = 0; trial < 4; ++trial) {
+      const auto length = random_decimals(random, n, 600, 1500);
+      const auto stiffness = random_decimals(random, n, 500, 2000);
+      const auto rest = random_decimals(random, n, -900, 900);
+      const Chain<Interval> chain(enclosed(length), enclosed(stiffness), enclosed(rest));
+      const Point<Interval> place{Interval(Rational(1013 + 97 * trial, 1000)), Interval(Rational(307, 1000))};
+      std::vector<double> sides{std::hypot(middle(place.x), middle(place.y))};
+      for (const auto& L : chain.length()) sides.push_back(middle(L));
+      CAPTURE(n);
+      CAPTURE(trial);
+      CHECK(sum_over_faces(chain, place) == euler_characteristic(sides));
+    }
+  }
+}
+
+TEST_CASE("at a bifurcation the census says undecided, and is decided on both sides") {
+  // the symmetric zigzag of three links with a passive base: rest (0, a, -a), a = 1; it buckles on the x axis
+  const auto chain =
+      unit_chain({Interval(0), Interval(1), Interval(-1)}, {Interval(0), Interval(1), Interval(1)});
+  const NominalModel<double> model(rounded(chain));
+  const auto count = [&](const Rational& x) {
+    return census_at_end_point(chain, {Interval(x), Interval(0)});
+  };
+  const auto high = count(Rational(22, 10)), low = count(Rational(14, 10));
+  REQUIRE(high.complete());
+  REQUIRE(low.complete());
+  // a one-dimensional space of shapes, circles: as many minima as maxima, ridges among the maxima
+  CHECK(high.equilibria.size() != low.equilibria.size());
+}
+
+TEST_CASE("what cannot be counted is refused") {
+  const auto chain = unit_chain({Interval(0), decimal(1, 10), decimal(2, 10)});
+  CHECK_THROWS_AS(census_at_end_point(chain, {Interval(3), Interval(0)}), Error);   // stretched
+  CHECK_THROWS_AS(census_at_end_point(chain, {Interval(4), Interval(0)}), Error);   // out of reach
+  CHECK_THROWS_AS(census_at_end_point(chain, {Interval(0), Interval(-1)}), Error);  // folded into one line
+}
+
+TEST_CASE("fast spans enclose what fifty digits say") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-20, 20), small(0, 4);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double low = any(random), high = low + small(random), t = low + (high - low) * 0.37;
+    const Circle c = circle(Span(low, high));
+    const Mpfr50 cosine = cos(Mpfr50(t)), sine = sin(Mpfr50(t));
+    CHECK(Mpfr50(c.cosine.low) <= cosine);
+    CHECK(cosine <= Mpfr50(c.cosine.high));
+    CHECK(Mpfr50(c.sine.low) <= sine);
+    CHECK(sine <= Mpfr50(c.sine.high));
+    const Span a(low), b(high), product = a * b, sum = a + b, quotient = a / b;
+    CHECK(Mpfr50(product.low) < Mpfr50(low) * Mpfr50(high));
+    CHECK(Mpfr50(product.high) > Mpfr50(low) * Mpfr50(high));
+    CHECK(Mpfr50(sum.low) < Mpfr50(low) + Mpfr50(high));
+    CHECK(Mpfr50(quotient.low) < Mpfr50(low) / Mpfr50(high));
+    CHECK(Mpfr50(quotient.high) > Mpfr50(low) / Mpfr50(high));
+  }
+}
