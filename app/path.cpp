@@ -27,7 +27,9 @@ std::pair<Loading<double>, double> loading_of(const Options& options, const Chai
     return std::pair{Loading<double>{control, start, {x / size, y / size}}, size};
   };
   if (!options.force.empty()) return ray(Control::force, {0, 0}, options.force[0], options.force[1]);
-  return ray(Control::end_point, end_point(chain, chain.rest()), -options.to, options.dy);
+  const auto held = ray(Control::end_point, end_point(chain, chain.rest()), -options.to, options.dy);
+  NominalModel<double>(chain).require_reach(held.first.at(held.second));
+  return held;
 }
 
 void run(Options options) {
