@@ -96,7 +96,7 @@ TEST_CASE("loads that cannot be are refused in one line") {
   const Workplace here;
   here.write("zigzag.toml", zigzag);
   for (const char* arguments :
-       {"path --to x", "path --to 0", "path nowhere.toml",
+       {"path --to x", "path --to 0", "path --to -5", "path nowhere.toml",
         "path zigzag.toml --to 1 --force 1,0", "equilibria --at 1", "equilibria --at a,b",
         "equilibria --end-point 9,0", "equilibria --end-point 4,0 --certify",
         "equilibria --end-point 2,0 --certify", "figure 99", "figure 2 --out nowhere"}) {
