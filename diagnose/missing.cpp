@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "diagnose/missing_torque.hpp"
 #include "diagnose/regime.hpp"
@@ -23,34 +24,64 @@ std::vector<std::vector<bool>> returning(const Experiment& experiment, const Pre
 Missing torque(const Experiment& experiment, const std::vector<std::vector<bool>>& back, std::size_t joint) {
   const std::string number = std::to_string(joint);
   Missing missing{"torque at joint " + number, "N m", "q" + number, "rad", {}, 0, 0, 0};
-  for (const MissingTorque& one : missing_torques(experiment)[joint - 1]) {
+  const auto torques = missing_torques(experiment);
+  for (const MissingTorque& one : torques[joint - 1]) {
     missing.points.push_back({one.angle, one.torque, experiment.runs[one.run].readings[one.reading].t,
                               back[one.run][one.reading]});
   }
   return missing;
 }
 
-double travelled(const Run& run, const Reading& reading) {
-  const Reading& first = run.readings.front();
-  return run.control == Control::displacement ? std::hypot(reading.x - first.x, reading.y - first.y)
-                                              : std::hypot(reading.Fx - first.Fx, reading.Fy - first.Fy);
+/// The commanded coordinate that moves most: the runs share it as their abscissa.
+struct Abscissa {
+  Control control;
+  bool second;  ///< y or Fy rather than x or Fx
+
+  [[nodiscard]] std::string name() const {
+    return control == Control::displacement ? (second ? "y" : "x") : (second ? "Fy" : "Fx");
+  }
+  [[nodiscard]] double of(const Reading& reading) const {
+    if (control == Control::displacement) return second ? reading.y : reading.x;
+    return second ? reading.Fy : reading.Fx;
+  }
+};
+
+Abscissa abscissa(const Experiment& experiment, Control control) {
+  const auto spread = [&](const Abscissa& one) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Run& run : experiment.runs) {
+      if (run.control != control) continue;
+      for (const Reading& reading : run.readings) {
+        low = std::min(low, one.of(reading));
+        high = std::max(high, one.of(reading));
+      }
+    }
+    return high - low;
+  };
+  const Abscissa first{control, false}, second{control, true};
+  return spread(second) > spread(first) ? second : first;
 }
 
 Missing channel(const Experiment& experiment, const Measurements& measurements,
                 const std::vector<double>& residual, const std::vector<std::vector<bool>>& back,
                 const std::string& label) {
-  const bool force = label.front() == 'F', angle = label.front() == 'q';
-  Missing missing{
-      label, force ? "N" : angle ? "rad" : "m", force ? "travel" : "load", force ? "m" : "N", {}, 0, 0, 0};
+  const auto carries = [&](const Series& series) { return series.channel.label() == label; };
+  const auto& all = measurements.series();
+  const auto first = std::find_if(all.begin(), all.end(), carries);
+  const Abscissa over = abscissa(experiment, experiment.runs[first->run].control);
+  const Sensor sensor = first->channel.sensor();
+  Missing missing{label,       sensor == Sensor::force ? "N" : sensor == Sensor::angle ? "rad" : "m",
+                  over.name(), over.control == Control::displacement ? "m" : "N",
+                  {},          0,
+                  0,           0};
   const std::vector<bool> outlier = outliers(measurements, residual);
-  for (const Series& series : measurements.series()) {
-    if (series.channel.label() != label) continue;
+  for (const Series& series : all) {
     const Run& run = experiment.runs[series.run];
-    if (angle) missing.against = run.control == Control::displacement ? "travel" : "load";
+    if (!carries(series) || run.control != over.control) continue;
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
       if (outlier[series.first + i]) continue;
       const Reading& reading = run.readings[series.readings[i]];
-      missing.points.push_back({travelled(run, reading), series.sigma * residual[series.first + i], reading.t,
+      missing.points.push_back({over.of(reading), series.sigma * residual[series.first + i], reading.t,
                                 back[series.run][series.readings[i]]});
     }
   }

@@ -9,7 +9,7 @@ namespace plumbline {
 
 /// One reading of what is missing.
 struct MissingPoint {
-  double at;       ///< joint angle, or distance travelled along the commanded path's first direction
+  double at;       ///< joint angle, or the commanded coordinate that moves most
   double value;    ///< what is missing
   double t;        ///< since the start of the run
   bool returning;  ///< the path has turned back
