@@ -1,6 +1,9 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <limits>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/chain_file.hpp"
 #include "app/critical_report.hpp"
@@ -8,41 +11,67 @@
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "files/text_file.hpp"
+#include "proofs/certificate.hpp"
 
 namespace plumbline {
 namespace {
 
+namespace fs = std::filesystem;
+
 struct Options {
-  std::string input, csv, json;
+  std::string input, csv, json, certify;
   int digits = 15;
   bool all = false;
 };
 
 bool is_table(const std::string& path) {
-  return std::filesystem::path(path).extension() == ".csv";
+  return fs::path(path).extension() == ".csv";
+}
+
+/// How many modes of a chain to compute: a person wants to see some, a table needs the lowest.
+std::size_t wanted(const Options& options) {
+  if (options.all) return std::numeric_limits<std::size_t>::max();
+  return is_table(options.input) || !options.csv.empty() ? 1 : 20;
 }
 
 ChainTable read(const std::string& path) {
   if (path.empty())
     return {{{"four-link", example_chain_name, parse_chain(example_chain, example_chain_name)}}, {}};
-  const std::string extension = std::filesystem::path(path).extension();
+  const std::string extension = fs::path(path).extension();
   if (extension == ".csv") return parse_chain_table(read_text(path), path);
-  if (extension != ".toml" && !std::filesystem::is_directory(path))
+  if (extension != ".toml" && !fs::is_directory(path))
     throw Error(path, "a name that ends in \"" + extension + "\"",
                 ".toml (a chain) or .csv (a table of chains)");
-  return {{{std::filesystem::path(path).stem(), path, parse_chain(read_text(path), path)}}, {}};
+  return {{{fs::path(path).stem(), path, parse_chain(read_text(path), path)}}, {}};
 }
 
+void require_straight(const Chain<Rational>& chain) {
+  const auto bent =
+      std::find_if(chain.rest().begin(), chain.rest().end(), [](const Rational& q) { return q != 0; });
+  if (bent == chain.rest().end()) return;
+  throw Error("rest, entry " + std::to_string(bent - chain.rest().begin() + 1), "an angle that is not zero",
+              "zero: only the straight chain has critical forces");
+}
+
+struct Results {
+  std::vector<CriticalModes> chains;
+  std::vector<nlohmann::json> certificates;
+};
+
 /// Computes every chain of the table; what cannot be computed joins its errors.
-std::vector<CriticalModes> compute(ChainTable& table, const Options& options) {
-  const bool lowest_only = !options.all && (is_table(options.input) || !options.csv.empty());
-  std::vector<CriticalModes> results;
+Results compute(ChainTable& table, const Options& options) {
+  Results results;
   Progress progress("chains", table.chains.size());
   for (const NamedChain& entry : table.chains) {
     try {
-      results.push_back({entry.name, entry.chain,
-                         critical_modes(entry.chain, options.digits,
-                                        lowest_only ? std::optional<std::size_t>(1) : std::nullopt)});
+      require_straight(entry.chain);
+      results.chains.push_back(
+          {entry.name, entry.chain, modes_in_decimals(entry.chain, wanted(options), options.digits)});
+      if (!options.certify.empty()) {
+        results.certificates.push_back(
+            certificate(entry.name, entry.chain,
+                        {.lowest = wanted(options), .digits = options.digits, .shapes = options.digits > 1}));
+      }
     } catch (const Error& error) {
       table.errors.push_back(entry.place + ": " + error.what());
     }
@@ -51,24 +80,51 @@ std::vector<CriticalModes> compute(ChainTable& table, const Options& options) {
   return results;
 }
 
-void run(Options options) {
-  namespace fs = std::filesystem;
+std::string certificates(const Results& results, const Options& options) {
+  const Provenance provenance{
+      .command = fmt::format("plumbline critical{} --digits {}{} --certify {}",
+                             options.input.empty() ? "" : " " + options.input, options.digits,
+                             options.all ? " --all" : "", options.certify),
+      .program = "plumbline " PLUMBLINE_VERSION,
+      .seed = ""};
+  return certificate_file(provenance, results.certificates).dump(1, ' ', true) + "\n";
+}
+
+/// `critical --csv CHAINS.csv` means that file as the chain, not as the output.
+void sort_out_files(Options& options) {
   for (std::string* output : {&options.csv, &options.json}) {
-    if (options.input.empty() && fs::exists(*output)) std::swap(options.input, *output), *output = "-";
-    if (!options.input.empty() && *output == options.input)
+    if (options.input.empty() && fs::exists(*output)) {
+      options.input = *output;
+      *output = "-";
+    }
+  }
+  for (const std::string* output : {&options.csv, &options.json, &options.certify}) {
+    std::error_code ignored;
+    if (fs::equivalent(*output, options.input, ignored))
       throw Error(*output, "the input itself", "another file for the output");
   }
-  ChainTable table = read(options.input);
-  std::unique_ptr<OutputFile> csv, json;
-  if (!options.csv.empty()) csv = std::make_unique<OutputFile>(options.csv);
-  if (!options.json.empty()) json = std::make_unique<OutputFile>(options.json);
+}
 
-  const std::vector<CriticalModes> results = compute(table, options);
+void run(Options options) {
+  sort_out_files(options);
+  ChainTable table = read(options.input);
+  const auto open = [](const std::string& path) {
+    return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
+  };
+  const auto csv = open(options.csv), json = open(options.json), certify = open(options.certify);
+
+  const Results results = compute(table, options);
   for (const std::string& error : table.errors) fmt::print(stderr, "plumbline: {}\n", error);
-  if (!results.empty()) {
-    if (csv) csv->write(as_csv(results)), csv->commit();
-    if (json) json->write(as_json(results, table.errors).dump(2) + "\n"), json->commit();
-    if (!csv && !json) fmt::print("{}", is_table(options.input) ? as_text(results) : as_text(results[0]));
+  const auto finish = [](OutputFile& file, const std::string& text) {
+    file.write(text);
+    file.commit();
+  };
+  if (!results.chains.empty()) {
+    if (csv) finish(*csv, as_csv(results.chains));
+    if (json) finish(*json, as_json(results.chains, table.errors, options.digits).dump(2) + "\n");
+    if (certify) finish(*certify, certificates(results, options));
+    if (!csv && !json)
+      fmt::print("{}", is_table(options.input) ? as_text(results.chains) : as_text(results.chains[0]));
   }
   if (!table.errors.empty()) throw CLI::RuntimeError(2);
 }
@@ -76,32 +132,36 @@ void run(Options options) {
 }  // namespace
 
 void add_critical(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand(
-      "critical", "Critical forces and shapes of the straight chain, to any number of digits");
+  CLI::App* verb =
+      app.add_subcommand("critical", "Critical forces and shapes of a straight chain, to any digits");
   const auto options = std::make_shared<Options>();
-  verb->add_option(
-          "chain", options->input,
-          "CHAIN.toml with the lists lengths, stiffness and (optional) rest, or CHAINS.csv with the "
-          "columns chain,lengths,stiffness, the latter two joined by ';'. All numbers are taken as exact "
-          "decimals. Without it: the four-link chain of the paper")
+  verb->add_option("chain", options->input,
+                   "CHAIN.toml with the lists lengths and stiffness, or\n"
+                   "CHAINS.csv with the columns chain,lengths,stiffness,\n"
+                   "the latter two lists joined by ';'. Every number is\n"
+                   "the exact decimal that is written. Without a file:\n"
+                   "the four-link chain of the paper")
       ->type_name("FILE");
-  verb->add_option("--digits", options->digits, "Significant digits of the forces, each of them correct")
+  verb->add_option("--digits", options->digits, "Significant digits of the forces, all correct")
+      ->type_name("D")
       ->capture_default_str()
-      ->check(CLI::Range(1, 10000));
+      ->check(CLI::Range(1, 10000).description(""));
   verb->add_flag("--all", options->all,
-                 "Every mode, where CSV or a table of chains would have the lowest only");
-  verb->add_option("--csv", options->csv,
-                   "Write chain,mode,force as CSV, ascending (without FILE: to standard output)")
-      ->type_name("[FILE]")
-      ->expected(0, 1)
-      ->default_str("-");
-  verb->add_option("--json", options->json, "Write everything as JSON (without FILE: to standard output)")
-      ->type_name("[FILE]")
-      ->expected(0, 1)
-      ->default_str("-");
+                 "Every mode (else, at most the 20 lowest of a chain;\n"
+                 "the lowest alone for a table, and in CSV)");
+  const auto file_option = [&](const char* name, std::string& value, const char* description) {
+    verb->add_option(name, value, description)->type_name("[FILE]")->expected(0, 1)->default_str("-");
+  };
+  file_option("--csv", options->csv, "Write chain,mode,force, a row a mode, ascending");
+  file_option("--json", options->json, "Write forces, shapes and joint angles as JSON");
+  verb->add_option("--certify", options->certify,
+                   "Write certificates that proofs/check_certificates.py\n"
+                   "checks with integers alone")
+      ->type_name("FILE");
   verb->footer(
-      "In a table a wrong chain (a repeated name among them) is one line on standard error and has no rows; "
-      "the others are computed, and the exit status is 2.");
+      "Without FILE, or with -, --csv and --json write to standard output.\n"
+      "A wrong chain in a table (a repeated name is wrong too) is one line on standard\n"
+      "error and has no rows; the others are computed, and the exit status is 2.");
   verb->callback([options] { run(*options); });
 }
 

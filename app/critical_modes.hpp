@@ -2,7 +2,6 @@
 /// \file
 /// The numbers that the verb `critical` shows, right in every digit.
 
-#include <optional>
 #include <plumbline/mode.hpp>
 #include <string>
 #include <vector>
@@ -11,17 +10,15 @@ namespace plumbline {
 
 /// A buckling mode as it is shown.
 struct CriticalMode {
-  std::string force;          ///< correctly rounded decimal
-  std::string energy_factor;  ///< (39), from the joint angles
-  std::vector<double> q;      ///< joint angles; (q, fy) has norm 1 and q_1 > 0, as in Table 2 of the paper
-  double fy;
-  std::string signs;  ///< of q, exact zeros included
+  std::string force;          ///< correctly rounded decimal (a force half-way between two goes to the larger)
+  std::string energy_factor;  ///< (39), from the joint angles, to 15 digits or as many as the force if fewer
+  std::vector<double> q;  ///< joint angles; the largest is 1 or -1, the first that is not zero is positive
+  Rational fy;            ///< lateral force F_y at these angles
+  std::string signs;      ///< of q, "0" where a joint does not turn
 };
 
-/// The modes of a chain, ascending by force. \throws Error for n = 1 or a mechanism
-/// \param digits  significant digits of the forces, each of them correct
-/// \param lowest  how many modes; all when left out
-std::vector<CriticalMode> critical_modes(const Chain<Rational>& chain, int digits,
-                                         std::optional<std::size_t> lowest = std::nullopt);
+/// The lowest critical forces, to so many significant digits, with their modes; all when `lowest` is n - 1 or
+/// more. \throws Error for n = 1 or a mechanism
+std::vector<CriticalMode> modes_in_decimals(const Chain<Rational>& chain, std::size_t lowest, int digits);
 
 }  // namespace plumbline

@@ -34,6 +34,13 @@ std::string listing(const std::vector<Rational>& values) {
   return text;
 }
 
+/// The sign pattern, its middle left out when it is long.
+std::string brief_signs(const std::string& signs) {
+  constexpr std::size_t most = 24;
+  return signs.size() <= most ? signs
+                              : signs.substr(0, most / 2) + "..." + signs.substr(signs.size() - most / 2);
+}
+
 /// Rows of right-aligned angles with so many to a line.
 std::string angles(std::size_t number, const CriticalMode& mode) {
   constexpr std::size_t to_a_line = 8;
@@ -42,26 +49,33 @@ std::string angles(std::size_t number, const CriticalMode& mode) {
     if (i > 0 && i % to_a_line == 0) text += "\n    ";
     text += fmt::format(" {:8.4f}", mode.q[i]);
   }
-  return text + fmt::format("   Fy {:.4g}\n", mode.fy);
+  return text + fmt::format("   Fy {}\n", to_decimal(mode.fy, 4));
 }
 
 }  // namespace
 
 std::string as_text(const CriticalModes& result) {
-  const std::size_t wide = std::max<std::size_t>(result.modes.back().force.size(), 14) + 2;
+  std::size_t wide = 14, shape = 7;
+  for (const CriticalMode& mode : result.modes) {
+    wide = std::max(wide, mode.force.size() + 2);
+    shape = std::max(shape, shape_name(mode.signs).size() + 2);
+  }
   std::string text =
       fmt::format("{}: {} links\n  lengths    {}\n  stiffness  {}\n\n", result.chain, result.data.size(),
                   listing(result.data.length()), listing(result.data.stiffness()));
   text += fmt::format("Critical force {}, shape {}\n\n", result.modes[0].force,
                       shape_name(result.modes[0].signs));
-  text += fmt::format("mode  {:<{}}{:<22}{:<7}{}\n", "force", wide, "energy factor", "shape", "signs");
+  text +=
+      fmt::format("mode  {:<{}}{:<22}{:<{}}{}\n", "force", wide, "energy factor", "shape", shape, "signs");
   for (std::size_t m = 0; m < result.modes.size(); ++m) {
     const CriticalMode& mode = result.modes[m];
-    text += fmt::format("{:4}  {:<{}}{:<22}{:<7}{}\n", m + 1, mode.force, wide, mode.energy_factor,
-                        shape_name(mode.signs), mode.signs);
+    text += fmt::format("{:4}  {:<{}}{:<22}{:<{}}{}\n", m + 1, mode.force, wide, mode.energy_factor,
+                        shape_name(mode.signs), shape, brief_signs(mode.signs));
   }
   text += "\nmode  joint angles q1 ... qn and lateral force Fy, up to a common factor\n";
   for (std::size_t m = 0; m < result.modes.size(); ++m) text += angles(m + 1, result.modes[m]);
+  const std::size_t more = result.data.size() - 1 - result.modes.size();
+  if (more > 0) text += fmt::format("\n{} more modes: --all\n", more);
   return text;
 }
 
@@ -91,7 +105,7 @@ std::string as_csv(const std::vector<CriticalModes>& results) {
 }
 
 nlohmann::ordered_json as_json(const std::vector<CriticalModes>& results,
-                               const std::vector<std::string>& errors) {
+                               const std::vector<std::string>& errors, int digits) {
   nlohmann::ordered_json chains = nlohmann::ordered_json::array();
   for (const CriticalModes& result : results) {
     nlohmann::ordered_json modes = nlohmann::ordered_json::array();
@@ -103,9 +117,10 @@ nlohmann::ordered_json as_json(const std::vector<CriticalModes>& results,
                        {"shape", shape_name(mode.signs)},
                        {"signs", mode.signs},
                        {"q", mode.q},
-                       {"fy", mode.fy}});
+                       {"fy", to_decimal(mode.fy, 15)}});
     }
-    chains.push_back({{"chain", result.chain}, {"links", result.data.size()}, {"modes", modes}});
+    chains.push_back(
+        {{"chain", result.chain}, {"links", result.data.size()}, {"digits", digits}, {"modes", modes}});
   }
   return {{"chains", chains}, {"errors", errors}};
 }

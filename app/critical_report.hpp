@@ -18,11 +18,11 @@ struct CriticalModes {
 
 /// Everything about one chain, in 80 columns where its size permits.
 std::string as_text(const CriticalModes& result);
-/// One line a mode, for many chains.
+/// One line a mode, for a table of chains.
 std::string as_text(const std::vector<CriticalModes>& results);
 /// `chain,mode,force`, a row a mode.
 std::string as_csv(const std::vector<CriticalModes>& results);
 nlohmann::ordered_json as_json(const std::vector<CriticalModes>& results,
-                               const std::vector<std::string>& errors);
+                               const std::vector<std::string>& errors, int digits);
 
 }  // namespace plumbline

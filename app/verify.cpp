@@ -1,13 +1,16 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 
+#include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "files/text_file.hpp"
 #include "verify/claims.hpp"
 #include "verify/report.hpp"
+#include "verify/sampled.hpp"
 
 namespace plumbline {
 namespace {
@@ -15,6 +18,8 @@ namespace {
 struct Options {
   std::string section, claim, json;
   int precision = 50;
+  std::size_t chains = 0;
+  std::uint64_t seed = 1;
 };
 
 bool with_colour() { return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr; }
@@ -22,7 +27,13 @@ bool with_colour() { return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR"
 void run(const Options& options) {
   const std::vector<Claim> claims = in_section(all_claims(), options.section);
   const bool one = !options.claim.empty();
-  const std::vector<Judged> judged = judge(one ? with_id(claims, options.claim) : claims, options.precision);
+  std::vector<Judged> judged = judge(one ? with_id(claims, options.claim) : claims, options.precision);
+  if (options.chains > 0) {
+    Progress progress("random chains", options.chains);
+    const SampledChains sampled = check_random_chains(options.chains, options.seed, [&] { progress.advance(); });
+    const std::vector<Judged> properties = judge_sampled(sampled, options.seed);
+    judged.insert(judged.end(), properties.begin(), properties.end());
+  }
   if (options.json.empty()) {
     fmt::print("{}", one ? as_detail(judged.front(), with_colour()) : as_table(judged, with_colour()));
   } else {
@@ -30,8 +41,8 @@ void run(const Options& options) {
     file.write(as_json(judged).dump(2) + "\n");
     file.commit();
   }
-  for (const Judged& j : judged) {
-    if (!j.judgement) throw CLI::RuntimeError(1);
+  if (std::any_of(judged.begin(), judged.end(), [](const Judged& j) { return !j.judgement; })) {
+    throw CLI::RuntimeError(1);
   }
 }
 
@@ -41,17 +52,23 @@ void add_verify(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("verify", "Every claim of the paper, judged, with the evidence");
   const auto options = std::make_shared<Options>();
   verb->add_option("--section", options->section, "Only the claims of one section, such as 4.1")->type_name("S");
-  verb->add_option("--claim", options->claim, "Everything about one claim")->type_name("ID");
+  verb->add_option("--claim", options->claim, "Everything about one claim")
+      ->type_name("ID")
+      ->excludes("--section");
   verb->add_option("--precision", options->precision, "Significant digits of the values")
       ->capture_default_str()
       ->check(CLI::Range(1, 50));
+  verb->add_option("--chains", options->chains, "Check what is proved of every chain on so many random ones as well")
+      ->type_name("N")
+      ->excludes("--claim");
+  verb->add_option("--seed", options->seed, "Which random chains")->capture_default_str();
   verb->add_option("--json", options->json, "Write the claims as JSON (without FILE: to standard output)")
       ->type_name("[FILE]")
       ->expected(0, 1)
       ->default_str("-");
   verb->footer(
       "A refuted claim of the paper is a finding, not a failure: the exit status is 1 only when a claim could not "
-      "be judged or two number types disagree.");
+      "be judged, two number types disagree, or a random chain contradicts a theorem.");
   verb->callback([options] { run(*options); });
 }
 

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "diagnose/promise.hpp"
-#include "diagnose/start.hpp"
+#include "diagnose/screen.hpp"
 
 namespace plumbline {
 namespace {
@@ -12,40 +11,43 @@ bool better(const Fit& a, const Fit& b) {
   return a.cost < b.cost;
 }
 
-/// How far a search goes. A second effect is looked for beside the fifteen best effects alone: of two causes
-/// one is among them unless both hide behind more than a dozen that mimic their sum. A third is looked for
-/// beside the eight best pairs. The twenty that promise most are fitted.
-constexpr std::size_t single_seeds = 15, pair_seeds = 8, finalists = 20;
+/// How far a search goes. A second effect is looked for beside the twenty best effects alone: of two causes
+/// one is among them unless both hide behind more than a score that mimic their sum. A third is looked for
+/// beside the ten best pairs. The two dozen that promise most are fitted.
+constexpr std::size_t single_seeds = 20, pair_seeds = 10, finalists = 24;
+
+/// Effects that might act together, and where their fit should start.
+struct Combination {
+  Candidate candidate;
+  std::vector<double> start;
+  double cost;  ///< forecast
+};
 
 class Searcher {
  public:
   Searcher(const Experiment& experiment, const Measurements& measurements)
-      : experiment_(experiment), measurements_(measurements), nominal_(predict(experiment, {}, {})) {}
+      : experiment_(experiment), measurements_(measurements) {}
 
-  [[nodiscard]] std::vector<Fit> singles() {
+  [[nodiscard]] std::vector<Fit> singles() const {
+    std::vector<Fit> fits;
     for (const EffectAt& at : possible_effects(experiment_))
-      keep(alone_, fit(experiment_, measurements_, Candidate{{at}}, {}));
-    std::vector<Fit> fits = alone_;
+      keep(fits, fit(experiment_, measurements_, Candidate{{at}}, {}));
     std::sort(fits.begin(), fits.end(), better);
     return fits;
   }
 
   /// Adds one more effect to each of the best so far.
   [[nodiscard]] std::vector<Fit> extended(const std::vector<Fit>& from, std::size_t seeds) const {
-    std::vector<Promise> promises;
+    std::vector<Combination> combinations;
     for (std::size_t s = 0; s < std::min(seeds, from.size()); ++s) {
-      for (const Fit& newcomer : alone_) {
-        if (holds(promises, from[s].candidate, newcomer)) continue;
-        const std::optional<Promise> one = promise(experiment_, measurements_, from[s], newcomer,
-                                                   first_start(newcomer.candidate.effects.front()), {});
-        if (one) promises.push_back(*one);
-      }
+      for (const Prospect& prospect : screen(experiment_, measurements_, from[s], {}))
+        offer(combinations, joined(from[s], prospect));
     }
-    std::sort(promises.begin(), promises.end(),
-              [](const Promise& a, const Promise& b) { return a.cost < b.cost; });
+    std::sort(combinations.begin(), combinations.end(),
+              [](const Combination& a, const Combination& b) { return a.cost < b.cost; });
     std::vector<Fit> fits;
-    for (std::size_t p = 0; p < std::min(finalists, promises.size()); ++p)
-      keep(fits, fit_from(experiment_, measurements_, promises[p].candidate, {}, promises[p].start));
+    for (std::size_t c = 0; c < std::min(finalists, combinations.size()); ++c)
+      keep(fits, fit_from(experiment_, measurements_, combinations[c].candidate, {}, combinations[c].start));
     std::sort(fits.begin(), fits.end(), better);
     return fits;
   }
@@ -55,26 +57,29 @@ class Searcher {
     if (one.converged) fits.push_back(std::move(one));
   }
 
-  /// Whether the effect is there already, or the combination has been tried from another side.
-  static bool holds(const std::vector<Promise>& promises, const Candidate& base, const Fit& newcomer) {
-    std::vector<EffectAt> effects = base.effects;
-    const EffectAt at = newcomer.candidate.effects.front();
-    if (std::count(effects.begin(), effects.end(), at) > 0) return true;
-    effects.push_back(at);
-    return std::any_of(promises.begin(), promises.end(), [&](const Promise& one) {
-      return std::is_permutation(one.candidate.effects.begin(), one.candidate.effects.end(), effects.begin(),
-                                 effects.end());
-    });
+  static Combination joined(const Fit& base, const Prospect& prospect) {
+    Combination both{base.candidate, base.parameters, prospect.cost};
+    both.candidate.effects.push_back(prospect.effect);
+    both.start.insert(both.start.end(), prospect.start.begin(), prospect.start.end());
+    return both;
   }
 
-  std::vector<double> first_start(const EffectAt& at) const {
-    return starts(experiment_, nominal_, at).from.front();
+  /// Keeps the better of two ways to the same combination.
+  static void offer(std::vector<Combination>& combinations, Combination one) {
+    const auto& effects = one.candidate.effects;
+    const auto known = std::find_if(combinations.begin(), combinations.end(), [&](const Combination& other) {
+      return std::is_permutation(effects.begin(), effects.end(), other.candidate.effects.begin(),
+                                 other.candidate.effects.end());
+    });
+    if (known == combinations.end()) {
+      combinations.push_back(std::move(one));
+    } else if (one.cost < known->cost) {
+      *known = std::move(one);
+    }
   }
 
   const Experiment& experiment_;
   const Measurements& measurements_;
-  Prediction nominal_;
-  std::vector<Fit> alone_;  ///< every effect by itself
 };
 
 }  // namespace
@@ -98,7 +103,7 @@ Findings search(const Experiment& experiment, const Measurements& measurements,
   const auto report = [&](double share) {
     if (progress) progress(share);
   };
-  Searcher searcher(experiment, measurements);
+  const Searcher searcher(experiment, measurements);
   std::vector<Fit> fits = searcher.singles();
   const auto p_value = [&] { return test_gap(measurements, fits.front().residual).p_value; };
   const auto add = [&](const std::vector<Fit>& more) {

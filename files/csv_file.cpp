@@ -42,7 +42,8 @@ std::vector<CsvRow> parse_csv(const std::string& text, const std::string& source
     const std::size_t rows = result.rows.size();
     if (csv_parse(&parser, text.data() + at, end - at, end_of_field, end_of_row, &result) != end - at)
       fail(line);
-    if (result.rows.size() > rows || result.fields.empty()) result.start = line + 1;
+    const bool inside = !result.fields.empty() || parser.quoted != 0;  // a row goes on, or a quoted field
+    if (result.rows.size() > rows || !inside) result.start = line + 1;
     at = end;
   }
   if (csv_fini(&parser, end_of_field, end_of_row, &result) != 0) fail(line - 1);

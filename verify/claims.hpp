@@ -9,7 +9,8 @@ namespace plumbline {
 std::vector<Claim> two_link_claims();          ///< section 2, (1) to (3) and what is said around them
 std::vector<Claim> three_link_claims();        ///< section 4.1, (13) to (20)
 std::vector<Claim> linearised_model_claims();  ///< section 4.2, (21) to (33)
-std::vector<Claim> eigenvalue_claims();        ///< section 4.2, (34) to (39) and Algorithm 1
+std::vector<Claim> eigenvalue_claims();        ///< section 4.2, (34) to (36) and Algorithm 1
+std::vector<Claim> energy_claims();            ///< section 4.2, (37) to (39)
 std::vector<Claim> four_link_claims();         ///< section 4.2, (40), the polynomial, Tables 2 and 3, Fig. 16
 std::vector<Claim> discussion_claims();        ///< section 5, what is said about straight chains
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <plumbline/error.hpp>
 #include <set>
 
@@ -13,7 +14,7 @@ namespace plumbline {
 std::vector<Claim> all_claims() {
   std::vector<Claim> claims;
   for (const auto& section : {two_link_claims, three_link_claims, linearised_model_claims, eigenvalue_claims,
-                              four_link_claims, discussion_claims}) {
+                              energy_claims, four_link_claims, discussion_claims}) {
     const std::vector<Claim> part = section();
     claims.insert(claims.end(), part.begin(), part.end());
   }
@@ -32,7 +33,32 @@ std::vector<Judged> judge(const std::vector<Claim>& claims, int digits) {
   return result;
 }
 
-std::string section_of(const Claim& claim) { return claim.where.substr(0, claim.where.find(',')); }
+std::vector<Judged> judge_sampled(const SampledChains& sampled, std::uint64_t seed) {
+  std::vector<Judged> result;
+  for (const SampledProperty& p : sampled.properties) {
+    std::string id = "sampled-" + p.name;
+    std::replace(id.begin(), id.end(), ' ', '-');
+    const Claim claim{id, "of random chains", p.statement, {}, {}};
+    if (p.failures > 0) {
+      result.push_back(
+          {claim, std::nullopt,
+           fmt::format("{} of {} chains fail, the first is {}", p.failures, p.chains, p.counterexample)});
+      continue;
+    }
+    const std::string detail =
+        fmt::format("{} chains of seed {}, none fails; at most {:.2g} of the allowance used", p.chains, seed,
+                    p.worst_margin);
+    result.push_back({claim, Judgement{Verdict::confirmed, "", {{EvidenceKind::sampled, detail}}, ""}, ""});
+  }
+  const Claim digits{"sampled-digits", "of random chains", "the digits that Algorithm 1 in double gets right", {}, {}};
+  result.push_back(
+      {digits, Judgement{Verdict::confirmed, "", {{EvidenceKind::sampled, summary(sampled.agreement)}}, ""}, ""});
+  return result;
+}
+
+std::string section_of(const Claim& claim) {
+  return claim.where.substr(0, claim.where.find(','));
+}
 
 std::vector<Claim> in_section(const std::vector<Claim>& claims, const std::string& section) {
   std::vector<Claim> result;
@@ -52,8 +78,9 @@ std::vector<Claim> with_id(const std::vector<Claim>& claims, const std::string& 
     if (claim.id == id) return {claim};
     if (claim.id.find(id) != std::string::npos) alike.push_back(claim.id);
   }
-  throw Error("--claim", id,
-              alike.empty() ? "an id that `plumbline verify` lists" : fmt::format("{}", fmt::join(alike, " or ")));
+  throw Error(
+      "--claim", id,
+      alike.empty() ? "an id that `plumbline verify` lists" : fmt::format("{}", fmt::join(alike, " or ")));
 }
 
 }  // namespace plumbline

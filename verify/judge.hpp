@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "verify/claim.hpp"
+#include "verify/sampled.hpp"
 
 namespace plumbline {
 
@@ -16,6 +17,10 @@ struct Judged {
 
 /// Judges claims one after another, as printed. `digits` is for their values, 1 to 50.
 std::vector<Judged> judge(const std::vector<Claim>& claims, int digits);
+
+/// The properties that random chains were checked for, as claims of our own theorems (proofs/theorems.md).
+/// One that a chain contradicts counts as not judged: theorem, computation or number types disagree.
+std::vector<Judged> judge_sampled(const SampledChains& sampled, std::uint64_t seed);
 
 /// The claims that stand in a section ("4.2", or "4" for all of its parts), or all when it is empty.
 /// \throws Error that lists the sections when there is none

@@ -91,6 +91,31 @@ Judgement judge_word(const std::string& printed, const std::string& computed,
   return {right ? Verdict::confirmed : Verdict::refuted, right ? "" : truth, std::move(evidence), ""};
 }
 
+Judgement judge_count(const std::string& printed, const std::function<std::size_t(std::size_t)>& count,
+                      const std::string& truth, EvidenceKind kind, const std::string& how) {
+  const Formulas formulas({"n"});
+  const GiNaC::ex formula = formulas.parse(printed);
+  bool right = true;
+  std::vector<std::string> found;
+  for (std::size_t n = fewest; n <= most; ++n) {
+    const std::size_t computed = count(n);
+    right = right &&
+            identical(formula.subs(formulas.symbol("n") == static_cast<int>(n)), static_cast<int>(computed));
+    found.push_back(fmt::format("{}", computed));
+  }
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : truth,
+          {{kind, fmt::format("n = 2 … 6: {} ({})", fmt::join(found, ", "), how)}},
+          ""};
+}
+
+Judgement with_evidence(Judgement judgement, EvidenceKind kind, const std::string& detail) {
+  judgement.evidence.push_back({kind, detail});
+  std::stable_sort(judgement.evidence.begin(), judgement.evidence.end(),
+                   [](const Evidence& a, const Evidence& b) { return a.kind < b.kind; });
+  return judgement;
+}
+
 Judgement judge_decimals(const Printed& printed, const std::vector<Interval>& computed,
                          const std::vector<std::string>& names, const std::string& how) {
   require_count(printed.size(), computed.size());

@@ -27,6 +27,17 @@ Judgement judge_word(const std::string& printed, const std::string& computed,
                      const std::vector<std::string>& possible, const std::string& truth,
                      std::vector<Evidence> evidence);
 
+/// A printed count such as "n-1" against the count computed for n = 2 … 6: confirmed or refuted.
+Judgement judge_count(const std::string& printed, const std::function<std::size_t(std::size_t)>& count,
+                      const std::string& truth, EvidenceKind kind, const std::string& how);
+
+/// The sizes that judge_count tries.
+inline constexpr std::size_t fewest = 2;
+inline constexpr std::size_t most = 6;
+
+/// Adds evidence in its place, the strongest first.
+Judgement with_evidence(Judgement judgement, EvidenceKind kind, const std::string& detail);
+
 /// Printed decimals against certified enclosures. A decimal claims half a unit of its last place: confirmed
 /// when the computed values round to what is printed, imprecise when all are within one percent, else
 /// refuted. The truth lists each wrong entry by its name. \throws Error when an enclosure is too wide to

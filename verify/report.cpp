@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cctype>
 #include <map>
 #include <sstream>
 
@@ -27,31 +28,42 @@ std::size_t length(const std::string& text) {
   return count;
 }
 
-/// The text in so many columns: filled up with spaces, or cut with three points.
-std::string fitted(const std::string& text, std::size_t columns) {
-  if (length(text) <= columns) return text + std::string(columns - length(text), ' ');
+/// The first so many characters of UTF-8 text.
+std::string first(const std::string& text, std::size_t characters) {
   std::string cut;
   std::size_t count = 0;
   for (const char c : text) {
-    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U && ++count > columns - 3) break;
+    if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U && ++count > characters) break;
     cut += c;
   }
-  return cut + "...";
+  return cut;
 }
 
-/// Words in lines of at most `width` columns, each line indented.
+/// The text in so many columns: filled up with spaces, or cut with an ellipsis.
+std::string fitted(const std::string& text, std::size_t columns) {
+  if (length(text) <= columns) return text + std::string(columns - length(text), ' ');
+  return first(text, columns - 1) + "…";
+}
+
+/// Words in lines of at most `width` columns, each line indented; a longer word is broken.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::string result;
   std::string line(indent, ' ');
+  const auto finish_line = [&] {
+    result += line + "\n";
+    line = std::string(indent, ' ');
+  };
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    const bool first = line.size() == indent;
-    if (!first && length(line) + 1 + length(word) > width) {
-      result += line + "\n";
-      line = std::string(indent, ' ') + word;
-    } else {
-      line += (first ? "" : " ") + word;
+    if (line.size() > indent && length(line) + 1 + length(word) > width) finish_line();
+    if (line.size() > indent) line += ' ';
+    while (length(line) + length(word) > width) {
+      const std::string part = first(word, width - length(line));
+      line += part;
+      word.erase(0, part.size());
+      finish_line();
     }
+    line += word;
   }
   return result + line + "\n";
 }
@@ -62,19 +74,24 @@ std::string painted(const std::string& text, const std::string& verdict, bool co
   return colour ? fmt::format("\033[{}m{}\033[0m", codes.at(verdict), text) : text;
 }
 
-std::string bold(const std::string& text, bool colour) { return colour ? "\033[1m" + text + "\033[0m" : text; }
+std::string bold(const std::string& text, bool colour) {
+  return colour ? "\033[1m" + text + "\033[0m" : text;
+}
 
 std::string line(const Judged& judged, bool colour) {
   const std::string verdict = verdict_of(judged);
-  return fmt::format("  {} {} {} {}\n", fitted(judged.claim.id, 23), painted(fitted(verdict, 10), verdict, colour),
-                     fitted(strongest(judged), 8), fitted(judged.claim.statement, width - 46));
+  return fmt::format("  {} {} {} {}\n", fitted(judged.claim.id, 23),
+                     painted(fitted(verdict, 10), verdict, colour), fitted(strongest(judged), 8),
+                     fitted(judged.claim.statement, width - 46));
 }
 
 std::string summary(const std::vector<Judged>& judged, bool colour) {
   std::string parts;
   for (const char* verdict : {"confirmed", "refuted", "imprecise", "convention", "unjudged"}) {
-    const auto count = std::count_if(judged.begin(), judged.end(), [&](const Judged& j) { return verdict_of(j) == verdict; });
-    if (count > 0) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", count, painted(verdict, verdict, colour));
+    const auto count = std::count_if(judged.begin(), judged.end(),
+                                     [&](const Judged& j) { return verdict_of(j) == verdict; });
+    if (count > 0)
+      parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", count, painted(verdict, verdict, colour));
   }
   return fmt::format("{} claims: {}\n", judged.size(), parts);
 }
@@ -95,7 +112,11 @@ std::string as_table(const std::vector<Judged>& judged, bool colour) {
   for (const Judged& j : judged) {
     if (section_of(j.claim) != section) {
       section = section_of(j.claim);
-      text += (text.empty() ? "" : "\n") + bold("Section " + section, colour) + "\n";
+      text += (text.empty() ? "" : "\n") +
+              bold((std::isdigit(static_cast<unsigned char>(section[0])) != 0 ? "Section " : "Properties ") +
+                       section,
+                   colour) +
+              "\n";
     }
     text += line(j, colour);
   }

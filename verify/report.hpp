@@ -9,15 +9,15 @@
 
 namespace plumbline {
 
-/// A table by section, one line a claim; a summary; then the errata: every claim that is not confirmed as printed, with the
-/// true statement. At most 80 columns. \param colour with terminal colours
+/// A table by section, one line a claim; a summary; then the errata: every claim that is not confirmed as
+/// printed, with the true statement. At most 80 columns. \param colour with terminal colours
 std::string as_table(const std::vector<Judged>& judged, bool colour);
 
 /// Everything about one claim.
 std::string as_detail(const Judged& judged, bool colour);
 
-/// A list of objects with the keys id, where, statement, verdict, truth, evidence (a list of kind and detail), value. A claim
-/// that could not be judged has the verdict "unjudged" and the reason as its truth.
+/// A list of objects with the keys id, where, statement, verdict, truth, evidence (a list of kind and
+/// detail), value. A claim that could not be judged has the verdict "unjudged" and the reason as its truth.
 nlohmann::ordered_json as_json(const std::vector<Judged>& judged);
 
 }  // namespace plumbline

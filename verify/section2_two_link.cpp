@@ -228,6 +228,32 @@ Judgement bifurcation(const Printed& printed, int) {
                                     "above F_c, as for Euler's column"}});
 }
 
+/// Whether the deflection jumps when F passes F_c, for alpha = 0: its limit from above, and its slope.
+Judgement onset(const Printed& printed, int) {
+  const TwoLink m;
+  const ex deflection = m.deflection.subs(m.alpha == 0);
+  const ex excess = m.force.subs(m.alpha == 0) - 2 * m.k / m.L;
+  const ex limit = limit_at_zero(deflection, m.q);
+  const ex slope = limit_at_zero(deflection / excess, m.q);
+  const bool continuous = limit.is_zero();
+  if (printed.at(0) != "sudden" && printed.at(0) != "jump" && printed.at(0) != "continuous") {
+    throw Error("claim", printed.at(0), "sudden, jump or continuous");
+  }
+  const Verdict verdict = printed.at(0) == (continuous ? "continuous" : "jump") ? Verdict::confirmed
+                          : printed.at(0) == "sudden"                           ? Verdict::imprecise
+                                                                                : Verdict::refuted;
+  return {verdict,
+          verdict == Verdict::confirmed
+              ? ""
+              : "the shape changes continuously: above F_c the deflection grows from zero as Delta = (" +
+                    text(slope) +
+                    ") (F - F_c). What changes suddenly is the stiffness, from infinite to the reciprocal of "
+                    "that slope",
+          {{EvidenceKind::symbolic, "two links, alpha = 0: limits for q -> 0 of Delta, " + text(limit) +
+                                        ", and of Delta / (F - F_c), " + text(slope)}},
+          ""};
+}
+
 /// A product of J and J^T, such as "J*J^T".
 Matrix<Rational> product(const std::string& name, const Matrix<Rational>& J) {
   if (name == "J") return J;
@@ -319,6 +345,11 @@ std::vector<Claim> two_link_claims() {
        "the two-link mechanism shows a bifurcation like Euler's column",
        {"supercritical"},
        bifurcation},
+      {"sudden-change",
+       "2, last paragraph",
+       "beyond the critical force the straight chain suddenly changes its shape",
+       {"sudden"},
+       onset},
       {"pseudoinverse", "2, after (8)", "(J^T)^+ = J (J^T J)^-1", {"J", "J^T*J", ""}, pseudoinverse},
   };
 }

@@ -1,5 +1,6 @@
 /// \file
-/// Section 4.2, the unit chain of four links: (40), its polynomial, Tables 2 and 3, and what Fig. 16 is said to show.
+/// Section 4.2, the unit chain of four links: (40), its polynomial, Tables 2 and 3, and what Fig. 16 is said
+/// to show.
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -13,11 +14,10 @@
 #include "proofs/exact_chain.hpp"
 #include "verify/claims.hpp"
 #include "verify/judging.hpp"
+#include "verify/section4_chains.hpp"
 
 namespace plumbline {
 namespace {
-
-Chain<Rational> unit_chain() { return Chain<Rational>({1, 1, 1, 1}, {1, 1, 1, 1}); }
 
 /// A mode whose every number is certified; (q, F_y) has norm 1 and q_1 > 0.
 struct CertifiedMode {
@@ -48,8 +48,8 @@ CertifiedMode certified_mode(const Chain<Interval>& chain, const Interval& F) {
 const std::vector<CertifiedMode>& modes() {
   static const std::vector<CertifiedMode> instance = [] {
     std::vector<CertifiedMode> result;
-    const Chain<Interval> chain = from_rational<Interval>(unit_chain());
-    for (const ForceEnclosure& F : enclose_critical_forces(unit_chain(), 3, 60)) {
+    const Chain<Interval> chain = from_rational<Interval>(four_link_chain());
+    for (const ForceEnclosure& F : enclose_critical_forces(four_link_chain(), 3, 60)) {
       result.push_back(certified_mode(chain, hull(Interval(F.low), Interval(F.high))));
     }
     return result;
@@ -58,9 +58,12 @@ const std::vector<CertifiedMode>& modes() {
 }
 
 const std::string how =
-    "counts of critical forces by exact recursion bound each F to 60 digits; lambda, q, F_y from it in intervals";
+    "counts of critical forces by exact recursion bound each F to 60 digits; lambda, q, F_y from it in "
+    "intervals";
 
-int sign(const Interval& x) { return certainly_positive(x) ? 1 : certainly_negative(x) ? -1 : 0; }
+int sign(const Interval& x) {
+  return certainly_positive(x) ? 1 : certainly_negative(x) ? -1 : 0;
+}
 
 std::string signs(const CertifiedMode& mode) {
   std::string pattern;
@@ -80,8 +83,8 @@ Judgement matrices(const Printed& printed, int) {
   const Formulas none({});
   std::vector<GiNaC::ex> computed;
   std::vector<std::string> names;
-  const Matrix<Rational> S1 = matrix_S1(unit_chain());
-  const Vector<Rational> S0 = matrix_S0(unit_chain());
+  const Matrix<Rational> S1 = matrix_S1(four_link_chain());
+  const Vector<Rational> S0 = matrix_S0(four_link_chain());
   for (Eigen::Index i = 0; i < 4; ++i) {
     for (Eigen::Index j = 0; j < 4; ++j) {
       computed.push_back(none.parse(S1(i, j).str()));
@@ -99,7 +102,7 @@ Judgement matrices(const Printed& printed, int) {
 
 Judgement polynomial(const Printed& printed, int) {
   const Formulas none({});
-  const Polynomial chi = characteristic_polynomial(unit_chain());
+  const Polynomial chi = characteristic_polynomial(four_link_chain());
   std::vector<GiNaC::ex> computed;
   std::vector<std::string> names;
   for (std::size_t i = 6; i-- > 0;) {
@@ -112,24 +115,25 @@ Judgement polynomial(const Printed& printed, int) {
 }
 
 Judgement nonzero_roots(const Printed& printed, int) {
-  const Polynomial chi = characteristic_polynomial(unit_chain());
+  const Polynomial chi = characteristic_polynomial(four_link_chain());
   const std::size_t nonzero = distinct_negative_roots(chi) + distinct_positive_roots(chi);
   const auto listed_zeros =
       static_cast<std::size_t>(std::count(printed.begin() + 1, printed.end(), std::string("0")));
   const bool count_right = printed.at(0) == std::to_string(nonzero);
   const bool list_right = printed.size() - 1 == nonzero;
-  return {!count_right                  ? Verdict::refuted
-          : !list_right && listed_zeros > 0 ? Verdict::imprecise
+  return {
+      !count_right                      ? Verdict::refuted
+      : !list_right && listed_zeros > 0 ? Verdict::imprecise
                                         : Verdict::confirmed,
-          count_right && list_right
-              ? ""
-              : fmt::format("there are {} non-zero roots; the set that is printed lists all five eigenvalues, {} of them zero",
-                            nonzero, listed_zeros),
-          {{EvidenceKind::exact, fmt::format("Sturm's theorem on the polynomial: {} negative and {} positive roots, 0 with "
-                                             "multiplicity {}",
-                                             distinct_negative_roots(chi), distinct_positive_roots(chi),
-                                             multiplicity_of_zero(chi))}},
-          ""};
+      count_right && list_right ? ""
+                                : fmt::format("there are {} non-zero roots; the set that is printed lists "
+                                              "all five eigenvalues, {} of them zero",
+                                              nonzero, listed_zeros),
+      {{EvidenceKind::exact,
+        fmt::format("Sturm's theorem on the polynomial: {} negative and {} positive roots, 0 with "
+                    "multiplicity {}",
+                    distinct_negative_roots(chi), distinct_positive_roots(chi), multiplicity_of_zero(chi))}},
+      ""};
 }
 
 Judgement eigenvalues(const Printed& printed, int digits) {
@@ -177,9 +181,11 @@ Judgement norms(const Printed& printed, int) {
     all = all && off <= slack && -off <= slack;
     found += fmt::format("{}{}", found.empty() ? "" : ", ", to_decimal(square, 6));
   }
-  return {all ? Verdict::convention : Verdict::refuted,
-          "an eigenvector has no norm of its own; the printed ones, F_y included, have norm 1 within rounding",
-          {{EvidenceKind::exact, "squared norms of the printed vectors of Table 2: " + found}}, ""};
+  return {
+      all ? Verdict::convention : Verdict::refuted,
+      "an eigenvector has no norm of its own; the printed ones, F_y included, have norm 1 within rounding",
+      {{EvidenceKind::exact, "squared norms of the printed vectors of Table 2: " + found}},
+      ""};
 }
 
 /// Sign patterns of Table 3: shape, pattern, …; the pattern of a mode or its mirror image.
@@ -193,8 +199,10 @@ Judgement patterns(const Printed& printed, int) {
     found.push_back(fmt::format("{}: {} or {}", printed[i], pattern, mirrored));
     if (printed[i + 1] != pattern && printed[i + 1] != mirrored) wrong.push_back(found.back());
   }
-  return {wrong.empty() ? Verdict::confirmed : Verdict::refuted, fmt::format("{}", fmt::join(wrong, "; ")),
-          {{EvidenceKind::interval, fmt::format("signs of the certified modes: {}", fmt::join(found, "; "))}}, ""};
+  return {wrong.empty() ? Verdict::confirmed : Verdict::refuted,
+          fmt::format("{}", fmt::join(wrong, "; ")),
+          {{EvidenceKind::interval, fmt::format("signs of the certified modes: {}", fmt::join(found, "; "))}},
+          ""};
 }
 
 /// Stability of the small bent shapes under an imposed end point: mode m has m - 1 negative directions.
@@ -207,13 +215,17 @@ Judgement stabilities(const Printed& printed, int) {
     found.push_back(fmt::format("{}: {} lower modes", printed[i], m));
     if (printed[i + 1] != word) wrong.push_back(printed[i] + " is " + word);
   }
-  return {wrong.empty() ? Verdict::confirmed : Verdict::refuted, fmt::format("{}", fmt::join(wrong, "; ")),
-          {{EvidenceKind::theorem, "the modes diagonalise E and delta_x together (Simple modes): at the small shape of mode m the "
-                                   "second variation along mode j has the sign of F_j - F_m"},
-           {EvidenceKind::interval, fmt::format("{}", fmt::join(found, "; "))}}, ""};
+  return {wrong.empty() ? Verdict::confirmed : Verdict::refuted,
+          fmt::format("{}", fmt::join(wrong, "; ")),
+          {{EvidenceKind::theorem,
+            "the modes diagonalise E and delta_x together (Simple modes): at the small shape of mode m the "
+            "second variation along mode j has the sign of F_j - F_m"},
+           {EvidenceKind::interval, fmt::format("{}", fmt::join(found, "; "))}},
+          ""};
 }
 
-Judgement column_of_table_3(const Printed& printed, int digits, Interval CertifiedMode::*number, const std::string& symbol) {
+Judgement column_of_table_3(const Printed& printed, int digits, Interval CertifiedMode::*number,
+                            const std::string& symbol) {
   std::vector<Interval> computed;
   std::vector<std::string> names;
   std::vector<std::string> values;
@@ -245,7 +257,8 @@ Interval post_buckling_curvature(const CertifiedMode& mode) {
     cubic += phi * sqr(phi);
     quartic += sqr(sqr(phi));
   }
-  // (29) with the lateral force that the chain exerts; the theorem's c is F_y in E + F_y y, the same sign as here
+  // (29) with the lateral force that the chain exerts; the theorem's c is F_y in E + F_y y, the same sign as
+  // here
   return (mode.force * quartic / Interval(6) - Interval(Rational(2, 3)) * mode.fy * cubic) / square;
 }
 
@@ -257,30 +270,36 @@ Judgement straight_below(const Printed& printed, int) {
     above = above && certainly_positive(curvature);
     found.push_back(certified_decimal(curvature, 6));
   }
-  return judge_word(printed.at(0), above ? "below" : "above", {"below", "above"},
-                    "near the straight shape each bent shape exists only above its critical force",
-                    {{EvidenceKind::theorem, "Definiteness: below the lowest critical force the straight chain is stable; "
-                                             "Supercritical: the sign of F_2 decides on which side bent shapes exist"},
-                     {EvidenceKind::interval, fmt::format("F = F_m + F_2 a^2 + … along theta = a phi, |v| = 1: F_2 = {}; "
-                                                          "near the straight shape only", fmt::join(found, ", "))}});
+  return judge_word(
+      printed.at(0), above ? "below" : "above", {"below", "above"},
+      "near the straight shape each bent shape exists only above its critical force",
+      {{EvidenceKind::theorem,
+        "Definiteness: below the lowest critical force the straight chain is stable; "
+        "Supercritical: the sign of F_2 decides on which side bent shapes exist"},
+       {EvidenceKind::interval, fmt::format("F = F_m + F_2 a^2 + … along theta = a phi, |v| = 1: F_2 = {}; "
+                                            "near the straight shape only",
+                                            fmt::join(found, ", "))}});
 }
 
 Judgement stable_count(const Printed& printed, int) {
   std::size_t lowest = 0;
   for (const CertifiedMode& mode : modes()) {
     bool least = true;
-    for (const CertifiedMode& other : modes()) least = least && (&other == &mode || certainly_less(mode.force, other.force));
+    for (const CertifiedMode& other : modes())
+      least = least && (&other == &mode || certainly_less(mode.force, other.force));
     lowest += least ? 2 : 0;  // a shape and its mirror image
   }
   return judge_word(printed.at(0), std::to_string(lowest), {"1", "2", "3", "4", "6"},
                     fmt::format("{} shapes have the least energy", lowest),
-                    {{EvidenceKind::interval, "E_i = F_i delta_x to leading order; the three certified forces are distinct, and "
-                                              "q and -q share one"}});
+                    {{EvidenceKind::interval,
+                      "E_i = F_i delta_x to leading order; the three certified forces are distinct, and "
+                      "q and -q share one"}});
 }
 
 Judgement shapes_total(const Printed& printed, int) {
-  const std::size_t count = 2 * distinct_critical_forces(unit_chain());
-  return judge_word(printed.at(0), std::to_string(count), {"3", "4", "6", "8"}, fmt::format("{} shapes", count),
+  const std::size_t count = 2 * distinct_critical_forces(four_link_chain());
+  return judge_word(printed.at(0), std::to_string(count), {"3", "4", "6", "8"},
+                    fmt::format("{} shapes", count),
                     {{EvidenceKind::exact, "two for each distinct root of det(A F + B), n = 4"}});
 }
 
@@ -293,8 +312,11 @@ Judgement excluded(const Printed& printed, int) {
   }
   const bool right = printed == rest;
   return {right ? Verdict::confirmed : Verdict::refuted,
-          right ? "" : fmt::format("the two constraints of (21) eliminate {}; q2 is an argument of E(q1, q2)", fmt::join(rest, ", ")),
-          {{EvidenceKind::exact, "four joint angles, two constraints, arguments q1 and q2"}}, ""};
+          right ? ""
+                : fmt::format("the two constraints of (21) eliminate {}; q2 is an argument of E(q1, q2)",
+                              fmt::join(rest, ", ")),
+          {{EvidenceKind::exact, "four joint angles, two constraints, arguments q1 and q2"}},
+          ""};
 }
 
 /// "maximum", "saddle" or "minimum" of the energy at given small delta_x, by the number of lower modes.
@@ -309,12 +331,14 @@ Judgement extremum(const Printed& printed, int) {
     if (energy_point(m) == printed.at(0)) stability = m == 0 ? "stable" : "unstable";
   }
   if (stability.empty()) throw Error("claim", printed.at(0), "minimum, saddle or maximum");
-  return judge_word(printed.at(1), stability, {"stable", "unstable"},
-                    "the minima (U) are the stable, the maxima (Z) the unstable equilibria: the words are interchanged",
-                    {{EvidenceKind::interval,
-                      fmt::format("certified modes at small delta_x: U has {} lower modes ({}), ZU {} ({}), Z {} ({})",
-                                  mode_of_shape("U"), energy_point(mode_of_shape("U")), mode_of_shape("ZU"),
-                                  energy_point(mode_of_shape("ZU")), mode_of_shape("Z"), energy_point(mode_of_shape("Z")))}});
+  return judge_word(
+      printed.at(1), stability, {"stable", "unstable"},
+      "the minima (U) are the stable, the maxima (Z) the unstable equilibria: the words are interchanged",
+      {{EvidenceKind::interval,
+        fmt::format("certified modes at small delta_x: U has {} lower modes ({}), ZU {} ({}), Z {} ({})",
+                    mode_of_shape("U"), energy_point(mode_of_shape("U")), mode_of_shape("ZU"),
+                    energy_point(mode_of_shape("ZU")), mode_of_shape("Z"),
+                    energy_point(mode_of_shape("Z")))}});
 }
 
 }  // namespace
@@ -328,36 +352,84 @@ std::vector<Claim> four_link_claims() {
   for (const Printed& row : table_2) unit_norm.insert(unit_norm.end(), row.begin() + 2, row.end());
   return {
       {"unit-norm", "4.2, before (35)", "classical eigenvalue analysis assumes |v_i| = 1", unit_norm, norms},
-      {"eq-40", "4.2, (40)", "S1 and S0 of the unit chain of four links",
-       {"-4", "-3", "-2", "-1", "-3", "-3", "-2", "-1", "-2", "-2", "-2", "-1", "-1", "-1", "-1", "-1", "4", "3", "2", "1"},
+      {"eq-40",
+       "4.2, (40)",
+       "S1 and S0 of the unit chain of four links",
+       {"-4", "-3", "-2", "-1", "-3", "-3", "-2", "-1", "-2", "-2",
+        "-2", "-1", "-1", "-1", "-1", "-1", "4",  "3",  "2",  "1"},
        matrices},
-      {"four-link-polynomial", "4.2, after (40)", "lambda^5 + 9/5 lambda^4 + 9/10 lambda^3 + 2/15 lambda^2 = 0",
-       {"1", "9/5", "9/10", "2/15", "0", "0"}, polynomial},
-      {"four-link-roots", "4.2, after (40)", "lambda_i = -1.0822, -0.4337, -0.2841", {"-1.0822", "-0.4337", "-0.2841"},
+      {"four-link-polynomial",
+       "4.2, after (40)",
+       "lambda^5 + 9/5 lambda^4 + 9/10 lambda^3 + 2/15 lambda^2 = 0",
+       {"1", "9/5", "9/10", "2/15", "0", "0"},
+       polynomial},
+      {"four-link-roots",
+       "4.2, after (40)",
+       "lambda_i = -1.0822, -0.4337, -0.2841",
+       {"-1.0822", "-0.4337", "-0.2841"},
        eigenvalues},
-      {"three-nonzero-roots", "4.2, after (40)", "three non-zero roots {-1.0822, -0.4337, -0.2841, 0, 0}",
-       {"3", "-1.0822", "-0.4337", "-0.2841", "0", "0"}, nonzero_roots},
+      {"three-nonzero-roots",
+       "4.2, after (40)",
+       "three non-zero roots {-1.0822, -0.4337, -0.2841, 0, 0}",
+       {"3", "-1.0822", "-0.4337", "-0.2841", "0", "0"},
+       nonzero_roots},
       {"table-2-row-1", "4.2, Table 2", "lambda_1 and its unit eigenvector", table_2[0], table_2_row},
       {"table-2-row-2", "4.2, Table 2", "lambda_2 and its unit eigenvector", table_2[1], table_2_row},
       {"table-2-row-3", "4.2, Table 2", "lambda_3 and its unit eigenvector", table_2[2], table_2_row},
-      {"four-link-shapes", "4.2, after Table 2", "the total number of equilibrium shapes is 2(n-1) = 6", {"6"}, shapes_total},
-      {"four-link-stable-shapes", "4.2, after Table 2", "two of the shapes have the minimum energy", {"2"}, stable_count},
-      {"straight-below-critical", "4.2, after Table 2", "below the critical force the chain stays straight", {"below"},
+      {"four-link-shapes",
+       "4.2, after Table 2",
+       "the total number of equilibrium shapes is 2(n-1) = 6",
+       {"6"},
+       shapes_total},
+      {"four-link-stable-shapes",
+       "4.2, after Table 2",
+       "two of the shapes have the minimum energy",
+       {"2"},
+       stable_count},
+      {"straight-below-critical",
+       "4.2, after Table 2",
+       "below the critical force the chain stays straight",
+       {"below"},
        straight_below},
-      {"table-3-signs", "4.2, Table 3", "signs of q1 … q4: U -+++, Z -+-+, ZU -++- and their mirror images",
-       {"U", "-+++", "Z", "-+-+", "ZU", "-++-", "U", "+---", "Z", "+-+-", "ZU", "+--+"}, patterns},
-      {"table-3-stability", "4.2, Table 3", "U is stable, Z and ZU are unstable",
-       {"U", "stable", "Z", "unstable", "ZU", "unstable"}, stabilities},
-      {"table-3-factors", "4.2, Table 3", "energy factors U 0.9240, Z 3.5203, ZU 2.3057",
-       {"U", "0.9240", "Z", "3.5203", "ZU", "2.3057"}, factors},
-      {"table-3-forces", "4.2, Table 3", "axial forces U 0.9240, Z 3.5199, ZU 2.3057",
-       {"U", "0.9240", "Z", "3.5199", "ZU", "2.3057"}, forces},
-      {"fig-16-excluded", "4.2, before Fig. 16", "E(q1, q2) is obtained by excluding q2, q3", {"q2", "q3"}, excluded},
-      {"fig-16-maxima", "4.2, before Fig. 16", "the maxima of E(q1, q2) are the stable equilibria", {"maximum", "stable"},
+      {"table-3-signs",
+       "4.2, Table 3",
+       "signs of q1 … q4: U -+++, Z -+-+, ZU -++- and their mirror images",
+       {"U", "-+++", "Z", "-+-+", "ZU", "-++-", "U", "+---", "Z", "+-+-", "ZU", "+--+"},
+       patterns},
+      {"table-3-stability",
+       "4.2, Table 3",
+       "U is stable, Z and ZU are unstable",
+       {"U", "stable", "Z", "unstable", "ZU", "unstable"},
+       stabilities},
+      {"table-3-factors",
+       "4.2, Table 3",
+       "energy factors U 0.9240, Z 3.5203, ZU 2.3057",
+       {"U", "0.9240", "Z", "3.5203", "ZU", "2.3057"},
+       factors},
+      {"table-3-forces",
+       "4.2, Table 3",
+       "axial forces U 0.9240, Z 3.5199, ZU 2.3057",
+       {"U", "0.9240", "Z", "3.5199", "ZU", "2.3057"},
+       forces},
+      {"fig-16-excluded",
+       "4.2, before Fig. 16",
+       "E(q1, q2) is obtained by excluding q2, q3",
+       {"q2", "q3"},
+       excluded},
+      {"fig-16-maxima",
+       "4.2, before Fig. 16",
+       "the maxima of E(q1, q2) are the stable equilibria",
+       {"maximum", "stable"},
        extremum},
-      {"fig-16-minima", "4.2, before Fig. 16", "the minima of E(q1, q2) are the unstable equilibria", {"minimum", "unstable"},
+      {"fig-16-minima",
+       "4.2, before Fig. 16",
+       "the minima of E(q1, q2) are the unstable equilibria",
+       {"minimum", "unstable"},
        extremum},
-      {"fig-16-saddles", "4.2, before Fig. 16", "the saddle points are unstable equilibria", {"saddle", "unstable"},
+      {"fig-16-saddles",
+       "4.2, before Fig. 16",
+       "the saddle points are unstable equilibria",
+       {"saddle", "unstable"},
        extremum},
   };
 }

@@ -137,6 +137,20 @@ Judgement counts(const Printed& printed, int) {
           ""};
 }
 
+Judgement nonlinear_counts(const Printed& printed, int) {
+  const SymbolicShape shape = general_shape();
+  const std::size_t balances = torque_balance(shape, formulas().symbol("Fx"), formulas().symbol("Fy")).rows();
+  const std::size_t equations = balances + deflections(shape).size();
+  const std::size_t unknowns = shape.q.size() + 2;
+  const std::string found = fmt::format("n+{} equations, n+{} unknowns", equations - n, unknowns - n);
+  const bool right = printed.at(0) == found;
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : found,
+          {{EvidenceKind::exact, fmt::format("n = 4: {} torque balances and {} deflections for q, F_x, F_y",
+                                             balances, equations - balances)}},
+          ""};
+}
+
 Judgement small_geometry(const Printed& printed, int) {
   const Scaled scaled;
   std::vector<ex> computed;
@@ -319,6 +333,11 @@ std::vector<Claim> linearised_model_claims() {
        "delta_y = 0 is S0^T q = 0",
        {"(L1+L2+L3+L4)*q1+(L2+L3+L4)*q2+(L3+L4)*q3+L4*q4"},
        constraint},
+      {"unknowns-nonlinear",
+       "4.2, before (25)",
+       "(22) with (21) are n+2 equations for n+2 unknowns",
+       {"n+2 equations, n+2 unknowns"},
+       nonlinear_counts},
       {"unknowns",
        "4.2, before (31)",
        "(29) and (30) are n+1 equations with n+2 unknowns",

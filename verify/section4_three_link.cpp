@@ -10,6 +10,7 @@
 #include "proofs/symbolic_statics.hpp"
 #include "verify/claims.hpp"
 #include "verify/judging.hpp"
+#include "verify/section4_chains.hpp"
 #include "verify/sign.hpp"
 
 namespace plumbline {
@@ -40,11 +41,6 @@ SymbolicShape u_shape() {
 }
 SymbolicShape z_shape() {
   return shape({phi(), -3 * phi(), 3 * phi()});
-}
-
-/// The chain of this section with L = k = 1, exact.
-Chain<Rational> unit_chain() {
-  return Chain<Rational>({1, 1, 1}, {0, 1, 1});
 }
 
 Judgement closes(const Printed& printed, int) {
@@ -137,8 +133,8 @@ Judgement limit_of(const SymbolicShape& s, const Printed& printed, std::size_t m
   Rational F;
   std::istringstream(text((limit * L() / k()).normal())) >> F;
   const Rational nudge(1, 1000000);
-  const std::size_t below = count_below(unit_chain(), Rational(F - nudge));
-  const std::size_t above = count_below(unit_chain(), Rational(F + nudge));
+  const std::size_t below = count_below(three_link_chain(), Rational(F - nudge));
+  const std::size_t above = count_below(three_link_chain(), Rational(F + nudge));
   if (below != m - 1 || above != m)
     throw Error("critical force", "different results of limit and recursion", "agreement");
   result.evidence.push_back(
@@ -211,7 +207,7 @@ Judgement asymptotic_z(const Printed& printed, int) {
 }
 
 Judgement two_shapes(const Printed& printed, int) {
-  const Chain<Rational> chain = unit_chain();
+  const Chain<Rational> chain = three_link_chain();
   // beyond the sum of all critical forces none is left; 100 is far beyond k/L + 3k/L
   const std::size_t count = count_below(chain, Rational(100));
   return judge_word(
@@ -255,7 +251,7 @@ Rational small_form(const Chain<Rational>& chain, const std::vector<Rational>& q
 }
 
 Judgement stability(const Printed& printed, int) {
-  const Chain<Rational> chain = unit_chain();
+  const Chain<Rational> chain = three_link_chain();
   const std::vector<Rational> u{1, -1, -1};
   const std::vector<Rational> z{1, -3, 3};
   const Rational F_u = energy_factor(chain, u);
@@ -274,6 +270,17 @@ Judgement stability(const Printed& printed, int) {
             "small Z (F = {}) along U is {}",
             F_u.str(), at_u.str(), F_z.str(), at_z.str())}},
       ""};
+}
+
+Judgement force_order(const Printed& printed, int) {
+  const Rational u = energy_factor(three_link_chain(), {1, -1, -1});
+  const Rational z = energy_factor(three_link_chain(), {1, -3, 3});
+  return judge_word(printed.at(0),
+                    u < z   ? "lower"
+                    : u > z ? "higher"
+                            : "equal",
+                    {"lower", "higher", "equal"}, "the critical force of the U-shape is lower",
+                    {{EvidenceKind::exact, fmt::format("L = k = 1: {} against {}", u.str(), z.str())}});
 }
 
 Judgement stable_curve(const Printed& printed, int) {
@@ -367,6 +374,11 @@ std::vector<Claim> three_link_claims() {
        "so has Euler's column: half sine and full sine",
        {"2"},
        column_shapes},
+      {"three-link-order",
+       "4.1, after (20)",
+       "the critical force of the U-shape is lower than that of the Z-shape",
+       {"lower"},
+       force_order},
       {"three-link-stability",
        "4.1, after (20)",
        "the U-shape is stable, the Z-shape unstable",

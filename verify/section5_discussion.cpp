@@ -23,7 +23,8 @@ struct SpatialChain {
   std::vector<int> plane{1, 2, 1, 2, 2, 1};
 };
 
-/// det of the bordered form K + F S, S the second-order shortening of both planes together, two end-point constraints.
+/// det of the bordered form K + F S, S the second-order shortening of both planes together, two end-point
+/// constraints.
 Rational spatial_determinant(const SpatialChain& chain, const Rational& F) {
   const auto n = static_cast<Eigen::Index>(chain.length.size());
   const Vector<Rational> z = matrix_S0(Chain<Rational>(chain.length, chain.stiffness));
@@ -63,15 +64,19 @@ Judgement spatial(const Printed& printed, int) {
     const Rational F(point, 2);
     factors = factors && spatial_determinant(chain, F) == evaluate(first, F) * evaluate(second, F);
   }
-  return judge_word(printed.at(0), factors ? "minimum" : "another", {"minimum", "maximum", "sum", "another"},
-                    "the critical forces of the spatial chain are those of its planar parts together; the lowest counts",
-                    {{EvidenceKind::theorem, "Decomposition: to second order the two planes do not couple"},
-                     {EvidenceKind::exact, fmt::format("six links, joint axes in two orthogonal planes: the bordered determinant "
-                                                       "is the product of the planar ones at seven forces: {}", factors)}});
+  return judge_word(
+      printed.at(0), factors ? "minimum" : "another", {"minimum", "maximum", "sum", "another"},
+      "the critical forces of the spatial chain are those of its planar parts together; the lowest counts",
+      {{EvidenceKind::theorem, "Decomposition: to second order the two planes do not couple"},
+       {EvidenceKind::exact,
+        fmt::format("six links, joint axes in two orthogonal planes: the bordered determinant "
+                    "is the product of the planar ones at seven forces: {}",
+                    factors)}});
 }
 
-/// The unit chain of two links on a passive base whose links yield axially with stiffness kappa: determinant of the second
-/// variation at the straight equilibrium under F, in (theta_1, theta_2, u_1, u_2), bordered by the end-point constraint.
+/// The unit chain of two links on a passive base whose links yield axially with stiffness kappa: determinant
+/// of the second variation at the straight equilibrium under F, in (theta_1, theta_2, u_1, u_2), bordered by
+/// the end-point constraint.
 ex prismatic_determinant(const ex& F, const ex& kappa) {
   const GiNaC::symbol t1("t1"), t2("t2"), u1("u1"), u2("u2"), lateral("Fy");
   const ex x = (1 - u1) * cos(t1) + (1 - u2) * cos(t2);
@@ -90,15 +95,19 @@ Judgement prismatic(const Printed& printed, int) {
   const bool rigid_vanishes = prismatic_determinant(2, GiNaC::numeric(9)).is_zero();
   const bool compliant_vanishes = prismatic_determinant(3, GiNaC::numeric(9)).is_zero();
   const std::string word = compliant_vanishes && !rigid_vanishes ? "changed" : "unchanged";
-  return judge_word(printed.at(0), word, {"changed", "unchanged"},
-                    "axial compliance raises the critical force by a relative amount of first order in F/(kappa L): it solves F "
-                    "= F_c(L_j - F/kappa_j); two links on a passive base buckle where F (L - F/kappa) = 2k, and not at all "
-                    "when kappa < 8k/L^2",
-                    {{EvidenceKind::theorem, "Prismatic joints: at the straight shape axial and angular variations do not couple, "
-                                             "and the links are shorter by F/kappa_j"},
-                     {EvidenceKind::symbolic,
-                      fmt::format("two links, k = L = 1, kappa = 9: the second variation of the full potential is singular at F "
-                                  "= 3: {}, at the rigid chain's F = 2: {}", compliant_vanishes, rigid_vanishes)}});
+  return judge_word(
+      printed.at(0), word, {"changed", "unchanged"},
+      "axial compliance changes the critical force by a relative amount of first order in F/(kappa L): it "
+      "solves F = F_c(L_j - F/kappa_j); two links on a passive base buckle where F (L - F/kappa) = 2k, above "
+      "the rigid chain's 2k/L, and not at all when kappa < 8k/L^2; on an elastic base the force can also fall",
+      {{EvidenceKind::theorem,
+        "Prismatic joints: at the straight shape axial and angular variations do not couple, "
+        "and the links are shorter by F/kappa_j"},
+       {EvidenceKind::symbolic,
+        fmt::format(
+            "two links, k = L = 1, kappa = 9: the second variation of the full potential is singular at F "
+            "= 3: {}, at the rigid chain's F = 2: {}",
+            compliant_vanishes, rigid_vanishes)}});
 }
 
 Judgement prismatic_deflection(const Printed& printed, int) {
@@ -107,12 +116,12 @@ Judgement prismatic_deflection(const Printed& printed, int) {
   const Rational compliant = 2 * F / kappa;
   return judge_word(printed.at(0), compliant > 0 ? "higher" : "equal", {"higher", "equal", "lower"},
                     "the links shorten by F/kappa_j each",
-                    {{EvidenceKind::exact, "two links, k = L = 1, kappa = 9, F = 1: shortening " + compliant.str() +
-                                               " against 0 of the rigid chain"}});
+                    {{EvidenceKind::exact, "two links, k = L = 1, kappa = 9, F = 1: shortening " +
+                                               compliant.str() + " against 0 of the rigid chain"}});
 }
 
-/// Two links clamped at the base, k = L = 1, each of weight w (towards the base) at its middle: the Hessian in absolute
-/// orientations under the axial force F.
+/// Two links clamped at the base, k = L = 1, each of weight w (towards the base) at its middle: the Hessian
+/// in absolute orientations under the axial force F.
 Matrix<Rational> heavy_hessian(const Rational& w, const Rational& F) {
   Matrix<Rational> H(2, 2);
   // drops of the middles: theta_1^2/4; theta_1^2/2 + theta_2^2/4
@@ -128,12 +137,14 @@ Judgement gravity_stiffness(const Printed& printed, int) {
   const Rational light = lateral(0);
   const Rational heavy = lateral(Rational(1, 10));
   return judge_word(printed.at(0), light == heavy ? "unchanged" : "changed", {"changed", "unchanged"},
-                    "gravity along the axis changes the stiffness against lateral motion, as it changes the critical force; it "
+                    "gravity along the axis changes the stiffness against lateral motion, as it changes the "
+                    "critical force; it "
                     "leaves only the straight chain's axial stiffness (infinite) as it is",
                     {{EvidenceKind::theorem, "Axial gravity"},
-                     {EvidenceKind::exact, fmt::format("two clamped links, k = L = 1: lateral stiffness dF_y/dy of the straight "
-                                                       "chain {} without, {} with link weights of 1/10",
-                                                       light.str(), heavy.str())}});
+                     {EvidenceKind::exact,
+                      fmt::format("two clamped links, k = L = 1: lateral stiffness dF_y/dy of the straight "
+                                  "chain {} without, {} with link weights of 1/10",
+                                  light.str(), heavy.str())}});
 }
 
 Judgement gravity_critical(const Printed& printed, int) {
@@ -147,61 +158,98 @@ Judgement gravity_critical(const Printed& printed, int) {
   };
   const Rational light = critical(0);
   const Rational heavy = critical(Rational(1, 10));
-  if (count_below(Chain<Rational>({1, 1}, {1, 1}), light) != 0) throw Error("two links", "another critical force", "5/2");
+  if (count_below(Chain<Rational>({1, 1}, {1, 1}), light) != 0)
+    throw Error("two links", "another critical force", "5/2");
   return judge_word(printed.at(0), light == heavy ? "unchanged" : "changed", {"changed", "unchanged"},
                     "weights along the axis change the critical force",
-                    {{EvidenceKind::theorem, "Axial gravity: strictly lower when it compresses, strictly higher when it stretches"},
-                     {EvidenceKind::exact, fmt::format("two clamped links, k = L = 1: critical force {} without, {} with link "
-                                                       "weights of 1/10 towards the base", light.str(), heavy.str())}});
+                    {{EvidenceKind::theorem,
+                      "Axial gravity: strictly lower when it compresses, strictly higher when it stretches"},
+                     {EvidenceKind::exact,
+                      fmt::format("two clamped links, k = L = 1: critical force {} without, {} with link "
+                                  "weights of 1/10 towards the base",
+                                  light.str(), heavy.str())}});
 }
 
 Judgement gravity_orthogonal(const Printed& printed, int) {
   // in-plane part of a unit gravity: zero when it is normal to the plane of motion (x, y)
   const std::vector<Rational> g = printed.at(0) == "orthogonal" ? std::vector<Rational>{0, 0, -1}
-                                  : printed.at(0) == "parallel" ? std::vector<Rational>{0, -1, 0}
-                                                                : throw Error("claim", printed.at(0), "orthogonal or parallel");
+                                  : printed.at(0) == "parallel"
+                                      ? std::vector<Rational>{0, -1, 0}
+                                      : throw Error("claim", printed.at(0), "orthogonal or parallel");
   // torque of unit weights at the middles of two straight links about joint 1 and 2: g_y times their levers
   const Rational torque_1 = g[1] * (Rational(1, 2) + Rational(3, 2));
   const Rational torque_2 = g[1] * Rational(1, 2);
   const bool none = torque_1 == 0 && torque_2 == 0;
-  return {none ? Verdict::confirmed : Verdict::refuted, none ? "" : "gravity in the plane of motion loads the joints",
-          {{EvidenceKind::exact, fmt::format("joint torques of unit weights on two unit links: {}, {}", torque_1.str(),
-                                             torque_2.str())}}, ""};
+  return {none ? Verdict::confirmed : Verdict::refuted,
+          none ? "" : "gravity in the plane of motion loads the joints",
+          {{EvidenceKind::exact, fmt::format("joint torques of unit weights on two unit links: {}, {}",
+                                             torque_1.str(), torque_2.str())}},
+          ""};
 }
 
 Judgement gravity_small(const Printed& printed, int) {
-  // two links on a passive base, a lateral weight w at the middle joint: V = 2kq^2 - FLq^2 - wLq to second order
+  // two links on a passive base, a lateral weight w at the middle joint: V = 2kq^2 - FLq^2 - wLq to second
+  // order
   const Formulas f({"k", "F", "L", "w", "q"});
   const ex V = f.parse("2*k*q^2-F*L*q^2-w*L*q");
-  const auto q = GiNaC::ex_to<GiNaC::symbol>(f.symbol("q"));
-  const ex bend = (-V.diff(q).subs(q == 0) / V.diff(q, 2)).normal();
-  const bool unbounded = bend.denom().subs(f.symbol("F") == 2 * f.symbol("k") / f.symbol("L")).normal().is_zero();
-  const std::string truth = "it depends on the weights: the lateral deflection " + text(bend) +
-                            " of a two-link chain grows without bound towards F_c = 2k/L, and no bifurcation is left for any w "
-                            "other than zero; small means w L << 2k - F L";
-  if (printed.at(0) != "small" && printed.at(0) != "none") throw Error("claim", printed.at(0), "small or none");
-  const Verdict verdict = bend.is_zero() ? Verdict::confirmed : printed.at(0) == "small" && unbounded ? Verdict::imprecise
-                                                                                                      : Verdict::refuted;
-  return {verdict, verdict == Verdict::confirmed ? "" : truth,
-          {{EvidenceKind::symbolic, "q = " + text(bend) + " from V' = 0 to first order"}}, ""};
+  const ex q = f.symbol("q");
+  const auto& unknown = GiNaC::ex_to<GiNaC::symbol>(q);
+  const ex bend = (-V.diff(unknown).subs(q == 0) / V.diff(unknown, 2)).normal();
+  const bool unbounded =
+      bend.denom().subs(f.symbol("F") == 2 * f.symbol("k") / f.symbol("L")).normal().is_zero();
+  const std::string truth =
+      "it depends on the weights: the lateral deflection " + text(bend) +
+      " of a two-link chain grows without bound towards F_c = 2k/L, and no bifurcation is left for any w "
+      "other than zero; small means w L << 2k - F L";
+  if (printed.at(0) != "small" && printed.at(0) != "none")
+    throw Error("claim", printed.at(0), "small or none");
+  const Verdict verdict = bend.is_zero()                          ? Verdict::confirmed
+                          : printed.at(0) == "small" && unbounded ? Verdict::imprecise
+                                                                  : Verdict::refuted;
+  return {verdict,
+          verdict == Verdict::confirmed ? "" : truth,
+          {{EvidenceKind::symbolic, "q = " + text(bend) + " from V' = 0 to first order"}},
+          ""};
 }
 
 }  // namespace
 
 std::vector<Claim> discussion_claims() {
   return {
-      {"spatial-minimum", "5, paragraph 1", "a spatial chain of planar sub-chains buckles at the minimum of their forces",
-       {"minimum"}, spatial},
-      {"prismatic-joints", "5, paragraph 2", "prismatic joints do not affect the critical force", {"unchanged"}, prismatic},
-      {"prismatic-deflection", "5, paragraph 2", "with prismatic joints the total deflections are higher", {"higher"},
+      {"spatial-minimum",
+       "5, paragraph 1",
+       "a spatial chain of planar sub-chains buckles at the minimum of their forces",
+       {"minimum"},
+       spatial},
+      {"prismatic-joints",
+       "5, paragraph 2",
+       "prismatic joints do not affect the critical force",
+       {"unchanged"},
+       prismatic},
+      {"prismatic-deflection",
+       "5, paragraph 2",
+       "with prismatic joints the total deflections are higher",
+       {"higher"},
        prismatic_deflection},
-      {"gravity-orthogonal", "5, paragraph 5", "gravity can be ignored when the plane of motion is orthogonal to it",
-       {"orthogonal"}, gravity_orthogonal},
-      {"gravity-axial-stiffness", "5, paragraph 5", "gravity along the axis does not affect the stiffness behaviour",
-       {"unchanged"}, gravity_stiffness},
-      {"gravity-axial-critical", "5, paragraph 5", "gravity along the axis changes the critical force", {"changed"},
+      {"gravity-orthogonal",
+       "5, paragraph 5",
+       "gravity can be ignored when the plane of motion is orthogonal to it",
+       {"orthogonal"},
+       gravity_orthogonal},
+      {"gravity-axial-stiffness",
+       "5, paragraph 5",
+       "gravity along the axis does not affect the stiffness behaviour",
+       {"unchanged"},
+       gravity_stiffness},
+      {"gravity-axial-critical",
+       "5, paragraph 5",
+       "gravity along the axis changes the critical force",
+       {"changed"},
        gravity_critical},
-      {"gravity-small", "5, paragraph 5", "gravity acts on these structures like a small disturbance", {"small"},
+      {"gravity-small",
+       "5, paragraph 5",
+       "gravity acts on these structures like a small disturbance",
+       {"small"},
        gravity_small},
   };
 }

@@ -21,7 +21,7 @@ TEST_CASE("without arguments the command lists its verbs, and critical computes 
   const Outcome example = here.plumbline("critical");
   CHECK(example.status == 0);
   CHECK(contains(example.out, "Critical force 0.924027591295903, shape U"));
-  CHECK(contains(example.out, "0.6628"));  // the paper's Table 2, second vector
+  CHECK(contains(example.out, "-0.3057"));  // the paper's Table 2, second vector: -0.2026 / 0.6628
 }
 
 TEST_CASE("a wrong command line is bad input") {
@@ -104,6 +104,11 @@ TEST_CASE("numbers are taken exactly as they are written, far beyond double") {
   here.write("huge.toml", "lengths = [1e400, \"1e400\"] # 'quote\nstiffness = [ 1e400, 1_0e399,]");
   CHECK(here.plumbline("critical huge.toml --csv --digits 3").out == "chain,mode,force\nhuge,1,2.50\n");
   here.write("tenth.toml", "stiffness = [0.1, +0.1]\nlengths = [1, 1]");
+  here.write("extreme.toml", "lengths = [1e-400, 1e-400]\nstiffness = [1e400, 1e400]");
+  CHECK(here.plumbline("critical extreme.toml --csv --digits 3").out ==
+        "chain,mode,force\nextreme,1,2.50e+800\n");
+  CHECK(here.plumbline("critical extreme.toml --csv --digits 1").out ==
+        "chain,mode,force\nextreme,1,3e+800\n");  // exactly half-way: to the larger
   CHECK(here.plumbline("critical tenth.toml --csv --digits 40").out ==
         "chain,mode,force\ntenth,1,0.2500000000000000000000000000000000000000\n");
 }
@@ -142,6 +147,32 @@ TEST_CASE("in a table a wrong chain has one error line and no rows, and the othe
   }
 }
 
+TEST_CASE("a joint that does not turn is told from one that hardly does") {
+  const Workplace here;
+  here.write("symmetric.toml", "lengths = [1, 1, 1, 1]\nstiffness = [0, 1, 1, 1]");
+  CHECK(contains(here.plumbline("critical symmetric.toml").out, "+-0+"));
+  here.write("nearly.toml", "lengths = [1, 1, 1, 1.00000000000000000000000000001]\nstiffness = [0, 1, 1, 1]");
+  CHECK(!contains(here.plumbline("critical nearly.toml").out, "+-0+"));
+}
+
+TEST_CASE("the certificates pass the stand-alone checker") {
+  const Workplace here;
+  here.write("c.csv",
+             "chain,lengths,stiffness\nelastic,0.1;0.2;1e8,1e-8;3;1e8\npassive,1;2;3;4,0;1;1;1\n"
+             "tie,1;1;1;1,1;1;0;1\n");
+  CHECK(here.plumbline("critical c.csv --all --digits 40 --certify proof.json --csv values.csv").status == 0);
+  const std::string check = "python3 '" PLUMBLINE_SOURCE_DIR "/proofs/check_certificates.py' '";
+  CHECK(std::system((check + (here.folder() / "proof.json").string() + "' >/dev/null").c_str()) == 0);
+}
+
+TEST_CASE("a chain that is not straight has no critical force") {
+  const Workplace here;
+  here.write("bent.toml", "lengths = [1, 1]\nstiffness = [1, 1]\nrest = [0, 0.1]");
+  const Outcome outcome = here.plumbline("critical bent.toml");
+  CHECK(outcome.status == 2);
+  CHECK(contains(outcome.err, "bent.toml: rest, entry 2: found an angle that is not zero"));
+}
+
 TEST_CASE("the JSON holds every mode with its shape") {
   const Workplace here;
   const auto json = nlohmann::json::parse(here.plumbline("critical --json --digits 20").out);
@@ -151,7 +182,8 @@ TEST_CASE("the JSON holds every mode with its shape") {
   for (const auto& mode : modes) {
     const double lambda = -1 / std::stod(mode.at("force").get<std::string>());
     CHECK(std::abs(((lambda + 1.8) * lambda + 0.9) * lambda + 2.0 / 15) < 1e-15);
-    CHECK(mode.at("force") == mode.at("energy_factor").get<std::string>());
+    CHECK(std::stod(mode.at("energy_factor").get<std::string>()) * lambda ==
+          doctest::Approx(-1).epsilon(1e-14));
   }
   CHECK(modes[1].at("shape") == "ZU");
   CHECK(modes[1].at("signs") == "+--+");

@@ -35,7 +35,8 @@ Chain<Rational> graded_chain(std::mt19937_64& random, std::size_t n, int decades
 int check_alone(const std::vector<json>& certificates) {
   const auto path = std::filesystem::temp_directory_path() / "plumbline-certificate-test.json";
   std::ofstream(path) << certificate_file({"test", "test", ""}, certificates);
-  const std::string command = "python3 " PLUMBLINE_SOURCE_DIR "/proofs/check_certificates.py " + path.string();
+  const std::string command =
+      "python3 " PLUMBLINE_SOURCE_DIR "/proofs/check_certificates.py " + path.string();
   const int status = std::system((command + " >/dev/null").c_str());
   std::filesystem::remove(path);
   return status;
@@ -49,8 +50,7 @@ TEST_CASE("the stand-alone checker confirms chains graded over sixteen decades, 
   for (std::size_t n = 2; n <= 9; ++n) {
     for (const int decades : {0, 8}) {
       const auto chain = graded_chain(random, n, decades, random() % (n + 1));
-      certificates.push_back(
-          certificate("graded", chain, {n, 40, true, n <= 6}));
+      certificates.push_back(certificate("graded", chain, {n, 40, true, n <= 6}));
       CHECK(certificates.back()["forces"].size() == n - 1);
     }
   }

@@ -1,0 +1,84 @@
+#include "verify/claims.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <plumbline/error.hpp>
+#include <set>
+
+#include "tests/verify/altered_claims.hpp"
+#include "verify/judge.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+Verdict verdict_on(const Claim& claim, const Printed& printed) {
+  return claim.check(printed, 10).verdict;
+}
+
+Claim find(const std::string& id) {
+  return with_id(all_claims(), id).front();
+}
+
+}  // namespace
+
+TEST_CASE("ids are unique, and every claim says where it stands") {
+  std::set<std::string> ids;
+  for (const Claim& claim : all_claims()) {
+    CHECK_MESSAGE(ids.insert(claim.id).second, claim.id);
+    CHECK_MESSAGE(!section_of(claim).empty(), claim.id);
+    CHECK_MESSAGE(claim.statement.find('\n') == std::string::npos, claim.id);
+  }
+}
+
+TEST_CASE(
+    "every claim can be judged, with evidence, the strongest first, and a truth where the print is not") {
+  for (const Judged& judged : judge(all_claims(), 50)) {
+    INFO(judged.claim.id, ": ", judged.problem);
+    REQUIRE(judged.judgement);
+    const auto& evidence = judged.judgement->evidence;
+    REQUIRE_FALSE(evidence.empty());
+    CHECK(std::is_sorted(evidence.begin(), evidence.end(),
+                         [](const Evidence& a, const Evidence& b) { return a.kind < b.kind; }));
+    CHECK(judged.judgement->truth.empty() == (judged.judgement->verdict == Verdict::confirmed));
+  }
+}
+
+TEST_CASE("every claim has an altered print that its check refutes") {
+  const auto altered = altered_claims();
+  for (const Claim& claim : all_claims()) CHECK_MESSAGE(altered.contains(claim.id), claim.id);
+  for (const auto& [id, printed] : altered) {
+    const Claim claim = find(id);
+    // a claim that is wrong in the paper may be its own altered print: then the correction must be confirmed
+    CHECK_MESSAGE(verdict_on(claim, printed) == Verdict::refuted, id);
+  }
+}
+
+TEST_CASE("the true statement is confirmed by the check that refutes the printed one") {
+  const auto corrected = corrected_claims();
+  for (const Claim& claim : all_claims()) {
+    if (verdict_on(claim, claim.printed) == Verdict::refuted)
+      CHECK_MESSAGE(corrected.contains(claim.id), claim.id);
+  }
+  for (const auto& [id, printed] : corrected) {
+    const Claim claim = find(id);
+    CHECK_MESSAGE(verdict_on(claim, printed) == Verdict::confirmed, id);
+    CHECK_MESSAGE(verdict_on(claim, claim.printed) != Verdict::confirmed, id);
+  }
+}
+
+TEST_CASE("what cannot be judged is an error, not a verdict") {
+  CHECK_THROWS_AS(verdict_on(find("eq-2"), {"2*k/M"}), Error);
+  CHECK_THROWS_AS(verdict_on(find("eq-2"), {}), Error);
+  CHECK_THROWS_AS(verdict_on(find("four-link-roots"), {"-1.0822", "-0.4337", "a"}), Error);
+  CHECK_THROWS_AS(verdict_on(find("two-link-bifurcation"), {"sideways"}), Error);
+  CHECK_THROWS_AS(with_id(all_claims(), "eq-99"), Error);
+  CHECK_THROWS_AS(in_section(all_claims(), "7"), Error);
+}
+
+TEST_CASE("sections select their claims") {
+  CHECK(in_section(all_claims(), "").size() == all_claims().size());
+  CHECK(in_section(all_claims(), "4").size() ==
+        in_section(all_claims(), "4.1").size() + in_section(all_claims(), "4.2").size());
+}
