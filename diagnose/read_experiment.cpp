@@ -1,7 +1,6 @@
 #include "diagnose/read_experiment.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,8 @@
 
 #include "diagnose/physical.hpp"
 #include "diagnose/read_samples.hpp"
+#include "files/text_file.hpp"
+#include "files/toml_file.hpp"
 
 namespace plumbline {
 namespace {
@@ -199,23 +200,12 @@ std::vector<Run> read_runs(const Section& root, const fs::path& folder, std::siz
   return runs;
 }
 
-toml::table parse(const fs::path& file) {
-  if (!fs::exists(file)) throw Error(file.string(), "no such file", "an experiment");
-  if (!fs::is_regular_file(file)) throw Error(file.string(), "something that is not a file", "an experiment");
-  try {
-    return toml::parse_file(file.string());
-  } catch (const toml::parse_error& fault) {
-    throw Error(file.string() + ":" + std::to_string(fault.source().begin.line),
-                std::string(fault.description()), "valid TOML");
-  }
-}
-
 }  // namespace
 
 Experiment read_experiment(const fs::path& folder) {
   if (!fs::is_directory(folder)) throw Error(folder.string(), "no such folder", "an experiment's folder");
   const fs::path file = folder / "experiment.toml";
-  const toml::table table = parse(file);
+  const toml::table table = parse_toml(read_text(file), file.string());
   const Section root(table, file.string() + ": ");
   const std::string format = root.text("format", "\"chain-experiment/1\"");
   if (format != "chain-experiment/1")

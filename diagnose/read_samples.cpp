@@ -1,65 +1,21 @@
 #include "diagnose/read_samples.hpp"
 
-#include <csv.h>
-
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <plumbline/error.hpp>
 #include <system_error>
-#include <utility>
+
+#include "files/csv_file.hpp"
+#include "files/text_file.hpp"
 
 namespace plumbline {
 namespace {
 
-using Line = std::vector<std::string>;
-
-struct Table {
-  std::vector<Line> lines;
-  Line open;
-};
-
-void end_field(void* text, std::size_t size, void* table) {
-  static_cast<Table*>(table)->open.emplace_back(static_cast<const char*>(text), size);
-}
-
-void end_line(int, void* data) {
-  auto* table = static_cast<Table*>(data);
-  table->lines.push_back(std::exchange(table->open, {}));
-}
-
-std::string contents(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) throw Error(file.string(), "no such file", "a sample file");
-  if (!std::filesystem::is_regular_file(file))
-    throw Error(file.string(), "something that is not a file", "a sample file");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Error(file.string(), "a file that cannot be read", "a readable sample file");
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  std::erase(text, '\r');
-  return text;
-}
-
-std::vector<Line> parse(const std::filesystem::path& file) {
-  const std::string text = contents(file);
-  Table table;
-  csv_parser parser;
-  // Unquoted line ends are all reported, so that a line's number in the file is its number here.
-  csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI | CSV_REPALL_NL);
-  const bool good =
-      csv_parse(&parser, text.data(), text.size(), end_field, end_line, &table) == text.size() &&
-      csv_fini(&parser, end_field, end_line, &table) == 0;
-  csv_free(&parser);
-  if (!good) {
-    throw Error(file.string() + ":" + std::to_string(table.lines.size() + 1), "a quotation mark out of place",
-                "plain comma-separated numbers");
-  }
-  return table.lines;
-}
+using Fields = std::vector<std::string>;
 
 std::string place(const std::filesystem::path& file, std::size_t line) {
-  return file.string() + ":" + std::to_string(line + 1);
+  return file.string() + ":" + std::to_string(line);
 }
 
 double number(const std::string& field, const std::string& where) {
@@ -72,21 +28,21 @@ double number(const std::string& field, const std::string& where) {
   return value;
 }
 
-Line expected_header(std::size_t joints) {
-  Line names{"t", "x", "y", "Fx", "Fy"};
+Fields expected_header(std::size_t joints) {
+  Fields names{"t", "x", "y", "Fx", "Fy"};
   for (std::size_t i = 1; i <= joints; ++i) names.push_back("q" + std::to_string(i));
   return names;
 }
 
-std::string joined(const Line& fields) {
+std::string joined(const Fields& fields) {
   std::string text;
   for (const std::string& field : fields) text += (text.empty() ? "" : ",") + field;
   return text;
 }
 
-void require_header(const Line& found, const std::filesystem::path& file, std::size_t joints) {
-  if (found == expected_header(0) || found == expected_header(joints)) return;
-  throw Error(place(file, 0), "the header '" + joined(found) + "'",
+void require_header(const CsvRow& found, const std::filesystem::path& file, std::size_t joints) {
+  if (found.fields == expected_header(0) || found.fields == expected_header(joints)) return;
+  throw Error(place(file, found.line), "the header '" + joined(found.fields) + "'",
               "'" + joined(expected_header(0)) + "' or '" + joined(expected_header(joints)) + "'");
 }
 
@@ -106,25 +62,26 @@ void require_given(const Reading& r, Control control, const std::string& where) 
 }  // namespace
 
 std::vector<Reading> read_samples(const std::filesystem::path& file, Control control, std::size_t joints) {
-  std::vector<Line> lines = parse(file);
-  while (!lines.empty() && lines.back().empty()) lines.pop_back();
-  if (lines.empty()) throw Error(file.string(), "an empty file", "a header line and readings");
-  require_header(lines.front(), file, joints);
-  if (lines.size() == 1) throw Error(file.string(), "a header alone", "at least one reading");
+  const std::vector<CsvRow> rows = parse_csv(read_text(file), file.string());
+  if (rows.empty()) throw Error(file.string(), "blank lines alone", "a header line and readings");
+  const Fields& header = rows.front().fields;
+  require_header(rows.front(), file, joints);
+  if (rows.size() == 1) throw Error(file.string(), "a header alone", "at least one reading");
   std::vector<Reading> readings;
-  for (std::size_t i = 1; i < lines.size(); ++i) {
-    const std::string where = place(file, i);
-    if (lines[i].size() != lines[0].size()) {
-      throw Error(where, std::to_string(lines[i].size()) + " fields",
-                  std::to_string(lines[0].size()) + ", as in the header");
+  for (std::size_t r = 1; r < rows.size(); ++r) {
+    const Fields& fields = rows[r].fields;
+    const std::string where = place(file, rows[r].line);
+    if (fields.size() != header.size()) {
+      throw Error(where, std::to_string(fields.size()) + " fields",
+                  std::to_string(header.size()) + ", as in the header");
     }
     std::vector<double> values;
-    for (std::size_t c = 0; c < lines[i].size(); ++c)
-      values.push_back(number(lines[i][c], where + ", " + lines[0][c]));
+    for (std::size_t c = 0; c < fields.size(); ++c)
+      values.push_back(number(fields[c], where + ", " + header[c]));
     readings.push_back(reading(values));
     require_given(readings.back(), control, where);
-    if (i > 1 && readings[i - 1].t < readings[i - 2].t) {
-      throw Error(where + ", t", lines[i][0], "a time not before the last reading's, " + lines[i - 1][0]);
+    if (r > 1 && readings[r - 1].t < readings[r - 2].t) {
+      throw Error(where + ", t", fields[0], "a time not before the last reading's, " + rows[r - 1].fields[0]);
     }
   }
   return readings;
