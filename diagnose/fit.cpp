@@ -154,7 +154,7 @@ bool minimise(Problem& problem, const std::vector<std::size_t>& free, double out
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = 30;
-  options.function_tolerance = 1e-6;
+  options.function_tolerance = 1e-5;
   options.parameter_tolerance = 1e-7;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &least_squares, &summary);
@@ -252,16 +252,14 @@ Fit fit_nominal(const Experiment& experiment, const Measurements& measurements, 
 
 Fit fit(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
         const FitSettings& settings) {
-  const Prediction nominal = predict(experiment, {}, {});
-  return best_of(experiment, measurements, candidate, settings, starts(experiment, nominal, candidate));
+  return best_of(experiment, measurements, candidate, settings, starts(experiment, candidate));
 }
 
 Fit refit_with(const Experiment& experiment, const Measurements& measurements, const Fit& fitted,
                const EffectAt& newcomer, const FitSettings& settings) {
   Candidate candidate = fitted.candidate;
   candidate.effects.push_back(newcomer);
-  const Prediction nominal = predict(experiment, {}, {});
-  Starts known = starts(experiment, nominal, newcomer);
+  Starts known = starts(experiment, newcomer);
   for (std::vector<double>& start : known.from)
     start.insert(start.begin(), fitted.parameters.begin(), fitted.parameters.end());
   return best_of(experiment, measurements, candidate, settings, known);
