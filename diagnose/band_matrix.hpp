@@ -25,7 +25,7 @@ class BandMatrix {
     return entry_[row * (width_ + 1) + width_ + column - row];
   }
 
-  /// Replaces the matrix by its factors L and D. A pivot smaller than `smallest` is put at that size: the
+  /// Replaces the matrix by its factors L and 1/D. A pivot smaller than `smallest` is put at that size: the
   /// solution then errs, which costs a Newton iteration and no more.
   /// \returns the number of negative pivots, which is the number of negative eigenvalues (Sylvester)
   std::size_t factorise(double smallest) {
@@ -41,13 +41,13 @@ class BandMatrix {
         (*this)(i, j) = sum;
       }
       for (std::size_t j = first; j < i; ++j) {
-        const double scaled = (*this)(i, j) / (*this)(j, j);
+        const double scaled = (*this)(i, j) * (*this)(j, j);
         pivot -= scaled * (*this)(i, j);
         (*this)(i, j) = scaled;
       }
       if (std::abs(pivot) < smallest) pivot = pivot < 0 ? -smallest : smallest;
       negative += pivot < 0;
-      (*this)(i, i) = pivot;
+      (*this)(i, i) = 1 / pivot;
     }
     return negative;
   }
@@ -57,7 +57,7 @@ class BandMatrix {
   void solve(Vector& x) const {
     for (std::size_t i = 0; i < size_; ++i)
       for (std::size_t j = i > width_ ? i - width_ : 0; j < i; ++j) x[i] -= (*this)(i, j) * x[j];
-    for (std::size_t i = 0; i < size_; ++i) x[i] /= (*this)(i, i);
+    for (std::size_t i = 0; i < size_; ++i) x[i] *= (*this)(i, i);
     for (std::size_t i = size_; i-- > 0;)
       for (std::size_t j = i > width_ ? i - width_ : 0; j < i; ++j) x[j] -= (*this)(i, j) * x[i];
   }

@@ -26,6 +26,7 @@ class Problem {
         ranges_(parameter_ranges(experiment, candidate)) {}
 
   [[nodiscard]] const std::vector<ParameterRange>& ranges() const { return ranges_; }
+  [[nodiscard]] bool reached() const { return reached_; }
   [[nodiscard]] const std::vector<double>& residual() const { return residual_; }
   [[nodiscard]] const Eigen::VectorXd& white() const { return white_; }
   [[nodiscard]] const RowMatrix& jacobian() const { return jacobian_; }
@@ -65,7 +66,8 @@ class Problem {
       white_(i) = 0;
       jacobian_.row(i).setZero();
     }
-    return white_.allFinite() && jacobian_.allFinite();
+    reached_ = white_.allFinite() && jacobian_.allFinite();
+    return reached_;
   }
 
   [[nodiscard]] double cost() const {
@@ -137,7 +139,7 @@ class Scaled final : public ceres::CostFunction {
 /// Minimises over the free parameters, the others held at their start. \returns whether a minimum was found
 bool minimise(Problem& problem, const std::vector<std::size_t>& free, double outlier_bound, int values,
               std::vector<double>& parameters) {
-  if (free.empty()) return problem.evaluate(parameters);
+  if (!problem.evaluate(parameters) || free.empty()) return problem.reached();
   std::vector<double> scaled;
   for (const std::size_t p : free) scaled.push_back(parameters[p] / problem.ranges()[p].scale);
   auto* cost = new Scaled(problem, parameters, free, outlier_bound, values);  // Ceres takes it over
@@ -152,7 +154,7 @@ bool minimise(Problem& problem, const std::vector<std::size_t>& free, double out
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
   options.max_num_iterations = 30;
-  options.function_tolerance = 1e-6;
+  options.function_tolerance = 1e-5;
   options.parameter_tolerance = 1e-7;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &least_squares, &summary);
@@ -250,16 +252,14 @@ Fit fit_nominal(const Experiment& experiment, const Measurements& measurements, 
 
 Fit fit(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
         const FitSettings& settings) {
-  const Prediction nominal = predict(experiment, {}, {});
-  return best_of(experiment, measurements, candidate, settings, starts(experiment, nominal, candidate));
+  return best_of(experiment, measurements, candidate, settings, starts(experiment, candidate));
 }
 
 Fit refit_with(const Experiment& experiment, const Measurements& measurements, const Fit& fitted,
                const EffectAt& newcomer, const FitSettings& settings) {
   Candidate candidate = fitted.candidate;
   candidate.effects.push_back(newcomer);
-  const Prediction nominal = predict(experiment, {}, {});
-  Starts known = starts(experiment, nominal, newcomer);
+  Starts known = starts(experiment, newcomer);
   for (std::vector<double>& start : known.from)
     start.insert(start.begin(), fitted.parameters.begin(), fitted.parameters.end());
   return best_of(experiment, measurements, candidate, settings, known);
@@ -270,11 +270,13 @@ Profile profile(const Experiment& experiment, const Measurements& measurements, 
   Problem problem(experiment, measurements, fitted.candidate, settings);
   const ParameterRange range = problem.ranges().at(parameter);
   const std::vector<std::size_t> others = all_but(fitted.parameters.size(), parameter);
+  // The fit's own cost may be one in other noise.
+  const double least = problem.evaluate(fitted.parameters) ? problem.cost() : fitted.cost;
   const auto excess = [&](double value, std::vector<double>& warm) {
     warm[parameter] = value;
     const bool found =
         minimise(problem, others, settings.outlier_bound, static_cast<int>(measurements.size()), warm);
-    return found ? problem.cost() - fitted.cost - rise : rise * 1e3;
+    return found ? problem.cost() - least - rise : rise * 1e3;
   };
   const auto j = static_cast<Eigen::Index>(parameter);
   const double sigma = std::sqrt(fitted.covariance(j, j));

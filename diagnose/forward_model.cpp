@@ -155,8 +155,7 @@ class RunWalk {
     if (!solver_.follow(main_.on, at_, target, during(main_), main_.memory, guess, main_.posture))
       return false;
     snapped_ = snapped_ || solver_.snapped();
-    if (!beside_.empty())
-      solver_.settle(main_.on, target, during(main_), main_.memory, main_.posture);
+    if (!beside_.empty()) solver_.settle(main_.on, target, during(main_), main_.memory, main_.posture);
     for (Traveller& other : beside_) {
       other.posture = solver_.neighbour(other.on, other.imposed(run_, reading), during(other), other.memory,
                                         main_.posture);

@@ -19,8 +19,8 @@ struct Probe {
   double step = 0;  ///< 0: a small one
 };
 
-std::vector<Probe> probes(const Experiment& experiment, const Prediction& nominal, const EffectAt& effect) {
-  const Starts known = starts(experiment, nominal, effect);
+std::vector<Probe> probes(const Experiment& experiment, const EffectAt& effect) {
+  const Starts known = starts(experiment, effect);
   std::vector<Probe> result;
   switch (effect.effect) {
     case EffectId::joint_stop:
@@ -130,11 +130,10 @@ class Screen {
       : experiment_(experiment),
         fitted_(fitted),
         rig_(rig_with(experiment, fitted.candidate, fitted.parameters)) {
-    const Prediction nominal = predict(experiment, {}, {});
     const std::vector<EffectAt>& own = fitted.candidate.effects;
     for (const EffectAt& at : possible_effects(experiment)) {
       if (std::find(own.begin(), own.end(), at) != own.end()) continue;
-      for (Probe& probe : probes(experiment, nominal, at)) probes_.push_back(std::move(probe));
+      for (Probe& probe : probes(experiment, at)) probes_.push_back(std::move(probe));
     }
     simulate_main();
   }

@@ -7,7 +7,8 @@ namespace plumbline {
 namespace {
 
 /// The largest deflection that the nominal model gives each joint.
-std::vector<double> largest_deflection(const Experiment& experiment, const Prediction& nominal) {
+std::vector<double> largest_deflection(const Experiment& experiment) {
+  const Prediction nominal = predict(experiment, {}, {});
   std::vector<double> largest(experiment.link_length.size(), 0);
   for (std::size_t r = 0; r < nominal.runs.size(); ++r) {
     const Trace& trace = nominal.runs[r];
@@ -20,15 +21,11 @@ std::vector<double> largest_deflection(const Experiment& experiment, const Predi
   return largest;
 }
 
-/// One effect's parameter, looked at on both sides of nothing: a coarse scan of what it may be.
+/// One effect's parameter, looked at on both sides of nothing.
 std::vector<std::vector<double>> scan(const ParameterRange& range) {
   std::vector<std::vector<double>> result{{0}};
-  for (const double share : {0.3, 2.0}) {
-    for (const double sign : {1.0, -1.0}) {
-      const double value = sign * share * range.scale;
-      if (value > range.low && value < range.high) result.push_back({value});
-    }
-  }
+  for (const double value : {range.scale, -range.scale})
+    if (value > range.low && value < range.high) result.push_back({value});
   return result;
 }
 
@@ -41,9 +38,8 @@ double largest_torque(const Experiment& experiment, const std::vector<double>& d
 
 }  // namespace
 
-Starts starts(const Experiment& experiment, const Prediction& nominal, const EffectAt& at) {
+Starts starts(const Experiment& experiment, const EffectAt& at) {
   const std::vector<ParameterRange> ranges = parameter_ranges(experiment, at);
-  const std::vector<double> deflection = largest_deflection(experiment, nominal);
   std::vector<std::vector<double>> from;
   const auto add = [&](std::vector<double> start) {
     for (std::size_t p = 0; p < start.size(); ++p)
@@ -51,17 +47,22 @@ Starts starts(const Experiment& experiment, const Prediction& nominal, const Eff
     from.push_back(std::move(start));
   };
   switch (at.effect) {
-    case EffectId::backlash:
-      for (const double share : {0.02, 0.1, 0.4}) add({share * deflection[at.joint - 1]});
+    case EffectId::backlash: {
+      const double reach = largest_deflection(experiment)[at.joint - 1];
+      for (const double share : {0.02, 0.1, 0.4}) add({share * reach});
       return {from, 2};
-    case EffectId::joint_friction:
-      for (const double share : {0.002, 0.01, 0.05}) add({share * largest_torque(experiment, deflection)});
+    }
+    case EffectId::joint_friction: {
+      const double torque = largest_torque(experiment, largest_deflection(experiment));
+      for (const double share : {0.002, 0.01, 0.05}) add({share * torque});
       return {from, 1};
-    case EffectId::joint_stop:
+    }
+    case EffectId::joint_stop: {
+      const double reach = largest_deflection(experiment)[at.joint - 1];
       for (const double share : {0.2, 0.4, 0.6, 0.8, 0.95})
-        for (const double stiff : {0.3, 3.0})
-          add({share * deflection[at.joint - 1], stiff * ranges[1].scale});
+        for (const double stiff : {0.3, 3.0}) add({share * reach, stiff * ranges[1].scale});
       return {from, 2};
+    }
     case EffectId::viscoelasticity:
       for (const double share : {0.1, 0.3, 0.5, 0.7, 0.9})
         add({0.5 * ranges[0].scale, ranges[1].low + share * (ranges[1].high - ranges[1].low)});
@@ -75,10 +76,10 @@ Starts starts(const Experiment& experiment, const Prediction& nominal, const Eff
   }
 }
 
-Starts starts(const Experiment& experiment, const Prediction& nominal, const Candidate& candidate) {
+Starts starts(const Experiment& experiment, const Candidate& candidate) {
   Starts all{{{}}, 1};
   for (const EffectAt& at : candidate.effects) {
-    const Starts own = starts(experiment, nominal, at);
+    const Starts own = starts(experiment, at);
     std::vector<std::vector<double>> longer;
     for (const auto& head : all.from) {
       for (const auto& tail : own.from) {

@@ -15,10 +15,9 @@ struct Starts {
 };
 
 /// Starts for one effect.
-/// \param nominal  the nominal prediction: it says how far each joint goes
-Starts starts(const Experiment& experiment, const Prediction& nominal, const EffectAt& at);
+Starts starts(const Experiment& experiment, const EffectAt& at);
 
 /// All combinations for several effects.
-Starts starts(const Experiment& experiment, const Prediction& nominal, const Candidate& candidate);
+Starts starts(const Experiment& experiment, const Candidate& candidate);
 
 }  // namespace plumbline

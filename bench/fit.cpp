@@ -1,0 +1,159 @@
+/// \file
+/// `bench-fit`: time of fitting a single effect to an experiment of four links and 200 readings, beside a
+/// SciPy script that fits the same to the same readings. Processor time, one thread.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "diagnose/fit.hpp"
+
+namespace plumbline::bench {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Task {
+  EffectAt at;
+  Experiment experiment;
+};
+
+double processor_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+Run press(const std::vector<double>& length, const std::vector<double>& rest, double by_x, double by_y) {
+  Run run{"press", Control::displacement, rest, {}};
+  double theta = 0, x = 0, y = 0;
+  for (std::size_t j = 0; j < rest.size(); ++j) {
+    theta += rest[j];
+    x += length[j] * std::cos(theta);
+    y += length[j] * std::sin(theta);
+  }
+  for (int i = 0; i < 100; ++i) {
+    const double share = 1 - std::abs(1 - i / 50.0);
+    run.readings.push_back({1.0 * i, x + share * by_x, y + share * by_y, 0, 0, {}});
+  }
+  return run;
+}
+
+Experiment four_links() {
+  Experiment experiment;
+  experiment.link_length = {0.25, 0.2, 0.22, 0.18};
+  experiment.joint_stiffness = {2.0, 2.5, 1.5, 2.0};
+  experiment.link_mass.assign(4, 0);
+  experiment.gravity = {0, 0};
+  experiment.bench = {Bench::Plane::vertical, {0, -1}, true};
+  experiment.noise = {0, 0, 0.02, 0.02, 0};
+  experiment.runs = {press(experiment.link_length, {0.3, -0.2, -0.4, 0.5}, -0.08, 0),
+                     press(experiment.link_length, {-0.4, 0.5, 0.3, -0.4}, -0.06, 0.03)};
+  return experiment;
+}
+
+/// The experiment with half a sizeable effect in it, and noise.
+Task task(const EffectAt& at, unsigned seed) {
+  Task one{at, four_links()};
+  std::vector<double> truth;
+  for (const ParameterRange& range : parameter_ranges(one.experiment, at)) truth.push_back(range.scale / 2);
+  const Prediction predicted = predict(one.experiment, {{at}}, truth);
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> noise(0, one.experiment.noise.Fx);
+  for (std::size_t r = 0; r < one.experiment.runs.size(); ++r) {
+    for (std::size_t i = 0; i < one.experiment.runs[r].readings.size(); ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      one.experiment.runs[r].readings[i].Fx = predicted.runs[r](row, column_Fx) + noise(engine);
+      one.experiment.runs[r].readings[i].Fy = predicted.runs[r](row, column_Fy) + noise(engine);
+    }
+  }
+  return one;
+}
+
+Json for_script(const Task& one) {
+  Json runs = Json::array();
+  for (const Run& run : one.experiment.runs) {
+    Json columns{{"rest", run.rest}};
+    for (const Reading& reading : run.readings) {
+      columns["x"].push_back(reading.x);
+      columns["y"].push_back(reading.y);
+      columns["Fx"].push_back(reading.Fx);
+      columns["Fy"].push_back(reading.Fy);
+    }
+    runs.push_back(columns);
+  }
+  Json scale = Json::array();
+  for (const ParameterRange& range : parameter_ranges(one.experiment, one.at)) scale.push_back(range.scale);
+  return {
+      {"effect", effect_name(one.at.effect)},
+      {"joint", one.at.joint},
+      {"nominal", {{"length", one.experiment.link_length}, {"stiffness", one.experiment.joint_stiffness}}},
+      {"sigma", one.experiment.noise.Fx},
+      {"scale", scale},
+      {"runs", runs}};
+}
+
+Json run_script(const std::vector<Task>& tasks) {
+  const auto folder = std::filesystem::temp_directory_path();
+  const std::string in = (folder / "bench-fit-in.json").string(),
+                    out = (folder / "bench-fit-out.json").string();
+  Json all = Json::array();
+  for (const Task& one : tasks) all.push_back(for_script(one));
+  std::ofstream(in) << all;
+  const std::string command =
+      fmt::format("OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 python3 '{}' < '{}' > '{}'", FIT_SCIPY, in, out);
+  if (std::system(command.c_str()) != 0) {
+    fmt::print(stderr, "bench-fit: the SciPy script failed; it needs python3-scipy\n");
+    std::exit(1);
+  }
+  return Json::parse(std::ifstream(out));
+}
+
+void compare(const std::vector<Task>& tasks) {
+  const Json peer = run_script(tasks);
+  fmt::print("{:<20} {:>12} {:>12} {:>8} {:>14}\n", "effect", "SciPy, ms", "here, ms", "ratio",
+             "values differ");
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const Task& one = tasks[i];
+    const Measurements measurements(one.experiment);
+    FitSettings settings;
+    settings.outlier_bound = 100;  // plain least squares, as the script does
+    constexpr int repeats = 20;
+    Fit found;
+    const double start = processor_seconds();
+    for (int r = 0; r < repeats; ++r) found = fit(one.experiment, measurements, {{one.at}}, settings);
+    const double seconds = (processor_seconds() - start) / repeats;
+    double apart = 0;  // in standard deviations
+    for (std::size_t p = 0; p < found.parameters.size(); ++p) {
+      const auto k = static_cast<Eigen::Index>(p);
+      apart = std::max(apart, std::abs(found.parameters[p] - peer[i]["parameters"][p].get<double>()) /
+                                  std::sqrt(found.covariance(k, k)));
+    }
+    const double other = peer[i]["seconds"].get<double>();
+    fmt::print("{:<20} {:>12.1f} {:>12.3f} {:>8.0f} {:>8.3f} sigma\n", effect_name(one.at.effect),
+               1e3 * other, 1e3 * seconds, other / seconds, apart);
+  }
+}
+
+}  // namespace
+}  // namespace plumbline::bench
+
+int main() {
+  using namespace plumbline;
+  std::vector<bench::Task> tasks;
+  for (const EffectAt& at : std::vector<EffectAt>{{EffectId::joint_stiffness, 2},
+                                                  {EffectId::link_length, 3},
+                                                  {EffectId::rest_angle, 1},
+                                                  {EffectId::nonlinear_spring},
+                                                  {EffectId::gravity},
+                                                  {EffectId::base_compliance},
+                                                  {EffectId::tip_stiffness},
+                                                  {EffectId::force_bias},
+                                                  {EffectId::force_gain}})
+    tasks.push_back(bench::task(at, 7));
+  bench::compare(tasks);
+}
