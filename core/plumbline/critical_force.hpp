@@ -199,7 +199,7 @@ std::vector<Real> critical_forces(const Chain<Real>& chain, std::size_t lowest) 
   for (const auto& roots : lowest_roots(chain, lowest)) {
     const auto before = static_cast<std::ptrdiff_t>(forces.size());
     for (const auto& root : roots) forces.push_back(root.value);
-    std::inplace_merge(forces.begin(), forces.begin() + before, forces.end());
+    if (before > 0) std::inplace_merge(forces.begin(), forces.begin() + before, forces.end());
   }
   forces.resize(std::min(lowest, forces.size()));
   return forces;

@@ -35,6 +35,7 @@ struct Bracket {
   Real next;
   Real rate;            ///< of convergence, as for Root, before a step has told
   Real last = Real(1);  ///< the step that led there, relative; 1 when it was no Laguerre step
+  Real enough = epsilon<Real>() / Real(8);  ///< relative error that will do
   Real pull = Real(0);  ///< the sum over all roots of 1 / (relative distance)^2 where that step was made
 
   [[nodiscard]] bool single() const { return up_to - below == 1; }
@@ -49,7 +50,7 @@ struct Bracket {
 
 /// Shortens the bracket of a single root by what was found at its next point, and steps on. Returns true when
 /// the root is known. For that Newton's step must be nearly the same, so that it is this root that is near
-/// and not one behind, and the error that the step leaves below rounding. With d the relative distances of
+/// and not one behind, and the error that the step leaves small enough. With d the relative distances of
 /// the other roots that error is less than e^3 / 2 sum 1 / d^2; the last two steps tell the sum.
 template <Floating Real>
 bool close_in(Bracket<Real>& bracket, const Sweep<Real, 2>& at, std::size_t degree) {
@@ -72,7 +73,7 @@ bool close_in(Bracket<Real>& bracket, const Sweep<Real, 2>& at, std::size_t degr
     bracket.rate = std::max(Real(1), Real(Real(4) * abs(Real(bracket.pull - Real(1) / (before * before)))));
   }
   const Real left = std::max(Real(bracket.rate * step * step), Real(others * others)) * step;
-  const bool done = others < Real(0.1) && left < epsilon<Real>() / Real(8);
+  const bool done = others < Real(0.1) && left < bracket.enough;
   const bool slow = bracket.high > bracket.low * sqrt(width) && step > bracket.last / Real(2);
   if (!done && (slow || !(bracket.low < target && target < bracket.high))) return !bracket.halve();
   bracket.next = target;

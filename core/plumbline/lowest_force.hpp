@@ -60,10 +60,11 @@ Root<Real> root_in(const StringPiece<Real>& string, Bracket<Real> bracket) {
 /// that it is not.
 template <Floating Real>
 std::optional<Root<Real>> refined(const StringPiece<Real>& string, std::size_t index, const Root<Real>& from,
-                                  int runs) {
+                                  int runs, const Real& enough = epsilon<Real>() / Real(8)) {
   const Real far(1e9);
   Bracket<Real> bracket{
       Real(from.value / far), Real(from.value * far), index, index + 1, from.value, from.rate};
+  bracket.enough = enough;
   while (runs-- > 0) {
     const auto at = sweep(string, bracket.next);
     if (at.below < index || at.below > index + 1) return std::nullopt;
@@ -72,15 +73,17 @@ std::optional<Root<Real>> refined(const StringPiece<Real>& string, std::size_t i
   return std::nullopt;
 }
 
-/// The lowest critical force of a string.
+/// The lowest critical force of a string, to a relative error that is enough.
 template <std::floating_point Real>
-Root<Real> lowest_force(const StringPiece<Real>& string) {
+Root<Real> lowest_force(const StringPiece<Real>& string, Real enough = epsilon<Real>() / 8) {
   if (string.size() > 32) {
     const CoarseString<Real> coarse(string);
-    if (const auto root = refined(string, 0, {lowest_force(coarse.piece()).value, Real(1)}, 5)) return *root;
+    const Root<Real> near{lowest_force(coarse.piece(), Real(1e-6)).value, Real(1)};
+    if (const auto root = refined(string, 0, near, 5, enough)) return *root;
   }
   Bracket<Real> bracket = all_of(string);
   bracket.up_to = 1;
+  bracket.enough = enough;
   bracket.next = bracket.low;
   bracket.last = std::numeric_limits<Real>::infinity();  // the first step may be as long as it likes
   bracket.rate = Real(1);  // close_in knows better: all other roots are on one side

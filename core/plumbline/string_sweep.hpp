@@ -54,6 +54,7 @@ struct SafeStretch {
   SafeStretch(const StringPiece<Real>& string, const Real& F) {
     if constexpr (std::floating_point<Real>) {
       const Real Fm = F * string.largest_mass;
+      if (string.size() <= 16 && Fm * string.largest_spacing < Real(1 << 20)) return;  // 16 links: 2^352
       const Real bits = 2 * std::log2(1 + std::sqrt(Fm * string.largest_spacing));
       const Real room = std::numeric_limits<Real>::max_exponent / 2;
       links = static_cast<std::size_t>(std::max(Real(1), std::min(Real(1000), room / (bits + Real(0.01)))));
@@ -63,6 +64,7 @@ struct SafeStretch {
   template <int order>
   void restore(StringState<Real, order>& state) const {
     if constexpr (std::floating_point<Real>) {
+      if (links == std::numeric_limits<std::size_t>::max()) return;
       const Real size = std::max(std::abs(state.h[0]), unit * std::abs(state.g[0]));
       state.scale(std::ldexp(Real(1), -std::ilogb(size)));
     }
