@@ -19,6 +19,8 @@ std::vector<Claim> all_claims() {
     const std::vector<Claim> part = section();
     claims.insert(claims.end(), part.begin(), part.end());
   }
+  std::stable_sort(claims.begin(), claims.end(),
+                   [](const Claim& a, const Claim& b) { return section_of(a) < section_of(b); });
   return claims;
 }
 

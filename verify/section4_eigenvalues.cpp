@@ -14,6 +14,7 @@
 #include "verify/algorithm1_instances.hpp"
 #include "verify/claims.hpp"
 #include "verify/judging.hpp"
+#include "verify/post_buckling.hpp"
 #include "verify/section4_chains.hpp"
 
 namespace plumbline {
@@ -268,6 +269,41 @@ Judgement critical_force(const Printed& printed, int digits) {
           certified_decimal(F, digits)};
 }
 
+/// On which side of the critical force the bent shapes begin, for two elastic chains of two links.
+Judgement bends_above(const Printed& printed, int) {
+  // the mode of L = (2, 1): delta_y = 3 q_1 + q_2 = 0
+  const auto curvature = [](const Rational& k2) {
+    const Chain<Rational> chain({2, 1}, {1, k2});
+    const std::vector<Rational> q{1, -3};
+    const Rational F = energy_factor(chain, q);
+    return post_buckling_curvature(chain, Mode<Rational>{F, q, lateral_force(chain, F, q)});
+  };
+  const Rational stiff = curvature(1);
+  const Rational soft = curvature(Rational(1, 10));
+  const std::string side = stiff > 0 && soft > 0 ? "above" : stiff < 0 && soft < 0 ? "below" : "either";
+  if (printed.at(0) != "above" && printed.at(0) != "below" && printed.at(0) != "either") {
+    throw Error("claim", printed.at(0), "above, below or either");
+  }
+  const bool right = printed.at(0) == side;
+  const bool on_passive_base = printed.at(0) == "above" && side == "either";  // and of the paper's own chains
+  return {
+      right             ? Verdict::confirmed
+      : on_passive_base ? Verdict::imprecise
+                        : Verdict::refuted,
+      right ? ""
+            : "the straight chain is stable up to the critical force, but on an elastic base bent shapes can "
+              "exist below it "
+              "as well: L = (2, 1), k = (1, 1/10) bifurcates subcritically. On a passive base, and for the "
+              "chains that the "
+              "paper computes, bent shapes near the straight one exist above the critical force only",
+      {{EvidenceKind::theorem,
+        "Supercritical: always on a passive base; on an elastic base either sign of F_2 occurs"},
+       {EvidenceKind::exact,
+        fmt::format("F = F_1 + F_2 a^2 + … for L = (2, 1): F_2 = {} with k = (1, 1), {} with k = (1, 1/10)",
+                    stiff.str(), soft.str())}},
+      ""};
+}
+
 Judgement listed_eigenvalues(const Printed& printed, int) {
   const Judgement all = judge_count(
       printed.at(0), [](std::size_t n) { return n + 1; }, "", EvidenceKind::exact,
@@ -367,6 +403,11 @@ std::vector<Claim> eigenvalue_claims() {
        "buckling happens at the lowest of the equilibrium loadings",
        {"lowest"},
        buckles_at},
+      {"straight-until-critical",
+       "4, first paragraph",
+       "like Euler's column, the chain keeps its straight shape until the load exceeds the critical force",
+       {"above"},
+       bends_above},
       {"eq-36", "4.2, (36)", "critical force F_x^0 = -1/max|lambda_i|", {"-1"}, critical_force},
       {"algorithm-1-general",
        "4.2, before Algorithm 1",

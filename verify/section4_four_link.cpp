@@ -14,6 +14,7 @@
 #include "proofs/exact_chain.hpp"
 #include "verify/claims.hpp"
 #include "verify/judging.hpp"
+#include "verify/post_buckling.hpp"
 #include "verify/section4_chains.hpp"
 
 namespace plumbline {
@@ -249,25 +250,12 @@ Judgement forces(const Printed& printed, int digits) {
   return column_of_table_3(printed, digits, &CertifiedMode::force, "F_x");
 }
 
-/// Curvature of the bifurcation: F = F_m + F_2 a^2 + … along theta = a phi + … (theorem "Supercritical").
-Interval post_buckling_curvature(const CertifiedMode& mode) {
-  Interval square(0), cubic(0), quartic(0), phi(0);
-  for (const Interval& angle : mode.q) {
-    phi += angle;
-    square += sqr(phi);
-    cubic += phi * sqr(phi);
-    quartic += sqr(sqr(phi));
-  }
-  // (29) with the lateral force that the chain exerts; the theorem's c is F_y in E + F_y y, the same sign as
-  // here
-  return (mode.force * quartic / Interval(6) - Interval(Rational(2, 3)) * mode.fy * cubic) / square;
-}
-
 Judgement straight_below(const Printed& printed, int) {
   std::vector<std::string> found;
   bool above = true;
+  const auto chain = from_rational<Interval>(four_link_chain());
   for (const CertifiedMode& mode : modes()) {
-    const Interval curvature = post_buckling_curvature(mode);
+    const Interval curvature = post_buckling_curvature(chain, {mode.force, mode.q, mode.fy});
     above = above && certainly_positive(curvature);
     found.push_back(certified_decimal(curvature, 6));
   }
