@@ -104,19 +104,27 @@ class EquilibriumSolver {
     Real last(1);
     for (int iteration = 0; iteration < most; ++iteration) {
       model_->expand(theta, force, expansion_);
-      require_regular(factor(control));
+      require_regular(is_finite(expansion_.energy) && factor(control));
       step_ = -expansion_.residual;
       Vector<Real> border(control == Control::end_point ? 2 : 0);
       if (control == Control::end_point)
         border << place.x - expansion_.end_point.x, place.y - expansion_.end_point.y;
       matrix_.solve(step_, border);
+      Real moment(0), stiffness(0);
+      for (Eigen::Index i = 0; i < theta.size(); ++i) {
+        moment = max(moment, Real(abs(expansion_.residual(i))));
+        stiffness = max(stiffness, Real(abs(expansion_.hessian(0, i))));
+      }
+      // a short turn alone does not settle it: the force may still have far to go
+      const bool balanced = moment <= sqrt(epsilon<Real>()) * stiffness;
       Real turn(0), size(1);
       for (Eigen::Index i = 0; i < theta.size(); ++i) {
         turn = max(turn, Real(abs(step_(i))));
         size = max(size, Real(abs(theta(i))));
       }
       if (!is_finite(turn)) require_regular(false);
-      const bool settled = turn <= enough * size || (turn < sqrt(epsilon<Real>()) && turn > last / Real(2));
+      const bool settled =
+          balanced && (turn <= enough * size || (turn < sqrt(epsilon<Real>()) && turn > last / Real(2)));
       const Real part = turn > largest_turn ? Real(largest_turn / turn) : Real(1);
       theta += part * step_;
       if (control == Control::end_point) {

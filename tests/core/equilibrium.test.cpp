@@ -132,6 +132,8 @@ TEST_CASE("inertia under both controls agrees with dense eigenvalues") {
     ++checked;
     Expansion<double, 1> expansion;
     model.expand(at.theta, at.force, expansion);
+    CHECK(expansion.residual.cwiseAbs().maxCoeff() <
+          1e-10 * (1 + std::abs(at.force.x) + std::abs(at.force.y)));
     const Eigen::MatrixXd K = dense(expansion);
     const auto negative = [](const Eigen::MatrixXd& A) {
       return (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().array() < 0).count();
