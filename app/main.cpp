@@ -32,5 +32,6 @@ int main(int argc, char** argv) {
   app.footer("Exit status: 0 done, 1 a claim or a check failed, 2 bad input.");
   plumbline::add_verify(app);
   plumbline::add_critical(app);
+  plumbline::add_diagnose(app);
   return run(app, argc, argv);
 }

@@ -10,6 +10,7 @@
 namespace plumbline {
 
 void add_critical(CLI::App& app);
+void add_diagnose(CLI::App& app);
 void add_verify(CLI::App& app);
 
 }  // namespace plumbline

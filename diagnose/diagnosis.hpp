@@ -6,9 +6,10 @@
 #include <map>
 #include <optional>
 
+#include "diagnose/missing.hpp"
+#include "diagnose/next_run.hpp"
 #include "diagnose/shrink.hpp"
 #include "diagnose/verdict.hpp"
-#include "diagnose/where.hpp"
 
 namespace plumbline {
 
@@ -35,6 +36,8 @@ struct Diagnosis {
   std::vector<std::vector<Estimate>> estimates;  ///< [effect of the best explanation][parameter]
   std::vector<EffectAt> not_exercised;           ///< effects that these runs could not have shown
   std::optional<Shrink> shrink;
+  std::optional<Missing> missing;   ///< for `unknown`: what is missing, without a catalogue
+  std::vector<Proposal> proposals;  ///< for `ambiguous`, or on request: what to measure next
 };
 
 /// \param progress  called now and then with the share of the work that is done

@@ -159,11 +159,16 @@ std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experi
   return by_joint;
 }
 
+bool torques_measured(const Experiment& experiment) {
+  return std::any_of(experiment.runs.begin(), experiment.runs.end(), [](const Run& run) {
+    return std::any_of(run.readings.begin(), run.readings.end(), complete);
+  });
+}
+
 std::vector<JointShare> joint_shares(const Experiment& experiment, const Measurements& measurements,
                                      const std::vector<double>& residual, const NoiseModel& noise) {
+  if (!torques_measured(experiment)) return by_free_torque(experiment, measurements, residual, noise);
   const auto torques = missing_torques(experiment);
-  if (std::all_of(torques.begin(), torques.end(), [](const auto& joint) { return joint.empty(); }))
-    return by_free_torque(experiment, measurements, residual, noise);
   const double scale = std::max(noise.of(Sensor::angle), noise.of(Sensor::force));
   std::vector<double> weight;
   for (const auto& joint : torques) weight.push_back(excess(joint, scale));

@@ -18,6 +18,9 @@ struct MissingTorque {
 /// By joint. Empty lists where no run measures all joint angles together with the force.
 std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experiment);
 
+/// Whether some reading has the force and all joint angles.
+bool torques_measured(const Experiment& experiment);
+
 /// Shares of the joints: of the missing torque beyond its noise where joint angles are measured. Else each
 /// elastic joint's chance to be the one place of an unknown torque, free at every reading: it may change the
 /// measured channels only along one direction, and what that leaves is compared.

@@ -184,8 +184,15 @@ class Planner {
   [[nodiscard]] std::vector<Proposal> best(std::size_t count) {
     std::sort(proposals_.begin(), proposals_.end(),
               [](const Proposal& a, const Proposal& b) { return a.log_odds > b.log_odds; });
-    if (proposals_.size() > count) proposals_.resize(count);
-    return proposals_;
+    std::vector<Proposal> chosen;
+    for (const Proposal& one : proposals_) {
+      const bool alike = std::any_of(chosen.begin(), chosen.end(), [&](const Proposal& other) {
+        return other.run.rest == one.run.rest && other.angles == one.angles &&
+               other.out_of_gravity == one.out_of_gravity;
+      });
+      if (!alike && chosen.size() < count) chosen.push_back(one);
+    }
+    return chosen;
   }
 
  private:

@@ -11,7 +11,7 @@ namespace plumbline {
 
 /// A run that the lab could make.
 struct Proposal {
-  std::string what;     ///< in words
+  std::string description;
   Run run;              ///< what to command; the measured channels are empty
   bool angles;          ///< whether its joint angles are to be measured
   bool out_of_gravity;  ///< whether the rig is to be turned until gravity acts across its plane

@@ -13,4 +13,7 @@ std::string label(const EffectAt& at);
 
 nlohmann::ordered_json as_json(const Diagnosis& diagnosis);
 
+/// The questions in order: is there a gap; where; what; how far; what next.
+std::string as_text(const Diagnosis& diagnosis);
+
 }  // namespace plumbline

@@ -80,6 +80,25 @@ Json shrink(const Shrink& measured) {
           {"chi2_per_dof_after", measured.chi2_per_value_after}};
 }
 
+Json missing(const Missing& what) {
+  Json points = Json::array();
+  for (const MissingPoint& point : what.points)
+    points.push_back({point.at, point.value, point.t, point.returning});
+  return {{"what", what.what},
+          {"unit", what.unit},
+          {"against", what.against},
+          {"explained",
+           {{"position", what.by_position}, {"direction", what.by_direction}, {"time", what.by_time}}},
+          {"points", points}};
+}
+
+Json next(const std::vector<Proposal>& proposals) {
+  Json list = Json::array();
+  for (const Proposal& one : proposals)
+    list.push_back({{"run", one.description}, {"expected_log_odds", one.log_odds}});
+  return list;
+}
+
 }  // namespace
 
 std::string label(const EffectAt& at) {
@@ -88,12 +107,15 @@ std::string label(const EffectAt& at) {
 }
 
 Json as_json(const Diagnosis& diagnosis) {
+  Json places = where(diagnosis.where);
+  if (diagnosis.missing) places["missing"] = missing(*diagnosis.missing);
   return {{"format", "gap-diagnosis/1"},
           {"experiment", diagnosis.experiment},
           {"gap", gap(diagnosis.gap)},
-          {"where", where(diagnosis.where)},
+          {"where", places},
           {"cause", cause(diagnosis)},
-          {"shrink", diagnosis.shrink ? shrink(*diagnosis.shrink) : Json(nullptr)}};
+          {"shrink", diagnosis.shrink ? shrink(*diagnosis.shrink) : Json(nullptr)},
+          {"next", next(diagnosis.proposals)}};
 }
 
 }  // namespace plumbline

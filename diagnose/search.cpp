@@ -53,8 +53,9 @@ class Searcher {
   }
 
  private:
-  static void keep(std::vector<Fit>& fits, Fit one) {
-    if (one.converged) fits.push_back(std::move(one));
+  /// Keeps what converged, unless its parameters are too many for so few readings: three for each.
+  void keep(std::vector<Fit>& fits, Fit one) const {
+    if (one.converged && 3 * one.parameters.size() <= measurements_.size()) fits.push_back(std::move(one));
   }
 
   static Combination joined(const Fit& base, const Prospect& prospect) {

@@ -1,6 +1,7 @@
 #include "diagnose/verdict.hpp"
 
 #include <algorithm>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 
 namespace plumbline {
@@ -76,9 +77,21 @@ std::size_t first_of(const std::vector<Ranked>& ranking, std::size_t effects) {
   return static_cast<std::size_t>(place - ranking.begin());
 }
 
+/// The absolute test of a fit: for structure in what it leaves, and for its size beyond what a mis-declared
+/// sigma explains, counting the parameters that it has spent.
+double fit_p_value(const Measurements& measurements, const Fit& fit, const NoiseModel& noise) {
+  if (fit.parameters.size() >= measurements.size()) return 0;
+  NoiseModel widest = noise;
+  widest.scale.fill(largest_scale);
+  const auto free = static_cast<double>(measurements.size() - fit.parameters.size());
+  const double square = free * chi2_per_dof(measurements, fit, widest);
+  const double size = boost::math::gamma_q(free / 2, square / 2);
+  return std::min(size, test_gap(measurements, fit.residual).p_value);
+}
+
 /// The simplest explanation that leaves no structure, unless one more effect is significant at all the places
 /// where it could have been found; the end of the ranking when none suffices.
-std::size_t choose(const Experiment& experiment, const Measurements& measurements,
+std::size_t choose(const Experiment& experiment, const Measurements& measurements, const NoiseModel& noise,
                    std::vector<Ranked>& ranking) {
   const double significant = told_apart + std::log(static_cast<double>(possible_effects(experiment).size()));
   std::size_t chosen = ranking.size();
@@ -86,7 +99,7 @@ std::size_t choose(const Experiment& experiment, const Measurements& measurement
     const std::size_t place = first_of(ranking, effects);
     if (place == ranking.size()) continue;
     Hypothesis& one = ranking[place].hypothesis;
-    one.p_value = test_gap(measurements, one.fit.residual).p_value;
+    one.p_value = fit_p_value(measurements, one.fit, noise);
     if (one.p_value < fit_level) continue;
     if (chosen == ranking.size()) {
       chosen = place;
@@ -105,7 +118,7 @@ Cause judge(const Experiment& experiment, const Measurements& measurements, cons
   Cause cause;
   cause.ranking = ranked(experiment, measurements, findings);
   cause.verdict = Verdict::unknown;
-  const std::size_t chosen = choose(experiment, measurements, cause.ranking);
+  const std::size_t chosen = choose(experiment, measurements, findings.noise, cause.ranking);
   if (chosen == cause.ranking.size()) return cause;
   cause.best = chosen;
   const Hypothesis& best = cause.ranking[chosen].hypothesis;

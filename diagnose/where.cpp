@@ -87,7 +87,7 @@ Where locate(const Experiment& experiment, const Measurements& measurements, con
   const std::vector<double> beyond = excess(measurements, residual, noise);
   return {by_channel(measurements, beyond), by_run(experiment, measurements, beyond),
           along_path(experiment, measurements, nominal, beyond),
-          joint_shares(experiment, measurements, residual, noise)};
+          joint_shares(experiment, measurements, residual, noise), torques_measured(experiment)};
 }
 
 }  // namespace plumbline

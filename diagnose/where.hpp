@@ -30,6 +30,7 @@ struct Where {
   std::vector<RunShare> runs;
   std::vector<PathShare> load_path;
   std::vector<JointShare> joints;
+  bool torques_measured = false;  ///< the joints' shares are of measured missing torque, not implied
 };
 
 /// \param residual  of the nominal model, flat, in declared sigmas

@@ -37,8 +37,8 @@ TEST_CASE(
   CHECK(separation(imitation(payload, bias)) < 1e-6);
   CHECK(separation(imitation(bias, payload)) < 11);
 
-  const std::vector<Proposal> proposals = next_runs(experiment, measurements, {payload, bias}, {}, 5);
-  REQUIRE(proposals.size() == 5);
+  const std::vector<Proposal> proposals = next_runs(experiment, measurements, {payload, bias}, {}, 4);
+  REQUIRE(proposals.size() == 4);
   for (const Proposal& one : proposals) {
     CHECK(one.out_of_gravity);
     CHECK(one.log_odds > 10);

@@ -1,0 +1,56 @@
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "app/example_experiment.hpp"
+#include "app/progress.hpp"
+#include "app/verbs.hpp"
+#include "diagnose/read_experiment.hpp"
+#include "diagnose/report.hpp"
+#include "files/text_file.hpp"
+
+namespace plumbline {
+namespace {
+
+struct Options {
+  std::string experiment, json;
+};
+
+Diagnosis diagnosis_of(const Experiment& experiment) {
+  constexpr std::size_t steps = 100;
+  Progress progress("diagnosis", steps);
+  std::size_t shown = 0;
+  return diagnose(experiment, [&](double share) {
+    for (; shown < static_cast<std::size_t>(share * steps); ++shown) progress.advance();
+  });
+}
+
+void run(const Options& options) {
+  const Experiment experiment =
+      options.experiment.empty() ? example_experiment() : read_experiment(options.experiment);
+  std::unique_ptr<OutputFile> json;
+  if (!options.json.empty()) json = std::make_unique<OutputFile>(options.json);
+  const Diagnosis diagnosis = diagnosis_of(experiment);
+  if (json) json->write(as_json(diagnosis).dump(2) + "\n"), json->commit();
+  if (options.json != "-") fmt::print("{}", as_text(diagnosis));
+}
+
+}  // namespace
+
+void add_diagnose(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand(
+      "diagnose",
+      "Where the gap between an experiment and its model lies, what causes it, how far it shrinks");
+  const auto options = std::make_shared<Options>();
+  verb->add_option("experiment", options->experiment,
+                   "A folder with experiment.toml and its sample files. Without it: a small bundled example")
+      ->type_name("FOLDER");
+  verb->add_option("--json", options->json,
+                   "Write the report as JSON too (without FILE: to standard output alone)")
+      ->type_name("[FILE]")
+      ->expected(0, 1)
+      ->default_str("-");
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace plumbline

@@ -1,0 +1,156 @@
+#include "diagnose/diagnosis.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "diagnose/report.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+/// A bench of three links pressed from two shapes and back, without readings yet.
+Experiment bench() {
+  Experiment experiment{"bench",
+                        {0.25, 0.2, 0.25},
+                        {2.0, 1.5, 2.0},
+                        {0, 0, 0},
+                        {0, 0},
+                        {Bench::Plane::horizontal, {0, 0}, false},
+                        {0, 0, 0.02, 0.02, 0.001},
+                        {}};
+  const auto press = [&](const std::string& id, const std::vector<double>& rest, double depth, double aside) {
+    Run run{id, Control::displacement, rest, {}};
+    double theta = 0, x = 0, y = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      theta += rest[j];
+      x += experiment.link_length[j] * std::cos(theta);
+      y += experiment.link_length[j] * std::sin(theta);
+    }
+    for (int i = 0; i < 41; ++i) {
+      const double share = (i <= 20 ? i : 40 - i) / 20.0;
+      run.readings.push_back({1.5 * i, x - depth * share, y + aside * share, 0, 0, {0, 0, 0}});
+    }
+    experiment.runs.push_back(run);
+  };
+  press("u", {-0.4, 0.4, 0.4}, 0.10, 0);
+  press("z", {-0.3, 0.8, -0.7}, 0.07, 0);
+  press("u-aside", {-0.4, 0.5, 0.3}, 0.06, 0.05);
+  press("z-again", {-0.35, 0.8, -0.8}, 0.08, 0);
+  return experiment;
+}
+
+/// Fills in what the rig would have measured, and noise.
+Experiment measured(Experiment experiment, const Candidate& cause, const std::vector<double>& parameters,
+                    std::uint64_t seed, double noise_scale = 1) {
+  const Prediction truth = predict(experiment, cause, parameters);
+  REQUIRE(truth.reached);
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal(0, noise_scale);
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i) {
+      Reading& reading = experiment.runs[r].readings[i];
+      const auto row = truth.runs[r].row(static_cast<Eigen::Index>(i));
+      reading.Fx = row(column_Fx) + experiment.noise.Fx * normal(random);
+      reading.Fy = row(column_Fy) + experiment.noise.Fy * normal(random);
+      for (std::size_t j = 0; j < 3; ++j)
+        reading.q[j] = row(column_q + static_cast<Eigen::Index>(j)) + experiment.noise.q * normal(random);
+    }
+  }
+  return experiment;
+}
+
+std::vector<std::string> said(const Diagnosis& diagnosis) {
+  std::vector<std::string> names;
+  for (const EffectAt& at : diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate.effects)
+    names.push_back(label(at));
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("a nominal experiment with a mis-declared sigma has no gap") {
+  const Diagnosis diagnosis = diagnose(measured(bench(), {}, {}, 1, 1.4));
+  CHECK_FALSE(diagnosis.gap.present);
+  CHECK(diagnosis.cause.verdict == Verdict::none);
+}
+
+TEST_CASE(
+    "one cause is identified, with its joint, its parameter within bounds, and the shrink at the noise") {
+  const Diagnosis diagnosis = diagnose(measured(bench(), {{{EffectId::backlash, 2}}}, {0.04}, 2));
+  CHECK(diagnosis.cause.verdict == Verdict::identified);
+  CHECK(said(diagnosis) == std::vector<std::string>{"backlash(2)"});
+  const Estimate& b = diagnosis.estimates.at(0).at(0);
+  CHECK(b.low < 0.04);
+  CHECK(b.high > 0.04);
+  CHECK(diagnosis.where.joints.front().joint == 2);
+  REQUIRE(diagnosis.shrink);
+  CHECK(diagnosis.shrink->ratio_low <= diagnosis.shrink->noise_floor_ratio * 1.1);
+  CHECK(diagnosis.shrink->ratio < 0.5);
+}
+
+TEST_CASE("two causes at once are both named") {
+  const Diagnosis diagnosis = diagnose(
+      measured(bench(), {{{EffectId::joint_friction, 0}, {EffectId::joint_stiffness, 1}}}, {0.03, 0.3}, 3));
+  CHECK(diagnosis.cause.verdict == Verdict::identified);
+  CHECK(said(diagnosis) == std::vector<std::string>{"joint_friction", "joint_stiffness(1)"});
+}
+
+TEST_CASE("what no run can separate is one class") {
+  const Diagnosis diagnosis = diagnose(measured(bench(), {{{EffectId::train_compliance, 0}}}, {0.002}, 4));
+  CHECK(diagnosis.cause.verdict == Verdict::ambiguous);
+  CHECK(diagnosis.cause.equivalent.size() == 1);
+  const auto& other = diagnosis.cause.ranking[diagnosis.cause.equivalent.front()].hypothesis.fit.candidate;
+  const auto names = said(diagnosis);
+  CHECK(((names.front() == "train_compliance" && label(other.effects.front()) == "base_compliance") ||
+         (names.front() == "base_compliance" && label(other.effects.front()) == "train_compliance")));
+}
+
+TEST_CASE("a joint whose spring does what no effect does is unknown, and the joint is named") {
+  // The spring of joint 2 loses a tenth of its torque beyond a deflection, and regains it: a ripple of its
+  // own.
+  Experiment experiment = bench();
+  const Prediction nominal = predict(experiment, {}, {});
+  const Prediction bent = predict(experiment, {{{EffectId::rest_angle, 2}}}, {0.0}, true);
+  experiment = measured(experiment, {}, {}, 5);
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i) {
+      Reading& reading = experiment.runs[r].readings[i];
+      const auto row = static_cast<Eigen::Index>(i);
+      const double ripple = 0.05 * std::sin(40 * nominal.runs[r](row, column_q + 1));
+      reading.Fx += ripple * bent.sensitivity[0][r](row, column_Fx);
+      reading.Fy += ripple * bent.sensitivity[0][r](row, column_Fy);
+      for (std::size_t j = 0; j < 3; ++j)
+        reading.q[j] += ripple * bent.sensitivity[0][r](row, column_q + static_cast<Eigen::Index>(j));
+    }
+  }
+  const Diagnosis diagnosis = diagnose(experiment);
+  CHECK(diagnosis.cause.verdict == Verdict::unknown);
+  CHECK(diagnosis.where.joints.front().joint == 2);
+  REQUIRE(diagnosis.missing);
+  CHECK(diagnosis.missing->what == "torque at joint 2");
+  // Ten bins of the angle cannot follow every ripple, but the angle tells more than nothing.
+  CHECK(diagnosis.missing->by_position > 0.3);
+}
+
+TEST_CASE("the report as JSON holds what its format asks for") {
+  const nlohmann::ordered_json json =
+      as_json(diagnose(measured(bench(), {{{EffectId::force_gain, 0}}}, {0.1}, 6)));
+  CHECK(json["format"] == "gap-diagnosis/1");
+  CHECK(json["gap"]["present"] == true);
+  CHECK(json["cause"]["verdict"] == "identified");
+  CHECK(json["cause"]["effects"][0]["id"] == "force_gain");
+  CHECK(json["cause"]["effects"][0]["joint"].is_null());
+  for (const char* list : {"channels", "runs", "load_path", "joints"}) {
+    double sum = 0;
+    for (const auto& entry : json["where"][list]) sum += entry["share"].get<double>();
+    CHECK(sum == doctest::Approx(1));
+  }
+  CHECK(json["shrink"]["ratio"].get<double>() < 0.5);
+  CHECK_FALSE(as_text(diagnose(measured(bench(), {}, {}, 7))).empty());
+}
