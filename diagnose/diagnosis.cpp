@@ -126,6 +126,13 @@ void explain(const Experiment& experiment, const Measurements& measurements,
                  findings.noise);
 }
 
+/// The best explanation and those that cannot be told apart from it.
+std::vector<Fit> rivals(const Cause& cause) {
+  std::vector<Fit> fits{cause.ranking[cause.best].hypothesis.fit};
+  for (const std::size_t place : cause.equivalent) fits.push_back(cause.ranking[place].hypothesis.fit);
+  return fits;
+}
+
 }  // namespace
 
 Diagnosis diagnose(const Experiment& experiment, const Report& progress) {
@@ -142,7 +149,7 @@ Diagnosis diagnose(const Experiment& experiment, const Report& progress) {
   if (diagnosis.gap.present && diagnosis.cause.verdict == Verdict::unknown)
     diagnosis.missing = describe_missing(experiment, measurements, nominal, residual, diagnosis.where);
   if (diagnosis.cause.verdict == Verdict::ambiguous)
-    diagnosis.proposals = what_next(experiment, diagnosis.cause);
+    diagnosis.proposals = next_runs(experiment, measurements, rivals(diagnosis.cause), diagnosis.noise, 5);
   report(1);
   return diagnosis;
 }

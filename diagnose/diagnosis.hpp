@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "diagnose/missing.hpp"
-#include "diagnose/next.hpp"
+#include "diagnose/next_run.hpp"
 #include "diagnose/shrink.hpp"
 #include "diagnose/verdict.hpp"
 
