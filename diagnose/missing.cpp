@@ -88,11 +88,11 @@ Missing channel(const Experiment& experiment, const Measurements& measurements,
   return missing;
 }
 
-/// Takes the mean of each of up to ten bins of the abscissa out of the values.
+/// Takes the mean of each of twenty bins of the abscissa out of the values.
 void remove_means(const std::vector<MissingPoint>& points, bool by_direction, std::vector<double>& values) {
   double low = points.front().at, high = low;
   for (const MissingPoint& point : points) low = std::min(low, point.at), high = std::max(high, point.at);
-  constexpr std::size_t bins = 10;
+  constexpr std::size_t bins = 20;
   const auto bin = [&](const MissingPoint& point) {
     const double share = high > low ? (point.at - low) / (high - low) : 0;
     const auto place = std::min(bins - 1, static_cast<std::size_t>(share * bins));
