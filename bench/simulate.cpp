@@ -198,7 +198,7 @@ std::vector<double> parameters_at(Random random, const Experiment& experiment, c
     double value = size * range.scale * between(random, 0.5, 1);
     if (range.low < 0 && chance(random, 0.5)) value = -value;
     if (range.coordinate == Coordinate::logarithm) value = between(random, range.low + 1.5, range.high - 2.5);
-    values.push_back(std::clamp(value, range.low, range.high));
+    values.push_back(value);
   }
   if (at.effect == EffectId::joint_stop) {
     // The stop moves in as the effect grows.
@@ -206,6 +206,16 @@ std::vector<double> parameters_at(Random random, const Experiment& experiment, c
     values[1] = parameter_ranges(experiment, at)[1].scale * log_between(random, 0.5, 20);
   }
   return values;
+}
+
+/// Whether every parameter is well inside what is physical.
+bool physical(const Experiment& experiment, const EffectAt& at, const std::vector<double>& values) {
+  const std::vector<ParameterRange> ranges = parameter_ranges(experiment, at);
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    const double share = ranges[p].coordinate == Coordinate::logarithm ? 1 : 0.6;
+    if (values[p] < share * ranges[p].low || values[p] > share * ranges[p].high) return false;
+  }
+  return true;
 }
 
 Json labelled(const Experiment& experiment, const EffectAt& at, const std::vector<double>& values) {
@@ -269,11 +279,13 @@ std::optional<Scenario> draw(std::uint64_t seed) {
   std::vector<EffectAt> effects;
   if (kind > 0.1) {
     // First the kind of effect, then its place.
-    while (effects.size() < (kind > 0.85 ? 2U : 1U)) {
+    while (effects.size() < (kind > 0.97 ? 3U : kind > 0.85 ? 2U : 1U)) {
       const auto id = static_cast<EffectId>(choice(random, effect_count));
       std::vector<EffectAt> places;
       for (const EffectAt& at : possible)
-        if (at.effect == id && (effects.empty() || effects[0].effect != id)) places.push_back(at);
+        if (at.effect == id && std::none_of(effects.begin(), effects.end(),
+                                            [&](const EffectAt& other) { return other.effect == id; }))
+          places.push_back(at);
       if (!places.empty()) effects.push_back(places[choice(random, places.size())]);
     }
   }
@@ -300,8 +312,10 @@ std::optional<Scenario> draw(std::uint64_t seed) {
     }
     if (!(std::abs(strength - wanted) < 0.1 * wanted)) return std::nullopt;
     for (const EffectAt& at : effects) {
+      if (foreign) break;
+      if (!physical(experiment, at, parameters_at(frozen, experiment, at, size))) return std::nullopt;
       if (effects.size() == 1) break;
-      // Of two, each is to be seen.
+      // Of several, each is to be seen.
       const std::vector<Rig> alone = catalogue_cause(frozen, experiment, {at}, size).rigs;
       const double part = size_of(measurements.residual(experiment, simulate_runs(experiment, alone)));
       if (!(part > 0.4 * wanted)) return std::nullopt;

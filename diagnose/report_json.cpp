@@ -58,6 +58,7 @@ Json cause(const Diagnosis& diagnosis) {
                        {"probability", one.probability},
                        {"chi2_per_dof", one.chi2_per_dof}});
   }
+  ranking.push_back({{"effects", {"unknown"}}, {"probability", found.unknown}, {"chi2_per_dof", nullptr}});
   for (const EffectAt& at : diagnosis.not_exercised) idle.push_back(label(at));
   const bool explained = found.verdict == Verdict::identified || found.verdict == Verdict::ambiguous;
   return {
