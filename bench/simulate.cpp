@@ -13,8 +13,8 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <numbers>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <optional>
 #include <random>
 
@@ -86,7 +86,8 @@ std::optional<Run> draw_run(Random& random, const Experiment& experiment, std::s
   const bool force = experiment.joint_stiffness[0] > 0 && chance(random, 0.2);
   run.control = force ? Control::force : Control::displacement;
   const double angle = chance(random, 0.6) ? std::numbers::pi : between(random, 0, 2 * std::numbers::pi);
-  const double size = force ? stiffness / total * between(random, 0.2, 0.9) : total * between(random, 0.04, 0.16);
+  const double size =
+      force ? stiffness / total * between(random, 0.2, 0.9) : total * between(random, 0.04, 0.16);
   const Vector2 by = size * Vector2(std::cos(angle), std::sin(angle));
   const Vector2 start = force ? Vector2(0, 0) : unloaded_end(experiment, run.rest);
   const std::size_t profile = choice(random, 3), count = 25 + choice(random, 70);
@@ -119,10 +120,10 @@ Experiment draw_layout(Random& random) {
   experiment.link_mass.assign(n, 0);
   experiment.gravity = {0, 0};
   const std::size_t plane = choice(random, 3);
-  experiment.bench = {plane == 0 ? Bench::Plane::vertical
-                                 : (plane == 1 ? Bench::Plane::horizontal : Bench::Plane::unknown),
-                      {0, -1},
-                      plane == 0};
+  experiment.bench = {
+      plane == 0 ? Bench::Plane::vertical : (plane == 1 ? Bench::Plane::horizontal : Bench::Plane::unknown),
+      {0, -1},
+      plane == 0};
   const std::size_t runs = 1 + choice(random, 5);
   while (experiment.runs.size() < runs)
     if (auto run = draw_run(random, experiment, experiment.runs.size() + 1)) experiment.runs.push_back(*run);
@@ -192,7 +193,8 @@ Prediction simulate_runs(const Experiment& experiment, const std::vector<Rig>& r
 }
 
 /// Parameters of one effect at a size, in fitted coordinates, in a random direction of the parameters.
-std::vector<double> parameters_at(Random random, const Experiment& experiment, const EffectAt& at, double size) {
+std::vector<double> parameters_at(Random random, const Experiment& experiment, const EffectAt& at,
+                                  double size) {
   std::vector<double> values;
   for (const ParameterRange& range : parameter_ranges(experiment, at)) {
     double value = size * range.scale * between(random, 0.5, 1);
@@ -228,8 +230,8 @@ Json labelled(const Experiment& experiment, const EffectAt& at, const std::vecto
           {"parameters", parameters}};
 }
 
-Cause catalogue_cause(const Random& random, const Experiment& experiment, const std::vector<EffectAt>& effects,
-                      double size) {
+Cause catalogue_cause(const Random& random, const Experiment& experiment,
+                      const std::vector<EffectAt>& effects, double size) {
   Candidate candidate{effects};
   std::vector<double> all;
   Cause cause;
@@ -260,8 +262,10 @@ Cause foreign_cause(Random random, const Experiment& experiment, double size) {
     if (kind == 3) rig.stiffness[joint] *= r % 2 == 0 ? 1 + 0.1 * size : 1 / (1 + 0.1 * size);
     cause.rigs.push_back(rig);
   }
-  cause.effects.push_back({{"id", "unknown"}, {"joint", kind == 1 ? Json(nullptr) : Json(joint + 1)},
-                           {"parameters", Json::object()}, {"kind", kind}});
+  cause.effects.push_back({{"id", "unknown"},
+                           {"joint", kind == 1 ? Json(nullptr) : Json(joint + 1)},
+                           {"parameters", Json::object()},
+                           {"kind", kind}});
   return cause;
 }
 
@@ -322,7 +326,8 @@ std::optional<Scenario> draw(std::uint64_t seed) {
     }
   }
   write_readings(experiment, truth);
-  return Scenario{experiment, {{"effects", cause.effects}, {"equivalent", Json::array()}, {"strength_sigma", strength}}};
+  return Scenario{experiment,
+                  {{"effects", cause.effects}, {"equivalent", Json::array()}, {"strength_sigma", strength}}};
 }
 
 /// Makes readings of predictions: noise as labs have it.
@@ -377,8 +382,9 @@ void write(const std::filesystem::path& folder, const Scenario& scenario) {
   toml << fmt::format("\n[noise]\nx = {}\ny = {}\nFx = {}\nFy = {}\n", noise.x, noise.y, noise.Fx, noise.Fy);
   if (noise.q > 0) toml << fmt::format("q = {}\n", noise.q);
   for (const Run& run : experiment.runs) {
-    toml << fmt::format("\n[[run]]\nid = \"{0}\"\ncontrol = \"{1}\"\nrest = {2}\nsamples = \"{0}.csv\"\n", run.id,
-                        run.control == Control::displacement ? "displacement" : "force", list(run.rest));
+    toml << fmt::format("\n[[run]]\nid = \"{0}\"\ncontrol = \"{1}\"\nrest = {2}\nsamples = \"{0}.csv\"\n",
+                        run.id, run.control == Control::displacement ? "displacement" : "force",
+                        list(run.rest));
     std::ofstream csv(folder / (run.id + ".csv"));
     csv << "t,x,y,Fx,Fy";
     for (std::size_t j = 0; j < run.readings[0].q.size(); ++j) csv << ",q" << j + 1;

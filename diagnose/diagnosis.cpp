@@ -4,6 +4,8 @@
 #include <cmath>
 #include <plumbline/error.hpp>
 
+#include "diagnose/implied_torque.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -120,9 +122,9 @@ bool predicts(const Experiment& experiment, const Measurements& measurements,
   const Fit blind = fit_from(seen, Measurements(seen), fitted.candidate, settings, fitted.parameters);
   if (!blind.converged) return false;
   const Prediction after = predict(experiment, blind.candidate, blind.parameters);
-  return after.reached && measure_shrink(measurements, heldout, residual,
-                                         measurements.residual(experiment, after), noise)
-                                  .chi2_per_value_after < limit;
+  return after.reached &&
+         measure_shrink(measurements, heldout, residual, measurements.residual(experiment, after), noise)
+                 .chi2_per_value_after < limit;
 }
 
 /// Three effects at once explain much that they are not: they are believed when they predict.
@@ -178,6 +180,17 @@ std::vector<Fit> rivals(const Cause& cause) {
   return fits;
 }
 
+/// Shares of the joints from what was found, where nothing measured shows them.
+void imply_joints(const Experiment& experiment, Diagnosis& diagnosis) {
+  const Cause& cause = diagnosis.cause;
+  const bool explained = cause.verdict == Verdict::identified || cause.verdict == Verdict::ambiguous;
+  if (!explained || diagnosis.where.joint_evidence == JointEvidence::measured) return;
+  std::vector<double> probability{cause.ranking[cause.best].probability};
+  for (const std::size_t place : cause.equivalent) probability.push_back(cause.ranking[place].probability);
+  diagnosis.where.joints = shares_by_fits(experiment, rivals(cause), probability);
+  diagnosis.where.joint_evidence = JointEvidence::implied_by_fits;
+}
+
 }  // namespace
 
 Diagnosis diagnose(const Experiment& experiment, const Report& progress) {
@@ -191,6 +204,7 @@ Diagnosis diagnose(const Experiment& experiment, const Report& progress) {
   diagnosis.noise = diagnosis.gap.test.noise;
   if (diagnosis.gap.present) explain(experiment, measurements, residual, diagnosis, report);
   diagnosis.where = locate(experiment, measurements, nominal, residual, diagnosis.noise);
+  imply_joints(experiment, diagnosis);
   if (diagnosis.gap.present && diagnosis.cause.verdict == Verdict::unknown)
     diagnosis.missing = describe_missing(experiment, measurements, nominal, residual, diagnosis.where);
   if (diagnosis.cause.verdict == Verdict::ambiguous)

@@ -115,7 +115,8 @@ std::size_t choose(const Experiment& experiment, const Measurements& measurement
 
 /// Probability that the cause is outside the catalogue, from the test of what the best explanation leaves.
 /// The odds are those of Sellke, Bayarri and Berger (2001), 1 / (-e p ln p), for a p-value below 1/e; an
-/// explanation from the catalogue that fits by chance is rarer still, by the factor that simulated experiments show.
+/// explanation from the catalogue that fits by chance is rarer still, by the factor that simulated
+/// experiments show.
 double probability_of_unknown(double p_value) {
   constexpr double prior_odds = 0.1 / 0.9, by_chance = 0.1;
   const double p = std::clamp(p_value, 1e-300, std::exp(-1.0));
