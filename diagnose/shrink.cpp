@@ -72,7 +72,9 @@ std::vector<Sums> blocks(const std::vector<std::vector<std::size_t>>& values,
   return result;
 }
 
-void bootstrap(const std::vector<Sums>& blocks, Shrink& shrink) {
+/// 95 % bounds of a ratio of root mean squares, by resampling the blocks.
+template <class Ratio>
+void bootstrap(const std::vector<Sums>& blocks, Ratio& shrink) {
   constexpr int draws = 1000;
   std::mt19937_64 random(11);
   std::uniform_int_distribution<std::size_t> pick(0, blocks.size() - 1);
@@ -89,6 +91,34 @@ void bootstrap(const std::vector<Sums>& blocks, Shrink& shrink) {
   std::sort(ratios.begin(), ratios.end());
   shrink.ratio_low = std::min(shrink.ratio, ratios[draws / 40]);
   shrink.ratio_high = std::max(shrink.ratio, ratios[draws - 1 - draws / 40]);
+}
+
+std::map<std::string, ChannelShrink> by_channel(const Measurements& measurements,
+                                                const std::vector<std::vector<std::size_t>>& values,
+                                                const std::vector<double>& before,
+                                                const std::vector<double>& after, const NoiseModel& noise) {
+  std::map<std::string, std::vector<std::vector<std::size_t>>> parts;
+  std::map<std::string, double> scale;
+  for (std::size_t s = 0; s < values.size(); ++s) {
+    const Channel& channel = measurements.series()[s].channel;
+    parts[channel.label()].push_back(values[s]);
+    scale[channel.label()] = noise.of(channel.sensor());
+  }
+  std::map<std::string, ChannelShrink> result;
+  for (const auto& [channel, part] : parts) {
+    Sums sum;
+    double count = 0;
+    for (const auto& series : part) {
+      count += static_cast<double>(series.size());
+      for (const std::size_t i : series) sum.before += before[i] * before[i], sum.after += after[i] * after[i];
+    }
+    if (!(sum.before > 0)) continue;
+    ChannelShrink& one = result[channel];
+    one.ratio = std::sqrt(sum.after / sum.before);
+    one.noise_floor_ratio = scale[channel] * std::sqrt(count / sum.before);
+    bootstrap(blocks(part, before, after), one);
+  }
+  return result;
 }
 
 }  // namespace
@@ -163,6 +193,7 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
   shrink.noise_floor_ratio = std::sqrt(floor / all.before);
   shrink.chi2_per_value_after = all.after / floor;
   bootstrap(blocks(values, before, after), shrink);
+  shrink.channels = by_channel(measurements, values, before, after, noise);
   return shrink;
 }
 

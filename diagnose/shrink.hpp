@@ -24,12 +24,18 @@ HeldOut choose_heldout(const Experiment& experiment);
 /// The experiment without the measured values that are held out; what was commanded stays, for the history.
 Experiment without(const Experiment& experiment, const HeldOut& heldout);
 
+/// The same for one channel alone.
+struct ChannelShrink {
+  double ratio = 1, ratio_low = 1, ratio_high = 1, noise_floor_ratio = 1;
+};
+
 struct Shrink {
   std::vector<std::string> heldout;
   std::map<std::string, double> rms_before, rms_after;  ///< by channel, in its unit
   double ratio = 1, ratio_low = 1, ratio_high = 1;      ///< noise-weighted rms after / before; 95 % bounds
   double noise_floor_ratio = 1;                         ///< what a perfect model would reach
   double chi2_per_value_after = 1;
+  std::map<std::string, ChannelShrink> channels;
 };
 
 /// Compares residuals before (nominal) and after on the held-out readings; isolated outliers are left out of
