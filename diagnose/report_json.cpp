@@ -33,7 +33,11 @@ Json where(const Where& places) {
         {{"run", one.run}, {"from", one.from}, {"to", one.to}, {"share", one.share}, {"regime", one.regime}});
   }
   for (const auto& one : places.joints) joints.push_back({{"joint", one.joint}, {"share", one.share}});
-  return {{"channels", channels}, {"runs", runs}, {"load_path", path}, {"joints", joints}};
+  return {{"channels", channels},
+          {"runs", runs},
+          {"load_path", path},
+          {"joints", joints},
+          {"joint_evidence", joint_evidence_words(places.joint_evidence)}};
 }
 
 Json effects(const Candidate& candidate, const std::vector<std::vector<Estimate>>& estimates) {

@@ -57,18 +57,6 @@ std::string largest(const std::vector<Share>& shares, std::size_t count, Name na
   return text;
 }
 
-std::string joint_evidence_words(JointEvidence evidence) {
-  switch (evidence) {
-    case JointEvidence::measured:
-      return "of the measured missing torque";
-    case JointEvidence::implied_by_fits:
-      return "of the missing torque that the explanation implies";
-    case JointEvidence::implied_by_law:
-      break;
-  }
-  return "chance to be the one place of an unknown torque";
-}
-
 std::string where(const Diagnosis& diagnosis) {
   const Where& places = diagnosis.where;
   std::string text = "Where?  shares of the squared residual beyond noise\n";

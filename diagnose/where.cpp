@@ -83,6 +83,18 @@ std::vector<PathShare> along_path(const Experiment& experiment, const Measuremen
 
 }  // namespace
 
+std::string joint_evidence_words(JointEvidence evidence) {
+  switch (evidence) {
+    case JointEvidence::measured:
+      return "of the measured missing torque";
+    case JointEvidence::implied_by_fits:
+      return "of the missing torque that the explanation implies";
+    case JointEvidence::implied_by_law:
+      break;
+  }
+  return "chance to be the one place of an unknown torque";
+}
+
 Where locate(const Experiment& experiment, const Measurements& measurements, const Prediction& nominal,
              const std::vector<double>& residual, const NoiseModel& noise) {
   const std::vector<double> beyond = excess(measurements, residual, noise);

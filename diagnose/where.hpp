@@ -30,6 +30,9 @@ struct JointShare {
 /// torque.
 enum class JointEvidence { measured, implied_by_fits, implied_by_law };
 
+/// The same in words.
+std::string joint_evidence_words(JointEvidence evidence);
+
 struct Where {
   std::vector<ChannelShare> channels;
   std::vector<RunShare> runs;
