@@ -121,13 +121,15 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
         fmt::format(
             "explains these readings as well as the best; the log-likelihoods differ by less than {:g}",
             told_apart));
-  for (std::size_t i = 0; i < ranking.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(ranking.size(), cause.ranking.size()); ++i) {
     const bool listed =
         i == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), i) > 0;
     if (!listed && cause.verdict != Verdict::unknown && cause.ranking[i].probability >= 0.01)
       add(names(cause.ranking[i].hypothesis.fit.candidate),
           "less probable, yet keeps " + ranking[i]["probability"].get<std::string>());
   }
+  if (cause.or_unknown)
+    add("unknown", "fitted without the held-out readings, the explanation does not predict them");
   std::vector<std::string> idle;
   for (const EffectAt& at : explained.diagnosis.not_exercised) idle.push_back(label(at));
   add(joined(idle, ", ", ", "), "never exercised: no reading of these runs depends on it");
@@ -151,6 +153,7 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   std::vector<std::string> alternatives;
   for (const std::size_t place : cause.equivalent)
     alternatives.push_back(words(cause.ranking[place].hypothesis.fit.candidate));
+  if (cause.or_unknown) alternatives.emplace_back("a cause outside the catalogue");
   view["alternatives"] = joined(alternatives, ", ", " or ");
   Json& ranking = view["cause"]["ranking"];
   for (Json& one : ranking) {
