@@ -92,6 +92,14 @@ double fit_p_value(const Measurements& measurements, const Fit& fit, const Noise
   return std::min(size, test_gap(measurements, fit.residual).p_value);
 }
 
+/// Log-likelihood that a fit gains over a simpler one, in the noise that the simpler one leaves: in its own,
+/// what it has fitted of correlated noise would count for it.
+double gain(const Measurements& measurements, const Fit& simpler, const Fit& fuller) {
+  const NoiseModel noise = estimate_noise(measurements, without_outliers(measurements, simpler.residual));
+  return log_likelihood(measurements, fuller.residual, noise) -
+         log_likelihood(measurements, simpler.residual, noise);
+}
+
 /// The simplest explanation that leaves no structure, unless one more effect is significant at all the places
 /// where it could have been found; the end of the ranking when none suffices.
 std::size_t choose(const Experiment& experiment, const Measurements& measurements, const NoiseModel& noise,
@@ -109,9 +117,9 @@ std::size_t choose(const Experiment& experiment, const Measurements& measurement
       chosen = place;
       continue;
     }
-    const Hypothesis& simpler = ranking[chosen].hypothesis;
-    const auto more = static_cast<double>(effects - simpler.fit.candidate.effects.size());
-    if (one.log_likelihood > simpler.log_likelihood + more * significant) chosen = place;
+    const Fit& simpler = ranking[chosen].hypothesis.fit;
+    const auto more = static_cast<double>(effects - simpler.candidate.effects.size());
+    if (gain(measurements, simpler, one.fit) > more * significant) chosen = place;
   }
   return chosen;
 }
