@@ -43,11 +43,6 @@ GapAnswer ask_for_gap(const Measurements& measurements, const std::vector<double
   return gap;
 }
 
-bool contains(const Findings& findings, const Candidate& candidate) {
-  return std::any_of(findings.hypotheses.begin(), findings.hypotheses.end(),
-                     [&](const Hypothesis& one) { return one.fit.candidate == candidate; });
-}
-
 /// The hypotheses that a search on fewer readings left standing, fitted to all of them.
 Findings confirmed(const Experiment& experiment, const Measurements& measurements, const Findings& found) {
   // More readings cannot lift what fell behind by so much.
@@ -59,12 +54,6 @@ Findings confirmed(const Experiment& experiment, const Measurements& measurement
     if (hypothesis.log_evidence < found.hypotheses.front().log_evidence - hopeless) break;
     Fit one =
         fit_from(experiment, measurements, hypothesis.fit.candidate, settings, hypothesis.fit.parameters);
-    if (one.converged) all.hypotheses.push_back({std::move(one), 0, 0, {}});
-  }
-  // What only the readings that were held out can show.
-  for (const EffectAt& at : possible_effects(experiment)) {
-    if (contains(found, {{at}})) continue;
-    Fit one = fit(experiment, measurements, {{at}}, settings);
     if (one.converged) all.hypotheses.push_back({std::move(one), 0, 0, {}});
   }
   weigh(experiment, measurements, all);
@@ -109,8 +98,9 @@ bool leaves_structure(const Measurements& measurements, const Findings& findings
   return test_gap(measurements, findings.hypotheses.front().fit.residual).p_value < fit_level;
 }
 
-/// Whether the best explanation, fitted without the readings that are held out, predicts them to half as much
-/// again as the noise.
+/// Whether the best explanation, refitted without the readings that are held out, predicts them to half as
+/// much again as the noise. What only those readings determine stays as it is: it can be neither confirmed nor
+/// refuted.
 bool predicts(const Experiment& experiment, const Measurements& measurements,
               const std::vector<double>& residual, const HeldOut& heldout, const Fit& fitted,
               const NoiseModel& noise) {
@@ -186,6 +176,15 @@ std::vector<Fit> rivals(const Cause& cause) {
   return fits;
 }
 
+/// What the next run is to tell apart: the class that these runs leave; on request, where they leave none,
+/// the most probable two.
+std::vector<Fit> to_separate(const Cause& cause, bool on_request) {
+  if (cause.verdict == Verdict::ambiguous && !cause.equivalent.empty()) return rivals(cause);
+  if (!on_request || cause.ranking.size() < 2) return {};
+  const std::size_t other = cause.best == 0 ? 1 : 0;
+  return {cause.ranking[cause.best].hypothesis.fit, cause.ranking[other].hypothesis.fit};
+}
+
 /// Shares of the joints from what was found, where nothing measured shows them.
 void imply_joints(const Experiment& experiment, Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
@@ -199,7 +198,7 @@ void imply_joints(const Experiment& experiment, Diagnosis& diagnosis) {
 
 }  // namespace
 
-Diagnosis diagnose(const Experiment& experiment, const Report& progress) {
+Diagnosis diagnose(const Experiment& experiment, const Report& progress, bool plan) {
   const Report report = progress ? progress : [](double) {};
   const Measurements measurements(experiment);
   const Prediction nominal = nominal_prediction(experiment);
@@ -213,8 +212,8 @@ Diagnosis diagnose(const Experiment& experiment, const Report& progress) {
   imply_joints(experiment, diagnosis);
   if (diagnosis.gap.present && diagnosis.cause.verdict == Verdict::unknown)
     diagnosis.missing = describe_missing(experiment, measurements, nominal, residual, diagnosis.where);
-  if (diagnosis.cause.verdict == Verdict::ambiguous && !diagnosis.cause.equivalent.empty())
-    diagnosis.proposals = next_runs(experiment, measurements, rivals(diagnosis.cause), diagnosis.noise, 5);
+  if (const std::vector<Fit> fits = to_separate(diagnosis.cause, plan); fits.size() > 1)
+    diagnosis.proposals = next_runs(experiment, measurements, fits, diagnosis.noise, 5);
   report(1);
   return diagnosis;
 }

@@ -144,7 +144,7 @@ std::string how_far(const Diagnosis& diagnosis) {
 
 std::string what_next(const Diagnosis& diagnosis) {
   if (diagnosis.proposals.empty()) return "";
-  std::string text = "What next?  Runs that would tell these apart, best first\n";
+  std::string text = "What next?  Runs that would tell the candidates apart, best first\n";
   for (const Proposal& one : diagnosis.proposals)
     text += fmt::format(
         "  {}: expected odds {}\n", one.description,
