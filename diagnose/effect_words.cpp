@@ -17,9 +17,9 @@ struct Words {
 };
 
 constexpr std::array<Words, effect_count> all{{
-    {EffectId::joint_stiffness, "another stiffness of joint {} than the nominal one", {{{"a", "1"}}}},
-    {EffectId::link_length, "another length of link {} than the nominal one", {{{"a", "1"}}}},
-    {EffectId::rest_angle, "another rest angle of joint {} than the commanded one", {{{"a", "rad"}}}},
+    {EffectId::joint_stiffness, "a wrong stiffness of joint {}", {{{"a", "1"}}}},
+    {EffectId::link_length, "a wrong length of link {}", {{{"a", "1"}}}},
+    {EffectId::rest_angle, "a wrong rest angle of joint {}", {{{"a", "rad"}}}},
     {EffectId::nonlinear_spring,
      "joint springs that harden or soften with their deflection",
      {{{"c", "1/rad²"}}}},

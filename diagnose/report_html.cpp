@@ -12,9 +12,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-NumberStyle style_of(const std::string& key) {
+/// By the place in the report.
+NumberStyle style_of(const std::string& pointer) {
+  const std::string key = pointer.substr(pointer.rfind('/') + 1);
+  if (key == "share") return NumberStyle::share;
   if (key == "p_value") return NumberStyle::chance;
-  if (key == "share" || key == "probability" || key == "position" || key == "direction" || key == "time" ||
+  if (key == "probability" || pointer.find("/explained/") != std::string::npos ||
       key.find("ratio") != std::string::npos)
     return NumberStyle::percent;
   if (key == "from" || key == "to" || key == "joint") return NumberStyle::count;
@@ -64,7 +67,8 @@ Json charts(const std::vector<PageChart>& drawings, bool angles) {
 Json gap_channels(const Json& rms) {
   Json list = Json::array();
   for (const auto& [channel, value] : rms.items())
-    list.push_back({{"channel", channel}, {"unit", unit_of(channel)}, {"rms", value}});
+    list.push_back({{"channel", channel}, {"unit", unit_of(channel)}, {"rms", value}, {"last", false}});
+  if (!list.empty()) list.back()["last"] = true;
   return list;
 }
 
@@ -143,7 +147,7 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   view["best"] = false;
   if (explained.best != nullptr) {
     const Candidate& best = explained.best->candidate;
-    view["best"] = {{"names", names(best)}, {"words", words(best)}};
+    view["best"] = {{"names", names(best)}, {"words", words(best)}, {"model", explained.model}};
     Json rows = parameters(view["cause"]["effects"], best);
     const bool any = !rows.empty();
     view["explained"] = {{"any", any}, {"parameters", std::move(rows)}};
@@ -198,6 +202,9 @@ std::string as_html(const Experiment& experiment, const Diagnosis& diagnosis) {
   add_cause(view, report, explained);
   if (diagnosis.shrink) {
     view["shrink"]["by_channel"] = shrink_channels(view["shrink"]);
+    const Verdict verdict = diagnosis.cause.verdict;
+    view["shrink"]["shrinks"] = diagnosis.shrink->ratio < 1;
+    view["shrink"]["explains"] = verdict == Verdict::identified || verdict == Verdict::ambiguous;
     view["shrink"]["heldout_names"] = joined(diagnosis.shrink->heldout, ", ", ", ");
   }
   view["proposals"] = {{"any", !diagnosis.proposals.empty()}};

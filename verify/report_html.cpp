@@ -64,9 +64,10 @@ Json sections(const std::vector<Judged>& judged, const Json& report) {
 /// How many claims have each verdict that occurs.
 Json counts(const Json& report) {
   Json list = Json::array();
-  for (const char* verdict : {"confirmed", "refuted", "imprecise", "convention", "unjudged"}) {
-    const auto count = std::count_if(report.begin(), report.end(),
-                                     [&](const Json& claim) { return claim["verdict"] == verdict; });
+  for (const std::string verdict : {"confirmed", "refuted", "imprecise", "convention", "unjudged"}) {
+    const auto count = std::count_if(report.begin(), report.end(), [&](const Json& claim) {
+      return claim["verdict"].get_ref<const std::string&>() == verdict;
+    });
     if (count > 0) list.push_back({{"verdict", verdict}, {"count", std::to_string(count)}, {"last", false}});
   }
   if (!list.empty()) list.back()["last"] = true;
