@@ -7,6 +7,7 @@ A page must need nothing but itself, show the numbers of the JSON report of the 
 them, be well-formed, fit a phone, and print. Needs the packages chromium, chromium-driver, python3-selenium.
 """
 
+import base64
 import json
 import math
 import pathlib
@@ -51,9 +52,11 @@ def write_experiment(folder, name, torque, sigma=1e-3):
         for i in range(40):
             force = most * i / 39
             q = angle(force, torque)
-            rows.append(f"{i},{math.cos(q) + noise.gauss(0, sigma)},{math.sin(q) + noise.gauss(0, sigma)},0,{force}")
+            x, y = (part + noise.gauss(0, sigma) for part in (math.cos(q), math.sin(q)))
+            rows.append(f"{i},{x},{y},0,{force}")
         (folder / f"r{number}.csv").write_text("\n".join(rows) + "\n")
-        runs += f'[[run]]\nid = "push <{number}> & back"\ncontrol = "force"\nrest = [0.0]\nsamples = "r{number}.csv"\n'
+        runs += (f'[[run]]\nid = "push <{number}> & back"\ncontrol = "force"\nrest = [0.0]\n'
+                 f'samples = "r{number}.csv"\n')
     (folder / "experiment.toml").write_text(
         f'format = "chain-experiment/1"\nname = "{name}"\n[nominal]\nlink_length = [1.0]\njoint_stiffness = [1.0]\n'
         f'[bench]\ngravity_plane = "horizontal"\n[noise]\nx = {sigma}\ny = {sigma}\n{runs}')
@@ -107,7 +110,7 @@ def numbers(report, at=""):
 
 
 def expected_numbers(report):
-    """Those that the page writes; the points of what is missing are drawn, and without a gap nothing lies anywhere."""
+    """Those that the page writes: the points of what is missing are drawn; without a gap there is no more to say."""
     drawn = ("/where/missing/points",) if report["gap"]["present"] else ("/where", "/cause", "/shrink", "/next")
     return {key: value for key, value in numbers(report).items() if not key.startswith(drawn)}
 
@@ -162,7 +165,8 @@ class Browser:
         return self.run("[...document.querySelectorAll('data')].map(d => [d.dataset.key, d.value, d.textContent])")
 
     def visible(self, selector):
-        return self.run(f"[...document.querySelectorAll('{selector}')].filter(e => e.checkVisibility()).map(e => e.id)")
+        elements = f"[...document.querySelectorAll('{selector}')]"
+        return self.run(f"{elements}.filter(e => e.checkVisibility()).map(e => e.id)")
 
 
 class Pages(unittest.TestCase):
@@ -211,7 +215,7 @@ class Pages(unittest.TestCase):
     def test_an_altered_page_is_found_out(self):
         digit = r'(data-key="/shrink/ratio">)(\d)'
         for old, new in (
-                (r'<data value="[^"]*" data-key="/gap/chi2_per_dof"', '<data value="7" data-key="/gap/chi2_per_dof"'),
+                (r'value="[^"]*" data-key="/gap/chi2_per_dof"', 'value="7" data-key="/gap/chi2_per_dof"'),
                 (digit, lambda match: match[1] + str(9 - int(match[2]))),
                 (r'data-key="/gap/rms/Fx"', 'data-key="/gap/rms/Fz"')):
             self.browser.open(self.altered("identified", old, new))
@@ -223,7 +227,8 @@ class Pages(unittest.TestCase):
                 self.browser.requested()  # forget what came before
                 self.browser.open(page)
                 self.assertEqual(self.browser.logged(), [])
-                self.assertEqual([url for url in self.browser.requested() if not url.startswith("data:")], [page.as_uri()])
+                fetched = [url for url in self.browser.requested() if not url.startswith("data:")]
+                self.assertEqual(fetched, [page.as_uri()])
                 self.assertEqual(self.browser.run("document.scripts.length"), 0)
 
     def test_a_page_that_fetches_or_complains_is_found_out(self):
@@ -279,11 +284,18 @@ class Pages(unittest.TestCase):
                     "[...document.querySelectorAll('figure svg .line, figure svg .dots')].map(e => e.getBBox())")
                 self.assertGreaterEqual(len(boxes), 6)
                 for box in boxes:
-                    self.assertTrue(0 <= box["x"] and box["x"] + box["width"] <= 360 and box["width"] + box["height"] > 10, box)
+                    inside = 0 <= box["x"] and box["x"] + box["width"] <= 360
+                    self.assertTrue(inside and box["width"] + box["height"] > 10, box)
+
+    def test_a_page_wider_than_a_phone_is_found_out(self):
+        self.browser.open(self.altered("none", "</main>", '<p style="width: 40rem">wide</p></main>'), 390)
+        self.assertGreater(self.browser.run("document.documentElement.scrollWidth"), 390)
 
     def test_pages_print_on_few_sheets(self):
         self.browser.open(self.pages["identified"])
-        self.assertGreater(len(self.browser.driver.print_page()), 20000)
+        document = base64.b64decode(self.browser.driver.print_page())
+        sheets = len(re.findall(rb"/Type\s*/Page\b", document))
+        self.assertTrue(1 <= sheets <= 5, sheets)
 
     def test_a_page_is_light(self):
         for verdict, page, _ in self.diagnoses():
@@ -303,7 +315,8 @@ class Pages(unittest.TestCase):
                 for key in ("kind", "detail"):
                     expected[f"{claim['id']}/evidence/{i}/{key}"] = evidence[key]
         self.assertEqual(shown, expected)
-        self.assertEqual(self.browser.run("[...document.querySelectorAll('.wide img')].filter(i => !i.naturalWidth).length"), 0)
+        undrawn = "[...document.querySelectorAll('.wide img')].filter(i => !i.naturalWidth).length"
+        self.assertEqual(self.browser.run(undrawn), 0)
 
     def test_claims_filter_by_verdict_and_answer_to_their_anchor(self):
         by_verdict = {}
