@@ -122,9 +122,8 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
   };
   for (const std::size_t place : cause.equivalent)
     add(names(cause.ranking[place].hypothesis.fit.candidate),
-        fmt::format(
-            "explains these readings as well as the best; the log-likelihoods differ by less than {:g}",
-            told_apart));
+        fmt::format("fits these readings as well as the best: their log-likelihoods differ by less than {:g}",
+                    told_apart));
   for (std::size_t i = 0; i < ranking.size(); ++i) {
     const bool listed =
         i == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), i) > 0;
@@ -197,13 +196,14 @@ std::string as_html(const Experiment& experiment, const Diagnosis& diagnosis) {
   const Json report = as_json(diagnosis);
   Json view = with_marked_numbers(report, style_of);
   view["gap_level"] = fmt::format("{:g}", gap_level);
+  for (const auto& [sensor, scale] : view["gap"]["noise"].items())
+    if (sensor != "correlation") view["noise"].push_back({{"sensor", sensor}, {"scale", scale}});
   view["channels_rms"] = gap_channels(view["gap"]["rms"]);
   add_where(view, report, explained);
   add_cause(view, report, explained);
   if (diagnosis.shrink) {
     view["shrink"]["by_channel"] = shrink_channels(view["shrink"]);
     const Verdict verdict = diagnosis.cause.verdict;
-    view["shrink"]["shrinks"] = diagnosis.shrink->ratio < 1;
     view["shrink"]["explains"] = verdict == Verdict::identified || verdict == Verdict::ambiguous;
     view["shrink"]["heldout_names"] = joined(diagnosis.shrink->heldout, ", ", ", ");
   }

@@ -166,9 +166,9 @@ std::string axes(const Chart& chart, const Frame& frame) {
 std::string labels(const Chart& chart, const Frame& frame) {
   std::string text;
   for (const ChartLabel& label : chart.labels)
-    text +=
-        fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"label middle\">{}</text>\n",
-                    frame.x.pixel(label.at.x), frame.y.pixel(label.at.y) - label.above, escaped(label.text));
+    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"label middle\">{}</text>\n",
+                        std::max(left + 28, frame.x.pixel(label.at.x)),
+                        frame.y.pixel(label.at.y) - label.above, escaped(label.text));
   return text;
 }
 
