@@ -140,8 +140,7 @@ std::vector<PageChart> loop_charts(const Explained& explained) {
   const Prediction base = predict(explained.experiment, elastic.candidate, elastic.parameters);
   if (!base.reached) return {};
   std::vector<PageChart> charts;
-  const bool torques =
-      explained.diagnosis.where.torques_measured && !explained.diagnosis.where.joints.empty();
+  const bool torques = explained.diagnosis.where.joint_evidence == JointEvidence::measured;
   for (const std::size_t place : telling_series(explained, base)) {
     const Series& series = explained.series(place);
     charts.push_back(loop_over_command(explained, series, base));

@@ -124,7 +124,7 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
     add(names(cause.ranking[place].hypothesis.fit.candidate),
         fmt::format("fits these readings as well as the best: their log-likelihoods differ by less than {:g}",
                     told_apart));
-  for (std::size_t i = 0; i < ranking.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(ranking.size(), cause.ranking.size()); ++i) {
     const bool listed =
         i == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), i) > 0;
     if (!listed && cause.verdict != Verdict::unknown && cause.ranking[i].probability >= 0.01)
@@ -156,8 +156,12 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
     alternatives.push_back(words(cause.ranking[place].hypothesis.fit.candidate));
   view["alternatives"] = joined(alternatives, ", ", " or ");
   Json& ranking = view["cause"]["ranking"];
-  for (std::size_t i = 0; i < ranking.size(); ++i)
-    ranking[i]["names"] = names(cause.ranking[i].hypothesis.fit.candidate);
+  for (Json& one : ranking) {
+    std::string names;
+    for (const Json& effect : one["effects"])
+      names += (names.empty() ? "" : " + ") + effect.get<std::string>();
+    one["names"] = names;
+  }
   add_bars(ranking, report["cause"]["ranking"], "probability");
   view["ranked"] = {{"any", !ranking.empty()}};
   view["open"] = section(not_excluded(explained, ranking));
@@ -167,10 +171,10 @@ void add_where(Json& view, const Json& report, const Explained& explained) {
   const Where& where = explained.diagnosis.where;
   for (const char* list : {"channels", "runs", "load_path", "joints"})
     add_bars(view["where"][list], report["where"][list], "share");
-  view["joints_measured"] = where.torques_measured;
+  view["joint_evidence"] = joint_evidence_words(where.joint_evidence);
   view["most"] = {
       {"channel", where.channels.front().channel}, {"run", where.runs.front().run}, {"joint", false}};
-  if (where.torques_measured && where.joints.front().share > 0.5)
+  if (where.joint_evidence == JointEvidence::measured && where.joints.front().share > 0.5)
     view["most"]["joint"] = std::to_string(where.joints.front().joint);
   if (!explained.diagnosis.missing) return;
   const PageChart chart = missing_chart(*explained.diagnosis.missing);

@@ -46,7 +46,11 @@ Json where(const Where& places) {
         {{"run", one.run}, {"from", one.from}, {"to", one.to}, {"share", one.share}, {"regime", one.regime}});
   }
   for (const auto& one : places.joints) joints.push_back({{"joint", one.joint}, {"share", one.share}});
-  return {{"channels", channels}, {"runs", runs}, {"load_path", path}, {"joints", joints}};
+  return {{"channels", channels},
+          {"runs", runs},
+          {"load_path", path},
+          {"joints", joints},
+          {"joint_evidence", joint_evidence_words(places.joint_evidence)}};
 }
 
 Json effects(const Candidate& candidate, const std::vector<std::vector<Estimate>>& estimates) {
@@ -76,6 +80,7 @@ Json cause(const Diagnosis& diagnosis) {
                        {"probability", one.probability},
                        {"chi2_per_dof", one.chi2_per_dof}});
   }
+  ranking.push_back({{"effects", {"unknown"}}, {"probability", found.unknown}, {"chi2_per_dof", nullptr}});
   for (const EffectAt& at : diagnosis.not_exercised) idle.push_back(label(at));
   const bool explained = found.verdict == Verdict::identified || found.verdict == Verdict::ambiguous;
   return {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 #include <set>
 
@@ -22,14 +23,14 @@ bool turns_back(const Run& run) {
   return false;
 }
 
-/// The last run whose kind another run has too, or else the last.
-std::size_t spare_run(const Experiment& experiment) {
+/// The last run whose kind another run has too.
+std::optional<std::size_t> spare_run(const Experiment& experiment) {
   const auto kind = [](const Run& run) { return std::pair(run.control, turns_back(run)); };
   for (std::size_t r = experiment.runs.size(); r-- > 0;) {
     for (std::size_t other = 0; other < experiment.runs.size(); ++other)
       if (other != r && kind(experiment.runs[other]) == kind(experiment.runs[r])) return r;
   }
-  return experiment.runs.size() - 1;
+  return std::nullopt;
 }
 
 HeldOut nothing(const Experiment& experiment) {
@@ -124,19 +125,20 @@ std::map<std::string, ChannelShrink> by_channel(const Measurements& measurements
 
 HeldOut choose_heldout(const Experiment& experiment) {
   HeldOut heldout = nothing(experiment);
-  if (experiment.runs.size() > 1) {
-    const std::size_t r = spare_run(experiment);
-    heldout.reading[r].assign(heldout.reading[r].size(), true);
-    heldout.names.push_back(experiment.runs[r].id);
+  if (const std::optional<std::size_t> r = spare_run(experiment)) {
+    heldout.reading[*r].assign(heldout.reading[*r].size(), true);
+    heldout.names.push_back(experiment.runs[*r].id);
     return heldout;
   }
-  const Run& run = experiment.runs.front();
-  const std::size_t length = run.readings.size() / 8;
-  if (length == 0) return heldout;
-  for (const std::size_t from : {2 * length, 5 * length}) {
-    std::fill_n(heldout.reading[0].begin() + static_cast<std::ptrdiff_t>(from), length, true);
-    heldout.names.push_back(run.id + "[" + std::to_string(from) + ":" + std::to_string(from + length - 1) +
-                            "]");
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    const Run& run = experiment.runs[r];
+    const std::size_t length = run.readings.size() / 8;
+    if (length == 0) continue;
+    for (const std::size_t from : {2 * length, 5 * length}) {
+      std::fill_n(heldout.reading[r].begin() + static_cast<std::ptrdiff_t>(from), length, true);
+      heldout.names.push_back(run.id + "[" + std::to_string(from) + ":" + std::to_string(from + length - 1) +
+                              "]");
+    }
   }
   return heldout;
 }

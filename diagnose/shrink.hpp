@@ -16,9 +16,9 @@ struct HeldOut {
   [[nodiscard]] bool empty() const { return names.empty(); }
 };
 
-/// What to set aside: one run of several, such that runs of its kind (control, loading only or not) remain;
-/// of a single run, two blocks of its path. Decided by what was commanded, before any residual is looked at.
-/// Nothing where too little would be left.
+/// What to set aside: a run, if runs of its kind (control, loading only or not) remain; else two blocks of
+/// the path of every run. Decided by what was commanded, before any residual is looked at. Nothing where too
+/// little would be left.
 HeldOut choose_heldout(const Experiment& experiment);
 
 /// The experiment without the measured values that are held out; what was commanded stays, for the history.
