@@ -34,8 +34,10 @@ Explained::Explained(const Experiment& measured, const Diagnosis& diagnosed)
       corrected(nominal),
       before(measurements.residual(measured, nominal)),
       after(before),
-      best(best_explanation(diagnosed.cause)) {
+      best(best_explanation(diagnosed.cause)),
+      model("nominal model") {
   if (best == nullptr) return;
+  model = diagnosed.cause.verdict == Verdict::unknown ? "best partial explanation" : "corrected model";
   corrected = predict(experiment, best->candidate, best->parameters);
   after = measurements.residual(experiment, corrected);
 }
