@@ -24,6 +24,11 @@ bool end_point_imposed(const Scene& s, Place) {
   return std::any_of(s.plan.runs.begin(), s.plan.runs.end(),
                      [](const PlannedRun& run) { return !run.force_controlled; });
 }
+/// No reading depends on what the camera shows.
+bool never_force_controlled(const Scene& s, Place) {
+  return std::none_of(s.plan.runs.begin(), s.plan.runs.end(),
+                      [](const PlannedRun& run) { return run.force_controlled; });
+}
 bool unloads(const Scene& s, Place) {
   return std::any_of(s.plan.runs.begin(), s.plan.runs.end(), [](const PlannedRun& run) {
     return run.id.find("loading") == std::string::npos || run.id.find("unloading") != std::string::npos;
@@ -71,7 +76,7 @@ std::vector<Kind> springs() {
       {"backlash", "", true, {"b"}, {true}, false, 8, elastic,
        [](const Scene& s, Place j, Random& r) { return one_way(r, 0.005, 0.2 * s.deflection[j]); },
        [](Physics& is, const Plan&, Place j, const Values& v) { is.joint[j].backlash += v[0]; }},
-      {"joint_friction", "", false, {"tau_c"}, {true}, false, 20, unloads,
+      {"joint_friction", "", false, {"tau_c"}, {true}, false, 6, unloads,
        [](const Scene& s, Place, Random& r) { return one_way(r, 0.004 * torque(s), 0.05 * torque(s)); },
        [](Physics& is, const Plan&, Place, const Values& v) {
          for (Joint& joint : is.joint)
@@ -120,7 +125,7 @@ std::vector<Kind> links_and_loads() {
       {"axial_compliance", "", false, {"c_a"}, {true}, false, 20, anywhere,
        [](const Scene& s, Place, Random& r) { return one_way(r, 0.001 / s.force, 0.01 / s.force); },
        [](Physics& is, const Plan&, Place, const Values& v) { is.axial += v[0]; }},
-      {"link_bending", "", false, {"EI"}, {true}, true, 20, anywhere,
+      {"link_bending", "", false, {"EI"}, {true}, true, 6, anywhere,
        [](const Scene& s, Place, Random& r) {
          const double rigidity = s.plan.typical_stiffness() * s.plan.reach() / static_cast<double>(s.plan.size());
          return one_way(r, 3 * rigidity, 30 * rigidity);
@@ -151,7 +156,7 @@ std::vector<Kind> bench() {
       {"rail_misalignment", "", false, {"eps"}, {true}, false, 10, anywhere,
        [](const Scene&, Place, Random& r) { return both_ways(r, 0.01, 0.06); },
        [](Physics& is, const Plan&, Place, const Values& v) { is.misalignment += v[0]; }},
-      {"position_offset", "", false, {"d_x", "d_y"}, {true, true}, false, 8, end_point_imposed,
+      {"position_offset", "", false, {"d_x", "d_y"}, {true, true}, false, 8, never_force_controlled,
        [](const Scene& s, Place, Random& r) { return in_plane(r, r.log_uniform(5e-4, 5e-3) * s.plan.reach()); },
        [](Physics& is, const Plan&, Place, const Values& v) { is.position_offset = {v[0], v[1]}; }},
       {"train_compliance", "", false, {"c_t"}, {true}, false, 20, end_point_imposed,

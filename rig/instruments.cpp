@@ -51,6 +51,7 @@ class Channel {
 Readings show(const Plan& plan, const Physics& physics, const PlannedRun& run,
               const std::vector<State>& states) {
   Readings readings;
+  double direction = 0;  // of the last motion along x
   for (std::size_t i = 0; i < states.size(); ++i) {
     const State& state = states[i];
     const Pair& told = run.commands[i].value;
@@ -59,7 +60,8 @@ Readings show(const Plan& plan, const Physics& physics, const PlannedRun& run,
       reading.end_point = state.end_point;
     } else {
       const double motion = i > 0 ? told[0] - run.commands[i - 1].value[0] : 0;
-      reading.force = load_cell(physics, state, static_cast<double>(motion > 0) - (motion < 0));
+      if (motion != 0) direction = std::copysign(1, motion);
+      reading.force = load_cell(physics, state, direction);
       if (!plan.cross_force_measured) reading.force[1] = nothing;
     }
     if (plan.angles_measured) reading.q = state.q;

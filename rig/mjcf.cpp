@@ -61,18 +61,16 @@ class Writer {
     text_ += fmt::format("<joint name=\"{}\" type=\"slide\" axis=\"{}\" {}/>", name, axis,
                          dynamics(stiffness, stiffness));
   }
-  void hinge(const std::string& name, double stiffness, double typical, double rest = 0, double friction = 0) {
-    text_ += fmt::format("<joint name=\"{}\" type=\"hinge\" axis=\"0 0 1\" springref=\"{:.17g}\" "
-                         "frictionloss=\"{:.17g}\" solreffriction=\"{:.17g} 1\" "
-                         "solimpfriction=\"0.9999 0.9999 1\" {}/>",
-                         name, rest, friction, 2 * pace_.timestep, dynamics(stiffness, typical));
+  void hinge(const std::string& name, double stiffness, double typical, double rest = 0) {
+    text_ += fmt::format("<joint name=\"{}\" type=\"hinge\" axis=\"0 0 1\" springref=\"{:.17g}\" {}/>", name,
+                         rest, dynamics(stiffness, typical));
   }
   void link(std::size_t j) {
     const Joint& joint = physics_.joint[j];
     open(fmt::format("link{}", j + 1), at_);
     const bool native = joint.backlash == 0 && joint.softening == 0;
     hinge(fmt::format("q{}", j + 1), native ? joint.stiffness : 0,
-          joint.stiffness > 0 ? joint.stiffness : typical_, rest_[j] + joint.rest_error, joint.friction);
+          joint.stiffness > 0 ? joint.stiffness : typical_, rest_[j] + joint.rest_error);
     text_ += fmt::format("<site name=\"axis{}\"/>", j + 1);
     if (physics_.mass[j] > 0) {
       text_ += fmt::format("<body name=\"mass{}\">", j + 1);
@@ -111,9 +109,8 @@ class Writer {
 
 std::string tendons(const Physics& physics) {
   std::string all;
-  if (physics.tip_stiffness > 0 || physics.pivot_friction > 0) {
-    all += fmt::format("<fixed name=\"pivot\" stiffness=\"{:.17g}\" frictionloss=\"{:.17g}\">",
-                       physics.tip_stiffness, physics.pivot_friction);
+  if (physics.tip_stiffness > 0) {
+    all += fmt::format("<fixed name=\"pivot\" stiffness=\"{:.17g}\">", physics.tip_stiffness);
     for (std::size_t j = 0; j < physics.length.size(); ++j) {
       all += fmt::format("<joint joint=\"q{}\" coef=\"1\"/>", j + 1);
       for (int g = 0; g < 3 && physics.flexibility > 0; ++g)

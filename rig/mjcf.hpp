@@ -17,10 +17,9 @@ struct Pace {
 };
 
 /// Bodies link1 … linkn with the hub hinges q1 … qn, the body `tip`
-/// with the site `end` on the end point. Native: springs, dry
-/// friction, link weights, payload, base and train springs, bars that stretch, beams as hinges at the three
-/// Gauss points of each link (so that the compliance to end loads is exact to first order), the tip spring
-/// and the friction of the end pivot. Everything else is a passive force.
+/// with the site `end` on the end point. Native: springs, link weights, payload, base and train springs,
+/// bars that stretch, beams as hinges at the three Gauss points of each link (so that the compliance to end
+/// loads is exact to first order), the tip spring, the band. Everything else is a passive force.
 std::string mjcf(const Plan& plan, const Physics& physics, const PlannedRun& run, const Pace& pace);
 
 }  // namespace plumbline::rig

@@ -8,10 +8,28 @@
 
 namespace plumbline::rig {
 
+/// A dry contact: a bristle, this many times stiffer than the joint's spring, that bends until it slips.
+/// MuJoCo's own dry friction will not do: it has no memory, and where a held end point could carry the load
+/// alone it relaxes at once.
+struct Contact {
+  static constexpr double relative_stiffness = 500;
+
+  double stiffness = 0, damping = 0, slip = 0;  ///< N m/rad, N m s/rad, N m
+  double bend = 0;                              ///< of the bristle, rad
+  bool sticks = true;
+
+  void follow(double turn);
+  [[nodiscard]] double torque(double rate) const {
+    return -stiffness * bend - (sticks ? damping * rate : 0);
+  }
+};
+
 /// Where the passive forces find their joints, and what they remember.
 class PassiveForce {
  public:
-  PassiveForce(const Physics& physics, const PlannedRun& run, const mjModel& model);
+  /// \param response  of the model, see Pace
+  PassiveForce(const Plan& plan, const Physics& physics, const PlannedRun& run, const mjModel& model,
+               double response);
 
   /// From now on: Maxwell arms follow with their time constant instead of carrying nothing.
   void begin_history() { relaxed_ = false; }
@@ -21,6 +39,7 @@ class PassiveForce {
   void add_to(const mjModel& model, mjData& data) const;
 
  private:
+  void add_friction(mjData& data) const;
   [[nodiscard]] double joint_torque(std::size_t j, double deflection) const;
 
   const Physics& physics_;
@@ -28,6 +47,8 @@ class PassiveForce {
   std::vector<int> position_, velocity_;  ///< addresses of the hub hinges in qpos and qvel
   std::vector<double> arm_;               ///< where the far end of each Maxwell arm's spring stands
   std::vector<double> largest_;           ///< largest |deflection| so far
+  std::vector<double> last_;              ///< deflection after the last time step
+  std::vector<Contact> contact_;          ///< of the hubs and, last, of the end pivot
   bool relaxed_ = true;
 };
 

@@ -23,6 +23,14 @@ void passive_callback(const mjModel* model, mjData* data) {
   if (acting) acting->add_to(*model, *data);
 }
 
+class Acting {
+ public:
+  explicit Acting(const PassiveForce& force) { acting = &force; }
+  Acting(const Acting&) = delete;
+  Acting& operator=(const Acting&) = delete;
+  ~Acting() { acting = nullptr; }
+};
+
 void prepare_mujoco() {
   static std::once_flag once;
   std::call_once(once, [] {
@@ -52,17 +60,22 @@ Pair turned(const Pair& v, double angle) {
   return {c * v[0] - s * v[1], s * v[0] + c * v[1]};
 }
 
-/// How a step between two readings is spent.
+/// How the time between two readings is spent.
 struct Timing {
-  double steps_per_reading;  ///< planned
-  double moving;             ///< share of it in which the carriage moves; then it waits
+  double responses;  ///< how many response times it is long
+  double moving;     ///< share of it in which the carriage moves; then it waits
+  double steps;      ///< time steps in a response time
+  bool steady;       ///< whether it moves at a steady rate; else it starts and stops softly
 };
 
-/// Where real time matters the carriage moves nearly throughout, and the dynamics is that much faster.
+/// Where real time matters the carriage moves nearly throughout, and the dynamics is that much faster. Bristles
+/// need short steps.
 Timing timing(const Physics& physics) {
-  return physics.arm_ratio > 0 ? Timing{600, 0.92} : Timing{96, 0.5};
+  bool dry = physics.pivot_friction > 0;
+  for (const Joint& joint : physics.joint) dry = dry || joint.friction > 0;
+  const double steps = dry ? 32 : 4;
+  return physics.arm_ratio > 0 ? Timing{150, 0.92, steps, true} : Timing{24, 0.5, steps, false};
 }
-constexpr double steps_per_response = 4;
 
 class Bench {
  public:
@@ -73,7 +86,7 @@ class Bench {
         pace_(pace()),
         model_(load(mjcf(plan, physics, run, pace_))),
         data_(mj_makeData(model_.get()), mj_deleteData),
-        passive_(physics, run, *model_),
+        passive_(plan, physics, run, *model_, pace_.response),
         end_(mj_name2id(model_.get(), mjOBJ_SITE, "end")) {
     for (std::size_t j = 0; j < run.rest.size(); ++j)
       hub_.push_back(
@@ -81,7 +94,7 @@ class Bench {
   }
 
   std::vector<State> work() {
-    acting = &passive_;
+    const Acting callback(passive_);
     std::vector<State> states;
     bring_to_start();
     states.push_back(read(run_.commands.front().t));
@@ -92,15 +105,14 @@ class Bench {
       late += settle();
       states.push_back(read(run_.commands[i].t + late));
     }
-    acting = nullptr;
     return states;
   }
 
  private:
   Pace pace() const {
     const double interval = run_.commands.at(1).t - run_.commands.at(0).t;
-    const double timestep = interval / timing_.steps_per_reading;
-    return {steps_per_response * timestep, timestep};
+    const double response = interval / timing_.responses;
+    return {response, response / timing_.steps};
   }
 
   /// What the carriage does when it is told a command.
@@ -133,17 +145,10 @@ class Bench {
       data_->qpos[hub_[j]] = run_.rest[j] + physics_.joint[j].rest_error;
     mj_kinematics(model_.get(), data_.get());
     const Pair from = run_.force_controlled ? Pair{0, 0} : end_point();
-    const std::vector<double> friction(model_->dof_frictionloss, model_->dof_frictionloss + model_->nv);
-    std::fill_n(model_->dof_frictionloss, model_->nv, 0.0);
-    const std::vector<double> pivot(model_->tendon_frictionloss,
-                                    model_->tendon_frictionloss + model_->ntendon);
-    std::fill_n(model_->tendon_frictionloss, model_->ntendon, 0.0);
     constexpr double readings_long = 4;
     move(from, true_command(run_.commands.front()),
-         readings_long * timing_.steps_per_reading * pace_.timestep);
+         readings_long * timing_.responses * pace_.response);
     settle();
-    std::copy(friction.begin(), friction.end(), model_->dof_frictionloss);
-    std::copy(pivot.begin(), pivot.end(), model_->tendon_frictionloss);
     passive_.begin_history();
   }
 
@@ -152,7 +157,8 @@ class Bench {
     const auto steps = static_cast<int>(std::lround(seconds / pace_.timestep));
     const auto moving = static_cast<int>(timing_.moving * steps);
     for (int s = 1; s <= steps; ++s) {
-      const double way = s < moving ? static_cast<double>(s) / moving : 1;
+      const double share = std::min(1.0, static_cast<double>(s) / moving);
+      const double way = timing_.steady ? share : share * share * (3 - 2 * share);
       target_ = {from[0] + way * (to[0] - from[0]), from[1] + way * (to[1] - from[1])};
       step();
     }
@@ -161,7 +167,8 @@ class Bench {
   /// Waits for rest; how long, in seconds.
   double settle() {
     constexpr int patience = 20000;
-    const double rest = slowest();
+    // radians within a response time; Maxwell arms go on relaxing
+    const double rest = 2e-7 + physics_.arm_ratio * pace_.response / physics_.relaxation;
     for (int s = 0; s < patience; ++s) {
       double fastest = 0;
       for (const int address : hub_)  // hinges have one coordinate: the same order in qvel
@@ -172,16 +179,6 @@ class Bench {
       step();
     }
     throw Error("rig: run \"" + run_.id + "\" did not come to rest");
-  }
-
-  /// What counts as rest, in radians within a response time. MuJoCo's dry friction creeps a little while it
-  /// sticks, in proportion to its torque: by 2.5e-5 of what the spring needs for it, at our impedance.
-  [[nodiscard]] double slowest() const {
-    double slip = 0;
-    for (const Joint& joint : physics_.joint)
-      if (joint.stiffness > 0)
-        slip = std::max(slip, (joint.friction + physics_.pivot_friction) / joint.stiffness);
-    return 2e-7 + 1e-4 * slip;
   }
 
   void step() {
@@ -205,18 +202,16 @@ class Bench {
                data_->qfrc_applied);
   }
 
-  /// Sets where the connection holds the chain. MuJoCo's constraints yield a little; the drive's slow loop
-  /// takes that back.
+  /// Sets where the connection holds the chain. MuJoCo's constraint yields to its force, by R f = -K I r when at
+  /// rest; the anchor stands that much further.
   void hold() {
     mj_kinematics(model_.get(), data_.get());
-    constexpr double loop = 0.1;
-    const Pair at = end_point(), side = beside();
-    Pair wanted = target_;
-    if (const int train = mj_name2id(model_.get(), mjOBJ_JOINT, "train"); train >= 0)
-      wanted[0] += data_->qpos[model_->jnt_qposadr[train]];
+    const Pair side = beside();
     for (std::size_t a = 0; a < 2; ++a) {
-      correction_[a] += loop * (wanted[a] - at[a]);
-      model_->eq_data[3 + a] = target_[a] + side[a] + correction_[a];
+      const mjtNum* kbip = data_->efc_KBIP + 4 * a;
+      const double yields =
+          data_->nefc > 0 ? data_->efc_R[a] * data_->efc_force[a] / (kbip[0] * kbip[2]) : 0;
+      model_->eq_data[3 + a] = target_[a] + side[a] + yields;
     }
     model_->eq_data[1] = physics_.eccentricity;
   }
@@ -237,7 +232,7 @@ class Bench {
   PassiveForce passive_;
   int end_;
   std::vector<int> hub_;
-  Pair target_{0, 0}, correction_{0, 0};
+  Pair target_{0, 0};
 };
 
 }  // namespace
