@@ -18,8 +18,9 @@ struct SecretExperiments {
 
 /// Writes the experiments trial-001, trial-002, … of this seed into the folder, and seals.json beside them.
 /// \throws Error where the program was built without the rig
-SecretExperiments make_experiments(std::size_t trials, std::uint64_t seed, const std::filesystem::path& folder,
-                                   unsigned threads, const std::function<void()>& advance);
+SecretExperiments make_experiments(std::size_t trials, std::uint64_t seed,
+                                   const std::filesystem::path& folder, unsigned threads,
+                                   const std::function<void()>& advance);
 
 /// Writes labels/NAME.json for every envelope: the seals are open from then on.
 void publish(const SecretExperiments& secret, const std::filesystem::path& folder);

@@ -26,7 +26,8 @@ struct Options {
   double patience = 30;  // s for one diagnosis
 };
 
-/// Where the trial takes place: the folder that the user names, which must be new or empty, or one for a while.
+/// Where the trial takes place: the folder that the user names, which must be new or empty, or one for a
+/// while.
 class Place {
  public:
   explicit Place(const std::string& wanted) : kept_(!wanted.empty()), folder_(wanted) {
@@ -102,9 +103,11 @@ void run(const Options& options) {
   const Place place(options.out);
   SecretExperiments secret;
   if (options.experiments.empty()) secret = make(options, place.folder());
-  const trial::SealedFolder folder(options.experiments.empty() ? place.folder() : fs::path(options.experiments));
+  const trial::SealedFolder folder(options.experiments.empty() ? place.folder()
+                                                               : fs::path(options.experiments));
   if (folder.sealed() > 0 && !quiet) {
-    fmt::print("{} experiments, their labels sealed. SHA-256 of the seals: {}\n\n", folder.sealed(), folder.digest());
+    fmt::print("{} experiments, their labels sealed. SHA-256 of the seals: {}\n\n", folder.sealed(),
+               folder.digest());
     std::fflush(stdout);
   }
   const fs::path reports = place.folder() / "reports";
@@ -123,7 +126,8 @@ void run(const Options& options) {
 
 void add_trial(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
-      "trial", "The blind trial: experiments whose effect is withheld from the diagnosis, then unsealed and scored");
+      "trial",
+      "The blind trial: experiments whose effect is withheld from the diagnosis, then unsealed and scored");
   const auto options = std::make_shared<Options>();
   auto* trials = verb->add_option("--trials", options->trials, "How many experiments the simulated rig makes")
                      ->check(CLI::PositiveNumber)
@@ -135,11 +139,13 @@ void add_trial(CLI::App& app) {
       ->type_name("DIR")
       ->excludes(trials)
       ->excludes(seed);
-  verb->add_option("--out", options->out, "Keep experiments, seals, reports and labels in this folder")->type_name("DIR");
+  verb->add_option("--out", options->out, "Keep experiments, seals, reports and labels in this folder")
+      ->type_name("DIR");
   verb->add_option("--patience", options->patience, "Seconds after which a diagnosis is given up")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  verb->add_option("--json", options->json, "Write the result as JSON too (without FILE: to standard output alone)")
+  verb->add_option("--json", options->json,
+                   "Write the result as JSON too (without FILE: to standard output alone)")
       ->type_name("[FILE]")
       ->expected(0, 1)
       ->default_str("-");

@@ -22,8 +22,8 @@ Nominal draw_chain(Random& random) {
   const bool passive_base = n >= 3 && random.chance(0.15);
   for (std::size_t i = 0; i < n; ++i) {
     chain.length.push_back(rounded(length * (equal_links ? 1 : random.uniform(0.7, 1.3)), 1e-4));
-    const double k = stiffness * (equal_joints ? 1 : random.uniform(0.7, 1.4)) *
-                     std::pow(taper, static_cast<double>(i));
+    const double k =
+        stiffness * (equal_joints ? 1 : random.uniform(0.7, 1.4)) * std::pow(taper, static_cast<double>(i));
     chain.stiffness.push_back(i == 0 && passive_base ? 0 : significant(k, 3));
   }
   return chain;

@@ -5,7 +5,8 @@ namespace plumbline::rig {
 Effect Effect::scaled(double factor) const {
   Effect other = *this;
   for (std::size_t p = 0; p < values.size(); ++p)
-    if (kind->amplitude[p]) other.values[p] = significant(values[p] * (kind->inverse ? 1 / factor : factor), 4);
+    if (kind->amplitude[p])
+      other.values[p] = significant(values[p] * (kind->inverse ? 1 / factor : factor), 4);
   return other;
 }
 

@@ -16,8 +16,7 @@ Pair load_cell(const Physics& is, const State& state, double direction) {
   const double warm = std::sin(2 * std::numbers::pi * state.t / is.zero.period);
   Pair shown;
   for (std::size_t a = 0; a < 2; ++a)
-    shown[a] =
-        (1 + is.gain) * turned[a] + is.bias[a] + is.drift[a] * state.t + is.zero.amplitude[a] * warm;
+    shown[a] = (1 + is.gain) * turned[a] + is.bias[a] + is.drift[a] * state.t + is.zero.amplitude[a] * warm;
   shown[0] += is.guide_friction * direction;
   return shown;
 }
@@ -34,8 +33,7 @@ class Channel {
     last_ = r * last_ + std::sqrt(1 - r * r) * random_.normal();
     double shown = value + sigma_ * last_;
     if (random_.chance(scatter_.outliers)) shown += random_.sign() * random_.uniform(8, 25) * sigma_;
-    if (scatter_.resolution > 0)
-      shown = rounded(shown, significant(scatter_.resolution * sigma_, 1));
+    if (scatter_.resolution > 0) shown = rounded(shown, significant(scatter_.resolution * sigma_, 1));
     return random_.chance(scatter_.missing) ? nothing : shown;
   }
 
@@ -85,19 +83,24 @@ Readings scattered(const PlannedRun& run, Readings readings, const Scatter& scat
   return readings;
 }
 
-std::vector<double> gap(const Plan& plan, const std::vector<Readings>& readings,
+std::vector<Excess> gap(const Plan& plan, const std::vector<Readings>& readings,
                         const std::vector<Readings>& reference, const Sigma& sigma) {
-  std::vector<double> all;
+  std::vector<Excess> all;
+  const auto add = [&](const std::string& channel, double one, double other, double unit) {
+    if (!std::isnan(one)) all.push_back({channel, (one - other) / unit});
+  };
   for (std::size_t r = 0; r < readings.size(); ++r) {
     for (std::size_t i = 0; i < readings[r].size(); ++i) {
       const Reading &one = readings[r][i], &other = reference[r][i];
-      const bool force = plan.runs[r].force_controlled;
-      for (std::size_t a = 0; a < 2; ++a) {
-        const double difference =
-            force ? (one.end_point[a] - other.end_point[a]) / sigma.position : (one.force[a] - other.force[a]) / sigma.force;
-        if (!std::isnan(difference)) all.push_back(difference);
+      if (plan.runs[r].force_controlled) {
+        add("x", one.end_point[0], other.end_point[0], sigma.position);
+        add("y", one.end_point[1], other.end_point[1], sigma.position);
+      } else {
+        add("Fx", one.force[0], other.force[0], sigma.force);
+        add("Fy", one.force[1], other.force[1], sigma.force);
       }
-      for (std::size_t j = 0; j < one.q.size(); ++j) all.push_back((one.q[j] - other.q[j]) / sigma.angle);
+      for (std::size_t j = 0; j < one.q.size(); ++j)
+        add("q" + std::to_string(j + 1), one.q[j], other.q[j], sigma.angle);
     }
   }
   return all;

@@ -2,6 +2,8 @@
 /// \file
 /// What the lab writes down of what is true: load cell, encoders, camera; their errors, noise and resolution.
 
+#include <string>
+
 #include "rig/random.hpp"
 #include "rig/simulation.hpp"
 
@@ -38,8 +40,14 @@ Readings show(const Plan& plan, const Physics& physics, const PlannedRun& run,
 /// The same with scatter.
 Readings scattered(const PlannedRun& run, Readings readings, const Scatter& scatter, Random& random);
 
-/// Every measured value of `readings` less that of `reference`, in sigmas.
-std::vector<double> gap(const Plan& plan, const std::vector<Readings>& readings,
+/// What one measured value shows beyond a reference, in sigmas.
+struct Excess {
+  std::string channel;
+  double value;
+};
+
+/// Every measured value of `readings` beside that of `reference`.
+std::vector<Excess> gap(const Plan& plan, const std::vector<Readings>& readings,
                         const std::vector<Readings>& reference, const Sigma& sigma);
 
 }  // namespace plumbline::rig

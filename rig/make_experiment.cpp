@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <plumbline/error.hpp>
 
 #include "rig/draw_plan.hpp"
-#include "rig/effect.hpp"
 #include "rig/nominal_error.hpp"
 
 namespace plumbline::rig {
@@ -25,8 +25,7 @@ struct Bench {
 
 std::vector<Readings> show_all(const Plan& plan, const Physics& physics, const States& states) {
   std::vector<Readings> all;
-  for (std::size_t r = 0; r < states.size(); ++r)
-    all.push_back(show(plan, physics, plan.runs[r], states[r]));
+  for (std::size_t r = 0; r < states.size(); ++r) all.push_back(show(plan, physics, plan.runs[r], states[r]));
   return all;
 }
 
@@ -92,17 +91,30 @@ std::optional<Bench> draw_bench(Random& random) {
   return bench;
 }
 
-double rms(const std::vector<double>& values) {
+double rms(const std::vector<Excess>& values) {
   double sum = 0;
-  for (const double value : values) sum += value * value;
+  for (const Excess& one : values) sum += one.value * one.value;
   return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+/// Where the gap shows most: the channel with the largest share of its square, and others nearly as large.
+std::string channels_of(const std::vector<Excess>& values) {
+  std::map<std::string, double> share;
+  for (const Excess& one : values) share[one.channel] += one.value * one.value;
+  double largest = 0;
+  for (const auto& [channel, square] : share) largest = std::max(largest, square);
+  constexpr double nearly = 0.7;
+  std::string names;
+  for (const auto& [channel, square] : share)
+    if (square >= nearly * largest) names += (names.empty() ? "" : ", ") + channel;
+  return names;
 }
 
 /// The experiment under some effects, without scatter.
 struct Outcome {
   std::vector<Effect> effects;
   std::vector<Readings> shown;
-  std::vector<double> gap;
+  std::vector<Excess> gap;
 };
 
 Outcome outcome_of(const Bench& bench, std::vector<Effect> effects) {
@@ -122,7 +134,8 @@ std::optional<Outcome> tuned(const Bench& bench, const Effect& drawn, double wan
     Outcome outcome = outcome_of(bench, {drawn.scaled(factor)});
     const double strength = rms(outcome.gap);
     if (strength > 0.8 * wanted && strength < 1.25 * wanted) return outcome;
-    const double next = std::clamp(factor * (strength > 0 ? wanted / strength : 10), smallest, drawn.kind->reach);
+    const double next =
+        std::clamp(factor * (strength > 0 ? wanted / strength : 10), smallest, drawn.kind->reach);
     if (next == factor) break;
     factor = next;
   }
@@ -130,15 +143,16 @@ std::optional<Outcome> tuned(const Bench& bench, const Effect& drawn, double wan
 }
 
 /// How much two gaps look alike, up to a factor.
-double likeness(const std::vector<double>& one, const std::vector<double>& other) {
+double likeness(const std::vector<Excess>& one, const std::vector<Excess>& other) {
   double product = 0;
-  for (std::size_t i = 0; i < one.size(); ++i) product += one[i] * other[i];
+  for (std::size_t i = 0; i < one.size(); ++i) product += one[i].value * other[i].value;
   return std::abs(product) / (rms(one) * rms(other) * static_cast<double>(one.size()));
 }
 
 trial::TrueEffect label_of(const Effect& effect, double strength) {
   const bool known = effect.kind->id != "unknown";
-  trial::TrueEffect label{std::string(effect.kind->id), effect.kind->at_joint ? effect.joint + 1 : 0, {}, strength};
+  trial::TrueEffect label{
+      std::string(effect.kind->id), effect.kind->at_joint ? effect.joint + 1 : 0, {}, strength};
   for (std::size_t p = 0; p < effect.values.size() && known; ++p)
     label.parameters.emplace_back(effect.kind->names[p], effect.values[p]);
   return label;
@@ -156,33 +170,11 @@ std::vector<std::vector<std::string>> equivalents(const Bench& bench, const Outc
   if (effect.kind->id != "base_compliance" || !imposed) return {};
   Effect along = effect;
   along.values[1] = 0;
-  const std::vector<double> rest =
+  const std::vector<Excess> rest =
       gap(bench.plan, outcome.shown, outcome_of(bench, {along}).shown, bench.scatter.sigma);
   const double seen = rms(rest) * std::sqrt(static_cast<double>(rest.size()));
   return seen < 2 ? std::vector<std::vector<std::string>>{{"train_compliance"}}
                   : std::vector<std::vector<std::string>>{};
-}
-
-/// What is to be made, drawn before the bench so that benches where it is impossible do not make it rarer.
-struct Wish {
-  std::vector<const Kind*> kinds;
-  std::vector<double> strengths;
-};
-
-Wish draw_wish(Random& random) {
-  const double kind = random.uniform(0, 1);
-  const auto known = [&] { return &random.one_of(catalogue()); };
-  if (kind < 0.15) return {};
-  if (kind < 0.75) return {{known()}, {random.log_uniform(2.2, 50)}};
-  if (kind < 0.87) return {{&random.one_of(outside())}, {random.log_uniform(6, 50)}};
-  const Kind *one = known(), *other = known();
-  // With play and dry friction in one joint its equilibrium is not unique.
-  const auto undetermined = [&] {
-    const auto is = [&](std::string_view id) { return one->id == id || other->id == id; };
-    return one == other || (is("backlash") && is("joint_friction"));
-  };
-  while (undetermined()) other = known();
-  return {{one, other}, {random.log_uniform(5, 40), random.log_uniform(5, 40)}};
 }
 
 Experiment finished(const Bench& bench, const Outcome& outcome, const std::vector<double>& alone,
@@ -198,11 +190,13 @@ Experiment finished(const Bench& bench, const Outcome& outcome, const std::vecto
     made.label.effects.push_back(label_of(outcome.effects[e], significant(alone[e], 4)));
     made.label.description += outcome.effects[e].kind->description;
   }
+  if (!made.label.description.empty()) made.label.channel = channels_of(outcome.gap);
   made.label.equivalent = equivalents(bench, outcome);
   const Sigma& sigma = bench.scatter.sigma;
   if (bench.plan.nominal.mass.empty())
-    made.nominal_error = nominal_error(bench.plan, bench.states,
-                                       {sigma.force, sigma.position, bench.plan.angles_measured ? sigma.angle : 0});
+    made.nominal_error =
+        nominal_error(bench.plan, bench.states,
+                      {sigma.force, sigma.position, bench.plan.angles_measured ? sigma.angle : 0});
   return made;
 }
 
@@ -230,9 +224,23 @@ std::optional<Experiment> attempt(const Wish& wish, const std::string& name, Ran
 
 }  // namespace
 
-Experiment make_experiment(std::uint64_t seed, std::size_t number, const std::string& name) {
-  Random random(seed, number);
-  const Wish wish = draw_wish(random);
+Wish draw_wish(Random& random) {
+  const double kind = random.uniform(0, 1);
+  const auto known = [&] { return &random.one_of(catalogue()); };
+  if (kind < 0.15) return {};
+  if (kind < 0.75) return {{known()}, {random.log_uniform(2.2, 50)}};
+  if (kind < 0.87) return {{&random.one_of(outside())}, {random.log_uniform(6, 50)}};
+  const Kind *one = known(), *other = known();
+  // With play and dry friction in one joint its equilibrium is not unique.
+  const auto undetermined = [&] {
+    const auto is = [&](std::string_view id) { return one->id == id || other->id == id; };
+    return one == other || (is("backlash") && is("joint_friction"));
+  };
+  while (undetermined()) other = known();
+  return {{one, other}, {random.log_uniform(5, 40), random.log_uniform(5, 40)}};
+}
+
+Experiment make_experiment(const Wish& wish, const std::string& name, Random& random) {
   constexpr int patience = 400;
   for (int i = 0; i < patience; ++i) {
     try {
@@ -241,6 +249,13 @@ Experiment make_experiment(std::uint64_t seed, std::size_t number, const std::st
     }
   }
   throw Error("rig: no bench for experiment " + name + " in " + std::to_string(patience) + " attempts");
+}
+
+/// The wish comes first, so that benches where it cannot be granted do not make it rarer.
+Experiment make_experiment(std::uint64_t seed, std::size_t number, const std::string& name) {
+  Random random(seed, number);
+  const Wish wish = draw_wish(random);
+  return make_experiment(wish, name, random);
 }
 
 }  // namespace plumbline::rig

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "rig/effect.hpp"
 #include "rig/instruments.hpp"
 #include "trial/label.hpp"
 
@@ -21,8 +22,19 @@ struct Experiment {
   double nominal_error;
 };
 
-/// The experiment with this number of the trial with this seed. Of a hundred, 15 have no effect, 60 have one,
-/// 13 two, and 12 one that is in no catalogue.
+/// Which effects, and how strong each alone should be, in sigmas; where and on which bench is left to chance.
+struct Wish {
+  std::vector<const Kind*> kinds;
+  std::vector<double> strengths;
+};
+
+/// Of a hundred, 15 have no effect, 60 have one, 13 two, and 12 one that is in no catalogue.
+Wish draw_wish(Random& random);
+
+/// \throws Error where no bench of hundreds can grant the wish
+Experiment make_experiment(const Wish& wish, const std::string& name, Random& random);
+
+/// The experiment with this number of the trial with this seed.
 Experiment make_experiment(std::uint64_t seed, std::size_t number, const std::string& name);
 
 }  // namespace plumbline::rig

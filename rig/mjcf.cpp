@@ -47,9 +47,8 @@ class Writer {
     at_ = 0;
   }
   void inertial(double at, double mass) {
-    text_ +=
-        fmt::format("<inertial pos=\"{:.17g} 0 0\" mass=\"{:.17g}\" diaginertia=\"{} {} {}\"/>", at, mass,
-                    speck, speck, speck);
+    text_ += fmt::format("<inertial pos=\"{:.17g} 0 0\" mass=\"{:.17g}\" diaginertia=\"{} {} {}\"/>", at,
+                         mass, speck, speck, speck);
   }
   /// Without a spring of its own a joint moves at the pace of a typical one.
   std::string dynamics(double stiffness, double typical) const {
@@ -133,10 +132,10 @@ std::string mjcf(const Plan& plan, const Physics& physics, const PlannedRun& run
   Writer writer(plan, physics, run, pace);
   const std::string chain = writer.chain();
   const bool train = physics.train_compliance > 0 && !run.force_controlled;
-  const std::string hold =
-      fmt::format("<equality><connect name=\"hold\" body1=\"tip\" body2=\"{}\" anchor=\"0 0 0\" "
-                  "solref=\"{:.17g} 1\" solimp=\"0.9999 0.9999 1\"/></equality>",
-                  train ? "carriage" : "world", 2 * pace.timestep);
+  const std::string hold = fmt::format(
+      "<equality><connect name=\"hold\" body1=\"tip\" body2=\"{}\" anchor=\"0 0 0\" "
+      "solref=\"{:.17g} 1\" solimp=\"0.9999 0.9999 1\"/></equality>",
+      train ? "carriage" : "world", 2 * pace.timestep);
   return fmt::format(
       "<mujoco><compiler angle=\"radian\" inertiafromgeom=\"false\"/>"
       "<option timestep=\"{:.17g}\" gravity=\"{:.17g} {:.17g} 0\" integrator=\"implicit\" solver=\"Newton\" "

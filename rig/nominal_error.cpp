@@ -14,14 +14,14 @@ double nominal_error(const Plan& plan, const std::vector<std::vector<State>>& st
   };
   for (std::size_t r = 0; r < states.size(); ++r) {
     const PlannedRun& run = plan.runs[r];
-    const NominalModel<double> model(
-        Chain<double>(plan.nominal.length, plan.nominal.stiffness, run.rest));
+    const NominalModel<double> model(Chain<double>(plan.nominal.length, plan.nominal.stiffness, run.rest));
     EquilibriumSolver solver(model);
     for (std::size_t i = 0; i < states[r].size(); ++i) {
       const State& state = states[r][i];
       const Pair& told = run.commands[i].value;
       const std::vector<double> theta = orientations(state.q);
-      Vector<double> guess = Eigen::Map<const Vector<double>>(theta.data(), static_cast<Eigen::Index>(theta.size()));
+      Vector<double> guess =
+          Eigen::Map<const Vector<double>>(theta.data(), static_cast<Eigen::Index>(theta.size()));
       const Equilibrium<double> exact =
           run.force_controlled
               ? solver.under_force({told[0], told[1]}, guess)
@@ -34,7 +34,9 @@ double nominal_error(const Plan& plan, const std::vector<std::vector<State>>& st
         compare(state.force[1], exact.force.y, sigma.force);
       }
       for (std::size_t j = 0; j < theta.size(); ++j)
-        compare(state.q[j], exact.theta(static_cast<Eigen::Index>(j)) - (j > 0 ? exact.theta(static_cast<Eigen::Index>(j) - 1) : 0),
+        compare(state.q[j],
+                exact.theta(static_cast<Eigen::Index>(j)) -
+                    (j > 0 ? exact.theta(static_cast<Eigen::Index>(j) - 1) : 0),
                 sigma.angle);
     }
   }

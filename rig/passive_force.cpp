@@ -49,7 +49,8 @@ void PassiveForce::remember(const mjData& data, double dt) {
 double PassiveForce::joint_torque(std::size_t j, double d) const {
   const Joint& joint = physics_.joint[j];
   const double size = std::abs(d);
-  const double turned = std::copysign(std::max(0.0, size - joint.backlash), d);  // of the spring, behind its play
+  const double turned =
+      std::copysign(std::max(0.0, size - joint.backlash), d);  // of the spring, behind its play
   double torque = -joint.stiffness * joint.hardening * turned * turned * turned;
   if (joint.backlash > 0) torque -= joint.stiffness * turned;
   if (joint.softening > 0)

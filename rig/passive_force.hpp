@@ -19,9 +19,7 @@ struct Contact {
   bool sticks = true;
 
   void follow(double turn);
-  [[nodiscard]] double torque(double rate) const {
-    return -stiffness * bend - (sticks ? damping * rate : 0);
-  }
+  [[nodiscard]] double torque(double rate) const { return -stiffness * bend - (sticks ? damping * rate : 0); }
 };
 
 /// Where the passive forces find their joints, and what they remember.

@@ -50,6 +50,8 @@ inline double significant(double value, int digits) {
   return std::round(value / unit) * unit;
 }
 /// Rounded to a multiple of a unit.
-inline double rounded(double value, double unit) { return std::round(value / unit) * unit; }
+inline double rounded(double value, double unit) {
+  return std::round(value / unit) * unit;
+}
 
 }  // namespace plumbline::rig

@@ -68,8 +68,8 @@ struct Timing {
   bool steady;       ///< whether it moves at a steady rate; else it starts and stops softly
 };
 
-/// Where real time matters the carriage moves nearly throughout, and the dynamics is that much faster. Bristles
-/// need short steps.
+/// Where real time matters the carriage moves nearly throughout, and the dynamics is that much faster.
+/// Bristles need short steps.
 Timing timing(const Physics& physics) {
   bool dry = physics.pivot_friction > 0;
   for (const Joint& joint : physics.joint) dry = dry || joint.friction > 0;
@@ -121,7 +121,8 @@ class Bench {
     if (run_.force_controlled) {  // the load cell is the servo's: what it reads is what was told
       Pair force;
       for (std::size_t a = 0; a < 2; ++a)
-        force[a] = (command.value[a] - physics_.bias[a] - physics_.drift[a] * command.t) / (1 + physics_.gain);
+        force[a] =
+            (command.value[a] - physics_.bias[a] - physics_.drift[a] * command.t) / (1 + physics_.gain);
       return turned(force, physics_.misalignment);
     }
     const Pair way =
@@ -146,12 +147,10 @@ class Bench {
     mj_kinematics(model_.get(), data_.get());
     const Pair from = run_.force_controlled ? Pair{0, 0} : end_point();
     constexpr double readings_long = 4;
-    move(from, true_command(run_.commands.front()),
-         readings_long * timing_.responses * pace_.response);
+    move(from, true_command(run_.commands.front()), readings_long * timing_.responses * pace_.response);
     settle();
     passive_.begin_history();
   }
-
 
   void move(const Pair& from, const Pair& to, double seconds) {
     const auto steps = static_cast<int>(std::lround(seconds / pace_.timestep));
@@ -198,19 +197,18 @@ class Bench {
     const std::array<mjtNum, 3> point{at[0] + side[0], at[1] + side[1], 0}, force{target_[0], target_[1], 0},
         torque{0, 0, 0};
     std::fill_n(data_->qfrc_applied, model_->nv, 0.0);
-    mj_applyFT(model_.get(), data_.get(), force.data(), torque.data(), point.data(), model_->site_bodyid[end_],
-               data_->qfrc_applied);
+    mj_applyFT(model_.get(), data_.get(), force.data(), torque.data(), point.data(),
+               model_->site_bodyid[end_], data_->qfrc_applied);
   }
 
-  /// Sets where the connection holds the chain. MuJoCo's constraint yields to its force, by R f = -K I r when at
-  /// rest; the anchor stands that much further.
+  /// Sets where the connection holds the chain. MuJoCo's constraint yields to its force, by R f = -K I r when
+  /// at rest; the anchor stands that much further.
   void hold() {
     mj_kinematics(model_.get(), data_.get());
     const Pair side = beside();
     for (std::size_t a = 0; a < 2; ++a) {
       const mjtNum* kbip = data_->efc_KBIP + 4 * a;
-      const double yields =
-          data_->nefc > 0 ? data_->efc_R[a] * data_->efc_force[a] / (kbip[0] * kbip[2]) : 0;
+      const double yields = data_->nefc > 0 ? data_->efc_R[a] * data_->efc_force[a] / (kbip[0] * kbip[2]) : 0;
       model_->eq_data[3 + a] = target_[a] + side[a] + yields;
     }
     model_->eq_data[1] = physics_.eccentricity;

@@ -9,9 +9,9 @@ namespace plumbline::rig {
 
 /// What is true at one reading, before any instrument.
 struct State {
-  double t;                ///< when it was read: later than planned where the chain took long to settle
-  Pair end_point, force;   ///< force that the environment exerts on the end point
-  std::vector<double> q;   ///< hub angles
+  double t;               ///< when it was read: later than planned where the chain took long to settle
+  Pair end_point, force;  ///< force that the environment exerts on the end point
+  std::vector<double> q;  ///< hub angles
 };
 
 /// One run from rest, a state for every command.

@@ -24,7 +24,8 @@ std::string list(const std::vector<double>& values) {
 std::string settings(const Experiment& experiment) {
   const Plan& plan = experiment.plan;
   const Sigma& sigma = experiment.scatter.declared;
-  std::string text = fmt::format("format = \"chain-experiment/1\"\nname   = \"{}\"\n\n[nominal]\n", experiment.name);
+  std::string text =
+      fmt::format("format = \"chain-experiment/1\"\nname   = \"{}\"\n\n[nominal]\n", experiment.name);
   text += "link_length     = " + list(plan.nominal.length) + "\n";
   text += "joint_stiffness = " + list(plan.nominal.stiffness) + "\n";
   if (!plan.nominal.mass.empty()) {
@@ -35,11 +36,13 @@ std::string settings(const Experiment& experiment) {
   text += fmt::format("\n[bench]\ngravity_plane = \"{}\"\n", planes[static_cast<std::size_t>(plan.plane)]);
   if (plan.plane == Plane::vertical)
     text += "gravity_direction = " + list({plan.down[0], plan.down[1]}) + "\n";
-  text += fmt::format("\n[noise]\nx = {0}\ny = {0}\nFx = {1}\nFy = {1}\n", number(sigma.position), number(sigma.force));
+  text += fmt::format("\n[noise]\nx = {0}\ny = {0}\nFx = {1}\nFy = {1}\n", number(sigma.position),
+                      number(sigma.force));
   if (plan.angles_measured) text += "q = " + number(sigma.angle) + "\n";
   for (const PlannedRun& run : plan.runs) {
-    text += fmt::format("\n[[run]]\nid      = \"{0}\"\ncontrol = \"{1}\"\nrest    = {2}\nsamples = \"{0}.csv\"\n",
-                        run.id, run.force_controlled ? "force" : "displacement", list(run.rest));
+    text +=
+        fmt::format("\n[[run]]\nid      = \"{0}\"\ncontrol = \"{1}\"\nrest    = {2}\nsamples = \"{0}.csv\"\n",
+                    run.id, run.force_controlled ? "force" : "displacement", list(run.rest));
   }
   return text;
 }
@@ -52,8 +55,8 @@ std::string samples(const Readings& readings) {
   std::string text = "t,x,y,Fx,Fy";
   for (std::size_t j = 0; j < readings.front().q.size(); ++j) text += fmt::format(",q{}", j + 1);
   for (const Reading& one : readings) {
-    text += fmt::format("\n{},{},{},{},{}", field(one.t, 3), field(one.end_point[0], 6), field(one.end_point[1], 6),
-                        field(one.force[0], 6), field(one.force[1], 6));
+    text += fmt::format("\n{},{},{},{},{}", field(one.t, 3), field(one.end_point[0], 6),
+                        field(one.end_point[1], 6), field(one.force[0], 6), field(one.force[1], 6));
     for (const double q : one.q) text += "," + field(q, 5);
   }
   return text + "\n";

@@ -118,6 +118,14 @@ Answer answer_in_catalogue(const Names& truth, const Report& report, const std::
   return sure ? Answer::wrong_sure : Answer::wrong_hedged;
 }
 
+/// Nothing where the label does not say where.
+std::optional<bool> place_right(const Label& label, const Report& report) {
+  const std::size_t joint = label.effects.front().joint;
+  if (joint > 0) return report.joint == joint;
+  if (label.channel.empty() || report.channel.empty()) return std::nullopt;
+  return (label.channel + ",").find(report.channel + ",") != std::string::npos;
+}
+
 void judge_parameters(const Label& label, const Report& report, Judgement& judgement) {
   for (const TrueEffect& effect : label.effects) {
     for (const auto& [name, value] : effect.parameters) {
@@ -182,9 +190,8 @@ const char* answer_word(Answer answer) {
 Judgement judge(const Label& label, const Report& report) {
   const Names truth = truth_of(label);
   const auto right = [&](const Names& said) {
-    return same(said, truth) ||
-           std::any_of(label.equivalent.begin(), label.equivalent.end(),
-                       [&](const Names& other) { return same(said, other); });
+    return same(said, truth) || std::any_of(label.equivalent.begin(), label.equivalent.end(),
+                                            [&](const Names& other) { return same(said, other); });
   };
   std::vector<Names> listed = report.equivalent;
   if (!report.effects.empty()) listed.insert(listed.begin(), report.effects);
@@ -197,8 +204,7 @@ Judgement judge(const Label& label, const Report& report) {
   }
   if (outside_catalogue(label)) {
     judgement.answer = answer_outside(report);
-    const std::size_t joint = label.effects.front().joint;
-    if (joint > 0 && report.joint) judgement.place_right = report.joint == joint;
+    judgement.place_right = place_right(label, report);
   } else {
     judgement.answer = answer_in_catalogue(truth, report, listed, right);
   }

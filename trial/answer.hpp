@@ -51,9 +51,10 @@ struct Judgement {
   std::string said;            ///< verdict and effects, or what went wrong
   std::size_t class_size = 0;  ///< explanations that were listed as alike
   bool over_hedged = false;    ///< right, but with a class that lists more than the experiment's own
-  std::vector<std::pair<std::string, bool>> covered;  ///< parameters, and whether they are inside their bounds
-  std::optional<bool> place_right;                    ///< outside the catalogue: the true joint named first
-  std::optional<double> shrunk;                       ///< where the cause was found
+  std::vector<std::pair<std::string, bool>>
+      covered;                      ///< parameters, and whether they are inside their bounds
+  std::optional<bool> place_right;  ///< outside the catalogue: the true joint, or else channel, named first
+  std::optional<double> shrunk;     ///< where the cause was found
   /// Probability of the first-ranked explanation and whether it is the truth, where there is a gap to explain
   /// and it was seen.
   std::optional<std::pair<double, bool>> stated;

@@ -47,8 +47,10 @@ void copy_experiment(const fs::path& from, const fs::path& to) {
       fs::copy_file(file.path(), to / file.path().filename());
 }
 
-pid_t start(const fs::path& executable, const fs::path& experiment, const fs::path& report, const fs::path& complaints) {
-  std::array<std::string, 5> words{executable.string(), "diagnose", experiment.string(), "--json", report.string()};
+pid_t start(const fs::path& executable, const fs::path& experiment, const fs::path& report,
+            const fs::path& complaints) {
+  std::array<std::string, 5> words{executable.string(), "diagnose", experiment.string(), "--json",
+                                   report.string()};
   std::array<char*, 6> arguments{};
   for (std::size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
   posix_spawn_file_actions_t streams;

@@ -51,7 +51,8 @@ nlohmann::ordered_json as_json(const Label& label) {
           {"strength_sigma", label.strength},
           {"noise", label.noise},
           {"noise_scale", label.noise_scale},
-          {"description", label.description}};
+          {"description", label.description},
+          {"channel", label.channel}};
 }
 
 Label label_from(const nlohmann::json& json, const std::string& source) {
@@ -65,6 +66,7 @@ Label label_from(const nlohmann::json& json, const std::string& source) {
     label.noise = json.value("noise", "");
     label.noise_scale = json.value("noise_scale", json.value("noise_factor", 1.0));
     label.description = json.value("description", "");
+    label.channel = json.value("channel", "");
     return label;
   } catch (const nlohmann::json::exception& error) {
     throw Error(source, error.what(),

@@ -21,10 +21,11 @@ struct Label {
   std::string name;
   std::vector<TrueEffect> effects;                   ///< empty: nothing but noise
   std::vector<std::vector<std::string>> equivalent;  ///< what this experiment cannot tell from them
-  double strength = 0;      ///< rms over all measured values of the gap over its sigma
-  std::string noise;        ///< declared, misdeclared, outliers, ar1
-  double noise_scale = 1;   ///< true sigma over declared
-  std::string description;  ///< of an effect outside the catalogue
+  double strength = 0;       ///< rms over all measured values of the gap over its sigma
+  std::string noise;         ///< declared, misdeclared, outliers, ar1
+  double noise_scale = 1;    ///< true sigma over declared
+  std::string description;   ///< of an effect outside the catalogue
+  std::string channel = {};  ///< "Fx" or "Fx, Fy": where such an effect shows most
 };
 
 /// "id" or "id(joint)".

@@ -58,9 +58,9 @@ Table failures(const std::vector<Case>& cases, std::size_t most) {
   });
   Table table{{"failure", "experiment", "sigma", "truth", "said"}, {}};
   for (const Case* one : list)
-    table.rows.push_back({one->seal_holds ? answer_word(one->judgement.answer) : "broken seal", one->label.name,
-                          fmt::format("{:.1f}", one->label.strength), truth_words(one->label),
-                          shortened(one->judgement.said, most)});
+    table.rows.push_back({one->seal_holds ? answer_word(one->judgement.answer) : "broken seal",
+                          one->label.name, fmt::format("{:.1f}", one->label.strength),
+                          truth_words(one->label), shortened(one->judgement.said, most)});
   return table;
 }
 
@@ -74,7 +74,7 @@ Table headline(const Score& s) {
   add("identified, and wrong", "<= 2 %", s.wrong_sure);
   add("no effect: a gap seen (false alarm)", "<= 5 %", s.false_alarm);
   add("effect outside the catalogue: called unknown", ">= 90 %", s.outside);
-  add("... and its joint, if it has one, named first", ">= 90 %", s.place);
+  add("... and its joint, or else its channel, named first", ">= 90 %", s.place);
   add("two effects at once: both found", ">= 80 %", s.pairs);
   add("true parameter inside its 95 % bounds", "90 to 99 %", s.covered);
   add("found, in a class that lists more than it must", "<= 15 %", s.over_hedged);
@@ -85,13 +85,15 @@ Table answers(const std::string& what, const std::vector<Row>& rows) {
   Table table{{what, "n"}, {}};
   std::vector<std::size_t> shown;
   for (std::size_t a = 0; a <= static_cast<std::size_t>(Answer::no_report); ++a) {
-    const bool any = std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.answers[a] > 0; });
+    const bool any =
+        std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.answers[a] > 0; });
     if (any) shown.push_back(a), table.header.push_back(answer_word(static_cast<Answer>(a)));
   }
   table.header.insert(table.header.end(), {"found", "95 % interval"});
   for (const Row& row : rows) {
     std::vector<std::string> cells{row.name, std::to_string(row.found.total)};
-    for (const std::size_t a : shown) cells.push_back(row.answers[a] > 0 ? std::to_string(row.answers[a]) : ".");
+    for (const std::size_t a : shown)
+      cells.push_back(row.answers[a] > 0 ? std::to_string(row.answers[a]) : ".");
     cells.insert(cells.end(), {percent(row.found), interval(row.found)});
     table.rows.push_back(std::move(cells));
   }
@@ -112,21 +114,26 @@ Table reliability(const Score& s) {
 std::string seals(const Circumstances& c, const Score& s) {
   if (c.sealed == 0) return "The labels were not sealed.\n";
   return fmt::format(
-      "{} labels were sealed before the diagnosis began (SHA-256 of the seals: {}). Opened after it, {}.\n", c.sealed,
-      c.seals_digest, s.broken_seals == 0 ? "every seal holds" : fmt::format("{} DO NOT HOLD", s.broken_seals));
+      "{} labels were sealed before the diagnosis began (SHA-256 of the seals: {}). Opened after it, {}.\n",
+      c.sealed, c.seals_digest,
+      s.broken_seals == 0 ? "every seal holds" : fmt::format("{} DO NOT HOLD", s.broken_seals));
 }
 
 std::string numbers(const Circumstances& c, const Score& s) {
   std::string text = fmt::format(
-      "Held-out residual over the noise floor, where the cause was found: median {:.3f}, nine in ten below {:.3f}, "
-      "worst {:.2f} (aim: median <= 1.05).\nBrier score of the stated probabilities: {:.3f} (0 is best, 2 worst).\n"
-      "Without a report (crash, timeout, invalid JSON): {}.\nTime of a diagnosis: median {:.2f} s, nine in ten below "
+      "Held-out residual over the noise floor, where the cause was found: median {:.3f}, nine in ten below "
+      "{:.3f}, "
+      "worst {:.2f} (aim: median <= 1.05).\nBrier score of the stated probabilities: {:.3f} (0 is best, 2 "
+      "worst).\n"
+      "Without a report (crash, timeout, invalid JSON): {}.\nTime of a diagnosis: median {:.2f} s, nine in "
+      "ten below "
       "{:.2f} s, longest {:.2f} s.\n",
       s.shrunk.median, s.shrunk.ninth_decile, s.shrunk.worst, s.brier, s.no_report, s.seconds.median,
       s.seconds.ninth_decile, s.seconds.worst);
   if (c.compared > 0)
     text += fmt::format(
-        "The rig without any effect against the nominal statics, {} benches: the largest difference of a reading is "
+        "The rig without any effect against the nominal statics, {} benches: the largest difference of a "
+        "reading is "
         "{:.2g} sigma in the median, {:.2g} sigma at worst.\n",
         c.compared, c.median_error, c.worst_error);
   return text;
@@ -182,7 +189,8 @@ std::string as_text(const Circumstances& circumstances, const std::vector<Case>&
   const std::string paragraph = markdown ? "\n" : "";
   text += markdown ? "# The blind trial\n\n" : "The blind trial\n";
   text += fmt::format("{} experiments, {} right or in the class ({}).{}", s.cases, s.all.found.count,
-                      percent(s.all.found), markdown ? " Made by\n\n    " + circumstances.command + "\n\n" : "\n");
+                      percent(s.all.found),
+                      markdown ? " Made by\n\n    " + circumstances.command + "\n\n" : "\n");
   text += seals(circumstances, s);
   constexpr std::size_t narrow = 60, wide = 160;
   section("Failures", failures(cases, markdown ? wide : narrow));
@@ -191,7 +199,8 @@ std::string as_text(const Circumstances& circumstances, const std::vector<Case>&
   section("By strength of the gap", answers("one effect", s.by_strength));
   section("By truth", answers("truth", s.by_truth));
   section("By noise", answers("noise", s.by_noise));
-  section("Reliability", reliability(s), "How often the first-ranked explanation was the truth, where a gap was seen.");
+  section("Reliability", reliability(s),
+          "How often the first-ranked explanation was the truth, where a gap was seen.");
   return text;
 }
 
@@ -200,7 +209,10 @@ nlohmann::ordered_json as_json(const Circumstances& c, const std::vector<Case>& 
   const Score s = score(cases);
   Json bins = Json::array(), list = Json::array();
   for (const Reliability& bin : s.reliability)
-    bins.push_back({{"from", bin.low}, {"to", std::min(1.0, bin.high)}, {"stated", bin.stated}, {"right", proportion(bin.right)}});
+    bins.push_back({{"from", bin.low},
+                    {"to", std::min(1.0, bin.high)},
+                    {"stated", bin.stated},
+                    {"right", proportion(bin.right)}});
   for (const Case& one : cases) list.push_back(case_json(one));
   return {{"format", "blind-trial/1"},
           {"command", c.command},
@@ -223,7 +235,8 @@ nlohmann::ordered_json as_json(const Circumstances& c, const std::vector<Case>& 
           {"by_strength", rows(s.by_strength)},
           {"by_truth", rows(s.by_truth)},
           {"by_noise", rows(s.by_noise)},
-          {"nominal_error_sigma", {{"benches", c.compared}, {"median", c.median_error}, {"worst", c.worst_error}}},
+          {"nominal_error_sigma",
+           {{"benches", c.compared}, {"median", c.median_error}, {"worst", c.worst_error}}},
           {"experiments", list}};
 }
 

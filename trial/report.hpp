@@ -13,8 +13,8 @@ struct Circumstances {
   std::string command;       ///< that makes this report
   std::string seals_digest;  ///< SHA-256 of the seals; empty where nothing was sealed
   std::size_t sealed = 0;
-  std::size_t compared = 0;    ///< rigs without effect that were compared with the nominal statics
-  double median_error = 0;     ///< of the largest difference of each, in sigmas
+  std::size_t compared = 0;  ///< rigs without effect that were compared with the nominal statics
+  double median_error = 0;   ///< of the largest difference of each, in sigmas
   double worst_error = 0;
 };
 

@@ -36,7 +36,8 @@ AllDiagnosed diagnose_all(const SealedFolder& folder, const std::filesystem::pat
   const auto work = [&] {
     try {
       for (std::size_t i = next++; i < names.size(); i = next++) {
-        all[i] = diagnose_alone(executable, folder.experiment(names[i]), reports / (names[i] + ".json"), patience);
+        all[i] =
+            diagnose_alone(executable, folder.experiment(names[i]), reports / (names[i] + ".json"), patience);
         advance();
       }
     } catch (...) {

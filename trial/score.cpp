@@ -1,7 +1,7 @@
 #include "trial/score.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <plumbline/error.hpp>
@@ -104,7 +104,8 @@ void count_proportions(Score& total, const Case& one) {
   const Judgement& judged = one.judgement;
   if (is_single(label) && label.strength >= 5) total.strong.add(found(one));
   if (is_single(label) && label.strength >= 2.5 && label.strength < 5) total.weak.add(found(one));
-  if (judged.said.starts_with("identified")) total.wrong_sure.add(judged.answer == Answer::wrong_sure || judged.answer == Answer::false_alarm);
+  if (judged.said.starts_with("identified"))
+    total.wrong_sure.add(judged.answer == Answer::wrong_sure || judged.answer == Answer::false_alarm);
   if (label.effects.empty()) total.false_alarm.add(judged.answer == Answer::false_alarm);
   if (is_outside(label)) total.outside.add(judged.answer == Answer::right);
   if (judged.place_right) total.place.add(*judged.place_right);

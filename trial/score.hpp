@@ -59,7 +59,7 @@ struct Score {
   Proportion wrong_sure;   ///< identified and wrong, of all that were identified
   Proportion false_alarm;  ///< of the experiments without an effect
   Proportion outside;      ///< effects outside the catalogue: called unknown
-  Proportion place;        ///< of those at a joint: that joint named first
+  Proportion place;        ///< of those: the joint, or else the channel, named first
   Proportion pairs;        ///< two effects: both found
   Proportion covered;      ///< true parameters inside their 95 % bounds
   Proportion over_hedged;  ///< found, but in a class larger than the experiment's own

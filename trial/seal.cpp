@@ -42,7 +42,8 @@ std::string seals_text(const Seals& seals) {
 Seals read_seals(const std::filesystem::path& path) {
   const nlohmann::json file = parsed(path);
   if (!file.is_object() || file.value("format", "") != format || !file.contains("seals"))
-    throw Error(path.string(), "no seals", std::string("an object with \"format\": \"") + format + "\" and \"seals\"");
+    throw Error(path.string(), "no seals",
+                std::string("an object with \"format\": \"") + format + "\" and \"seals\"");
   try {
     return file["seals"].get<Seals>();
   } catch (const nlohmann::json::exception&) {

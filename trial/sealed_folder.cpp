@@ -26,8 +26,7 @@ SealedFolder::SealedFolder(fs::path folder) : folder_(std::move(folder)) {
   for (const auto& entry : fs::directory_iterator(folder_))
     if (fs::exists(entry.path() / "experiment.toml")) names_.push_back(entry.path().filename().string());
   std::sort(names_.begin(), names_.end());
-  if (names_.empty())
-    throw Error(folder_.string(), "no experiment", "subfolders with experiment.toml");
+  if (names_.empty()) throw Error(folder_.string(), "no experiment", "subfolders with experiment.toml");
   if (const fs::path file = folder_ / "seals.json"; fs::exists(file)) {
     seals_ = read_seals(file);
     digest_ = sha256(read_text(file));
@@ -41,7 +40,8 @@ SealedFolder::SealedFolder(fs::path folder) : folder_(std::move(folder)) {
 Case SealedFolder::open(const std::string& name) const {
   Case result;
   const auto sealed = seals_.find(name);
-  const fs::path file = sealed == seals_.end() ? folder_ / name / "label.json" : folder_ / "labels" / (name + ".json");
+  const fs::path file =
+      sealed == seals_.end() ? folder_ / name / "label.json" : folder_ / "labels" / (name + ".json");
   if (sealed == seals_.end()) {
     result.label = label_from(parsed(read_text(file), file.string()), file.string());
   } else {

@@ -4,10 +4,11 @@
 ///
 ///     NAME/experiment.toml, NAME/*.csv   an experiment, in the format "chain-experiment/1"
 ///     seals.json                         {"format": "experiment-seals/1", "seals": {"NAME": "SHA-256 …", …}}
-///     labels/NAME.json                   {"salt": "…", "label": "… JSON as text …"}, looked at after the diagnosis
+///     labels/NAME.json                   {"salt": "…", "label": "… JSON as text …"}, looked at after the
+///     diagnosis
 ///
-/// The seal is the SHA-256 of salt, line feed, label. Instead of the last two a folder may hold NAME/label.json,
-/// the label as it is: nothing is sealed then.
+/// The seal is the SHA-256 of salt, line feed, label. Instead of the last two a folder may hold
+/// NAME/label.json, the label as it is: nothing is sealed then.
 
 #include "trial/score.hpp"
 #include "trial/seal.hpp"

@@ -26,7 +26,8 @@ std::string terminal_table(const Table& table) {
   const auto line = [&](const std::vector<std::string>& cells) {
     std::string one = " ";
     for (std::size_t c = 0; c < cells.size(); ++c)
-      one += wordy(table, c) ? fmt::format(" {:<{}} ", cells[c], width[c]) : fmt::format(" {:>{}} ", cells[c], width[c]);
+      one += wordy(table, c) ? fmt::format(" {:<{}} ", cells[c], width[c])
+                             : fmt::format(" {:>{}} ", cells[c], width[c]);
     text += one.substr(0, one.find_last_not_of(' ') + 1) + "\n";
   };
   line(table.header);

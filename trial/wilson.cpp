@@ -11,7 +11,8 @@ double bound(const Proportion& p, double side) {
   static const double z = boost::math::quantile(boost::math::normal(), 0.975);
   const auto n = static_cast<double>(p.total);
   const double share = p.share(), weight = z * z / n;
-  return (share + weight / 2 + side * z * std::sqrt(share * (1 - share) / n + weight / (4 * n))) / (1 + weight);
+  return (share + weight / 2 + side * z * std::sqrt(share * (1 - share) / n + weight / (4 * n))) /
+         (1 + weight);
 }
 
 }  // namespace
