@@ -16,6 +16,8 @@ packages=(
   libceres-dev
   # tests
   doctest-dev librapidcheck-dev python3-jsonschema
+  # the rig of the blind trial
+  libmujoco-dev
   # pages, in a browser
   chromium chromium-driver python3-selenium
   # drawings, at run time
