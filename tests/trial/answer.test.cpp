@@ -105,18 +105,14 @@ TEST_CASE("the Brier score: 0 for certainty that is right, 2 for certainty that 
 }
 
 TEST_CASE("a report is read from the machine format; what is not one is refused") {
-  const auto json = nlohmann::json::parse(R"({
+  const auto json = nlohmann::json::parse(R"json({
     "where": {"channels": [{"channel": "Fx", "share": 0.8}, {"channel": "Fy", "share": 0.2}],
               "joints": [{"joint": 1, "share": 0.2}, {"joint": 2, "share": 0.8}]},
     "cause": {"verdict": "ambiguous",
               "effects": [{"id": "backlash", "joint": 2, "parameters": {"b": {"value": 1, "low": 2, "high": 0.5}}}],
               "equivalent": [["gravity"]],
-              "ranking": [{"effects": ["backlash(2)"], "probability": 0.6}]
-}
-, "shrink" : {
-  "ratio" : 0.2, "noise_floor_ratio" : 0.1
-}
-})");
+              "ranking": [{"effects": ["backlash(2)"], "probability": 0.6}]},
+    "shrink": {"ratio": 0.2, "noise_floor_ratio": 0.1}})json");
   const Report report = report_from(json, "report.json");
 CHECK(report.effects == std::vector<std::string>{"backlash(2)"});
 CHECK(report.bounds.at("backlash(2)/b").low == 0.5);
