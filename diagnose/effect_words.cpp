@@ -17,9 +17,9 @@ struct Words {
 };
 
 constexpr std::array<Words, effect_count> all{{
-    {EffectId::joint_stiffness, "another stiffness of joint {} than the nominal one", {{{"a", "1"}}}},
-    {EffectId::link_length, "another length of link {} than the nominal one", {{{"a", "1"}}}},
-    {EffectId::rest_angle, "another rest angle of joint {} than the commanded one", {{{"a", "rad"}}}},
+    {EffectId::joint_stiffness, "a wrong stiffness of joint {}", {{{"a", "ratio"}}}},
+    {EffectId::link_length, "a wrong length of link {}", {{{"a", "ratio"}}}},
+    {EffectId::rest_angle, "a wrong rest angle of joint {}", {{{"a", "rad"}}}},
     {EffectId::nonlinear_spring,
      "joint springs that harden or soften with their deflection",
      {{{"c", "1/rad²"}}}},
@@ -37,12 +37,12 @@ constexpr std::array<Words, effect_count> all{{
     {EffectId::tip_stiffness, "an end pivot that is not free", {{{"k_t", "N m/rad"}}}},
     {EffectId::guide_friction, "dry friction in the guide", {{{"f_c", "N"}}}},
     {EffectId::force_bias, "a tare error of the load cell", {{{"b_x", "N"}, {"b_y", "N"}}}},
-    {EffectId::force_gain, "a scale error of the load cell", {{{"g", "1"}}}},
+    {EffectId::force_gain, "a scale error of the load cell", {{{"g", "ratio"}}}},
     {EffectId::position_offset,
      "an end point that is not where it was commanded",
      {{{"d_x", "m"}, {"d_y", "m"}}}},
     {EffectId::train_compliance, "a load train that yields", {{{"c_t", "m/N"}}}},
-    {EffectId::viscoelasticity, "springs that relax in time", {{{"m", "1"}, {"tau", "s"}}}},
+    {EffectId::viscoelasticity, "springs that relax in time", {{{"m", "ratio"}, {"tau", "s"}}}},
     {EffectId::sensor_drift, "a load cell that drifts in time", {{{"r_x", "N/s"}, {"r_y", "N/s"}}}},
 }};
 

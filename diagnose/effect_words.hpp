@@ -13,7 +13,7 @@ namespace plumbline {
 /// in joint 3".
 std::string in_words(const EffectAt& at);
 
-/// The unit of a parameter, "1" for a ratio.
+/// The unit of a parameter, "ratio" for one.
 std::string_view unit(EffectId effect, std::string_view parameter);
 
 }  // namespace plumbline

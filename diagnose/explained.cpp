@@ -9,8 +9,7 @@ namespace {
 
 const Fit* best_explanation(const Cause& cause) {
   if (cause.ranking.empty()) return nullptr;
-  const bool explained = cause.verdict == Verdict::identified || cause.verdict == Verdict::ambiguous;
-  return &cause.ranking[explained ? cause.best : 0].hypothesis.fit;
+  return &cause.ranking[cause.best].hypothesis.fit;
 }
 
 /// "+x", "−y", or "(0.80, −0.60)".
@@ -35,8 +34,10 @@ Explained::Explained(const Experiment& measured, const Diagnosis& diagnosed)
       corrected(nominal),
       before(measurements.residual(measured, nominal)),
       after(before),
-      best(best_explanation(diagnosed.cause)) {
+      best(best_explanation(diagnosed.cause)),
+      model("nominal model") {
   if (best == nullptr) return;
+  model = diagnosed.cause.verdict == Verdict::unknown ? "best partial explanation" : "corrected model";
   corrected = predict(experiment, best->candidate, best->parameters);
   after = measurements.residual(experiment, corrected);
 }

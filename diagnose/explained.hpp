@@ -15,6 +15,7 @@ struct Explained {
   Prediction nominal, corrected;      ///< the same where nothing explains anything
   std::vector<double> before, after;  ///< residuals of both, flat, in declared sigmas
   const Fit* best = nullptr;          ///< the best explanation, partial where the verdict is unknown
+  std::string model;  ///< what `corrected` is: "corrected model", "best partial explanation", ...
 
   [[nodiscard]] const Series& series(std::size_t place) const { return measurements.series()[place]; }
 };

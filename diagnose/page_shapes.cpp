@@ -52,9 +52,10 @@ void add_joints(Chart& chart, const std::vector<ChartPoint>& points, const std::
   for (const JointShare& one : shares) {
     if (one.share < 0.01) continue;
     const ChartPoint& at = points[one.joint - 1];
-    chart.layers.push_back({Kind::rings, "share", {at}, 16 * std::sqrt(one.share)});
+    const double radius = 16 * std::sqrt(one.share);
+    chart.layers.push_back({Kind::rings, "share", {at}, radius});
     if (one.share >= 0.05)
-      chart.labels.push_back({at, fmt::format("{}: {:.0f} %", one.joint, 100 * one.share)});
+      chart.labels.push_back({at, fmt::format("{}: {:.0f} %", one.joint, 100 * one.share), radius + 4});
   }
   chart.layers.push_back(joints);
 }
@@ -63,9 +64,8 @@ PageChart shape_chart(const Explained& explained, std::size_t r) {
   const Experiment& experiment = explained.experiment;
   const Run& run = experiment.runs[r];
   const bool measured = angles_measured(run);
-  const std::string whose = measured                    ? "measured shapes"
-                            : explained.best != nullptr ? "shapes of the corrected model, angles not measured"
-                                                        : "shapes of the nominal model, angles not measured";
+  const std::string whose =
+      measured ? "measured shapes" : "shapes of the " + explained.model + ", no angles measured";
   Chart chart{
       fmt::format("shape-{}", r + 1),
       "The chain in run " + run.id,
@@ -83,7 +83,8 @@ PageChart shape_chart(const Explained& explained, std::size_t r) {
     last = shape(experiment.link_length, q);
     chart.layers.push_back({Kind::line, fmt::format("shape-{}", i + 1 + 3 - readings.size()), last});
   }
-  add_joints(chart, last, explained.diagnosis.where.joints);
+  add_joints(chart, last,
+             explained.diagnosis.gap.present ? explained.diagnosis.where.joints : std::vector<JointShare>{});
   return {run.id + ": " + whose, drawn(chart)};
 }
 

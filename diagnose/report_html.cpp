@@ -12,9 +12,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-NumberStyle style_of(const std::string& key) {
+/// By the place in the report.
+NumberStyle style_of(const std::string& pointer) {
+  const std::string key = pointer.substr(pointer.rfind('/') + 1);
+  if (key == "share") return NumberStyle::share;
   if (key == "p_value") return NumberStyle::chance;
-  if (key == "share" || key == "probability" || key == "position" || key == "direction" || key == "time" ||
+  if (key == "probability" || pointer.find("/explained/") != std::string::npos ||
       key.find("ratio") != std::string::npos)
     return NumberStyle::percent;
   if (key == "from" || key == "to" || key == "joint") return NumberStyle::count;
@@ -64,7 +67,8 @@ Json charts(const std::vector<PageChart>& drawings, bool angles) {
 Json gap_channels(const Json& rms) {
   Json list = Json::array();
   for (const auto& [channel, value] : rms.items())
-    list.push_back({{"channel", channel}, {"unit", unit_of(channel)}, {"rms", value}});
+    list.push_back({{"channel", channel}, {"unit", unit_of(channel)}, {"rms", value}, {"last", false}});
+  if (!list.empty()) list.back()["last"] = true;
   return list;
 }
 
@@ -118,16 +122,18 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
   };
   for (const std::size_t place : cause.equivalent)
     add(names(cause.ranking[place].hypothesis.fit.candidate),
-        fmt::format(
-            "explains these readings as well as the best; the log-likelihoods differ by less than {:g}",
-            told_apart));
-  for (std::size_t i = 0; i < ranking.size(); ++i) {
+        fmt::format("fits these readings as well as the best: log-likelihood or log-evidence differ by less "
+                    "than {:g}",
+                    told_apart));
+  for (std::size_t i = 0; i < std::min(ranking.size(), cause.ranking.size()); ++i) {
     const bool listed =
         i == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), i) > 0;
     if (!listed && cause.verdict != Verdict::unknown && cause.ranking[i].probability >= 0.01)
       add(names(cause.ranking[i].hypothesis.fit.candidate),
           "less probable, yet keeps " + ranking[i]["probability"].get<std::string>());
   }
+  if (cause.or_unknown)
+    add("unknown", "fitted without the held-out readings, the explanation does not predict them");
   std::vector<std::string> idle;
   for (const EffectAt& at : explained.diagnosis.not_exercised) idle.push_back(label(at));
   add(joined(idle, ", ", ", "), "never exercised: no reading of these runs depends on it");
@@ -143,7 +149,7 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   view["best"] = false;
   if (explained.best != nullptr) {
     const Candidate& best = explained.best->candidate;
-    view["best"] = {{"names", names(best)}, {"words", words(best)}};
+    view["best"] = {{"names", names(best)}, {"words", words(best)}, {"model", explained.model}};
     Json rows = parameters(view["cause"]["effects"], best);
     const bool any = !rows.empty();
     view["explained"] = {{"any", any}, {"parameters", std::move(rows)}};
@@ -151,6 +157,7 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   std::vector<std::string> alternatives;
   for (const std::size_t place : cause.equivalent)
     alternatives.push_back(words(cause.ranking[place].hypothesis.fit.candidate));
+  if (cause.or_unknown) alternatives.emplace_back("a cause outside the catalogue");
   view["alternatives"] = joined(alternatives, ", ", " or ");
   Json& ranking = view["cause"]["ranking"];
   for (Json& one : ranking) {
@@ -197,11 +204,15 @@ std::string as_html(const Experiment& experiment, const Diagnosis& diagnosis) {
   const Json report = as_json(diagnosis);
   Json view = with_marked_numbers(report, style_of);
   view["gap_level"] = fmt::format("{:g}", gap_level);
+  for (const auto& [sensor, scale] : view["gap"]["noise"].items())
+    if (sensor != "correlation") view["noise"].push_back({{"sensor", sensor}, {"scale", scale}});
   view["channels_rms"] = gap_channels(view["gap"]["rms"]);
   add_where(view, report, explained);
   add_cause(view, report, explained);
   if (diagnosis.shrink) {
     view["shrink"]["by_channel"] = shrink_channels(view["shrink"]);
+    const Verdict verdict = diagnosis.cause.verdict;
+    view["shrink"]["explains"] = verdict == Verdict::identified || verdict == Verdict::ambiguous;
     view["shrink"]["heldout_names"] = joined(diagnosis.shrink->heldout, ", ", ", ");
   }
   view["proposals"] = {{"any", !diagnosis.proposals.empty()}};

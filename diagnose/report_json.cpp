@@ -1,5 +1,7 @@
 #include "diagnose/report.hpp"
 
+#include <algorithm>
+
 namespace plumbline {
 namespace {
 
@@ -11,16 +13,27 @@ Json effect_names(const Candidate& candidate) {
   return names;
 }
 
-Json gap(const GapAnswer& answer, const NoiseModel& noise) {
+/// The noise of the sensors that measured something, over the declared.
+Json noise(const NoiseModel& model, const std::map<std::string, double>& by_channel) {
+  const auto measured = [&](const std::string& initials) {
+    return std::any_of(by_channel.begin(), by_channel.end(), [&](const auto& channel) {
+      return initials.find(channel.first[0]) != std::string::npos;
+    });
+  };
+  Json result = Json::object();
+  if (measured("F")) result["force"] = model.of(Sensor::force);
+  if (measured("xy")) result["position"] = model.of(Sensor::position);
+  if (measured("q")) result["angle"] = model.of(Sensor::angle);
+  result["correlation"] = model.correlation;
+  return result;
+}
+
+Json gap(const GapAnswer& answer, const NoiseModel& model) {
   return {{"present", answer.present},
           {"p_value", answer.test.p_value},
           {"chi2_per_dof", answer.chi2_per_value},
           {"rms", answer.rms},
-          {"noise",
-           {{"force", noise.of(Sensor::force)},
-            {"position", noise.of(Sensor::position)},
-            {"angle", noise.of(Sensor::angle)},
-            {"correlation", noise.correlation}}}};
+          {"noise", noise(model, answer.rms)}};
 }
 
 Json where(const Where& places) {
@@ -60,6 +73,7 @@ Json cause(const Diagnosis& diagnosis) {
   Json equivalent = Json::array(), ranking = Json::array(), idle = Json::array();
   for (const std::size_t place : found.equivalent)
     equivalent.push_back(effect_names(found.ranking[place].hypothesis.fit.candidate));
+  if (found.or_unknown) equivalent.push_back({"unknown"});
   constexpr std::size_t shown = 10;
   for (std::size_t i = 0; i < std::min(shown, found.ranking.size()); ++i) {
     const Ranked& one = found.ranking[i];

@@ -12,8 +12,8 @@
 namespace plumbline {
 namespace {
 
-constexpr double width = 360, height = 232;
-constexpr double left = 46, right = width - 10, top = 24, bottom = height - 34;
+constexpr double width = 360, height = 240;
+constexpr double left = 46, right = width - 16, top = 32, bottom = height - 34;
 
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -46,7 +46,7 @@ Frame linear_frame(const Chart& chart, const Range& x, const Range& y) {
 /// One scale for both axes: the drawing gets the height that it needs, between a quarter and all of its
 /// width.
 Frame equal_frame(const Range& x, const Range& y) {
-  const Range across = x.with_air(0.06), up = y.with_air(0.06);
+  const Range across = x.with_air(0.1), up = y.with_air(0.12);
   const double wide = right - left;
   double scale = wide / std::max(across.high - across.low, 1e-12);
   const double tall = std::clamp(scale * (up.high - up.low), wide / 4, wide);
@@ -157,7 +157,7 @@ std::string axes(const Chart& chart, const Frame& frame) {
         "<path class=\"axis\" d=\"M{0:.1f} {1:.1f}v4\"/><text x=\"{0:.1f}\" y=\"{2:.1f}\" "
         "class=\"middle\">{3}</text>\n",
         tick.pixel, frame.bottom, frame.bottom + 16, tick.text);
-  text += fmt::format("<text x=\"2\" y=\"13\" class=\"name\">{}</text>\n", escaped(chart.y_label));
+  text += fmt::format("<text x=\"2\" y=\"12\" class=\"name\">{}</text>\n", escaped(chart.y_label));
   text += fmt::format("<text x=\"{}\" y=\"{:.1f}\" class=\"name end\">{}</text>\n", right, frame.bottom + 30,
                       escaped(chart.x_label));
   return text;
@@ -167,7 +167,8 @@ std::string labels(const Chart& chart, const Frame& frame) {
   std::string text;
   for (const ChartLabel& label : chart.labels)
     text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"label middle\">{}</text>\n",
-                        frame.x.pixel(label.at.x), frame.y.pixel(label.at.y) - 9, escaped(label.text));
+                        std::max(left + 28, frame.x.pixel(label.at.x)),
+                        frame.y.pixel(label.at.y) - label.above, escaped(label.text));
   return text;
 }
 

@@ -30,6 +30,7 @@ struct Strip {
 struct ChartLabel {
   ChartPoint at;
   std::string text;
+  double above = 9;  ///< the point, in the chart's pixels
 };
 
 struct Chart {

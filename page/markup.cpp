@@ -71,6 +71,8 @@ std::string written(double value, NumberStyle style) {
       return fmt::format("{:.0f}", value);
     case NumberStyle::percent:
       return percent(value);
+    case NumberStyle::share:
+      return value < 0.01 ? "< 1 %" : fmt::format("{:.{}f} %", 100 * value, value < 0.0995 ? 1 : 0);
     case NumberStyle::chance:
       return value < 1e-16 ? "< 10⁻¹⁶" : typeset(fmt::format("{:.3g}", value));
     case NumberStyle::odds:
@@ -89,7 +91,7 @@ Json with_marked_numbers(const Json& report, const std::function<NumberStyle(con
       [&](const Json& value, const Json::json_pointer& at) -> Json {
     if (value.is_number()) {
       const std::string key = at.to_string();
-      return marked(value.get<double>(), key, style(key.substr(key.rfind('/') + 1)));
+      return marked(value.get<double>(), key, style(key));
     }
     if (!value.is_structured()) return value;
     Json result = value;

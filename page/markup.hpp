@@ -17,7 +17,8 @@ enum class NumberStyle {
   figures,  ///< three significant figures: 0.0351, 1.2 × 10⁻⁷
   precise,  ///< four
   count,    ///< all digits of an integer
-  percent,  ///< of a share: 81 %
+  percent,  ///< of a ratio: 10.5 %
+  share,    ///< of a whole: 81 %, 3.2 %, < 1 %
   chance,   ///< a p-value: three figures, but nothing below 10⁻¹⁶
   odds      ///< of a natural logarithm: 340 to 1
 };
@@ -28,7 +29,7 @@ std::string written(double value, NumberStyle style);
 std::string marked(double value, const std::string& key, NumberStyle style);
 
 /// A report in which every number is marked, its key being its JSON pointer; everything else as it was.
-/// \param style  by the last part of the pointer
+/// \param style  by the JSON pointer
 nlohmann::ordered_json with_marked_numbers(const nlohmann::ordered_json& report,
                                            const std::function<NumberStyle(const std::string&)>& style);
 

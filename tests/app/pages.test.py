@@ -1,0 +1,338 @@
+#!/usr/bin/env python3
+"""The pages of `diagnose --html` and `verify --html`, looked at by a browser.
+
+usage: pages.test.py PLUMBLINE
+
+A page must need nothing but itself, show the numbers of the JSON report of the same diagnosis and all of
+them, be well-formed, fit a phone, and print. Needs the packages chromium, chromium-driver, python3-selenium.
+"""
+
+import base64
+import json
+import math
+import pathlib
+import random
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+from collections import Counter
+
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+
+PLUMBLINE = sys.argv.pop(1)
+RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+
+
+# --- experiments, one a verdict: a single link pushed aside, its end point measured
+
+
+def angle(force, torque):
+    """Where the spring of 1 N m/rad holds the force at the end of a link of 1 m; `torque` may add to it."""
+    low, high = -1.5, 1.5
+    for _ in range(60):
+        q = (low + high) / 2
+        if q + torque(q) < math.cos(q) * force:
+            low = q
+        else:
+            high = q
+    return q
+
+
+def write_experiment(folder, name, torque, sigma=1e-3):
+    """Three runs of 40 readings with normal noise; the same at every call."""
+    folder.mkdir()
+    noise = random.Random(name)
+    runs = ""
+    for number, most in enumerate((0.5, -0.5, 0.4)):
+        rows = ["t,x,y,Fx,Fy"]
+        for i in range(40):
+            force = most * i / 39
+            q = angle(force, torque)
+            x, y = (part + noise.gauss(0, sigma) for part in (math.cos(q), math.sin(q)))
+            rows.append(f"{i},{x},{y},0,{force}")
+        (folder / f"r{number}.csv").write_text("\n".join(rows) + "\n")
+        runs += (f'[[run]]\nid = "push <{number}> & back"\ncontrol = "force"\nrest = [0.0]\n'
+                 f'samples = "r{number}.csv"\n')
+    (folder / "experiment.toml").write_text(
+        f'format = "chain-experiment/1"\nname = "{name}"\n[nominal]\nlink_length = [1.0]\njoint_stiffness = [1.0]\n'
+        f'[bench]\ngravity_plane = "horizontal"\n[noise]\nx = {sigma}\ny = {sigma}\n{runs}')
+
+
+TORQUES = {
+    "none": lambda q: 0,
+    "ambiguous": lambda q: 0.2 * q,  # a stiffer joint, or a load cell that reads too much
+    "unknown": lambda q: 0.05 * math.sin(25 * q),
+}
+
+
+# --- numbers
+
+
+def shown_as(text, value):
+    """Whether the text is the value, rounded as it says."""
+    text = text.replace("−", "-")
+    if text.endswith(" to 1"):
+        value = math.exp(value)
+        if text.startswith("over a million"):
+            return value > 1e6
+        text = text[: -len(" to 1")]
+    percent = text.endswith(" %")
+    unit = 0.01 if percent else 1
+    text = text.removesuffix(" %")
+    match = re.fullmatch(r"(< )?(?:(-?\d+(?:\.(\d+))?)(?: × )?)?(?:10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?", text)
+    if not match:
+        return False
+    below, digits, decimals, power = match.groups()
+    scale = unit * 10.0 ** int(power.translate(RAISED)) if power else unit
+    read = float(digits or 1) * scale
+    if below:
+        return 0 <= value < read
+    half = 0.5 * scale * 10.0 ** -len(decimals or "")
+    allowed = half if percent else min(half, 0.005 * abs(read))
+    return abs(value - read) <= allowed * (1 + 1e-9) + 1e-15
+
+
+def numbers(report, at=""):
+    """Every number of a JSON value by its pointer."""
+    if isinstance(report, bool) or report is None or isinstance(report, str):
+        return {}
+    if isinstance(report, (int, float)):
+        return {at: report}
+    items = report.items() if isinstance(report, dict) else enumerate(report)
+    found = {}
+    for key, part in items:
+        found.update(numbers(part, f"{at}/{key}"))
+    return found
+
+
+def expected_numbers(report):
+    """Those that the page writes: the points of what is missing are drawn; without a gap there is no more to say."""
+    drawn = ("/where/missing/points",) if report["gap"]["present"] else ("/where", "/cause", "/shrink", "/next")
+    return {key: value for key, value in numbers(report).items() if not key.startswith(drawn)}
+
+
+def complaints(shown, report):
+    """What is wrong with the (key, value, text) of a page."""
+    right = numbers(report)
+    found = []
+    for key, value, text in shown:
+        if key not in right:
+            found.append(f"{key}: not in the report")
+        elif float(value) != right[key]:
+            found.append(f"{key}: page has {value}, report {right[key]}")
+        elif not shown_as(text, right[key]):
+            found.append(f'{key}: {right[key]} is shown as "{text}"')
+    missing = expected_numbers(report).keys() - {key for key, _, _ in shown}
+    return found + [f"{key}: not on the page" for key in sorted(missing)]
+
+
+# --- the browser
+
+
+class Browser:
+    def __init__(self):
+        options = webdriver.ChromeOptions()
+        for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"):
+            options.add_argument(argument)
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        self.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+
+    def close(self):
+        self.driver.quit()
+
+    def open(self, path, width=1280):
+        self.driver.execute_cdp_cmd(
+            "Emulation.setDeviceMetricsOverride",
+            {"width": width, "height": 844, "deviceScaleFactor": 1, "mobile": width < 600})
+        self.driver.get(path.as_uri())
+
+    def run(self, script):
+        return self.driver.execute_script("return " + script)
+
+    def logged(self):
+        return self.driver.get_log("browser")
+
+    def requested(self):
+        messages = (json.loads(entry["message"])["message"] for entry in self.driver.get_log("performance"))
+        return [message["params"]["request"]["url"] for message in messages
+                if message["method"] == "Network.requestWillBeSent"]
+
+    def numbers(self):
+        return self.run("[...document.querySelectorAll('data')].map(d => [d.dataset.key, d.value, d.textContent])")
+
+    def visible(self, selector):
+        elements = f"[...document.querySelectorAll('{selector}')]"
+        return self.run(f"{elements}.filter(e => e.checkVisibility()).map(e => e.id)")
+
+
+class Pages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        folder = pathlib.Path(cls.scratch.name)
+        cls.pages, cls.reports = {}, {}
+        for verdict in (*TORQUES, "identified", "verify"):
+            cls.pages[verdict], report = folder / f"{verdict}.html", folder / f"{verdict}.json"
+            command = ["verify" if verdict == "verify" else "diagnose"]
+            if verdict in TORQUES:
+                write_experiment(folder / verdict, verdict, TORQUES[verdict])
+                command.append(str(folder / verdict))
+            subprocess.run([PLUMBLINE, *command, "--html", cls.pages[verdict], "--json", report], check=True,
+                           stdout=subprocess.DEVNULL)
+            cls.reports[verdict] = json.loads(report.read_text())
+        cls.browser = Browser()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.scratch.cleanup()
+
+    def diagnoses(self):
+        return [(verdict, self.pages[verdict], self.reports[verdict]) for verdict in (*TORQUES, "identified")]
+
+    def altered(self, verdict, old, new):
+        """A copy of the page in which the first match is replaced."""
+        text, count = re.subn(old, new, self.pages[verdict].read_text(), count=1)
+        self.assertEqual(count, 1)
+        copy = self.pages[verdict].with_name("altered.html")
+        copy.write_text(text)
+        return copy
+
+    def test_experiments_have_the_verdicts_that_they_are_named_for(self):
+        for verdict, _, report in self.diagnoses():
+            self.assertEqual(report["cause"]["verdict"], verdict)
+
+    def test_numbers_are_those_of_the_report_and_all_are_there(self):
+        for verdict, page, report in self.diagnoses():
+            with self.subTest(verdict):
+                self.browser.open(page)
+                self.assertEqual(complaints(self.browser.numbers(), report), [])
+
+    def test_an_altered_page_is_found_out(self):
+        digit = r'(data-key="/shrink/ratio">)(\d)'
+        for old, new in (
+                (r'value="[^"]*" data-key="/gap/chi2_per_dof"', 'value="7" data-key="/gap/chi2_per_dof"'),
+                (digit, lambda match: match[1] + str(9 - int(match[2]))),
+                (r'data-key="/gap/rms/Fx"', 'data-key="/gap/rms/Fz"')):
+            self.browser.open(self.altered("identified", old, new))
+            self.assertNotEqual(complaints(self.browser.numbers(), self.reports["identified"]), [])
+
+    def test_the_console_stays_silent_and_nothing_is_fetched(self):
+        for name, page in self.pages.items():
+            with self.subTest(name):
+                self.browser.requested()  # forget what came before
+                self.browser.open(page)
+                self.assertEqual(self.browser.logged(), [])
+                fetched = [url for url in self.browser.requested() if not url.startswith("data:")]
+                self.assertEqual(fetched, [page.as_uri()])
+                self.assertEqual(self.browser.run("document.scripts.length"), 0)
+
+    def test_a_page_that_fetches_or_complains_is_found_out(self):
+        page = self.altered("none", "</main>", '<img alt="" src="other.png"/></main>')
+        self.browser.requested()
+        self.browser.open(page)
+        self.assertNotEqual(self.browser.logged(), [])
+        self.assertIn(page.with_name("other.png").as_uri(), self.browser.requested())
+
+    def test_markup_is_well_formed_and_read_as_written(self):
+        for name, page in self.pages.items():
+            with self.subTest(name):
+                root = xml.fromstring(page.read_text())
+                written = Counter(element.tag for element in root.iter())
+                self.browser.open(page)
+                read = Counter(self.browser.run("[...document.querySelectorAll('*')].map(e => e.localName)"))
+                self.assertEqual(written, read)
+                ids = [element.get("id") for element in root.iter() if element.get("id")]
+                self.assertEqual([one for one, count in Counter(ids).items() if count > 1], [])
+                for element in root.iter():
+                    for attribute in ("aria-labelledby", "href"):
+                        if element.tag != "link" and element.get(attribute):
+                            for target in element.get(attribute).split():
+                                self.assertIn(target.removeprefix("#"), ids)
+
+    def test_everything_drawn_has_words(self):
+        for name, page in self.pages.items():
+            with self.subTest(name):
+                root = xml.fromstring(page.read_text())
+                for svg in root.iter("svg"):
+                    if svg.get("aria-hidden") != "true":
+                        self.assertTrue(svg.findtext("title") and svg.findtext("desc"))
+                for image in root.iter("img"):
+                    self.assertTrue(image.get("alt"))
+                levels = [int(element.tag[1]) for element in root.iter() if re.fullmatch("h[1-6]", element.tag)]
+                self.assertEqual(levels[0], 1)
+                self.assertTrue(all(after <= before + 1 for before, after in zip(levels, levels[1:])), levels)
+
+    def test_nothing_is_wider_than_a_phone(self):
+        for name, page in self.pages.items():
+            with self.subTest(name):
+                for width in (390, 1280):
+                    self.browser.open(page, width)
+                    wide, screen = self.browser.run(
+                        "[document.documentElement.scrollWidth, document.documentElement.clientWidth]")
+                    self.assertLessEqual(wide, screen)
+
+    def test_curves_are_drawn(self):
+        for verdict, page, report in self.diagnoses():
+            with self.subTest(verdict):
+                self.browser.open(page)
+                boxes = self.browser.run(
+                    "[...document.querySelectorAll('figure svg .line, figure svg .dots')].map(e => e.getBBox())")
+                self.assertGreaterEqual(len(boxes), 6)
+                for box in boxes:
+                    inside = 0 <= box["x"] and box["x"] + box["width"] <= 360
+                    self.assertTrue(inside and box["width"] + box["height"] > 10, box)
+
+    def test_a_page_wider_than_a_phone_is_found_out(self):
+        self.browser.open(self.altered("none", "</main>", '<p style="width: 40rem">wide</p></main>'), 390)
+        self.assertGreater(self.browser.run("document.documentElement.scrollWidth"), 390)
+
+    def test_pages_print_on_few_sheets(self):
+        self.browser.open(self.pages["identified"])
+        document = base64.b64decode(self.browser.driver.print_page())
+        sheets = len(re.findall(rb"/Type\s*/Page\b", document))
+        self.assertTrue(1 <= sheets <= 8, sheets)
+
+    def test_a_page_is_light(self):
+        for verdict, page, _ in self.diagnoses():
+            with self.subTest(verdict):
+                self.assertLess(page.stat().st_size, 1_000_000)
+
+    def test_claims_are_those_of_the_report(self):
+        self.browser.open(self.pages["verify"])
+        shown = dict(self.browser.run("[...document.querySelectorAll('.claim [data-key]')]"
+                                      ".map(e => [e.dataset.key, e.textContent])"))
+        expected = {}
+        for claim in self.reports["verify"]:
+            for key in ("where", "statement", "verdict", "truth", "value"):
+                if claim[key]:
+                    expected[f"{claim['id']}/{key}"] = claim[key]
+            for i, evidence in enumerate(claim["evidence"]):
+                for key in ("kind", "detail"):
+                    expected[f"{claim['id']}/evidence/{i}/{key}"] = evidence[key]
+        self.assertEqual(shown, expected)
+        undrawn = "[...document.querySelectorAll('.wide img')].filter(i => !i.naturalWidth).length"
+        self.assertEqual(self.browser.run(undrawn), 0)
+
+    def test_claims_filter_by_verdict_and_answer_to_their_anchor(self):
+        by_verdict = {}
+        for claim in self.reports["verify"]:
+            by_verdict.setdefault(claim["verdict"], []).append(claim["id"])
+        self.assertGreater(len(by_verdict), 2)
+        self.browser.open(self.pages["verify"])
+        self.assertEqual(len(self.browser.visible(".claim")), len(self.reports["verify"]))
+        for verdict, ids in by_verdict.items():
+            self.browser.run(f"document.getElementById('show-{verdict}').click()")
+            self.assertEqual(self.browser.visible(".claim"), ids)
+        hidden = by_verdict["refuted"][0]
+        self.browser.run("document.getElementById('show-confirmed').click()")
+        self.browser.run(f"location.hash = '{hidden}'")
+        self.assertIn(hidden, self.browser.visible(".claim"))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
