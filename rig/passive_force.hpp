@@ -12,7 +12,7 @@ namespace plumbline::rig {
 /// MuJoCo's own dry friction will not do: it has no memory, and where a held end point could carry the load
 /// alone it relaxes at once.
 struct Contact {
-  static constexpr double relative_stiffness = 500;
+  static constexpr double relative_stiffness = 300;
 
   double stiffness = 0, damping = 0, slip = 0;  ///< N m/rad, N m s/rad, N m
   double bend = 0;                              ///< of the bristle, rad

@@ -68,13 +68,15 @@ struct Timing {
   bool steady;       ///< whether it moves at a steady rate; else it starts and stops softly
 };
 
-/// Where real time matters the carriage moves nearly throughout, and the dynamics is that much faster.
-/// Bristles need short steps.
+/// Where real time matters the carriage moves nearly throughout, and the dynamics is that much faster. With dry
+/// friction what the joints carry depends on the way, which damping must not bend, and bristles need short
+/// steps.
 Timing timing(const Physics& physics) {
   bool dry = physics.pivot_friction > 0;
   for (const Joint& joint : physics.joint) dry = dry || joint.friction > 0;
-  const double steps = dry ? 32 : 4;
-  return physics.arm_ratio > 0 ? Timing{150, 0.92, steps, true} : Timing{24, 0.5, steps, false};
+  const double steps = dry ? 25 : 4;
+  if (physics.arm_ratio > 0) return {150, 0.92, steps, true};
+  return dry ? Timing{60, 0.8, steps, false} : Timing{24, 0.5, steps, false};
 }
 
 class Bench {
@@ -167,7 +169,7 @@ class Bench {
   double settle() {
     constexpr int patience = 20000;
     // radians within a response time; Maxwell arms go on relaxing
-    const double rest = 2e-7 + physics_.arm_ratio * pace_.response / physics_.relaxation;
+    const double rest = 2e-9 + physics_.arm_ratio * pace_.response / physics_.relaxation;
     for (int s = 0; s < patience; ++s) {
       double fastest = 0;
       for (const int address : hub_)  // hinges have one coordinate: the same order in qvel

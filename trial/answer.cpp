@@ -43,14 +43,16 @@ bool share_one(const Names& said, const Names& truth) {
   });
 }
 
+bool outside_catalogue(const Label& label) {
+  return label.effects.size() == 1 && label.effects.front().id == "unknown";
+}
+
+/// Where it is unknown what, it does not matter at which joint.
 Names truth_of(const Label& label) {
+  if (outside_catalogue(label)) return {"unknown"};
   Names truth;
   for (const TrueEffect& effect : label.effects) truth.push_back(effect_key(effect.id, effect.joint));
   return truth;
-}
-
-bool outside_catalogue(const Label& label) {
-  return label.effects.size() == 1 && label.effects.front().id == "unknown";
 }
 
 template <class Value>
@@ -95,6 +97,14 @@ std::string words(const Report& report) {
   return text;
 }
 
+/// Ids in the order of the alphabet.
+std::string kinds(const Names& effects) {
+  Names ids;
+  for (const std::string& effect : effects) ids.push_back(without_joint(effect));
+  std::sort(ids.begin(), ids.end());
+  return fmt::format("{}", fmt::join(ids, "+"));
+}
+
 Answer answer_without_effect(const Report& report) {
   return report.verdict == "none" ? Answer::right : Answer::false_alarm;
 }
@@ -102,7 +112,8 @@ Answer answer_without_effect(const Report& report) {
 Answer answer_outside(const Report& report) {
   if (report.verdict == "unknown") return Answer::right;
   if (report.verdict == "none") return Answer::missed_gap;
-  return report.verdict == "identified" ? Answer::wrong_sure : Answer::wrong_hedged;
+  if (report.verdict == "identified") return Answer::wrong_sure;
+  return report.effects == Names{"unknown"} ? Answer::in_class : Answer::wrong_hedged;
 }
 
 Answer answer_in_catalogue(const Names& truth, const Report& report, const std::vector<Names>& listed,
@@ -142,7 +153,9 @@ void judge_parameters(const Label& label, const Report& report, Judgement& judge
 void judge_probabilities(const Report& report, const std::function<bool(const Names&)>& right,
                          Judgement& judgement) {
   if (report.ranking.empty() || report.verdict == "none") return;
-  const Report::Ranked& first = report.ranking.front();
+  const Report::Ranked& first = *std::max_element(
+      report.ranking.begin(), report.ranking.end(),
+      [](const auto& one, const auto& other) { return one.probability < other.probability; });
   judgement.stated = {first.probability, right(first.effects)};
   bool found = false;
   for (const Report::Ranked& one : report.ranking) {
@@ -197,9 +210,11 @@ Judgement judge(const Label& label, const Report& report) {
   if (!report.effects.empty()) listed.insert(listed.begin(), report.effects);
   Judgement judgement;
   judgement.said = words(report);
+  judgement.best = report.effects.empty() ? report.verdict : kinds(report.effects);
   judgement.class_size = listed.size();
   if (truth.empty()) {
     judgement.answer = answer_without_effect(report);
+    judge_probabilities(report, right, judgement);
     return judgement;
   }
   if (outside_catalogue(label)) {
@@ -210,7 +225,7 @@ Judgement judge(const Label& label, const Report& report) {
   }
   const bool found = judgement.answer == Answer::right || judgement.answer == Answer::in_class;
   if (judgement.answer == Answer::right) judge_parameters(label, report, judgement);
-  if (found) judgement.shrunk = report.shrunk;
+  if (found && !outside_catalogue(label)) judgement.shrunk = report.shrunk;
   judgement.over_hedged = found && listed.size() > 1 + label.equivalent.size();
   judge_probabilities(report, right, judgement);
   return judgement;

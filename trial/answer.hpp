@@ -35,7 +35,7 @@ Report report_from(const nlohmann::json& json, const std::string& source);
 /// One word for what the diagnosis was worth.
 enum class Answer {
   right,         ///< the cause, or none where there is none, or unknown where no catalogue has it
-  in_class,      ///< ambiguous, and the cause is in the listed class
+  in_class,      ///< ambiguous, and the cause is in the listed class (or unknown is its best)
   part,          ///< one of two causes
   unknown,       ///< a gap seen, its cause not named
   missed_gap,    ///< a gap not seen
@@ -49,14 +49,14 @@ const char* answer_word(Answer answer);
 struct Judgement {
   Answer answer = Answer::no_report;
   std::string said;            ///< verdict and effects, or what went wrong
+  std::string best;            ///< the best explanation without its joints: "none", "unknown", "id", "id+id"
   std::size_t class_size = 0;  ///< explanations that were listed as alike
   bool over_hedged = false;    ///< right, but with a class that lists more than the experiment's own
   std::vector<std::pair<std::string, bool>>
       covered;                      ///< parameters, and whether they are inside their bounds
   std::optional<bool> place_right;  ///< outside the catalogue: the true joint, or else channel, named first
   std::optional<double> shrunk;     ///< where the cause was found
-  /// Probability of the first-ranked explanation and whether it is the truth, where there is a gap to explain
-  /// and it was seen.
+  /// Probability of the most probable explanation and whether it is the truth, where a gap was seen.
   std::optional<std::pair<double, bool>> stated;
   double brier = 0;  ///< of the whole ranking, 0 to 2; meaningful with `stated`
 };

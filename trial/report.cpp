@@ -100,6 +100,22 @@ Table answers(const std::string& what, const std::vector<Row>& rows) {
   return table;
 }
 
+Table confusion(const Score& s) {
+  Table table{{"truth", "n", "said best"}, {}};
+  for (const auto& [truth, said] : s.confusion) {
+    std::vector<std::pair<std::size_t, std::string>> often;
+    std::size_t all = 0;
+    for (const auto& [what, times] : said) often.emplace_back(times, what), all += times;
+    std::stable_sort(often.begin(), often.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::string words;
+    for (const auto& [times, what] : often)
+      words += fmt::format("{}{} {}", words.empty() ? "" : ", ", times, what);
+    table.rows.push_back({truth, std::to_string(all), words});
+  }
+  return table;
+}
+
 Table reliability(const Score& s) {
   Table table{{"stated probability", "mean stated", "right", "count", "95 % interval"}, {}};
   for (const Reliability& bin : s.reliability) {
@@ -198,9 +214,10 @@ std::string as_text(const Circumstances& circumstances, const std::vector<Case>&
   text += "\n" + numbers(circumstances, s);
   section("By strength of the gap", answers("one effect", s.by_strength));
   section("By truth", answers("truth", s.by_truth));
+  section("Confusion", confusion(s), "The best explanation, also of a class; joints left out.");
   section("By noise", answers("noise", s.by_noise));
   section("Reliability", reliability(s),
-          "How often the first-ranked explanation was the truth, where a gap was seen.");
+          "How often the most probable explanation was the truth, where a gap was seen.");
   return text;
 }
 
@@ -235,6 +252,7 @@ nlohmann::ordered_json as_json(const Circumstances& c, const std::vector<Case>& 
           {"by_strength", rows(s.by_strength)},
           {"by_truth", rows(s.by_truth)},
           {"by_noise", rows(s.by_noise)},
+          {"confusion", s.confusion},
           {"nominal_error_sigma",
            {{"benches", c.compared}, {"median", c.median_error}, {"worst", c.worst_error}}},
           {"experiments", list}};

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <plumbline/error.hpp>
 
 namespace plumbline::trial {
@@ -43,6 +42,15 @@ std::vector<Row> rows_by_strength(const std::vector<Case>& cases) {
     if (row.found.total > 0) rows.push_back(std::move(row));
   }
   return rows;
+}
+
+/// "said" for the confusion table: the right kind at a wrong joint is worth a word of its own.
+std::string said_best(const Case& one) {
+  const Judgement& judged = one.judgement;
+  if (judged.answer == Answer::no_report) return answer_word(judged.answer);
+  const bool misplaced = judged.best == truth_kind(one.label) &&
+                         (judged.answer == Answer::wrong_sure || judged.answer == Answer::wrong_hedged);
+  return misplaced ? judged.best + " at another joint" : judged.best;
 }
 
 /// First what has no effect, then single effects by name, two at once, outside the catalogue.
@@ -107,7 +115,7 @@ void count_proportions(Score& total, const Case& one) {
   if (judged.said.starts_with("identified"))
     total.wrong_sure.add(judged.answer == Answer::wrong_sure || judged.answer == Answer::false_alarm);
   if (label.effects.empty()) total.false_alarm.add(judged.answer == Answer::false_alarm);
-  if (is_outside(label)) total.outside.add(judged.answer == Answer::right);
+  if (is_outside(label)) total.outside.add(found(one));
   if (judged.place_right) total.place.add(*judged.place_right);
   if (label.effects.size() > 1) total.pairs.add(found(one));
   for (const auto& [name, inside] : judged.covered) total.covered.add(inside);
@@ -146,6 +154,7 @@ Score score(const std::vector<Case>& cases) {
   for (const Case& one : cases) {
     count(total.all, one);
     count_proportions(total, one);
+    ++total.confusion[truth_kind(one.label)][said_best(one)];
     if (one.judgement.shrunk) shrunk.push_back(*one.judgement.shrunk);
     seconds.push_back(one.seconds);
     if (one.judgement.stated) brier.push_back(one.judgement.brier);

@@ -2,6 +2,7 @@
 /// \file
 /// What a trial shows, counted.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,9 @@ struct Reliability {
   Proportion right{};
 };
 
+/// How often what was said best, by the truth; both without joints.
+using Confusion = std::map<std::string, std::map<std::string, std::size_t>>;
+
 struct Spread {
   double median = 0, ninth_decile = 0, worst = 0;
 };
@@ -54,6 +58,7 @@ struct Score {
   std::vector<Row> by_strength;  ///< one effect of the catalogue
   std::vector<Row> by_truth;     ///< none, every effect, two effects, outside the catalogue
   std::vector<Row> by_noise;
+  Confusion confusion;
   Proportion strong;       ///< one effect, 5 sigma or more: found
   Proportion weak;         ///< one effect, 2.5 to 5 sigma: found
   Proportion wrong_sure;   ///< identified and wrong, of all that were identified

@@ -3,15 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace plumbline::trial {
 namespace {
 
+/// Three letters in a row: not a number with its unit, "12 of 20" or "5 to 7 %".
+bool has_word(const std::string& cell) {
+  std::size_t letters = 0;
+  for (const char c : cell) {
+    letters = std::isalpha(static_cast<unsigned char>(c)) != 0 ? letters + 1 : 0;
+    if (letters == 3) return true;
+  }
+  return false;
+}
+
 /// A column of words stands to the left.
 bool wordy(const Table& table, std::size_t column) {
-  return std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
-    return !row[column].empty() && std::isalpha(static_cast<unsigned char>(row[column].front())) != 0;
-  });
+  return std::any_of(table.rows.begin(), table.rows.end(),
+                     [&](const auto& row) { return has_word(row[column]); });
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// Columns aligned by blanks: the first to the left, numbers to the right.
+/// Columns aligned by blanks: words to the left, numbers to the right.
 std::string terminal_table(const Table& table);
 std::string markdown_table(const Table& table);
 

@@ -41,6 +41,11 @@ TEST_CASE("one effect") {
   CHECK(answer(backlash, said("none")) == Answer::missed_gap);
 }
 
+TEST_CASE("the best explanation without its joints") {
+  CHECK(judge(backlash, said("identified", {"rest_angle(2)", "backlash(2)"})).best == "backlash+rest_angle");
+  CHECK(judge(backlash, said("unknown")).best == "unknown");
+}
+
 TEST_CASE("no effect") {
   CHECK(answer(nothing, said("none")) == Answer::right);
   CHECK(answer(nothing, said("unknown")) == Answer::false_alarm);
@@ -52,6 +57,7 @@ TEST_CASE("an effect outside the catalogue is unknown, whether or not it sits at
   CHECK(answer(outside, said("identified", {"backlash(3)"})) == Answer::wrong_sure);
   CHECK(answer(outside, said("ambiguous", {"gravity"})) == Answer::wrong_hedged);
   CHECK(answer(outside, said("none")) == Answer::missed_gap);
+  CHECK(answer(outside, said("ambiguous", {"unknown"}, {{"gravity"}})) == Answer::in_class);
   Report report = said("unknown");
   CHECK(judge(outside, report).place_right == false);
   report.joint = 3;
@@ -102,28 +108,29 @@ TEST_CASE("the Brier score: 0 for certainty that is right, 2 for certainty that 
   report.ranking = {{{"backlash(2)"}, 0.5}, {{"gravity"}, 0.5}};
   CHECK(judge(backlash, report).brier == 0.5);
   CHECK(judge(backlash, report).stated->first == 0.5);
+  report = said("unknown");
+  report.ranking = {{{"gravity"}, 0.25}, {{"unknown"}, 0.75}};
+  CHECK(judge(outside, report).stated == std::pair(0.75, true));
+  CHECK(judge(outside, report).brier == 0.125);
+  CHECK(judge(nothing, report).stated == std::pair(0.75, false));
 }
 
 TEST_CASE("a report is read from the machine format; what is not one is refused") {
-  const auto json = nlohmann::json::parse(R"({
+  const auto json = nlohmann::json::parse(R"json({
     "where": {"channels": [{"channel": "Fx", "share": 0.8}, {"channel": "Fy", "share": 0.2}],
               "joints": [{"joint": 1, "share": 0.2}, {"joint": 2, "share": 0.8}]},
     "cause": {"verdict": "ambiguous",
               "effects": [{"id": "backlash", "joint": 2, "parameters": {"b": {"value": 1, "low": 2, "high": 0.5}}}],
               "equivalent": [["gravity"]],
-              "ranking": [{"effects": ["backlash(2)"], "probability": 0.6}]
-}
-, "shrink" : {
-  "ratio" : 0.2, "noise_floor_ratio" : 0.1
-}
-})");
+              "ranking": [{"effects": ["backlash(2)"], "probability": 0.6}]},
+    "shrink": {"ratio": 0.2, "noise_floor_ratio": 0.1}})json");
   const Report report = report_from(json, "report.json");
-CHECK(report.effects == std::vector<std::string>{"backlash(2)"});
-CHECK(report.bounds.at("backlash(2)/b").low == 0.5);
-CHECK(report.joint == 2);
-CHECK(report.channel == "Fx");
-CHECK(*report.shrunk == doctest::Approx(2));
-CHECK(answer(backlash, report) == Answer::in_class);
-CHECK_THROWS_WITH_AS(report_from(nlohmann::json::object(), "report.json"), doctest::Contains("report.json"),
-                     plumbline::Error);
+  CHECK(report.effects == std::vector<std::string>{"backlash(2)"});
+  CHECK(report.bounds.at("backlash(2)/b").low == 0.5);
+  CHECK(report.joint == 2);
+  CHECK(report.channel == "Fx");
+  CHECK(*report.shrunk == doctest::Approx(2));
+  CHECK(answer(backlash, report) == Answer::in_class);
+  CHECK_THROWS_WITH_AS(report_from(nlohmann::json::object(), "report.json"), doctest::Contains("report.json"),
+                       plumbline::Error);
 }

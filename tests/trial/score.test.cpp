@@ -16,6 +16,7 @@ Case one(const std::string& name, std::vector<TrueEffect> effects, double streng
   made.label = {name, std::move(effects), {}, strength, "declared", 1, ""};
   made.judgement.answer = answer;
   made.judgement.said = said;
+  made.judgement.best = said.substr(said.find(' ') + 1);
   return made;
 }
 
@@ -62,6 +63,16 @@ TEST_CASE("what is counted for what") {
   CHECK(is(s.by_strength[0].found, 0, 1));
   CHECK(s.by_truth.front().name == "none");
   CHECK(s.by_truth.back().name == "outside the catalogue");
+}
+
+TEST_CASE("the confusion table counts what was said best, and tells a wrong joint") {
+  std::vector<Case> cases = a_trial();
+  cases.push_back(one("j", stop, 9, Answer::wrong_sure, "identified joint_stop"));
+  const Score s = score(cases);
+  CHECK(s.confusion.at("joint_stop").at("gravity") == 1);
+  CHECK(s.confusion.at("joint_stop").at("joint_stop at another joint") == 1);
+  CHECK(s.confusion.at("joint_stop").at("no report") == 1);
+  CHECK(s.confusion.at("gravity").at("gravity") == 2);
 }
 
 TEST_CASE("stated probabilities are binned beside how often they were right") {
