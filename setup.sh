@@ -11,11 +11,13 @@ packages=(
   # symbolic algebra
   libginac-dev
   # command line, formats, text
-  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libfmt-dev libssl-dev
+  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libfmt-dev libssl-dev libkainjow-mustache-dev
   # least squares
   libceres-dev
   # tests
   doctest-dev librapidcheck-dev python3-jsonschema
+  # pages, in a browser
+  chromium chromium-driver python3-selenium
   # drawings, at run time
   gnuplot-nox
 )

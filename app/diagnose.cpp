@@ -13,7 +13,7 @@ namespace plumbline {
 namespace {
 
 struct Options {
-  std::string experiment, json;
+  std::string experiment, json, html;
 };
 
 Diagnosis diagnosis_of(const Experiment& experiment) {
@@ -28,11 +28,15 @@ Diagnosis diagnosis_of(const Experiment& experiment) {
 void run(const Options& options) {
   const Experiment experiment =
       options.experiment.empty() ? example_experiment() : read_experiment(options.experiment);
-  std::unique_ptr<OutputFile> json;
+  std::unique_ptr<OutputFile> json, html;
   if (!options.json.empty()) json = std::make_unique<OutputFile>(options.json);
+  if (!options.html.empty()) html = std::make_unique<OutputFile>(options.html);
   const Diagnosis diagnosis = diagnosis_of(experiment);
-  if (json) json->write(as_json(diagnosis).dump(2) + "\n"), json->commit();
-  if (options.json != "-") fmt::print("{}", as_text(diagnosis));
+  if (json) json->write(as_json(diagnosis).dump(2) + "\n");
+  if (html) html->write(as_html(experiment, diagnosis));
+  if (json) json->commit();
+  if (html) html->commit();
+  if (options.json != "-" && options.html != "-") fmt::print("{}", as_text(diagnosis));
 }
 
 }  // namespace
@@ -50,6 +54,9 @@ void add_diagnose(CLI::App& app) {
       ->type_name("[FILE]")
       ->expected(0, 1)
       ->default_str("-");
+  verb->add_option("--html", options->html,
+                   "Write a page with the curves, the residuals and the chain drawn: one file, to print or send")
+      ->type_name("FILE");
   verb->callback([options] { run(*options); });
 }
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <memory>
 
+#include "app/figures.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "files/text_file.hpp"
@@ -16,13 +17,30 @@ namespace plumbline {
 namespace {
 
 struct Options {
-  std::string section, claim, json;
+  std::string section, claim, json, html;
   int precision = 50;
   std::size_t chains = 0;
   std::uint64_t seed = 1;
 };
 
 bool with_colour() { return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr; }
+
+/// The whole paper's, for the page.
+std::vector<DrawnFigure> draw_figures() {
+  std::vector<DrawnFigure> drawn;
+  Progress progress("figures", figures().size());
+  for (const Figure& figure : figures()) {
+    drawn.push_back({figure.number, figure.title, figure.sentence, as_svg(figure.draw(), figure.columns)});
+    progress.advance();
+  }
+  return drawn;
+}
+
+void write(const std::string& path, const std::string& text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
 
 void run(const Options& options) {
   const std::vector<Claim> claims = in_section(all_claims(), options.section);
@@ -34,13 +52,13 @@ void run(const Options& options) {
     const std::vector<Judged> properties = judge_sampled(sampled, options.seed);
     judged.insert(judged.end(), properties.begin(), properties.end());
   }
-  if (options.json.empty()) {
-    fmt::print("{}", one ? as_detail(judged.front(), with_colour()) : as_table(judged, with_colour()));
-  } else {
-    OutputFile file(options.json);
-    file.write(as_json(judged).dump(2) + "\n");
-    file.commit();
+  if (!options.json.empty()) write(options.json, as_json(judged).dump(2) + "\n");
+  if (!options.html.empty()) {
+    const bool whole = !one && options.section.empty();
+    write(options.html, as_html(judged, whole ? draw_figures() : std::vector<DrawnFigure>{}));
   }
+  if (options.json.empty() && options.html.empty())
+    fmt::print("{}", one ? as_detail(judged.front(), with_colour()) : as_table(judged, with_colour()));
   if (std::any_of(judged.begin(), judged.end(), [](const Judged& j) { return !j.judgement; })) {
     throw CLI::RuntimeError(1);
   }
@@ -66,6 +84,8 @@ void add_verify(CLI::App& app) {
       ->type_name("[FILE]")
       ->expected(0, 1)
       ->default_str("-");
+  verb->add_option("--html", options->html, "Write the claims as a page, of the whole paper with its figures redrawn")
+      ->type_name("FILE");
   verb->footer(
       "A refuted claim of the paper is a finding, not a failure: the exit status is 1 only when a claim could not "
       "be judged, two number types disagree, or a random chain contradicts a theorem.");

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <plumbline/error.hpp>
 
+#include "diagnose/implied_torque.hpp"
+
 namespace plumbline {
 namespace {
 
@@ -41,6 +43,11 @@ GapAnswer ask_for_gap(const Measurements& measurements, const std::vector<double
   return gap;
 }
 
+bool contains(const Findings& findings, const Candidate& candidate) {
+  return std::any_of(findings.hypotheses.begin(), findings.hypotheses.end(),
+                     [&](const Hypothesis& one) { return one.fit.candidate == candidate; });
+}
+
 /// The hypotheses that a search on fewer readings left standing, fitted to all of them.
 Findings confirmed(const Experiment& experiment, const Measurements& measurements, const Findings& found) {
   // More readings cannot lift what fell behind by so much.
@@ -52,7 +59,13 @@ Findings confirmed(const Experiment& experiment, const Measurements& measurement
     if (hypothesis.log_evidence < found.hypotheses.front().log_evidence - hopeless) break;
     Fit one =
         fit_from(experiment, measurements, hypothesis.fit.candidate, settings, hypothesis.fit.parameters);
-    if (one.converged) all.hypotheses.push_back({std::move(one), 0, 0, 1});
+    if (one.converged) all.hypotheses.push_back({std::move(one), 0, 0, {}});
+  }
+  // What only the readings that were held out can show.
+  for (const EffectAt& at : possible_effects(experiment)) {
+    if (contains(found, {{at}})) continue;
+    Fit one = fit(experiment, measurements, {{at}}, settings);
+    if (one.converged) all.hypotheses.push_back({std::move(one), 0, 0, {}});
   }
   weigh(experiment, measurements, all);
   return all;
@@ -96,6 +109,39 @@ bool leaves_structure(const Measurements& measurements, const Findings& findings
   return test_gap(measurements, findings.hypotheses.front().fit.residual).p_value < fit_level;
 }
 
+/// Whether the best explanation, fitted without the readings that are held out, predicts them to half as much
+/// again as the noise.
+bool predicts(const Experiment& experiment, const Measurements& measurements,
+              const std::vector<double>& residual, const HeldOut& heldout, const Fit& fitted,
+              const NoiseModel& noise) {
+  constexpr double limit = 1.5 * 1.5;
+  if (heldout.empty()) return false;
+  const Experiment seen = without(experiment, heldout);
+  FitSettings settings;
+  settings.noise = noise;
+  const Fit blind = fit_from(seen, Measurements(seen), fitted.candidate, settings, fitted.parameters);
+  if (!blind.converged) return false;
+  const Prediction after = predict(experiment, blind.candidate, blind.parameters);
+  return after.reached &&
+         measure_shrink(measurements, heldout, residual, measurements.residual(experiment, after), noise)
+                 .chi2_per_value_after < limit;
+}
+
+/// Three effects at once explain much that they are not: they are believed when they predict.
+void demand_prediction(const Experiment& experiment, const Measurements& measurements,
+                       const std::vector<double>& residual, const HeldOut& heldout, const NoiseModel& noise,
+                       Cause& cause) {
+  if (cause.verdict == Verdict::unknown) return;
+  const Fit& best = cause.ranking[cause.best].hypothesis.fit;
+  if (best.candidate.effects.size() < 3) return;
+  if (predicts(experiment, measurements, residual, heldout, best, noise)) return;
+  cause.verdict = Verdict::unknown;
+  cause.equivalent.clear();
+  constexpr double refuted = 0.95;  // of such triples, on simulated experiments
+  for (Ranked& one : cause.ranking) one.probability *= (1 - refuted) / (1 - cause.unknown);
+  cause.unknown = refuted;
+}
+
 void explain(const Experiment& experiment, const Measurements& measurements,
              const std::vector<double>& residual, Diagnosis& diagnosis, const Report& progress) {
   const HeldOut heldout = choose_heldout(experiment);
@@ -118,6 +164,7 @@ void explain(const Experiment& experiment, const Measurements& measurements,
     findings = search(experiment, measurements, [&](double share) { progress(0.5 + 0.4 * share); });
     diagnosis.cause = judge(experiment, measurements, findings);
   }
+  demand_prediction(experiment, measurements, residual, heldout, findings.noise, diagnosis.cause);
   diagnosis.noise = findings.noise;
   diagnosis.not_exercised = never_exercised(experiment, chosen);
   if (!diagnosis.cause.ranking.empty())
@@ -133,6 +180,17 @@ std::vector<Fit> rivals(const Cause& cause) {
   return fits;
 }
 
+/// Shares of the joints from what was found, where nothing measured shows them.
+void imply_joints(const Experiment& experiment, Diagnosis& diagnosis) {
+  const Cause& cause = diagnosis.cause;
+  const bool explained = cause.verdict == Verdict::identified || cause.verdict == Verdict::ambiguous;
+  if (!explained || diagnosis.where.joint_evidence == JointEvidence::measured) return;
+  std::vector<double> probability{cause.ranking[cause.best].probability};
+  for (const std::size_t place : cause.equivalent) probability.push_back(cause.ranking[place].probability);
+  diagnosis.where.joints = shares_by_fits(experiment, rivals(cause), probability);
+  diagnosis.where.joint_evidence = JointEvidence::implied_by_fits;
+}
+
 }  // namespace
 
 Diagnosis diagnose(const Experiment& experiment, const Report& progress) {
@@ -146,6 +204,7 @@ Diagnosis diagnose(const Experiment& experiment, const Report& progress) {
   diagnosis.noise = diagnosis.gap.test.noise;
   if (diagnosis.gap.present) explain(experiment, measurements, residual, diagnosis, report);
   diagnosis.where = locate(experiment, measurements, nominal, residual, diagnosis.noise);
+  imply_joints(experiment, diagnosis);
   if (diagnosis.gap.present && diagnosis.cause.verdict == Verdict::unknown)
     diagnosis.missing = describe_missing(experiment, measurements, nominal, residual, diagnosis.where);
   if (diagnosis.cause.verdict == Verdict::ambiguous)

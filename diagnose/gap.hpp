@@ -14,8 +14,9 @@ struct GapTest {
   NoiseModel noise;                    ///< scale and correlation estimated along
 };
 
-/// The level at which a gap is called present.
-inline constexpr double gap_level = 0.05;
+/// The level at which a gap is called present: of a hundred experiments without a gap one is called to have
+/// one. Gaps of any use are far beyond it.
+inline constexpr double gap_level = 0.01;
 
 /// Tests whether a residual is noise: of any scale up to a factor of 1.5 from the declared one, correlated by
 /// at most 0.7 between neighbours, with a few isolated outliers. Looks at the energy of the six slowest

@@ -142,7 +142,7 @@ Missing describe_missing(const Experiment& experiment, const Measurements& measu
                          const Prediction& nominal, const std::vector<double>& residual, const Where& where) {
   const std::vector<std::vector<bool>> back = returning(experiment, nominal);
   Missing missing;
-  if (where.torques_measured && where.joints.front().share > 0.5)
+  if (where.joint_evidence == JointEvidence::measured && where.joints.front().share > 0.5)
     missing = torque(experiment, back, where.joints.front().joint);
   if (missing.points.empty())
     missing = channel(experiment, measurements, residual, back, where.channels.front().channel);

@@ -68,70 +68,18 @@ bool complete(const Reading& reading) {
          std::all_of(reading.q.begin(), reading.q.end(), [](double q) { return std::isfinite(q); });
 }
 
-/// Mean square beyond noise, without the two percent of largest values, which may be outliers.
+/// Sum of squares beyond noise, without the two percent of largest values, which may be outliers; none where
+/// noise alone may give as much.
 double excess(const std::vector<MissingTorque>& values, double scale) {
+  constexpr double significant = 5;  // standard deviations
   std::vector<double> squares;
   for (const MissingTorque& value : values)
-    squares.push_back(std::pow(value.torque / (scale * value.sigma), 2));
+    if (value.sigma > 0) squares.push_back(std::pow(value.torque / (scale * value.sigma), 2));
   std::sort(squares.begin(), squares.end());
   const std::size_t kept = squares.size() - squares.size() / 50;
   double sum = 0;
   for (std::size_t i = 0; i < kept; ++i) sum += squares[i] - 1;
-  return std::max(0.0, sum);
-}
-
-std::vector<JointShare> normalised(const std::vector<double>& weight) {
-  double sum = 0;
-  for (const double w : weight) sum += w;
-  std::vector<JointShare> shares;
-  for (std::size_t j = 0; j < weight.size(); ++j)
-    shares.push_back({j + 1, sum > 0 ? weight[j] / sum : 1 / static_cast<double>(weight.size())});
-  std::sort(shares.begin(), shares.end(),
-            [](const JointShare& a, const JointShare& b) { return a.share > b.share; });
-  return shares;
-}
-
-/// Squared residual that a torque at this joint, free at every reading, cannot remove.
-double left_by_free_torque(const Measurements& measurements, const std::vector<double>& residual,
-                           const std::vector<double>& direction, const NoiseModel& noise) {
-  std::vector<std::vector<std::array<double, 3>>> sums;  // [run][reading]: r.r, g.r, g.g
-  for (const Series& series : measurements.series()) {
-    if (series.run >= sums.size()) sums.resize(series.run + 1);
-    const double scale = noise.of(series.channel.sensor());
-    for (std::size_t i = 0; i < series.readings.size(); ++i) {
-      auto& run = sums[series.run];
-      if (series.readings[i] >= run.size()) run.resize(series.readings[i] + 1, {0, 0, 0});
-      const double r = residual[series.first + i] / scale, g = direction[series.first + i] / scale;
-      auto& sum = run[series.readings[i]];
-      sum[0] += r * r;
-      sum[1] += g * r;
-      sum[2] += g * g;
-    }
-  }
-  double left = 0;
-  for (const auto& run : sums)
-    for (const auto& [rr, gr, gg] : run) left += rr - (gg > 0 ? gr * gr / gg : 0);
-  return left;
-}
-
-std::vector<JointShare> by_free_torque(const Experiment& experiment, const Measurements& measurements,
-                                       const std::vector<double>& residual, const NoiseModel& noise) {
-  const std::size_t n = experiment.link_length.size();
-  std::vector<double> left(n, 0), weight(n, 0);
-  double least = 0;
-  for (std::size_t j = 0; j < n; ++j) {
-    if (!(experiment.joint_stiffness[j] > 0)) continue;
-    const Prediction predicted = predict(experiment, {{{EffectId::rest_angle, j + 1}}}, {0.0}, true);
-    if (!predicted.reached) continue;
-    left[j] =
-        left_by_free_torque(measurements, residual, measurements.in_sigmas(predicted.sensitivity[0]), noise);
-    if (least == 0 || left[j] < least) least = left[j];
-  }
-  // The likelihood of what is left, its own level taken as noise; eight neighbouring readings count as one.
-  const double independent = static_cast<double>(measurements.size()) / 8;
-  for (std::size_t j = 0; j < n; ++j)
-    if (left[j] > 0) weight[j] = std::pow(least / left[j], independent / 2);
-  return normalised(weight);
+  return sum > significant * std::sqrt(2 * static_cast<double>(kept)) ? sum : 0;
 }
 
 }  // namespace
@@ -152,27 +100,26 @@ std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experi
       const Eigen::VectorXd sigma = statics.sigma(run.rest, reading.q, force, noise);
       for (std::size_t j = 0; j < by_joint.size(); ++j) {
         const auto k = static_cast<Eigen::Index>(j);
-        if (sigma(k) > 0) by_joint[j].push_back({r, i, reading.q[j], torque(k), sigma(k)});
+        by_joint[j].push_back({r, i, reading.q[j], torque(k), sigma(k)});
       }
     }
   }
   return by_joint;
 }
 
-bool torques_measured(const Experiment& experiment) {
-  return std::any_of(experiment.runs.begin(), experiment.runs.end(), [](const Run& run) {
-    return std::any_of(run.readings.begin(), run.readings.end(), complete);
-  });
-}
-
-std::vector<JointShare> joint_shares(const Experiment& experiment, const Measurements& measurements,
-                                     const std::vector<double>& residual, const NoiseModel& noise) {
-  if (!torques_measured(experiment)) return by_free_torque(experiment, measurements, residual, noise);
-  const auto torques = missing_torques(experiment);
+std::vector<JointShare> shares_by_missing_torque(const Experiment& experiment, const NoiseModel& noise) {
   const double scale = std::max(noise.of(Sensor::angle), noise.of(Sensor::force));
-  std::vector<double> weight;
-  for (const auto& joint : torques) weight.push_back(excess(joint, scale));
-  return normalised(weight);
+  std::vector<JointShare> shares;
+  double sum = 0;
+  for (const auto& torques : missing_torques(experiment)) {
+    shares.push_back({shares.size() + 1, excess(torques, scale)});
+    sum += shares.back().share;
+  }
+  if (sum == 0) return {};
+  for (JointShare& one : shares) one.share /= sum;
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const JointShare& a, const JointShare& b) { return a.share > b.share; });
+  return shares;
 }
 
 }  // namespace plumbline

@@ -18,13 +18,8 @@ struct MissingTorque {
 /// By joint. Empty lists where no run measures all joint angles together with the force.
 std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experiment);
 
-/// Whether some reading has the force and all joint angles.
-bool torques_measured(const Experiment& experiment);
-
-/// Shares of the joints: of the missing torque beyond its noise where joint angles are measured. Else each
-/// elastic joint's chance to be the one place of an unknown torque, free at every reading: it may change the
-/// measured channels only along one direction, and what that leaves is compared.
-std::vector<JointShare> joint_shares(const Experiment& experiment, const Measurements& measurements,
-                                     const std::vector<double>& residual, const NoiseModel& noise);
+/// Shares of the joints in the missing torque beyond its noise, largest first. Empty where no joint angles
+/// are measured, or where noise alone may give what is missing.
+std::vector<JointShare> shares_by_missing_torque(const Experiment& experiment, const NoiseModel& noise);
 
 }  // namespace plumbline

@@ -11,11 +11,16 @@ Json effect_names(const Candidate& candidate) {
   return names;
 }
 
-Json gap(const GapAnswer& answer) {
+Json gap(const GapAnswer& answer, const NoiseModel& noise) {
   return {{"present", answer.present},
           {"p_value", answer.test.p_value},
           {"chi2_per_dof", answer.chi2_per_value},
-          {"rms", answer.rms}};
+          {"rms", answer.rms},
+          {"noise",
+           {{"force", noise.of(Sensor::force)},
+            {"position", noise.of(Sensor::position)},
+            {"angle", noise.of(Sensor::angle)},
+            {"correlation", noise.correlation}}}};
 }
 
 Json where(const Where& places) {
@@ -28,7 +33,11 @@ Json where(const Where& places) {
         {{"run", one.run}, {"from", one.from}, {"to", one.to}, {"share", one.share}, {"regime", one.regime}});
   }
   for (const auto& one : places.joints) joints.push_back({{"joint", one.joint}, {"share", one.share}});
-  return {{"channels", channels}, {"runs", runs}, {"load_path", path}, {"joints", joints}};
+  return {{"channels", channels},
+          {"runs", runs},
+          {"load_path", path},
+          {"joints", joints},
+          {"joint_evidence", joint_evidence_words(places.joint_evidence)}};
 }
 
 Json effects(const Candidate& candidate, const std::vector<std::vector<Estimate>>& estimates) {
@@ -58,6 +67,7 @@ Json cause(const Diagnosis& diagnosis) {
                        {"probability", one.probability},
                        {"chi2_per_dof", one.chi2_per_dof}});
   }
+  ranking.push_back({{"effects", {"unknown"}}, {"probability", found.unknown}, {"chi2_per_dof", nullptr}});
   for (const EffectAt& at : diagnosis.not_exercised) idle.push_back(label(at));
   const bool explained = found.verdict == Verdict::identified || found.verdict == Verdict::ambiguous;
   return {
@@ -70,6 +80,13 @@ Json cause(const Diagnosis& diagnosis) {
 }
 
 Json shrink(const Shrink& measured) {
+  Json channels = Json::object();
+  for (const auto& [channel, one] : measured.channels) {
+    channels[channel] = {{"ratio", one.ratio},
+                         {"ratio_low", one.ratio_low},
+                         {"ratio_high", one.ratio_high},
+                         {"noise_floor_ratio", one.noise_floor_ratio}};
+  }
   return {{"heldout", measured.heldout},
           {"rms_before", measured.rms_before},
           {"rms_after", measured.rms_after},
@@ -77,7 +94,8 @@ Json shrink(const Shrink& measured) {
           {"ratio_low", measured.ratio_low},
           {"ratio_high", measured.ratio_high},
           {"noise_floor_ratio", measured.noise_floor_ratio},
-          {"chi2_per_dof_after", measured.chi2_per_value_after}};
+          {"chi2_per_dof_after", measured.chi2_per_value_after},
+          {"channels", channels}};
 }
 
 Json missing(const Missing& what) {
@@ -111,7 +129,7 @@ Json as_json(const Diagnosis& diagnosis) {
   if (diagnosis.missing) places["missing"] = missing(*diagnosis.missing);
   return {{"format", "gap-diagnosis/1"},
           {"experiment", diagnosis.experiment},
-          {"gap", gap(diagnosis.gap)},
+          {"gap", gap(diagnosis.gap, diagnosis.noise)},
           {"where", places},
           {"cause", cause(diagnosis)},
           {"shrink", diagnosis.shrink ? shrink(*diagnosis.shrink) : Json(nullptr)},

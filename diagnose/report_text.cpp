@@ -12,6 +12,10 @@ std::string percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
 }
 
+std::string chance(double p) {
+  return p < 1e-300 ? "p < 1e-300" : fmt::format("p = {:.2g}", p);
+}
+
 std::string names(const Candidate& candidate) {
   std::string text;
   for (const EffectAt& at : candidate.effects) text += (text.empty() ? "" : " + ") + label(at);
@@ -32,9 +36,9 @@ std::string gap(const Diagnosis& diagnosis) {
   const GapAnswer& answer = diagnosis.gap;
   const NoiseModel& noise = diagnosis.noise;
   std::string text =
-      fmt::format("Is there a gap?  {} (p = {:.2g}; chi-square per value {:.3g}; rms {})\n",
+      fmt::format("Is there a gap?  {} ({}; chi-square per value {:.3g}; rms {})\n",
                   answer.present ? "Yes" : "No, the nominal model explains the readings to the noise",
-                  answer.test.p_value, answer.chi2_per_value, by_channel(answer.rms));
+                  chance(answer.test.p_value), answer.chi2_per_value, by_channel(answer.rms));
   text += fmt::format(
       "  noise over declared: force {:.2f}, position {:.2f}, angle {:.2f}; neighbours correlate by {:.2f}\n",
       noise.of(Sensor::force), noise.of(Sensor::position), noise.of(Sensor::angle), noise.correlation);
@@ -65,10 +69,8 @@ std::string where(const Diagnosis& diagnosis) {
                   }) +
           "\n";
   text += "  joints:   " +
-          largest(places.joints, 4, [](const JointShare& one) { return std::to_string(one.joint); }) +
-          (places.torques_measured ? " of the missing torque"
-                                   : " (no joint angles measured: implied, as the one place of a torque)") +
-          "\n";
+          largest(places.joints, 4, [](const JointShare& one) { return std::to_string(one.joint); }) + " " +
+          joint_evidence_words(places.joint_evidence) + "\n";
   return text;
 }
 
@@ -113,6 +115,7 @@ std::string what(const Diagnosis& diagnosis) {
                   cause.verdict == Verdict::identified ? "Identified" : "Ambiguous",
                   names(best.hypothesis.fit.candidate), best.probability, best.chi2_per_dof);
   text += parameters(diagnosis);
+  text += fmt::format("  outside the catalogue with probability {:.2g}\n", cause.unknown);
   for (const std::size_t place : cause.equivalent)
     text += "  cannot be told apart from " + names(cause.ranking[place].hypothesis.fit.candidate) + "\n";
   std::string idle;

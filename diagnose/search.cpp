@@ -112,14 +112,15 @@ Findings search(const Experiment& experiment, const Measurements& measurements,
     std::sort(fits.begin(), fits.end(), better);
   };
   report(0.1);
-  if (!fits.empty() && p_value() < gap_level) {
+  constexpr double look_further = 0.05;  // a search more costs time alone
+  if (!fits.empty() && p_value() < look_further) {
     const std::vector<Fit> pairs = searcher.extended(fits, single_seeds);
     add(pairs);
     report(0.5);
     if (p_value() < fit_level) add(searcher.extended(pairs, pair_seeds));
   }
   Findings findings;
-  for (Fit& one : fits) findings.hypotheses.push_back({std::move(one), 0, 0, 1});
+  for (Fit& one : fits) findings.hypotheses.push_back({std::move(one), 0, 0, {}});
   weigh(experiment, measurements, findings);
   report(1);
   return findings;

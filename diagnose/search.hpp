@@ -4,6 +4,7 @@
 /// enough.
 
 #include <functional>
+#include <optional>
 
 #include "diagnose/evidence.hpp"
 #include "diagnose/gap.hpp"
@@ -15,7 +16,7 @@ struct Hypothesis {
   Fit fit;
   double log_likelihood = 0;
   double log_evidence = 0;
-  double p_value = 1;  ///< of the test for structure in what it leaves; 1 where it was not needed
+  std::optional<double> p_value;  ///< of the test for structure in what it leaves, where it was needed
 };
 
 /// What the search found, best evidence first, and the noise that the best of them leaves.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <random>
 #include <set>
 
@@ -22,14 +23,14 @@ bool turns_back(const Run& run) {
   return false;
 }
 
-/// The last run whose kind another run has too, or else the last.
-std::size_t spare_run(const Experiment& experiment) {
+/// The last run whose kind another run has too.
+std::optional<std::size_t> spare_run(const Experiment& experiment) {
   const auto kind = [](const Run& run) { return std::pair(run.control, turns_back(run)); };
   for (std::size_t r = experiment.runs.size(); r-- > 0;) {
     for (std::size_t other = 0; other < experiment.runs.size(); ++other)
       if (other != r && kind(experiment.runs[other]) == kind(experiment.runs[r])) return r;
   }
-  return experiment.runs.size() - 1;
+  return std::nullopt;
 }
 
 HeldOut nothing(const Experiment& experiment) {
@@ -71,7 +72,9 @@ std::vector<Sums> blocks(const std::vector<std::vector<std::size_t>>& values,
   return result;
 }
 
-void bootstrap(const std::vector<Sums>& blocks, Shrink& shrink) {
+/// 95 % bounds of a ratio of root mean squares, by resampling the blocks.
+template <class Ratio>
+void bootstrap(const std::vector<Sums>& blocks, Ratio& shrink) {
   constexpr int draws = 1000;
   std::mt19937_64 random(11);
   std::uniform_int_distribution<std::size_t> pick(0, blocks.size() - 1);
@@ -90,23 +93,52 @@ void bootstrap(const std::vector<Sums>& blocks, Shrink& shrink) {
   shrink.ratio_high = std::max(shrink.ratio, ratios[draws - 1 - draws / 40]);
 }
 
+std::map<std::string, ChannelShrink> by_channel(const Measurements& measurements,
+                                                const std::vector<std::vector<std::size_t>>& values,
+                                                const std::vector<double>& before,
+                                                const std::vector<double>& after, const NoiseModel& noise) {
+  std::map<std::string, std::vector<std::vector<std::size_t>>> parts;
+  std::map<std::string, double> scale;
+  for (std::size_t s = 0; s < values.size(); ++s) {
+    const Channel& channel = measurements.series()[s].channel;
+    parts[channel.label()].push_back(values[s]);
+    scale[channel.label()] = noise.of(channel.sensor());
+  }
+  std::map<std::string, ChannelShrink> result;
+  for (const auto& [channel, part] : parts) {
+    Sums sum;
+    double count = 0;
+    for (const auto& series : part) {
+      count += static_cast<double>(series.size());
+      for (const std::size_t i : series) sum.before += before[i] * before[i], sum.after += after[i] * after[i];
+    }
+    if (!(sum.before > 0)) continue;
+    ChannelShrink& one = result[channel];
+    one.ratio = std::sqrt(sum.after / sum.before);
+    one.noise_floor_ratio = scale[channel] * std::sqrt(count / sum.before);
+    bootstrap(blocks(part, before, after), one);
+  }
+  return result;
+}
+
 }  // namespace
 
 HeldOut choose_heldout(const Experiment& experiment) {
   HeldOut heldout = nothing(experiment);
-  if (experiment.runs.size() > 1) {
-    const std::size_t r = spare_run(experiment);
-    heldout.reading[r].assign(heldout.reading[r].size(), true);
-    heldout.names.push_back(experiment.runs[r].id);
+  if (const std::optional<std::size_t> r = spare_run(experiment)) {
+    heldout.reading[*r].assign(heldout.reading[*r].size(), true);
+    heldout.names.push_back(experiment.runs[*r].id);
     return heldout;
   }
-  const Run& run = experiment.runs.front();
-  const std::size_t length = run.readings.size() / 8;
-  if (length == 0) return heldout;
-  for (const std::size_t from : {2 * length, 5 * length}) {
-    std::fill_n(heldout.reading[0].begin() + static_cast<std::ptrdiff_t>(from), length, true);
-    heldout.names.push_back(run.id + "[" + std::to_string(from) + ":" + std::to_string(from + length - 1) +
-                            "]");
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    const Run& run = experiment.runs[r];
+    const std::size_t length = run.readings.size() / 8;
+    if (length == 0) continue;
+    for (const std::size_t from : {2 * length, 5 * length}) {
+      std::fill_n(heldout.reading[r].begin() + static_cast<std::ptrdiff_t>(from), length, true);
+      heldout.names.push_back(run.id + "[" + std::to_string(from) + ":" + std::to_string(from + length - 1) +
+                              "]");
+    }
   }
   return heldout;
 }
@@ -161,6 +193,7 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
   shrink.noise_floor_ratio = std::sqrt(floor / all.before);
   shrink.chi2_per_value_after = all.after / floor;
   bootstrap(blocks(values, before, after), shrink);
+  shrink.channels = by_channel(measurements, values, before, after, noise);
   return shrink;
 }
 

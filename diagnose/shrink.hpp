@@ -16,13 +16,18 @@ struct HeldOut {
   [[nodiscard]] bool empty() const { return names.empty(); }
 };
 
-/// What to set aside: one run of several, such that runs of its kind (control, loading only or not) remain;
-/// of a single run, two blocks of its path. Decided by what was commanded, before any residual is looked at.
-/// Nothing where too little would be left.
+/// What to set aside: a run, if runs of its kind (control, loading only or not) remain; else two blocks of
+/// the path of every run. Decided by what was commanded, before any residual is looked at. Nothing where too
+/// little would be left.
 HeldOut choose_heldout(const Experiment& experiment);
 
 /// The experiment without the measured values that are held out; what was commanded stays, for the history.
 Experiment without(const Experiment& experiment, const HeldOut& heldout);
+
+/// The same for one channel alone.
+struct ChannelShrink {
+  double ratio = 1, ratio_low = 1, ratio_high = 1, noise_floor_ratio = 1;
+};
 
 struct Shrink {
   std::vector<std::string> heldout;
@@ -30,6 +35,7 @@ struct Shrink {
   double ratio = 1, ratio_low = 1, ratio_high = 1;      ///< noise-weighted rms after / before; 95 % bounds
   double noise_floor_ratio = 1;                         ///< what a perfect model would reach
   double chi2_per_value_after = 1;
+  std::map<std::string, ChannelShrink> channels;
 };
 
 /// Compares residuals before (nominal) and after on the held-out readings; isolated outliers are left out of

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
+#include <numbers>
 
 namespace plumbline {
 namespace {
@@ -13,7 +14,7 @@ bool zero_is_nominal(const ParameterRange& range) {
 
 double chi2_per_dof(const Measurements& measurements, const Fit& fit, const NoiseModel& noise) {
   double sum = 0;
-  for (const double z : whiten(measurements, fit.residual, noise))
+  for (const double z : whiten(measurements, without_outliers(measurements, fit.residual), noise))
     sum += huber(z, FitSettings().outlier_bound);
   const std::size_t values = measurements.size(), parameters = fit.parameters.size();
   return sum / static_cast<double>(values > parameters ? values - parameters : 1);
@@ -100,7 +101,7 @@ std::size_t choose(const Experiment& experiment, const Measurements& measurement
     if (place == ranking.size()) continue;
     Hypothesis& one = ranking[place].hypothesis;
     one.p_value = fit_p_value(measurements, one.fit, noise);
-    if (one.p_value < fit_level) continue;
+    if (*one.p_value < fit_level) continue;
     if (chosen == ranking.size()) {
       chosen = place;
       continue;
@@ -112,6 +113,24 @@ std::size_t choose(const Experiment& experiment, const Measurements& measurement
   return chosen;
 }
 
+/// Probability that the cause is outside the catalogue, from the test of what the best explanation leaves.
+/// The odds are those of Sellke, Bayarri and Berger (2001), 1 / (-e p ln p), for a p-value below 1/e; an
+/// explanation from the catalogue that fits by chance is rarer still, by the factor that simulated
+/// experiments show.
+double probability_of_unknown(double p_value) {
+  constexpr double prior_odds = 0.1 / 0.9, by_chance = 0.1;
+  const double p = std::clamp(p_value, 1e-300, std::exp(-1.0));
+  const double odds = prior_odds * by_chance / (-std::numbers::e * p * std::log(p));
+  return odds / (1 + odds);
+}
+
+/// Whether an explanation of as many effects comes near the best.
+bool near(const Hypothesis& best, const Hypothesis& other) {
+  return other.fit.candidate.effects.size() == best.fit.candidate.effects.size() &&
+         (other.log_likelihood > best.log_likelihood - told_apart ||
+          other.log_evidence > best.log_evidence - told_apart);
+}
+
 }  // namespace
 
 Cause judge(const Experiment& experiment, const Measurements& measurements, const Findings& findings) {
@@ -119,14 +138,15 @@ Cause judge(const Experiment& experiment, const Measurements& measurements, cons
   cause.ranking = ranked(experiment, measurements, findings);
   cause.verdict = Verdict::unknown;
   const std::size_t chosen = choose(experiment, measurements, findings.noise, cause.ranking);
+  double p_value = 0;
+  for (const Ranked& one : cause.ranking) p_value = std::max(p_value, one.hypothesis.p_value.value_or(0));
+  cause.unknown = probability_of_unknown(p_value);
+  for (Ranked& one : cause.ranking) one.probability *= 1 - cause.unknown;
   if (chosen == cause.ranking.size()) return cause;
   cause.best = chosen;
   const Hypothesis& best = cause.ranking[chosen].hypothesis;
   for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
-    const Hypothesis& other = cause.ranking[i].hypothesis;
-    const bool near = other.fit.candidate.effects.size() == best.fit.candidate.effects.size() &&
-                      other.log_likelihood > best.log_likelihood - told_apart;
-    if (near && i != chosen) cause.equivalent.push_back(i);
+    if (i != chosen && near(best, cause.ranking[i].hypothesis)) cause.equivalent.push_back(i);
   }
   cause.verdict = cause.equivalent.empty() ? Verdict::identified : Verdict::ambiguous;
   return cause;

@@ -15,18 +15,19 @@ std::string verdict_word(Verdict verdict);
 struct Ranked {
   Hypothesis hypothesis;
   double probability;
-  double chi2_per_dof;  ///< in the noise as it is, outliers cut at the loss's bound
+  double chi2_per_dof;  ///< in the noise as it is, without outliers
 };
 
 struct Cause {
   Verdict verdict = Verdict::none;
   std::vector<Ranked> ranking;          ///< most probable first
+  double unknown = 1;                   ///< probability that the cause is none of the ranking
   std::size_t best = 0;                 ///< place of the best in the ranking
   std::vector<std::size_t> equivalent;  ///< places in the ranking that cannot be told apart from the best
 };
 
-/// Two explanations whose log-likelihoods differ by less are not told apart: the better one would be the
-/// wrong one in five of a hundred experiments (odds of twenty to one).
+/// Two explanations whose log-likelihoods, or whose log-evidences, differ by less are not told apart: the
+/// better one would be the wrong one in five of a hundred experiments (odds of twenty to one).
 inline constexpr double told_apart = 3.0;
 
 /// Whether a hypothesis is what it says: none of its effects is switched off by a parameter at zero, and none

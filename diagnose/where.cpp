@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/implied_torque.hpp"
 #include "diagnose/missing_torque.hpp"
 #include "diagnose/regime.hpp"
 
@@ -82,12 +83,29 @@ std::vector<PathShare> along_path(const Experiment& experiment, const Measuremen
 
 }  // namespace
 
+std::string joint_evidence_words(JointEvidence evidence) {
+  switch (evidence) {
+    case JointEvidence::measured:
+      return "of the measured missing torque";
+    case JointEvidence::implied_by_fits:
+      return "of the missing torque that the explanation implies";
+    case JointEvidence::implied_by_law:
+      break;
+  }
+  return "chance to be the one place of an unknown torque";
+}
+
 Where locate(const Experiment& experiment, const Measurements& measurements, const Prediction& nominal,
              const std::vector<double>& residual, const NoiseModel& noise) {
   const std::vector<double> beyond = excess(measurements, residual, noise);
-  return {by_channel(measurements, beyond), by_run(experiment, measurements, beyond),
-          along_path(experiment, measurements, nominal, beyond),
-          joint_shares(experiment, measurements, residual, noise), torques_measured(experiment)};
+  Where where{by_channel(measurements, beyond), by_run(experiment, measurements, beyond),
+              along_path(experiment, measurements, nominal, beyond),
+              shares_by_missing_torque(experiment, noise), JointEvidence::measured};
+  if (where.joints.empty()) {
+    where.joints = shares_by_torque_law(experiment, measurements, residual, noise);
+    where.joint_evidence = JointEvidence::implied_by_law;
+  }
+  return where;
 }
 
 }  // namespace plumbline

@@ -25,12 +25,20 @@ struct JointShare {
   double share;
 };
 
+/// What the joints' shares stand on: the missing torque that measured joint angles show; the missing torque
+/// that the explanations found would show; or the chance of each joint to be the one place of an unknown
+/// torque.
+enum class JointEvidence { measured, implied_by_fits, implied_by_law };
+
+/// The same in words.
+std::string joint_evidence_words(JointEvidence evidence);
+
 struct Where {
   std::vector<ChannelShare> channels;
   std::vector<RunShare> runs;
   std::vector<PathShare> load_path;
   std::vector<JointShare> joints;
-  bool torques_measured = false;  ///< the joints' shares are of measured missing torque, not implied
+  JointEvidence joint_evidence = JointEvidence::implied_by_law;
 };
 
 /// \param residual  of the nominal model, flat, in declared sigmas

@@ -20,4 +20,15 @@ std::string as_detail(const Judged& judged, bool colour);
 /// detail), value. A claim that could not be judged has the verdict "unjudged" and the reason as its truth.
 nlohmann::ordered_json as_json(const std::vector<Judged>& judged);
 
+/// A figure of the paper, redrawn.
+struct DrawnFigure {
+  int number;
+  std::string title, sentence;  ///< what is drawn; what the paper's drawing shows, and whether it agrees
+  std::string svg;
+};
+
+/// A page for people to look at, whole in one file: the claims by section, to be filtered by verdict, each at
+/// the anchor of its id, and the figures.
+std::string as_html(const std::vector<Judged>& judged, const std::vector<DrawnFigure>& figures);
+
 }  // namespace plumbline

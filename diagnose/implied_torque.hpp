@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// What can be said of the joints where no missing torque is measured.
+
+#include "diagnose/fit.hpp"
+#include "diagnose/where.hpp"
+
+namespace plumbline {
+
+/// Each elastic joint's chance to be the one place of an unknown torque law: a function of the joint's own
+/// deflection and of its direction of motion, the same in every run, beside a constant of each run. The law
+/// is piecewise linear; the residual that the best law at a joint leaves is compared with what the others
+/// leave. A passive joint, whose torque nothing shows, gets no share.
+std::vector<JointShare> shares_by_torque_law(const Experiment& experiment, const Measurements& measurements,
+                                             const std::vector<double>& residual, const NoiseModel& noise);
+
+/// Shares of the joints in the torque that the nominal statics would miss if the rig were as fitted, weighted
+/// by the fits' probabilities, largest first.
+std::vector<JointShare> shares_by_fits(const Experiment& experiment, const std::vector<Fit>& fits,
+                                       const std::vector<double>& probability);
+
+}  // namespace plumbline

@@ -1,0 +1,214 @@
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "diagnose/effect_words.hpp"
+#include "diagnose/page_charts.hpp"
+#include "diagnose/page_texts.hpp"
+#include "diagnose/report.hpp"
+#include "page/markup.hpp"
+
+namespace plumbline {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+NumberStyle style_of(const std::string& key) {
+  if (key == "p_value") return NumberStyle::chance;
+  if (key == "share" || key == "probability" || key == "position" || key == "direction" || key == "time" ||
+      key.find("ratio") != std::string::npos)
+    return NumberStyle::percent;
+  if (key == "from" || key == "to" || key == "joint") return NumberStyle::count;
+  if (key == "value" || key == "low" || key == "high") return NumberStyle::precise;
+  return key == "expected_log_odds" ? NumberStyle::odds : NumberStyle::figures;
+}
+
+std::string joined(const std::vector<std::string>& parts, const std::string& between,
+                   const std::string& last) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? last : between) + parts[i];
+  return text;
+}
+
+std::string names(const Candidate& candidate) {
+  std::vector<std::string> parts;
+  for (const EffectAt& at : candidate.effects) parts.push_back(label(at));
+  return joined(parts, " + ", " + ");
+}
+
+std::string words(const Candidate& candidate) {
+  std::vector<std::string> parts;
+  for (const EffectAt& at : candidate.effects) parts.push_back(in_words(at));
+  return joined(parts, ", ", " and ");
+}
+
+Json section(Json list) {
+  const bool any = !list.empty();
+  return {{"any", any}, {"list", std::move(list)}};
+}
+
+/// Gives each entry of a list the width of its bar.
+void add_bars(Json& list, const Json& report, const char* key) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    list[i]["bar"] = fmt::format("{:.1f}", 100 * report[i][key].get<double>());
+}
+
+Json charts(const std::vector<PageChart>& drawings, bool angles) {
+  Json list = Json::array();
+  for (const PageChart& one : drawings)
+    if (one.angle == angles) list.push_back({{"caption", one.caption}, {"svg", one.svg}});
+  return list;
+}
+
+/// The channels of a report's object {"Fx": ..., "Fy": ...}, forces first as they come.
+Json gap_channels(const Json& rms) {
+  Json list = Json::array();
+  for (const auto& [channel, value] : rms.items())
+    list.push_back({{"channel", channel}, {"unit", unit_of(channel)}, {"rms", value}});
+  return list;
+}
+
+Json shrink_channels(const Json& shrink) {
+  Json list = Json::array();
+  for (const auto& [channel, value] : shrink["channels"].items()) {
+    Json row = value;
+    row["channel"] = channel;
+    row["unit"] = unit_of(channel);
+    row["before"] = shrink["rms_before"][channel];
+    row["after"] = shrink["rms_after"][channel];
+    list.push_back(row);
+  }
+  return list;
+}
+
+/// The parameters of all effects of the best explanation, one a row.
+Json parameters(const Json& effects, const Candidate& best) {
+  Json rows = Json::array();
+  for (std::size_t e = 0; e < effects.size(); ++e) {
+    const EffectAt& at = best.effects[e];
+    for (const auto& [name, bounds] : effects[e]["parameters"].items()) {
+      Json row = bounds;
+      row["effect"] = label(at);
+      row["name"] = name;
+      row["unit"] = unit(at.effect, name);
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+/// Effects that change nothing that this bench could show.
+std::string out_of_sight(const Experiment& experiment) {
+  const std::vector<EffectAt> possible = possible_effects(experiment);
+  std::vector<std::string> parts;
+  for (std::size_t e = 0; e < effect_count; ++e) {
+    const auto effect = static_cast<EffectId>(e);
+    if (std::none_of(possible.begin(), possible.end(),
+                     [&](const EffectAt& at) { return at.effect == effect; }))
+      parts.emplace_back(effect_name(effect));
+  }
+  return joined(parts, ", ", ", ");
+}
+
+Json not_excluded(const Explained& explained, const Json& ranking) {
+  Json list = Json::array();
+  const Cause& cause = explained.diagnosis.cause;
+  const auto add = [&](const std::string& who, const std::string& why) {
+    if (!who.empty()) list.push_back({{"names", who}, {"why", why}});
+  };
+  for (const std::size_t place : cause.equivalent)
+    add(names(cause.ranking[place].hypothesis.fit.candidate),
+        fmt::format(
+            "explains these readings as well as the best; the log-likelihoods differ by less than {:g}",
+            told_apart));
+  for (std::size_t i = 0; i < ranking.size(); ++i) {
+    const bool listed =
+        i == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), i) > 0;
+    if (!listed && cause.verdict != Verdict::unknown && cause.ranking[i].probability >= 0.01)
+      add(names(cause.ranking[i].hypothesis.fit.candidate),
+          "less probable, yet keeps " + ranking[i]["probability"].get<std::string>());
+  }
+  std::vector<std::string> idle;
+  for (const EffectAt& at : explained.diagnosis.not_exercised) idle.push_back(label(at));
+  add(joined(idle, ", ", ", "), "never exercised: no reading of these runs depends on it");
+  add(out_of_sight(explained.experiment),
+      "not looked for: on this bench, with these channels, it could change nothing that was measured");
+  return list;
+}
+
+/// Adds what the verdict's sentence says of the cause.
+void add_cause(Json& view, const Json& report, const Explained& explained) {
+  const Cause& cause = explained.diagnosis.cause;
+  view["verdict"] = Json{{verdict_word(cause.verdict), true}};
+  view["best"] = false;
+  if (explained.best != nullptr) {
+    const Candidate& best = explained.best->candidate;
+    view["best"] = {{"names", names(best)}, {"words", words(best)}};
+    Json rows = parameters(view["cause"]["effects"], best);
+    const bool any = !rows.empty();
+    view["explained"] = {{"any", any}, {"parameters", std::move(rows)}};
+  }
+  std::vector<std::string> alternatives;
+  for (const std::size_t place : cause.equivalent)
+    alternatives.push_back(words(cause.ranking[place].hypothesis.fit.candidate));
+  view["alternatives"] = joined(alternatives, ", ", " or ");
+  Json& ranking = view["cause"]["ranking"];
+  for (Json& one : ranking) {
+    std::string names;
+    for (const Json& effect : one["effects"])
+      names += (names.empty() ? "" : " + ") + effect.get<std::string>();
+    one["names"] = names;
+  }
+  add_bars(ranking, report["cause"]["ranking"], "probability");
+  view["ranked"] = {{"any", !ranking.empty()}};
+  view["open"] = section(not_excluded(explained, ranking));
+}
+
+void add_where(Json& view, const Json& report, const Explained& explained) {
+  const Where& where = explained.diagnosis.where;
+  for (const char* list : {"channels", "runs", "load_path", "joints"})
+    add_bars(view["where"][list], report["where"][list], "share");
+  view["joint_evidence"] = joint_evidence_words(where.joint_evidence);
+  view["most"] = {
+      {"channel", where.channels.front().channel}, {"run", where.runs.front().run}, {"joint", false}};
+  if (where.joint_evidence == JointEvidence::measured && where.joints.front().share > 0.5)
+    view["most"]["joint"] = std::to_string(where.joints.front().joint);
+  if (!explained.diagnosis.missing) return;
+  const PageChart chart = missing_chart(*explained.diagnosis.missing);
+  view["missing"] = view["where"]["missing"];
+  view["missing"].erase("points");
+  view["missing"]["chart"] = {{"caption", chart.caption}, {"svg", chart.svg}};
+}
+
+void add_charts(Json& view, const Explained& explained) {
+  const std::vector<PageChart> curves = curve_charts(explained), residuals = residual_charts(explained);
+  view["curves"] = charts(curves, false);
+  view["angle_curves"] = section(charts(curves, true));
+  view["residuals"] = charts(residuals, false);
+  view["angle_residuals"] = section(charts(residuals, true));
+  view["shapes"] = charts(shape_charts(explained), false);
+  view["loops"] = section(charts(loop_charts(explained), false));
+}
+
+}  // namespace
+
+std::string as_html(const Experiment& experiment, const Diagnosis& diagnosis) {
+  const Explained explained(experiment, diagnosis);
+  const Json report = as_json(diagnosis);
+  Json view = with_marked_numbers(report, style_of);
+  view["gap_level"] = fmt::format("{:g}", gap_level);
+  view["channels_rms"] = gap_channels(view["gap"]["rms"]);
+  add_where(view, report, explained);
+  add_cause(view, report, explained);
+  if (diagnosis.shrink) {
+    view["shrink"]["by_channel"] = shrink_channels(view["shrink"]);
+    view["shrink"]["heldout_names"] = joined(diagnosis.shrink->heldout, ", ", ", ");
+  }
+  view["proposals"] = {{"any", !diagnosis.proposals.empty()}};
+  add_charts(view, explained);
+  return document("Diagnosis of " + diagnosis.experiment,
+                  "Where the gap between experiment and model lies, what causes it, how far it shrinks",
+                  filled(diagnosis_template, view));
+}
+
+}  // namespace plumbline

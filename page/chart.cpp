@@ -1,0 +1,201 @@
+#include "page/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "page/axis.hpp"
+#include "page/markup.hpp"
+
+namespace plumbline {
+namespace {
+
+constexpr double width = 360, height = 232;
+constexpr double left = 46, right = width - 10, top = 24, bottom = height - 34;
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  void include(double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  /// A little air on both sides; a range of nothing becomes 0 to 1.
+  [[nodiscard]] Range with_air(double share) const {
+    if (!(low <= high)) return {0, 1};
+    return {low - share * (high - low), high + share * (high - low)};
+  }
+};
+
+/// Where a chart's points lie, and how they come to pixels.
+struct Frame {
+  Axis x, y;
+  double bottom;  ///< pixel of the lower edge
+  double height;  ///< of the whole drawing
+};
+
+Frame linear_frame(const Chart& chart, const Range& x, const Range& y) {
+  const Range across = x.with_air(0.03), up = y.with_air(0.06);
+  return {Axis(across.low, across.high, left, right), Axis(up.low, up.high, bottom, top, chart.signed_log),
+          bottom, height};
+}
+
+/// One scale for both axes: the drawing gets the height that it needs, between a quarter and all of its
+/// width.
+Frame equal_frame(const Range& x, const Range& y) {
+  const Range across = x.with_air(0.06), up = y.with_air(0.06);
+  const double wide = right - left;
+  double scale = wide / std::max(across.high - across.low, 1e-12);
+  const double tall = std::clamp(scale * (up.high - up.low), wide / 4, wide);
+  scale = std::min(scale, tall / std::max(up.high - up.low, 1e-12));
+  const double middle_x = (across.low + across.high) / 2, middle_y = (up.low + up.high) / 2;
+  const double half_x = wide / scale / 2, half_y = tall / scale / 2;
+  return {Axis(middle_x - half_x, middle_x + half_x, left, right),
+          Axis(middle_y - half_y, middle_y + half_y, top + tall, top), top + tall,
+          top + tall + height - bottom};
+}
+
+Frame frame_of(const Chart& chart) {
+  Range x, y;
+  for (const Layer& layer : chart.layers) {
+    for (const ChartPoint& point : layer.points) {
+      if (!std::isfinite(point.x) || !std::isfinite(point.y)) continue;
+      x.include(point.x);
+      y.include(point.y);
+    }
+  }
+  if (chart.y_range) y.include(chart.y_range->x), y.include(chart.y_range->y);
+  return chart.equal_axes ? equal_frame(x, y) : linear_frame(chart, x, y);
+}
+
+/// Of thousands of points the lowest and the highest of each short stretch, in their order.
+std::vector<ChartPoint> envelope(const std::vector<ChartPoint>& points) {
+  constexpr std::size_t most = 1200;
+  if (points.size() <= most) return points;
+  std::vector<ChartPoint> kept;
+  const std::size_t stretch = 2 * points.size() / most + 1;
+  for (std::size_t from = 0; from < points.size(); from += stretch) {
+    const auto begin = points.begin() + static_cast<std::ptrdiff_t>(from);
+    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(stretch, points.size() - from));
+    auto [low, high] =
+        std::minmax_element(begin, end, [](const ChartPoint& a, const ChartPoint& b) { return a.y < b.y; });
+    if (high < low) std::swap(low, high);
+    kept.push_back(*low);
+    if (high != low) kept.push_back(*high);
+  }
+  return kept;
+}
+
+std::string line(const Layer& layer, const Frame& frame) {
+  std::string path;
+  bool drawing = false;
+  for (const ChartPoint& point : envelope(layer.points)) {
+    const bool there = std::isfinite(point.x) && std::isfinite(point.y);
+    if (there)
+      path +=
+          fmt::format("{}{:.1f} {:.1f}", drawing ? "L" : "M", frame.x.pixel(point.x), frame.y.pixel(point.y));
+    drawing = there;
+  }
+  return path.empty() ? "" : fmt::format("<path class=\"line {}\" d=\"{}\"/>\n", layer.ink, path);
+}
+
+/// Dots as strokes of no length with round ends: one element however many.
+std::string dots(const Layer& layer, const Frame& frame) {
+  std::string path;
+  for (const ChartPoint& point : envelope(layer.points))
+    if (std::isfinite(point.x) && std::isfinite(point.y))
+      path += fmt::format("M{:.1f} {:.1f}h0", frame.x.pixel(point.x), frame.y.pixel(point.y));
+  return path.empty() ? ""
+                      : fmt::format("<path class=\"dots {}\" stroke-width=\"{:.1f}\" d=\"{}\"/>\n", layer.ink,
+                                    2 * layer.radius, path);
+}
+
+std::string rings(const Layer& layer, const Frame& frame) {
+  std::string circles;
+  for (const ChartPoint& point : layer.points)
+    if (std::isfinite(point.x) && std::isfinite(point.y))
+      circles += fmt::format("<circle class=\"ring {}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n",
+                             layer.ink, frame.x.pixel(point.x), frame.y.pixel(point.y), layer.radius);
+  return circles;
+}
+
+std::string strips(const Chart& chart, const Frame& frame) {
+  std::string rectangles;
+  const auto rectangle = [&](double x, double y, double w, double h, const std::string& ink) {
+    rectangles +=
+        fmt::format("<rect class=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>\n",
+                    ink, x, y, std::max(0.0, w), std::max(0.0, h));
+  };
+  for (const Strip& strip : chart.across) {
+    const double a = std::clamp(frame.x.pixel(strip.from), left, right),
+                 b = std::clamp(frame.x.pixel(strip.to), left, right);
+    rectangle(a, top, b - a, frame.bottom - top, strip.ink);
+    if (b - a > 6.5 * static_cast<double>(strip.word.size()))
+      rectangles += fmt::format("<text x=\"{:.1f}\" y=\"{}\" class=\"word middle\">{}</text>\n", (a + b) / 2,
+                                top - 3, escaped(strip.word));
+  }
+  for (const Strip& strip : chart.along) {
+    const double a = std::clamp(frame.y.pixel(strip.to), top, frame.bottom),
+                 b = std::clamp(frame.y.pixel(strip.from), top, frame.bottom);
+    rectangle(left, a, right - left, b - a, strip.ink);
+  }
+  return rectangles;
+}
+
+std::string axes(const Chart& chart, const Frame& frame) {
+  std::string text =
+      fmt::format("<path class=\"axis\" d=\"M{0} {1}V{2:.1f}H{3}\"/>\n", left, top, frame.bottom, right);
+  for (const Axis::Tick& tick : frame.y.ticks())
+    text += fmt::format(
+        "<path class=\"{}\" d=\"M{} {:.1f}H{}\"/><text x=\"{}\" y=\"{:.1f}\" class=\"end\">{}</text>\n",
+        tick.text == "0" ? "zero" : "grid", left, tick.pixel, right, left - 5, tick.pixel + 4, tick.text);
+  for (const Axis::Tick& tick : frame.x.ticks())
+    text += fmt::format(
+        "<path class=\"axis\" d=\"M{0:.1f} {1:.1f}v4\"/><text x=\"{0:.1f}\" y=\"{2:.1f}\" "
+        "class=\"middle\">{3}</text>\n",
+        tick.pixel, frame.bottom, frame.bottom + 16, tick.text);
+  text += fmt::format("<text x=\"2\" y=\"13\" class=\"name\">{}</text>\n", escaped(chart.y_label));
+  text += fmt::format("<text x=\"{}\" y=\"{:.1f}\" class=\"name end\">{}</text>\n", right, frame.bottom + 30,
+                      escaped(chart.x_label));
+  return text;
+}
+
+std::string labels(const Chart& chart, const Frame& frame) {
+  std::string text;
+  for (const ChartLabel& label : chart.labels)
+    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"label middle\">{}</text>\n",
+                        frame.x.pixel(label.at.x), frame.y.pixel(label.at.y) - 9, escaped(label.text));
+  return text;
+}
+
+}  // namespace
+
+std::string drawn(const Chart& chart) {
+  const Frame frame = frame_of(chart);
+  std::string svg = fmt::format(
+      "<svg viewBox=\"0 0 {} {:.0f}\" role=\"img\" aria-labelledby=\"{}-title {}-desc\">\n<title "
+      "id=\"{}-title\">{}</title>\n"
+      "<desc id=\"{}-desc\">{}</desc>\n",
+      width, frame.height, chart.id, chart.id, chart.id, escaped(chart.title), chart.id,
+      escaped(chart.description));
+  svg += strips(chart, frame) + axes(chart, frame);
+  for (const Layer& layer : chart.layers) {
+    switch (layer.kind) {
+      case Layer::Kind::line:
+        svg += line(layer, frame);
+        break;
+      case Layer::Kind::dots:
+        svg += dots(layer, frame);
+        break;
+      case Layer::Kind::rings:
+        svg += rings(layer, frame);
+        break;
+    }
+  }
+  return svg + labels(chart, frame) + "</svg>\n";
+}
+
+}  // namespace plumbline
