@@ -167,6 +167,8 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
     one["names"] = names;
   }
   add_bars(ranking, report["cause"]["ranking"], "probability");
+  // Where nothing explains the gap, the unknown leads.
+  if (cause.verdict == Verdict::unknown) std::rotate(ranking.begin(), ranking.end() - 1, ranking.end());
   view["ranked"] = {{"any", !ranking.empty()}};
   view["open"] = section(not_excluded(explained, ranking));
 }
