@@ -29,7 +29,7 @@ double processor_seconds() {
 }
 
 Run press(const std::vector<double>& length, const std::vector<double>& rest, double by_x, double by_y) {
-  Run run{"press", Control::displacement, rest, {}};
+  Run run{"press", ControlMode::displacement, rest, {}};
   double theta = 0, x = 0, y = 0;
   for (std::size_t j = 0; j < rest.size(); ++j) {
     theta += rest[j];

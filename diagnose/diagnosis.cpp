@@ -99,8 +99,8 @@ bool leaves_structure(const Measurements& measurements, const Findings& findings
 }
 
 /// Whether the best explanation, refitted without the readings that are held out, predicts them to half as
-/// much again as the noise. What only those readings determine stays as it is: it can be neither confirmed nor
-/// refuted.
+/// much again as the noise. What only those readings determine stays as it is: it can be neither confirmed
+/// nor refuted.
 bool predicts(const Experiment& experiment, const Measurements& measurements,
               const std::vector<double>& residual, const HeldOut& heldout, const Fit& fitted,
               const NoiseModel& noise) {
@@ -122,16 +122,16 @@ bool predicts(const Experiment& experiment, const Measurements& measurements,
 void demand_prediction(const Experiment& experiment, const Measurements& measurements,
                        const std::vector<double>& residual, const HeldOut& heldout, const NoiseModel& noise,
                        Cause& cause) {
-  if (cause.verdict == Verdict::unknown) return;
+  if (cause.verdict == CauseVerdict::unknown) return;
   const Fit& best = cause.ranking[cause.best].hypothesis.fit;
   const std::size_t effects = best.candidate.effects.size();
   if (heldout.empty() && effects < 3) return;
   if (predicts(experiment, measurements, residual, heldout, best, noise)) return;
   // Of the explanations that did not predict, on simulated experiments, one in four and all were wrong.
   const double refuted = effects < 3 ? 0.25 : 0.95;
-  cause.verdict = effects < 3 ? Verdict::ambiguous : Verdict::unknown;
+  cause.verdict = effects < 3 ? CauseVerdict::ambiguous : CauseVerdict::unknown;
   cause.or_unknown = effects < 3;
-  if (cause.verdict == Verdict::unknown) cause.equivalent.clear();
+  if (cause.verdict == CauseVerdict::unknown) cause.equivalent.clear();
   for (Ranked& one : cause.ranking) one.probability *= (1 - refuted) / (1 - cause.unknown);
   cause.unknown = refuted;
 }
@@ -155,7 +155,7 @@ void explain(const Experiment& experiment, const Measurements& measurements,
   }
   Findings findings = confirmed(experiment, measurements, chosen);
   diagnosis.cause = judge(experiment, measurements, findings);
-  if (diagnosis.cause.verdict == Verdict::unknown && !leaves_structure(seen_measurements, chosen)) {
+  if (diagnosis.cause.verdict == CauseVerdict::unknown && !leaves_structure(seen_measurements, chosen)) {
     // What was held out holds the trace of a further cause.
     findings = search(experiment, measurements, [&](double share) { progress(0.5 + 0.4 * share); });
     diagnosis.cause = judge(experiment, measurements, findings);
@@ -179,7 +179,7 @@ std::vector<Fit> rivals(const Cause& cause) {
 /// What the next run is to tell apart: the class that these runs leave; on request, where they leave none,
 /// the most probable two.
 std::vector<Fit> to_separate(const Cause& cause, bool on_request) {
-  if (cause.verdict == Verdict::ambiguous && !cause.equivalent.empty()) return rivals(cause);
+  if (cause.verdict == CauseVerdict::ambiguous && !cause.equivalent.empty()) return rivals(cause);
   if (!on_request || cause.ranking.size() < 2) return {};
   const std::size_t other = cause.best == 0 ? 1 : 0;
   return {cause.ranking[cause.best].hypothesis.fit, cause.ranking[other].hypothesis.fit};
@@ -188,7 +188,8 @@ std::vector<Fit> to_separate(const Cause& cause, bool on_request) {
 /// Shares of the joints from what was found, where nothing measured shows them.
 void imply_joints(const Experiment& experiment, Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
-  const bool explained = cause.verdict == Verdict::identified || cause.verdict == Verdict::ambiguous;
+  const bool explained =
+      cause.verdict == CauseVerdict::identified || cause.verdict == CauseVerdict::ambiguous;
   if (!explained || diagnosis.where.joint_evidence == JointEvidence::measured) return;
   std::vector<double> probability{cause.ranking[cause.best].probability};
   for (const std::size_t place : cause.equivalent) probability.push_back(cause.ranking[place].probability);
@@ -210,7 +211,7 @@ Diagnosis diagnose(const Experiment& experiment, const Report& progress, bool pl
   if (diagnosis.gap.present) explain(experiment, measurements, residual, diagnosis, report);
   diagnosis.where = locate(experiment, measurements, nominal, residual, diagnosis.noise);
   imply_joints(experiment, diagnosis);
-  if (diagnosis.gap.present && diagnosis.cause.verdict == Verdict::unknown)
+  if (diagnosis.gap.present && diagnosis.cause.verdict == CauseVerdict::unknown)
     diagnosis.missing = describe_missing(experiment, measurements, nominal, residual, diagnosis.where);
   if (const std::vector<Fit> fits = to_separate(diagnosis.cause, plan); fits.size() > 1)
     diagnosis.proposals = next_runs(experiment, measurements, fits, diagnosis.noise, 5);

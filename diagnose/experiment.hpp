@@ -9,7 +9,7 @@
 namespace plumbline {
 
 /// What the rig imposes: the end point, while the force is measured; or the force, while the end point is.
-enum class Control { displacement, force };
+enum class ControlMode { displacement, force };
 
 /// One reading. A measured value is NaN where its field is empty; the imposed channels hold what was
 /// commanded. (Fx, Fy) is the force that the environment exerts on the end point: compression is Fx < 0.
@@ -21,7 +21,7 @@ struct Reading {
 /// One loading history from rest, readings in the order in which they were taken.
 struct Run {
   std::string id;
-  Control control;
+  ControlMode control;
   std::vector<double> rest;  ///< commanded joint angles: the unloaded shape
   std::vector<Reading> readings;
 };

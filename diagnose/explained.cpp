@@ -37,13 +37,13 @@ Explained::Explained(const Experiment& measured, const Diagnosis& diagnosed)
       best(best_explanation(diagnosed.cause)),
       model("nominal model") {
   if (best == nullptr) return;
-  model = diagnosed.cause.verdict == Verdict::unknown ? "best partial explanation" : "corrected model";
+  model = diagnosed.cause.verdict == CauseVerdict::unknown ? "best partial explanation" : "corrected model";
   corrected = predict(experiment, best->candidate, best->parameters);
   after = measurements.residual(experiment, corrected);
 }
 
 Command command_of(const Run& run) {
-  const bool moves = run.control == Control::displacement;
+  const bool moves = run.control == ControlMode::displacement;
   std::vector<Vector2> way;
   Command command{{}, "", 0};
   Vector2 start(0, 0), farthest(0, 0);

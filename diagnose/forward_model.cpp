@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnose/equilibrium_solver.hpp"
+#include "diagnose/rig_solver.hpp"
 
 namespace plumbline {
 namespace {
@@ -21,7 +21,7 @@ struct Traveller {
   [[nodiscard]] Imposed imposed(const Run& run, const Reading& reading) const {
     const Rig& rig = on.rig;
     const Reading& first = run.readings.front();
-    if (run.control == Control::displacement) {
+    if (run.control == ControlMode::displacement) {
       const Vector2 start(first.x, first.y);
       return {run.control,
               start + turned(Vector2(reading.x, reading.y) - start, rig.misalignment) + rig.position_offset};
@@ -70,13 +70,13 @@ struct Traveller {
 class RunWalk {
  public:
   RunWalk(const Experiment& experiment, const Run& run, const Layout& layout, const Rig& rig,
-          const std::vector<Variation>& variations)
+          const std::vector<RigVariation>& variations)
       : run_(run),
         nominal_length_(experiment.link_length),
         layout_(layout),
         solver_(layout),
         main_(rig, run) {
-    for (const Variation& other : variations) beside_.emplace_back(other.rig, run);
+    for (const RigVariation& other : variations) beside_.emplace_back(other.rig, run);
     start();
   }
 
@@ -103,8 +103,8 @@ class RunWalk {
 
  private:
   [[nodiscard]] bool imposed_is_known(const Reading& reading) const {
-    return run_.control == Control::displacement ? std::isfinite(reading.x) && std::isfinite(reading.y)
-                                                 : std::isfinite(reading.Fx) && std::isfinite(reading.Fy);
+    return run_.control == ControlMode::displacement ? std::isfinite(reading.x) && std::isfinite(reading.y)
+                                                     : std::isfinite(reading.Fx) && std::isfinite(reading.Fy);
   }
 
   void start() {
@@ -115,7 +115,7 @@ class RunWalk {
       main_.posture.angle.insert(main_.posture.angle.end(), layout_.nodes_per_link(), theta);
     }
     at_ = {run_.control, Vector2(0, 0)};
-    if (run_.control == Control::force || run_.readings.empty()) return;
+    if (run_.control == ControlMode::force || run_.readings.empty()) return;
     at_.value = solver_.end_point(main_.on, main_.posture, main_.memory);
     approach();
   }
@@ -174,7 +174,7 @@ class RunWalk {
     const Reading& reading = run_.readings[r];
     auto row = trace.row(static_cast<Eigen::Index>(r));
     Vector2 end(reading.x, reading.y), force(reading.Fx, reading.Fy);
-    if (run_.control == Control::displacement) {
+    if (run_.control == ControlMode::displacement) {
       force = rig.measured_force(reading.t, direction_);
     } else {
       end = solver_.end_point(rig.on, rig.posture, rig.memory) - rig.on.rig.position_offset;
@@ -191,12 +191,12 @@ class RunWalk {
   const Run& run_;
   const std::vector<double>& nominal_length_;
   Layout layout_;
-  EquilibriumSolver solver_;
+  RigSolver solver_;
   Traveller main_;
   std::vector<Traveller> beside_;
   Posture last_posture_;
   Vector2 last_step_ = Vector2::Zero();
-  Imposed at_{Control::displacement, Vector2::Zero()};
+  Imposed at_{ControlMode::displacement, Vector2::Zero()};
   double last_time_ = 0, last_x_ = 0;
   double direction_ = 0;  ///< of the drive along x; 0 until it has moved
   bool moved_ = false, snapped_ = false;
@@ -204,10 +204,11 @@ class RunWalk {
 
 }  // namespace
 
-Prediction simulate(const Experiment& experiment, const Rig& rig, const std::vector<Variation>& variations) {
+Prediction simulate(const Experiment& experiment, const Rig& rig,
+                    const std::vector<RigVariation>& variations) {
   const std::size_t n = experiment.link_length.size();
   Layout layout{n, rig.flexibility > 0, rig.coupling != 0, rig.friction > 0};
-  for (const Variation& other : variations) {
+  for (const RigVariation& other : variations) {
     layout.coupled = layout.coupled || other.rig.coupling != 0;
     layout.dry = layout.dry || other.rig.friction > 0;
   }
@@ -232,7 +233,7 @@ Prediction simulate(const Experiment& experiment, const Rig& rig, const std::vec
 
 Prediction predict(const Experiment& experiment, const Candidate& candidate,
                    const std::vector<double>& parameters, bool with_sensitivity) {
-  std::vector<Variation> variations;
+  std::vector<RigVariation> variations;
   if (with_sensitivity) {
     for (const ParameterRange& range : parameter_ranges(experiment, candidate)) {
       std::vector<double> other = parameters;

@@ -28,13 +28,14 @@ struct Prediction {
 };
 
 /// A rig that differs by a small step in one parameter.
-struct Variation {
+struct RigVariation {
   Rig rig;
   double step;
 };
 
 /// Predicts what a rig would give and, beside it, the difference quotients of its variations.
-Prediction simulate(const Experiment& experiment, const Rig& rig, const std::vector<Variation>& variations);
+Prediction simulate(const Experiment& experiment, const Rig& rig,
+                    const std::vector<RigVariation>& variations);
 
 /// The share of a parameter's scale by which sensitivities vary it.
 inline constexpr double variation_share = 1e-6;

@@ -89,7 +89,7 @@ std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experi
   std::vector<std::vector<MissingTorque>> by_joint(experiment.link_length.size());
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
-    const Vector2 noise = run.control == Control::displacement
+    const Vector2 noise = run.control == ControlMode::displacement
                               ? Vector2(experiment.noise.Fx, experiment.noise.Fy)
                               : Vector2(0, 0);
     for (std::size_t i = 0; i < run.readings.size(); ++i) {

@@ -22,7 +22,7 @@ std::string place(const Run& run, std::size_t reading) {
 /// measured one carries noise, and lengths and zero are what is in question: only what no tolerance explains
 /// is refused.
 void require_reach(const Run& run, const Reach& limits) {
-  const double slack = (run.control == Control::displacement ? 1e-4 : 0.25) * limits.largest;
+  const double slack = (run.control == ControlMode::displacement ? 1e-4 : 0.25) * limits.largest;
   for (std::size_t r = 0; r < run.readings.size(); ++r) {
     const double distance = std::hypot(run.readings[r].x, run.readings[r].y);
     if (distance > limits.largest + slack)
@@ -65,7 +65,7 @@ void require_geometry(const Run& run, const std::vector<double>& length, const R
 }
 
 void require_noise(const Run& run, const Noise& noise) {
-  const bool displacement = run.control == Control::displacement;
+  const bool displacement = run.control == ControlMode::displacement;
   const auto require = [&](const char* name, double sigma, auto value) {
     const bool measured = std::any_of(run.readings.begin(), run.readings.end(),
                                       [&](const Reading& r) { return !std::isnan(value(r)); });
@@ -83,7 +83,7 @@ void require_noise(const Run& run, const Noise& noise) {
 }
 
 std::size_t measured_values(const Run& run) {
-  const bool displacement = run.control == Control::displacement;
+  const bool displacement = run.control == ControlMode::displacement;
   std::size_t count = 0;
   for (const Reading& r : run.readings) {
     count += std::isfinite(displacement ? r.Fx : r.x);

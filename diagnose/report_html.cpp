@@ -128,13 +128,13 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
   for (std::size_t i = 0; i < std::min(ranking.size(), cause.ranking.size()); ++i) {
     const bool listed =
         i == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), i) > 0;
-    if (!listed && cause.verdict != Verdict::unknown && cause.ranking[i].probability >= 0.01)
+    if (!listed && cause.verdict != CauseVerdict::unknown && cause.ranking[i].probability >= 0.01)
       add(names(cause.ranking[i].hypothesis.fit.candidate),
           "less probable, yet keeps " + ranking[i]["probability"].get<std::string>());
   }
   if (cause.or_unknown)
     add("unknown", "fitted without the held-out readings, the explanation does not predict them");
-  else if (cause.verdict != Verdict::unknown && cause.unknown >= 0.01)
+  else if (cause.verdict != CauseVerdict::unknown && cause.unknown >= 0.01)
     add("unknown", "a cause outside the catalogue keeps " + ranking.back()["probability"].get<std::string>());
   std::vector<std::string> idle;
   for (const EffectAt& at : explained.diagnosis.not_exercised) idle.push_back(label(at));
@@ -170,7 +170,7 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   }
   add_bars(ranking, report["cause"]["ranking"], "probability");
   // Where nothing explains the gap, the unknown leads.
-  if (cause.verdict == Verdict::unknown) std::rotate(ranking.begin(), ranking.end() - 1, ranking.end());
+  if (cause.verdict == CauseVerdict::unknown) std::rotate(ranking.begin(), ranking.end() - 1, ranking.end());
   view["ranked"] = {{"any", !ranking.empty()}};
   view["open"] = section(not_excluded(explained, ranking));
 }
@@ -215,8 +215,8 @@ std::string as_html(const Experiment& experiment, const Diagnosis& diagnosis) {
   add_cause(view, report, explained);
   if (diagnosis.shrink) {
     view["shrink"]["by_channel"] = shrink_channels(view["shrink"]);
-    const Verdict verdict = diagnosis.cause.verdict;
-    view["shrink"]["explains"] = verdict == Verdict::identified || verdict == Verdict::ambiguous;
+    const CauseVerdict verdict = diagnosis.cause.verdict;
+    view["shrink"]["explains"] = verdict == CauseVerdict::identified || verdict == CauseVerdict::ambiguous;
     view["shrink"]["heldout_names"] = joined(diagnosis.shrink->heldout, ", ", ", ");
   }
   view["proposals"] = {{"any", !diagnosis.proposals.empty()}};

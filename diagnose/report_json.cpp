@@ -83,7 +83,8 @@ Json cause(const Diagnosis& diagnosis) {
   }
   ranking.push_back({{"effects", {"unknown"}}, {"probability", found.unknown}, {"chi2_per_dof", nullptr}});
   for (const EffectAt& at : diagnosis.not_exercised) idle.push_back(label(at));
-  const bool explained = found.verdict == Verdict::identified || found.verdict == Verdict::ambiguous;
+  const bool explained =
+      found.verdict == CauseVerdict::identified || found.verdict == CauseVerdict::ambiguous;
   return {
       {"verdict", verdict_word(found.verdict)},
       {"effects", explained ? effects(found.ranking[found.best].hypothesis.fit.candidate, diagnosis.estimates)

@@ -108,11 +108,11 @@ std::string unexplained(const Diagnosis& diagnosis) {
 
 std::string what(const Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
-  if (cause.verdict == Verdict::unknown) return unexplained(diagnosis);
+  if (cause.verdict == CauseVerdict::unknown) return unexplained(diagnosis);
   const Ranked& best = cause.ranking[cause.best];
   std::string text =
       fmt::format("What?  {}: {} (probability {:.3f}, chi-square per degree of freedom {:.3g})\n",
-                  cause.verdict == Verdict::identified ? "Identified" : "Ambiguous",
+                  cause.verdict == CauseVerdict::identified ? "Identified" : "Ambiguous",
                   names(best.hypothesis.fit.candidate), best.probability, best.chi2_per_dof);
   text += parameters(diagnosis);
   text += fmt::format("  outside the catalogue with probability {:.2g}\n", cause.unknown);

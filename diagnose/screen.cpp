@@ -163,7 +163,7 @@ class Screen {
   }
 
   void simulate_main() {
-    std::vector<Variation> beside;
+    std::vector<RigVariation> beside;
     for (const Probe& probe : probes_) {
       first_.push_back(beside.size());
       if (!rides_along(probe)) continue;

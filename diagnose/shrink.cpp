@@ -12,7 +12,7 @@ namespace {
 
 /// Whether the commanded path turns back.
 bool turns_back(const Run& run) {
-  const bool displacement = run.control == Control::displacement;
+  const bool displacement = run.control == ControlMode::displacement;
   double lx = 0, ly = 0;
   for (std::size_t i = 1; i < run.readings.size(); ++i) {
     const Reading &a = run.readings[i - 1], &b = run.readings[i];
@@ -110,7 +110,8 @@ std::map<std::string, ChannelShrink> by_channel(const Measurements& measurements
     double count = 0;
     for (const auto& series : part) {
       count += static_cast<double>(series.size());
-      for (const std::size_t i : series) sum.before += before[i] * before[i], sum.after += after[i] * after[i];
+      for (const std::size_t i : series)
+        sum.before += before[i] * before[i], sum.after += after[i] * after[i];
     }
     if (!(sum.before > 0)) continue;
     ChannelShrink& one = result[channel];
@@ -151,8 +152,8 @@ Experiment without(const Experiment& experiment, const HeldOut& heldout) {
     for (std::size_t i = 0; i < run.readings.size(); ++i) {
       if (!heldout.reading[r][i]) continue;
       Reading& reading = run.readings[i];
-      (run.control == Control::displacement ? reading.Fx : reading.x) = unseen;
-      (run.control == Control::displacement ? reading.Fy : reading.y) = unseen;
+      (run.control == ControlMode::displacement ? reading.Fx : reading.x) = unseen;
+      (run.control == ControlMode::displacement ? reading.Fy : reading.y) = unseen;
       std::fill(reading.q.begin(), reading.q.end(), unseen);
     }
   }

@@ -43,7 +43,7 @@ struct Interval {
 
 /// What is imposed: the true end point or the true force.
 struct Imposed {
-  Control control;
+  ControlMode control;
   Vector2 value;
 };
 

@@ -40,15 +40,15 @@ std::vector<Ranked> ranked(const Experiment& experiment, const Measurements& mea
 
 }  // namespace
 
-std::string verdict_word(Verdict verdict) {
+std::string verdict_word(CauseVerdict verdict) {
   switch (verdict) {
-    case Verdict::none:
+    case CauseVerdict::none:
       return "none";
-    case Verdict::identified:
+    case CauseVerdict::identified:
       return "identified";
-    case Verdict::ambiguous:
+    case CauseVerdict::ambiguous:
       return "ambiguous";
-    case Verdict::unknown:
+    case CauseVerdict::unknown:
       break;
   }
   return "unknown";
@@ -159,7 +159,7 @@ std::size_t best_partial(const Measurements& measurements, const std::vector<Hyp
 Cause judge(const Experiment& experiment, const Measurements& measurements, const Findings& findings) {
   Cause cause;
   cause.ranking = ranked(experiment, measurements, findings);
-  cause.verdict = Verdict::unknown;
+  cause.verdict = CauseVerdict::unknown;
   const std::size_t chosen = choose(experiment, measurements, findings.noise, cause.ranking);
   double p_value = 0;
   for (const Ranked& one : cause.ranking) p_value = std::max(p_value, one.hypothesis.p_value.value_or(0));
@@ -176,7 +176,7 @@ Cause judge(const Experiment& experiment, const Measurements& measurements, cons
   for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
     if (i != chosen && near(best, cause.ranking[i].hypothesis)) cause.equivalent.push_back(i);
   }
-  cause.verdict = cause.equivalent.empty() ? Verdict::identified : Verdict::ambiguous;
+  cause.verdict = cause.equivalent.empty() ? CauseVerdict::identified : CauseVerdict::ambiguous;
   return cause;
 }
 

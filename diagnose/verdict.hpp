@@ -6,10 +6,10 @@
 
 namespace plumbline {
 
-enum class Verdict { none, identified, ambiguous, unknown };
+enum class CauseVerdict { none, identified, ambiguous, unknown };
 
 /// The word of the report.
-std::string verdict_word(Verdict verdict);
+std::string verdict_word(CauseVerdict verdict);
 
 /// A hypothesis with what was concluded of it.
 struct Ranked {
@@ -19,7 +19,7 @@ struct Ranked {
 };
 
 struct Cause {
-  Verdict verdict = Verdict::none;
+  CauseVerdict verdict = CauseVerdict::none;
   std::vector<Ranked> ranking;          ///< most probable first
   bool or_unknown = false;              ///< the best did not predict: the cause may be outside the catalogue
   double unknown = 1;                   ///< probability that the cause is none of the ranking

@@ -25,7 +25,7 @@ Experiment bench() {
                         {0, 0, 0.02, 0.02, 0.001},
                         {}};
   const auto press = [&](const std::string& id, const std::vector<double>& rest, double depth, double aside) {
-    Run run{id, Control::displacement, rest, {}};
+    Run run{id, ControlMode::displacement, rest, {}};
     double theta = 0, x = 0, y = 0;
     for (std::size_t j = 0; j < 3; ++j) {
       theta += rest[j];
@@ -78,13 +78,13 @@ std::vector<std::string> said(const Diagnosis& diagnosis) {
 TEST_CASE("a nominal experiment with a mis-declared sigma has no gap") {
   const Diagnosis diagnosis = diagnose(measured(bench(), {}, {}, 1, 1.4));
   CHECK_FALSE(diagnosis.gap.present);
-  CHECK(diagnosis.cause.verdict == Verdict::none);
+  CHECK(diagnosis.cause.verdict == CauseVerdict::none);
 }
 
 TEST_CASE(
     "one cause is identified, with its joint, its parameter within bounds, and the shrink at the noise") {
   const Diagnosis diagnosis = diagnose(measured(bench(), {{{EffectId::backlash, 2}}}, {0.04}, 2));
-  CHECK(diagnosis.cause.verdict == Verdict::identified);
+  CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
   CHECK(said(diagnosis) == std::vector<std::string>{"backlash(2)"});
   const Estimate& b = diagnosis.estimates.at(0).at(0);
   CHECK(b.low < 0.04);
@@ -98,13 +98,13 @@ TEST_CASE(
 TEST_CASE("two causes at once are both named") {
   const Diagnosis diagnosis = diagnose(
       measured(bench(), {{{EffectId::joint_friction, 0}, {EffectId::joint_stiffness, 1}}}, {0.03, 0.3}, 3));
-  CHECK(diagnosis.cause.verdict == Verdict::identified);
+  CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
   CHECK(said(diagnosis) == std::vector<std::string>{"joint_friction", "joint_stiffness(1)"});
 }
 
 TEST_CASE("what no run can separate is one class") {
   const Diagnosis diagnosis = diagnose(measured(bench(), {{{EffectId::train_compliance, 0}}}, {0.002}, 4));
-  CHECK(diagnosis.cause.verdict == Verdict::ambiguous);
+  CHECK(diagnosis.cause.verdict == CauseVerdict::ambiguous);
   CHECK(diagnosis.cause.equivalent.size() == 1);
   const auto& other = diagnosis.cause.ranking[diagnosis.cause.equivalent.front()].hypothesis.fit.candidate;
   const auto names = said(diagnosis);
@@ -128,7 +128,7 @@ TEST_CASE("a cause that the run held out alone shows is found, and nothing is cl
   const Diagnosis diagnosis = diagnose(measured(experiment, {{{EffectId::joint_stop, 3}}}, {stop, 20}, 8));
   CHECK(diagnosis.shrink->heldout == std::vector<std::string>{"z-again"});
   CHECK(said(diagnosis) == std::vector<std::string>{"joint_stop(3)"});
-  CHECK(diagnosis.cause.verdict == Verdict::identified);
+  CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
   CHECK(diagnosis.shrink->ratio == doctest::Approx(1));
 }
 
@@ -143,7 +143,7 @@ TEST_CASE("the next run is proposed on request where the cause is clear") {
   // So weak that the second best is not out of sight.
   const Experiment experiment = measured(bench(), {{{EffectId::joint_coupling, 0}}}, {0.006}, 2);
   const Diagnosis plain = diagnose(experiment);
-  REQUIRE(plain.cause.verdict == Verdict::identified);
+  REQUIRE(plain.cause.verdict == CauseVerdict::identified);
   REQUIRE(plain.cause.ranking.size() > 1);
   CHECK(plain.proposals.empty());
   CHECK_FALSE(diagnose(experiment, {}, true).proposals.empty());
@@ -168,7 +168,7 @@ TEST_CASE("a joint whose spring does what no effect does is unknown, and the joi
     }
   }
   const Diagnosis diagnosis = diagnose(experiment);
-  CHECK(diagnosis.cause.verdict == Verdict::unknown);
+  CHECK(diagnosis.cause.verdict == CauseVerdict::unknown);
   CHECK(diagnosis.where.joints.front().joint == 2);
   REQUIRE(diagnosis.missing);
   CHECK(diagnosis.missing->what == "torque at joint 2");

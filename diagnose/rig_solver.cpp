@@ -1,4 +1,4 @@
-#include "diagnose/equilibrium_solver.hpp"
+#include "diagnose/rig_solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +24,10 @@ double largest_stiffness(const RunRig& run) {
 
 }  // namespace
 
-EquilibriumSolver::EquilibriumSolver(const Layout& layout)
+RigSolver::RigSolver(const Layout& layout)
     : equations_(layout), step_(layout.nodes()), column_x_(layout.nodes()), column_y_(layout.nodes()) {}
 
-bool EquilibriumSolver::factorise(const RunRig& run, Control control, double damping) {
+bool RigSolver::factorise(const RunRig& run, ControlMode control, double damping) {
   BandMatrix& matrix = equations_.stiffness;
   const Layout& layout = equations_.layout;
   for (std::size_t i = 0; damping > 0 && i < layout.nodes(); ++i) {
@@ -35,7 +35,7 @@ bool EquilibriumSolver::factorise(const RunRig& run, Control control, double dam
     if (i > 0) matrix(i, i - 1) -= damping;
   }
   const std::size_t negative = matrix.factorise(1e-6 * largest_stiffness(run));
-  if (control == Control::force) return negative == 0;
+  if (control == ControlMode::force) return negative == 0;
   column_x_ = equations_.by_force_x;
   column_y_ = equations_.by_force_y;
   matrix.solve(column_x_);
@@ -54,11 +54,11 @@ bool EquilibriumSolver::factorise(const RunRig& run, Control control, double dam
   return negative + positive == 2;
 }
 
-double EquilibriumSolver::solve(const RunRig& run, const Imposed& imposed, const Posture& posture) {
+double RigSolver::solve(const RunRig& run, const Imposed& imposed, const Posture& posture) {
   for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = -equations_.residual[i];
   equations_.stiffness.solve(step_);
   force_step_.setZero();
-  if (imposed.control == Control::displacement) {
+  if (imposed.control == ControlMode::displacement) {
     Vector2 gap = imposed.value - equations_.end_point;
     gap.x() -= run.rig.train_compliance * posture.force.x();
     for (std::size_t i = 0; i < step_.size(); ++i)
@@ -75,13 +75,13 @@ double EquilibriumSolver::solve(const RunRig& run, const Imposed& imposed, const
   return largest;
 }
 
-void EquilibriumSolver::apply(double share, Posture& posture) const {
+void RigSolver::apply(double share, Posture& posture) const {
   for (std::size_t i = 0; i < step_.size(); ++i) posture.angle[i] += share * step_[i];
   posture.force += share * force_step_;
 }
 
-bool EquilibriumSolver::settle_contacts(const RunRig& run, const Interval& interval,
-                                        const std::vector<JointMemory>& memory, Posture& posture) const {
+bool RigSolver::settle_contacts(const RunRig& run, const Interval& interval,
+                                const std::vector<JointMemory>& memory, Posture& posture) const {
   if (interval.relaxed || !equations_.layout.dry) return false;
   bool changed = false;
   for (std::size_t i = 0; i < run.joint.size(); ++i) {
@@ -99,9 +99,9 @@ bool EquilibriumSolver::settle_contacts(const RunRig& run, const Interval& inter
   return changed;
 }
 
-bool EquilibriumSolver::newton(const RunRig& run, const Imposed& imposed, const Interval& interval,
-                               const std::vector<JointMemory>& memory, Posture& posture) {
-  if (imposed.control == Control::force) posture.force = imposed.value;
+bool RigSolver::newton(const RunRig& run, const Imposed& imposed, const Interval& interval,
+                       const std::vector<JointMemory>& memory, Posture& posture) {
+  if (imposed.control == ControlMode::force) posture.force = imposed.value;
   const double scale = largest_stiffness(run) / run.rig.length.front();
   for (int i = 0; i < newton_limit; ++i) {
     equations_.assemble(run, posture, memory, interval, true);
@@ -116,13 +116,13 @@ bool EquilibriumSolver::newton(const RunRig& run, const Imposed& imposed, const 
   return false;
 }
 
-bool EquilibriumSolver::descend(const RunRig& run, const Imposed& imposed, const Interval& interval,
-                                const std::vector<JointMemory>& memory, Posture& posture) {
+bool RigSolver::descend(const RunRig& run, const Imposed& imposed, const Interval& interval,
+                        const std::vector<JointMemory>& memory, Posture& posture) {
   snapped_ = true;
   const double stiff = largest_stiffness(run);
   double damping = 10 * stiff;
   for (int i = 0; i < descent_limit; ++i) {
-    if (imposed.control == Control::force) posture.force = imposed.value;
+    if (imposed.control == ControlMode::force) posture.force = imposed.value;
     equations_.assemble(run, posture, memory, interval, true);
     if (!factorise(run, imposed.control, damping)) {
       damping *= 4;
@@ -148,9 +148,9 @@ bool EquilibriumSolver::descend(const RunRig& run, const Imposed& imposed, const
   return false;
 }
 
-bool EquilibriumSolver::follow(const RunRig& run, const Imposed& before, const Imposed& imposed,
-                               const Interval& interval, const std::vector<JointMemory>& memory,
-                               const Posture& guess, Posture& posture) {
+bool RigSolver::follow(const RunRig& run, const Imposed& before, const Imposed& imposed,
+                       const Interval& interval, const std::vector<JointMemory>& memory, const Posture& guess,
+                       Posture& posture) {
   snapped_ = false;
   const auto near = [&](const Posture& to) {
     for (std::size_t i = 0; i < posture.angle.size(); ++i)
@@ -179,18 +179,18 @@ bool EquilibriumSolver::follow(const RunRig& run, const Imposed& before, const I
   return true;
 }
 
-void EquilibriumSolver::settle(const RunRig& run, const Imposed& imposed, const Interval& interval,
-                               const std::vector<JointMemory>& memory, const Posture& posture) {
+void RigSolver::settle(const RunRig& run, const Imposed& imposed, const Interval& interval,
+                       const std::vector<JointMemory>& memory, const Posture& posture) {
   equations_.assemble(run, posture, memory, interval, false);
   solve(run, imposed, posture);
   settled_step_ = step_;
   settled_force_step_ = force_step_;
 }
 
-Posture EquilibriumSolver::neighbour(const RunRig& run, const Imposed& imposed, const Interval& interval,
-                                     const std::vector<JointMemory>& memory, const Posture& posture) {
+Posture RigSolver::neighbour(const RunRig& run, const Imposed& imposed, const Interval& interval,
+                             const std::vector<JointMemory>& memory, const Posture& posture) {
   Posture result = posture;
-  if (imposed.control == Control::force) result.force = imposed.value;
+  if (imposed.control == ControlMode::force) result.force = imposed.value;
   equations_.assemble(run, result, memory, interval, false);
   solve(run, imposed, result);
   for (std::size_t i = 0; i < step_.size(); ++i) result.angle[i] += step_[i] - settled_step_[i];
@@ -198,8 +198,8 @@ Posture EquilibriumSolver::neighbour(const RunRig& run, const Imposed& imposed, 
   return result;
 }
 
-Vector2 EquilibriumSolver::end_point(const RunRig& run, const Posture& posture,
-                                     const std::vector<JointMemory>& memory) {
+Vector2 RigSolver::end_point(const RunRig& run, const Posture& posture,
+                             const std::vector<JointMemory>& memory) {
   equations_.assemble(run, posture, memory, {}, false);
   return equations_.end_point;
 }

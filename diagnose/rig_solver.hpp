@@ -10,9 +10,9 @@
 
 namespace plumbline {
 
-class EquilibriumSolver {
+class RigSolver {
  public:
-  explicit EquilibriumSolver(const Layout& layout);
+  explicit RigSolver(const Layout& layout);
 
   /// Moves `posture` to the equilibrium under `imposed`, coming from where it is, which is an equilibrium
   /// under `before`.
@@ -44,7 +44,7 @@ class EquilibriumSolver {
                const std::vector<JointMemory>& memory, Posture& posture);
   /// Factorises with `damping` times the joints' damping matrix added. \returns whether the tangent is that
   /// of a minimum on the constraint
-  bool factorise(const RunRig& run, Control control, double damping);
+  bool factorise(const RunRig& run, ControlMode control, double damping);
   /// Solves for the step that cancels residual and constraint. \returns its largest angle
   double solve(const RunRig& run, const Imposed& imposed, const Posture& posture);
   void apply(double share, Posture& posture) const;
