@@ -5,6 +5,7 @@
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "files/text_file.hpp"
+#include "verify/reference_loaded.hpp"
 #include "verify/reference_set.hpp"
 
 namespace plumbline {
@@ -21,15 +22,26 @@ struct Options {
 std::vector<NamedText> compute(const Options& options) {
   const auto chains =
       reference_chains(options.compact ? ReferenceSize::compact : ReferenceSize::full, options.seed);
+  const auto cases =
+      loaded_cases(options.compact ? ReferenceSize::compact : ReferenceSize::full, options.seed);
   std::vector<ReferenceEntry> entries;
-  Progress progress("chains", chains.size());
+  LoadedEntries loaded;
+  Progress progress("chains", chains.size() + cases.size());
   for (const ReferenceChain& chain : chains) {
     entries.push_back(reference_entry(chain));
     progress.advance();
   }
+  for (const LoadedCase& one : cases) {
+    if (auto entry = equilibria_entry(one)) loaded.equilibria.push_back(*std::move(entry));
+    if (one.window > 0) {
+      if (auto entry = events_entry(one)) loaded.events.push_back(*std::move(entry));
+    }
+    progress.advance();
+  }
   const std::string command = fmt::format("plumbline reference{} --seed {} --out DIR",
                                           options.compact ? " --compact" : "", options.seed);
-  return reference_files(entries, {command, "plumbline " PLUMBLINE_VERSION, std::to_string(options.seed)});
+  return reference_files(entries, loaded,
+                         {command, "plumbline " PLUMBLINE_VERSION, std::to_string(options.seed)});
 }
 
 /// The directory, made if it is not there. Asked for before the work, so that a mistake shows at once.

@@ -7,6 +7,7 @@
 #include "proofs/decimal.hpp"
 #include "files/sha256.hpp"
 #include "proofs/working_precision.hpp"
+#include "verify/reference_loaded.hpp"
 #include "verify/reference_texts.hpp"
 
 namespace plumbline {
@@ -78,18 +79,6 @@ json to_json(const ReferenceEntry& e) {
           {"modes", std::move(modes)}};
 }
 
-json reference_json(const std::vector<ReferenceEntry>& entries, const Provenance& provenance) {
-  json chains = json::array();
-  for (const auto& e : entries) chains.push_back(to_json(e));
-  return {{"$schema", "reference.schema.json"},
-          {"format", "plumbline-reference"},
-          {"version", 1},
-          {"licence", "CC0-1.0"},
-          {"provenance", to_json(provenance)},
-          {"digits", reference_digits},
-          {"chains", std::move(chains)}};
-}
-
 /// JSON text with the entries of one list on a line each.
 std::string line_by_line(json file, const std::string& list) {
   std::vector<std::string> lines;
@@ -99,6 +88,19 @@ std::string line_by_line(json file, const std::string& list) {
   const std::string empty = fmt::format("\"{}\": []", list);
   return text.replace(text.find(empty), empty.size(),
                       fmt::format("\"{}\": [\n{}\n ]", list, fmt::join(lines, ",\n")));
+}
+
+/// A file of entries, each on a line of its own.
+std::string json_file(const char* format, int digits, const char* list, const std::vector<json>& entries,
+                      const Provenance& provenance) {
+  return line_by_line({{"$schema", std::string(format) + ".schema.json"},
+                       {"format", std::string("plumbline-") + format},
+                       {"version", 1},
+                       {"licence", "CC0-1.0"},
+                       {"provenance", to_json(provenance)},
+                       {"digits", digits},
+                       {list, entries}},
+                      list);
 }
 
 /// The Frictionless data package descriptor: what each file is, column by column, and its digest.
@@ -132,15 +134,27 @@ ReferenceEntry reference_entry(const ReferenceChain& reference) {
 }
 
 std::vector<NamedText> reference_files(const std::vector<ReferenceEntry>& entries,
-                                       const Provenance& provenance) {
-  std::vector<json> certificates;
-  for (const auto& e : entries) certificates.push_back(e.certificate);
+                                       const LoadedEntries& loaded, const Provenance& provenance) {
+  std::vector<json> chains, certificates;
+  for (const auto& e : entries) {
+    chains.push_back(to_json(e));
+    certificates.push_back(e.certificate);
+  }
+  const auto json_text = [&](const char* format, int digits, const char* list, const std::vector<json>& all) {
+    return json_file(format, digits, list, all, provenance);
+  };
   std::vector<NamedText> files{
       {"chains.csv", chains_csv(entries)},
       {"forces.csv", forces_csv(entries)},
       {"shapes.csv", shapes_csv(entries)},
-      {"reference.json", line_by_line(reference_json(entries, provenance), "chains")},
+      {"reference.json", json_text("reference", reference_digits, "chains", chains)},
       {"reference.schema.json", reference_schema_text},
+      {"equilibria.csv", equilibria_csv(loaded.equilibria)},
+      {"equilibria.json", json_text("equilibria", reference_digits, "cases", loaded.equilibria)},
+      {"equilibria.schema.json", equilibria_schema_text},
+      {"events.csv", events_csv(loaded.events)},
+      {"events.json", json_text("events", event_digits, "cases", loaded.events)},
+      {"events.schema.json", events_schema_text},
       {"certificates.json",
        line_by_line(certificate_file(provenance, std::move(certificates)), "certificates")},
       {"certificate.schema.json", certificate_schema_text},

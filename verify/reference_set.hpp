@@ -33,8 +33,13 @@ struct NamedText {
   std::string name, text;
 };
 
+/// What is published about loaded chains: reference_loaded.hpp.
+struct LoadedEntries {
+  std::vector<nlohmann::json> equilibria, events;
+};
+
 /// All files of the set, README.md and datapackage.json among them.
 std::vector<NamedText> reference_files(const std::vector<ReferenceEntry>& entries,
-                                       const Provenance& provenance);
+                                       const LoadedEntries& loaded, const Provenance& provenance);
 
 }  // namespace plumbline
