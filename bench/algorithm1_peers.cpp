@@ -20,6 +20,16 @@ Forces forces_of(const Eigenvalues& eigenvalues) {
   return forces;
 }
 
+/// The lowest of them.
+template <class Eigenvalues>
+auto lowest_of(const Eigenvalues& eigenvalues) {
+  auto least = eigenvalues(0).real();
+  for (Eigen::Index i = 1; i < eigenvalues.size(); ++i) {
+    if (eigenvalues(i).real() < least) least = eigenvalues(i).real();
+  }
+  return -1 / least;
+}
+
 }  // namespace
 
 Forces spectra_lowest(const Chain<double>& chain) {
@@ -63,7 +73,7 @@ Forces eigen_algorithm1_all(const Chain<double>& chain) {
   return forces_of(Eigen::EigenSolver<Matrix<double>>(algorithm1_matrix(chain), false).eigenvalues());
 }
 
-Forces eigen_algorithm1_four_links(const Chain<double>& chain) {
+double eigen_algorithm1_four_links(const Chain<double>& chain) {
   using Fixed = Eigen::Matrix<double, 5, 5>;
   double z[5] = {0, 0, 0, 0, 0};
   for (int i = 3; i >= 0; --i) z[i] = z[i + 1] + chain.length()[static_cast<std::size_t>(i)];
@@ -74,14 +84,16 @@ Forces eigen_algorithm1_four_links(const Chain<double>& chain) {
     B(i, 4) = B(4, i) = z[i];
   }
   const Fixed matrix = B.partialPivLu().solve(A);
-  return forces_of(Eigen::EigenSolver<Fixed>(matrix, false).eigenvalues());
+  return lowest_of(Eigen::EigenSolver<Fixed>(matrix, false).eigenvalues());
 }
 
-Mpfr50 eigen_algorithm1_lowest(const Chain<Mpfr50>& chain) {
-  const auto lambda = Eigen::EigenSolver<Matrix<Mpfr50>>(algorithm1_matrix(chain), false).eigenvalues();
-  Mpfr50 least = lambda(0).real();
-  for (Eigen::Index i = 1; i < lambda.size(); ++i) least = std::min(least, Mpfr50(lambda(i).real()));
-  return -1 / least;
+double eigen_algorithm1_lowest(const Chain<Mpfr50>& chain) {
+  return static_cast<double>(
+      lowest_of(Eigen::EigenSolver<Matrix<Mpfr50>>(algorithm1_matrix(chain), false).eigenvalues()));
+}
+double eigen_algorithm1_lowest(const Chain<StockMpfr50>& chain) {
+  return static_cast<double>(
+      lowest_of(Eigen::EigenSolver<Matrix<StockMpfr50>>(algorithm1_matrix(chain), false).eigenvalues()));
 }
 
 }  // namespace plumbline::bench

@@ -1,6 +1,6 @@
 /// \file
-/// `bench-critical [FILE]`: critical forces, ours and other ways in turn in one process. Prints a table and
-/// puts it between the markers in FILE, bench/RESULTS.md by default.
+/// `bench-critical`: critical forces, ours and other ways in turn in one process. Prints tables and puts them
+/// between the markers in bench/RESULTS.md, and the ones that matter most into README.md.
 
 #include <fmt/format.h>
 
@@ -11,6 +11,7 @@
 #include <random>
 #include <sstream>
 
+#include "bench/bars.hpp"
 #include "bench/peers.hpp"
 #include "bench/race.hpp"
 #include "proofs/enclosure.hpp"
@@ -73,6 +74,11 @@ std::string in_units(double seconds) {
   return fmt::format("{:.3g} s", seconds);
 }
 
+/// Makes the compiler compute a value that nothing else needs.
+void keep(double value) {
+  asm volatile("" : : "x"(value));
+}
+
 /// One line a runner: n, who, time, ratio, error.
 void write_race(std::ostream& out, std::size_t n, const std::vector<Runner>& runners,
                 const std::vector<Mpfr50>& exact) {
@@ -86,12 +92,30 @@ void write_race(std::ostream& out, std::size_t n, const std::vector<Runner>& run
 constexpr const char* race_head =
     "| n | method | time | time / ours | relative error |\n|--:|---|--:|--:|--:|\n";
 
-void lowest_table(std::ostream& out) {
+/// What the tables are made from, beside what they print.
+struct Findings {
+  std::vector<Bar> bars;
+  std::string accuracy;
+
+  void at_least(const std::string& what, double limit, double measured) {
+    bars.push_back({what, limit, measured, true});
+  }
+  void at_most(const std::string& what, double limit, double measured) {
+    bars.push_back({what, limit, measured, false});
+  }
+};
+
+double ratio_of(const std::vector<Runner>& runners, const std::string& name) {
+  return std::find_if(runners.begin(), runners.end(), [&](const Runner& r) { return r.name == name; })->ratio;
+}
+
+void lowest_table(std::ostream& out, Findings& findings) {
+  double worst = 0;
   out << "### Lowest critical force\n\n" << race_head;
   for (const std::size_t n : {4U, 10U, 100U, 1000U, 10000U, 100000U, 1000000U}) {
     const auto chain = random_chain(n, 0.3, 1);
     const auto as = [&](auto method) { return [&chain, method] { return method(chain); }; };
-    std::vector<Runner> runners{{"ours", [&] { return critical_forces(chain, 1); }},
+    std::vector<Runner> runners{{"ours", [&] { return Forces{lowest_critical_force(chain)}; }},
                                 {"dpttrf inverse iteration", as(dpttrf_inverse_iteration)},
                                 {"dstebz", as(dstebz_lowest)}};
     if (n <= 100000) runners.push_back({"Spectra, shift and invert", as(spectra_lowest)});
@@ -101,11 +125,22 @@ void lowest_table(std::ostream& out) {
     if (n <= 1000) runners.push_back({"Eigen, generalised self-adjoint", as(eigen_self_adjoint_all)});
     if (n <= 1000) runners.push_back({"Algorithm 1, Eigen", as(eigen_algorithm1_all)});
     race(runners, 2);
-    write_race(out, n, runners, certified(chain, 1));
+    const auto exact = certified(chain, 1);
+    write_race(out, n, runners, exact);
+    worst = std::max(worst, worst_error(runners[0].result, exact));
+    if (n != 1000) continue;
+    const auto bar = [&](const char* peer, double limit) {
+      findings.at_least(fmt::format("lowest force, n = 1000: times faster than {}", peer), limit,
+                        ratio_of(runners, peer));
+    };
+    bar("dpttrf inverse iteration", 12);
+    bar("dstebz", 60);
+    bar("Algorithm 1, Eigen", 1e5);
   }
+  findings.at_most("lowest force, n up to 10^6: relative error", 1e-13, worst);
 }
 
-void all_table(std::ostream& out) {
+void all_table(std::ostream& out, Findings& findings) {
   out << "\n### All critical forces\n\n" << race_head;
   for (const std::size_t n : {10U, 100U, 1000U, 10000U}) {
     const auto chain = random_chain(n, 0.3, 1);
@@ -119,7 +154,13 @@ void all_table(std::ostream& out) {
     if (n <= 100) runners.push_back({"Algorithm 1, Eigen", as(eigen_algorithm1_all)});
     race(runners, 2);
     const std::size_t checked = n <= 100 ? n : 20;  // certified values of all would take longer than the race
-    write_race(out, n, runners, certified(chain, checked));
+    const auto exact = certified(chain, checked);
+    write_race(out, n, runners, exact);
+    if (n >= 100) {
+      findings.at_least(fmt::format("all forces, n = {}: times faster than dlasq1", n), 4, runners[1].ratio);
+      findings.at_most(fmt::format("all forces, n = {}: relative error", n), 1e-13,
+                       worst_error(runners[0].result, exact));
+    }
     // the rest against dlasq1, which has few units in the last place of error, too
     double apart = 0;
     for (std::size_t m = 0; m + 1 < n; ++m) {
@@ -129,41 +170,55 @@ void all_table(std::ostream& out) {
   }
 }
 
-void small_table(std::ostream& out) {
-  constexpr std::size_t chains = 400000, n = 4;
+/// Chain by chain, so that no branch can be learnt by heart.
+Runner one_by_one(const char* name, const std::vector<Chain<double>>& chains,
+                  double (*method)(const Chain<double>&)) {
+  return {name, [&chains, method] {
+            Forces forces(chains.size());
+            for (std::size_t c = 0; c < chains.size(); ++c) forces[c] = method(chains[c]);
+            return forces;
+          }};
+}
+
+void small_table(std::ostream& out, Findings& findings) {
+  constexpr std::size_t count = 400000, few = 1000, n = 4;
   std::mt19937 random(1);
   std::uniform_real_distribution<double> exponent(-0.3, 0.3);
-  std::vector<double> length(chains * n), stiffness(chains * n);
+  std::vector<double> length(count * n), stiffness(count * n);
   for (double& L : length) L = std::pow(10, exponent(random));
   for (double& k : stiffness) k = std::pow(10, exponent(random));
   const ChainBatch batch{n, length, stiffness};
-  const auto chain = batch.chain(0);
-  std::vector<Runner> one{
-      {"ours, one by one", [&] { return critical_forces(chain, 1); }},
-      {"Algorithm 1, Eigen, fixed size", [&] { return eigen_algorithm1_four_links(chain); }}};
-  race(one, 2);
+  std::vector<Chain<double>> chains;
+  for (std::size_t c = 0; c < few; ++c) chains.push_back(batch.chain(c));
+  std::vector<Runner> runners{
+      one_by_one("ours, one by one", chains, lowest_critical_force<double>),
+      one_by_one("Algorithm 1, Eigen, fixed size", chains, eigen_algorithm1_four_links)};
+  race(runners, 2);
+  const double peer = runners[1].seconds / few;
   static_cast<void>(lowest_forces(batch));  // the first use of the pages
   std::vector<double> wall, processor;
-  for (int round = 0; round < 9; ++round) {
+  for (int round = 0; round < 25; ++round) {
     const auto start = std::chrono::steady_clock::now();
     const double busy = processor_seconds();
     static_cast<void>(lowest_forces(batch));
-    processor.push_back((processor_seconds() - busy) / chains);
-    wall.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / chains);
+    processor.push_back((processor_seconds() - busy) / count);
+    wall.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / count);
   }
   out << "\n### Chains of four links\n\n| method | time a chain | Algorithm 1 / this |\n|---|--:|--:|\n";
-  for (const Runner& runner : one) {
-    out << fmt::format("| {} | {} | {:.3g} |\n", runner.name, in_units(runner.seconds),
-                       one[1].seconds / runner.seconds);
-  }
-  out << fmt::format("| ours, a batch of {}, processor time of one core | {} | {:.3g} |\n", chains,
-                     in_units(median(processor)), one[1].seconds / median(processor));
-  out << fmt::format("| ours, the same, elapsed with {} threads | {} | {:.3g} |\n",
-                     std::thread::hardware_concurrency(), in_units(median(wall)),
-                     one[1].seconds / median(wall));
+  const auto line = [&](const std::string& name, double seconds) {
+    out << fmt::format("| {} | {} | {:.3g} |\n", name, in_units(seconds), peer / seconds);
+  };
+  for (const Runner& runner : runners) line(runner.name, runner.seconds / few);
+  const unsigned threads = std::thread::hardware_concurrency();
+  line(fmt::format("ours, a batch of {}, processor time of one core", count), median(processor));
+  line(fmt::format("ours, the same, elapsed with {} threads", threads), median(wall));
+  findings.at_least("n = 4, one by one: times faster than fixed-size Eigen Algorithm 1", 10,
+                    runners[1].ratio);
+  findings.at_least(fmt::format("n = 4, in batch on {} cores: times faster", threads), 60,
+                    peer / median(wall));
 }
 
-void memory_table(std::ostream& out) {
+void memory_table(std::ostream& out, Findings& findings) {
   const auto chain = random_chain(1000000, 0.3, 1);
   std::vector<double> other(1 << 24, 1.0);
   std::vector<double> read, ours;
@@ -185,42 +240,51 @@ void memory_table(std::ostream& out) {
       }
       sum += sums[0] + sums[1] + sums[2] + sums[3];
     }
-    static volatile double kept = 0;
-    kept = sum[0];
+    keep(sum[0]);
     read.push_back(processor_seconds() - start);
     evict();
     start = processor_seconds();
-    kept = critical_forces(chain, 1)[0];
+    keep(lowest_critical_force(chain));
     ours.push_back(processor_seconds() - start);
   }
   out << fmt::format(
       "\nA million links, lists not in the cache: {}; one read of the lists: {}; ratio {:.3g}.\n",
       in_units(median(ours)), in_units(median(read)), median(ours) / median(read));
+  findings.at_most("lowest force, n = 10^6: time over one read of the lists", 8, median(ours) / median(read));
 }
 
-void digits_table(std::ostream& out) {
-  out << "\n### 50 digits, lowest force\n\n| n | ours | eigenvalues in Eigen / ours | certified enclosure / "
-         "ours |\n"
-         "|--:|--:|--:|--:|\n";
+void digits_table(std::ostream& out, Findings& findings) {
+  out << "\n### 50 digits, lowest force\n\n"
+         "| n | ours | Eigen's eigenvalues, mpfr_float_50 / ours | the same in our number type, no heap / "
+         "ours | "
+         "certified enclosure / ours |\n|--:|--:|--:|--:|--:|\n";
   for (const std::size_t n : {4U, 30U}) {
     const auto chain = random_chain(n, 0.3, 1);
     const auto high = in_50_digits(chain);
+    const auto stock = convert<StockMpfr50>(chain, [](double value) { return StockMpfr50(value); });
     const auto exact = convert<Rational>(chain, [](double value) { return Rational(value); });
     std::vector<Runner> runners{
-        {"ours", [&] { return Forces{critical_forces(high, 1)[0].convert_to<double>()}; }},
-        {"Eigen", [&] { return Forces{eigen_algorithm1_lowest(high).convert_to<double>()}; }},
+        {"ours", [&] { return Forces{lowest_critical_force(high).convert_to<double>()}; }},
+        {"Eigen", [&] { return Forces{eigen_algorithm1_lowest(stock)}; }},
+        {"Eigen without heap", [&] { return Forces{eigen_algorithm1_lowest(high)}; }},
         {"enclosure",
          [&] { return Forces{enclose_critical_forces(exact, 1, 50)[0].low.convert_to<double>()}; }}};
     race(runners, 2);
-    out << fmt::format("| {} | {} | {:.4g} | {:.3g} |\n", n, in_units(runners[0].seconds), runners[1].ratio,
-                       runners[2].ratio);
+    out << fmt::format("| {} | {} | {:.4g} | {:.4g} | {:.3g} |\n", n, in_units(runners[0].seconds),
+                       runners[1].ratio, runners[2].ratio, runners[3].ratio);
+    findings.at_least(
+        fmt::format("50 digits, n = {}: times faster than Eigen's eigenvalues in 50-digit MPFR", n),
+        n == 4 ? 70 : 1000, runners[1].ratio);
+    findings.at_most(fmt::format("certified enclosure, n = {}: time over the 50 digits", n), 4,
+                     runners[3].ratio);
   }
 }
 
-void accuracy_table(std::ostream& out) {
-  out << "\n### Largest relative error of the lowest force, graded chains\n\n"
-         "| spread of L and k | chains | ours | dpttrf inverse iteration | dstebz | Algorithm 1, Eigen |\n"
-         "|---|--:|--:|--:|--:|--:|\n";
+void accuracy_table(std::ostream& out, Findings& findings) {
+  std::string table =
+      "\n### Largest relative error of the lowest force, graded chains\n\n"
+      "| spread of L and k | chains | ours | dpttrf inverse iteration | dstebz | Algorithm 1, Eigen |\n"
+      "|---|--:|--:|--:|--:|--:|\n";
   for (const double decades : {0.3, 2.0, 8.0}) {
     double worst[4] = {};
     const unsigned chains = 300;
@@ -235,14 +299,19 @@ void accuracy_table(std::ostream& out) {
         }
         worst[i] = std::max(worst[i], error);
       };
-      note(0, [](const auto& c) { return critical_forces(c, 1); });
+      note(0, [](const auto& c) { return Forces{lowest_critical_force(c)}; });
       note(1, dpttrf_inverse_iteration);
       note(2, dstebz_lowest);
       note(3, eigen_algorithm1_all);
     }
-    out << fmt::format("| 1e-{0:g} … 1e{0:g} | {1} | {2:.1e} | {3:.1e} | {4:.1e} | {5:.1e} |\n", decades,
-                       chains, worst[0], worst[1], worst[2], worst[3]);
+    if (decades == 8) {
+      findings.at_most("lowest force, n <= 30, L and k over 1e-8 … 1e8: relative error", 5e-15, worst[0]);
+    }
+    table += fmt::format("| 1e-{0:g} … 1e{0:g} | {1} | {2:.1e} | {3:.1e} | {4:.1e} | {5:.1e} |\n", decades,
+                         chains, worst[0], worst[1], worst[2], worst[3]);
   }
+  findings.accuracy = table;
+  out << table;
 }
 
 /// Replaces what stands between the markers.
@@ -269,20 +338,25 @@ std::string processor_name() {
 }  // namespace
 }  // namespace plumbline::bench
 
-int main(int argc, char** argv) {
+int main() {
   using namespace plumbline::bench;
   try {
     if (openblas_set_num_threads != nullptr) openblas_set_num_threads(1);
     std::ostringstream out;
-    out << fmt::format("Written by `build/bench/bench-critical` on {}, {} lanes of {} bits.\n\n",
-                       processor_name(), plumbline::lane_count, 64);
+    Findings findings;
+    const std::string by =
+        fmt::format("Written by `build/bench/bench-critical` on {}, {} lanes of {} bits.\n\n",
+                    processor_name(), plumbline::lane_count, 64);
     for (const auto table :
          {lowest_table, all_table, small_table, memory_table, digits_table, accuracy_table}) {
       const std::size_t before = out.str().size();
-      table(out);
+      table(out, findings);
       std::cout << out.str().substr(before) << std::flush;
     }
-    put_into(argc > 1 ? argv[1] : PLUMBLINE_BENCH_RESULTS, out.str());
+    const std::string bars = table_of(findings.bars);
+    std::cout << '\n' << bars;
+    put_into(PLUMBLINE_SOURCE_DIR "/bench/RESULTS.md", by + "### Bars\n\n" + bars + '\n' + out.str());
+    put_into(PLUMBLINE_SOURCE_DIR "/README.md", by + bars + findings.accuracy);
   } catch (const std::exception& error) {
     std::cerr << "bench-critical: " << error.what() << '\n';
     return 2;

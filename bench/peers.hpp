@@ -10,6 +10,9 @@ namespace plumbline::bench {
 
 using Forces = std::vector<double>;
 
+/// 50 digits as Boost hands them out, on the heap; Mpfr50 is kept in place.
+using StockMpfr50 = mp::number<mp::mpfr_float_backend<50>, mp::et_off>;
+
 /// The symmetric tridiagonal matrix M^-1/2 K M^-1/2 of a string.
 struct Tridiagonal {
   std::vector<double> diagonal, beside;
@@ -30,7 +33,12 @@ Forces dggev_all(const Chain<double>& chain);  ///< of the pencil (33)
 Forces spectra_lowest(const Chain<double>& chain);               ///< shift and invert about 0
 Forces eigen_self_adjoint_all(const Chain<double>& chain);       ///< generalised, on (K, M)
 Forces eigen_algorithm1_all(const Chain<double>& chain);         ///< eigenvalues only
-Forces eigen_algorithm1_four_links(const Chain<double>& chain);  ///< the same with matrices of fixed size
-Mpfr50 eigen_algorithm1_lowest(const Chain<Mpfr50>& chain);      ///< eigenvalues only
+double eigen_algorithm1_four_links(const Chain<double>& chain);  ///< the lowest, with matrices of fixed size
+double eigen_algorithm1_lowest(const Chain<Mpfr50>& chain);      ///< eigenvalues only
+double eigen_algorithm1_lowest(const Chain<StockMpfr50>& chain);
 
 }  // namespace plumbline::bench
+
+template <>
+struct Eigen::NumTraits<plumbline::bench::StockMpfr50>
+    : plumbline::EigenScalar<plumbline::bench::StockMpfr50> {};

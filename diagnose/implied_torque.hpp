@@ -8,9 +8,9 @@
 namespace plumbline {
 
 /// Each elastic joint's chance to be the one place of an unknown torque law: a function of the joint's own
-/// deflection and of its direction of motion, the same in every run, beside a constant of each run. The law
-/// is piecewise linear; the residual that the best law at a joint leaves is compared with what the others
-/// leave. A passive joint, whose torque nothing shows, gets no share.
+/// deflection and of its direction of motion, the same in every run or with a constant of each run beside.
+/// The law is piecewise linear, as fine as Schwarz's criterion asks; the best laws of the joints are compared
+/// by the same criterion. A passive joint, whose torque nothing shows, gets no share.
 std::vector<JointShare> shares_by_torque_law(const Experiment& experiment, const Measurements& measurements,
                                              const std::vector<double>& residual, const NoiseModel& noise);
 

@@ -89,7 +89,7 @@ std::vector<PageChart> curve_charts(const Explained& explained) {
   for (const Series& series : explained.measurements.series()) {
     const Run& run = explained.experiment.runs[series.run];
     const Command command = command_of(run);
-    Layer measured{Kind::dots, "measured", {}};
+    Layer measured{Kind::dots, "measured", {}, series.readings.size() > 30 ? 1.6 : 2.6};
     for (const std::size_t i : series.readings)
       measured.points.push_back({command.along[i], series.channel.of(run.readings[i])});
     Chart chart{

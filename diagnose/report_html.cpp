@@ -134,6 +134,8 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
   }
   if (cause.or_unknown)
     add("unknown", "fitted without the held-out readings, the explanation does not predict them");
+  else if (cause.verdict != Verdict::unknown && cause.unknown >= 0.01)
+    add("unknown", "a cause outside the catalogue keeps " + ranking.back()["probability"].get<std::string>());
   std::vector<std::string> idle;
   for (const EffectAt& at : explained.diagnosis.not_exercised) idle.push_back(label(at));
   add(joined(idle, ", ", ", "), "never exercised: no reading of these runs depends on it");
@@ -167,6 +169,8 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
     one["names"] = names;
   }
   add_bars(ranking, report["cause"]["ranking"], "probability");
+  // Where nothing explains the gap, the unknown leads.
+  if (cause.verdict == Verdict::unknown) std::rotate(ranking.begin(), ranking.end() - 1, ranking.end());
   view["ranked"] = {{"any", !ranking.empty()}};
   view["open"] = section(not_excluded(explained, ranking));
 }

@@ -5,22 +5,26 @@
 namespace plumbline {
 namespace {
 
-/// Multiplies all values by the same positive number, so that they become integers without a common factor;
-/// returns that number.
-Rational clear_denominators(const std::vector<Rational>& values, std::vector<Integer>& cleared) {
-  Integer multiple(1), divisor(0);
-  for (const Rational& x : values) multiple = mp::lcm(multiple, Integer(mp::denominator(x)));
-  for (const Rational& x : values) divisor = mp::gcd(divisor, Integer(mp::numerator(Rational(x * multiple))));
-  const Rational factor(multiple, divisor);
-  for (const Rational& x : values) cleared.push_back(mp::numerator(Rational(x * factor)));
-  return factor;
-}
-
 mpz_ptr raw(Integer& x) {
   return x.backend().data();
 }
 mpz_srcptr raw(const Integer& x) {
   return x.backend().data();
+}
+
+/// Multiplies all values by the same positive number, so that they become integers without a common factor;
+/// returns that number.
+Rational clear_denominators(const std::vector<Rational>& values, std::vector<Integer>& cleared) {
+  Integer multiple(1), divisor(0);
+  for (const Rational& x : values) mpz_lcm(raw(multiple), raw(multiple), mpq_denref(x.backend().data()));
+  for (const Rational& x : values) {
+    Integer& integer = cleared.emplace_back();
+    mpz_divexact(raw(integer), raw(multiple), mpq_denref(x.backend().data()));
+    mpz_mul(raw(integer), raw(integer), mpq_numref(x.backend().data()));
+    mpz_gcd(raw(divisor), raw(divisor), raw(integer));
+  }
+  for (Integer& integer : cleared) mpz_divexact(raw(integer), raw(integer), raw(divisor));
+  return {multiple, divisor};
 }
 
 MpfrInterval interval(const Rational& x) {

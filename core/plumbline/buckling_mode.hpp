@@ -41,7 +41,7 @@ StringRun<Real> run_rightwards(const StringPiece<Real>& string, const Real& F) {
   StringState<Real, 0> state(Real(1), string.slope);
   for (std::size_t i = 0; i < string.size(); ++i) {
     run.keep(state);
-    state.pass_bead(F * string.mass[i]);
+    state.pass_bead(Real(-F * string.mass[i]));
     if (i < string.spacing.size()) state.pass_spacing(string.spacing[i]);
     run.restore(state);
   }
@@ -55,7 +55,7 @@ StringRun<Real> run_leftwards(const StringPiece<Real>& string, const Real& F) {
   StringState<Real, 0> state(Real(1), string.end_slope());
   for (std::size_t i = string.size(); i-- > 0;) {
     run.keep(state);
-    state.pass_bead(F * string.mass[i]);
+    state.pass_bead(Real(-F * string.mass[i]));
     if (i > 0) state.pass_spacing(string.spacing[i - 1]);
     run.restore(state);
   }
@@ -144,7 +144,7 @@ Mode<Real> buckling_mode(const Chain<Real>& chain, const Real& force) {
   const auto pieces = string.pieces();
   const auto newton = [&](const StringPiece<Real>& piece) {
     using std::abs;
-    const auto at = sweep(piece, force);
+    const auto at = sweep<1>(piece, force);
     return Real(abs(at.f[0] / at.f[1]));
   };
   const bool second = pieces.size() > 1 && newton(pieces[1]) < newton(pieces[0]);
@@ -167,7 +167,7 @@ std::vector<Mode<Real>> critical_modes(const Chain<Real>& chain, std::size_t low
   const auto roots = lowest_roots(chain, lowest);
   const auto pieces = string.pieces();
   for (std::size_t p = 0; p < pieces.size(); ++p) {
-    for (const auto& root : roots[p]) modes.push_back(mode_of(chain, pieces[p], root.value));
+    for (const auto& root : roots[p]) modes.push_back(mode_of(chain, pieces[p], root));
   }
   std::stable_sort(modes.begin(), modes.end(),
                    [](const auto& a, const auto& b) { return a.force < b.force; });

@@ -57,14 +57,14 @@ class Chain {
  private:
   static bool positive(const Real& x) {
     if constexpr (Ordered<Real>) {
-      return x > Real(0);
+      return x > 0;
     } else {
       return certainly_positive(x);
     }
   }
   static bool negative(const Real& x) {
     if constexpr (Ordered<Real>) {
-      return x < Real(0);
+      return x < 0;
     } else {
       return certainly_negative(x);
     }

@@ -19,43 +19,40 @@ std::size_t count_below(const Chain<Real>& chain, const Real& F) {
   return count;
 }
 
-/// Runs along the string at the next points of the last few open brackets: one, or as many as there are
-/// lanes.
+/// Runs along the string at the next points of a few open brackets: one, or as many as there are lanes.
 template <Floating Real>
-std::vector<Sweep<Real, 2>> sweeps(const StringPiece<Real>& string, std::span<const Bracket<Real>> brackets) {
-  std::vector<Sweep<Real, 2>> result;
+void sweep_all(const StringPiece<Real>& string, std::span<const Bracket<Real>> brackets,
+               std::span<Sweep<Real, 3>> found) {
   if constexpr (std::same_as<Real, double>) {
-    constexpr std::size_t vectors = 2;
     if (brackets.size() > 1) {
-      Lanes F[vectors];
+      std::array<Lanes, 2> F;
       double largest = 0;
-      for (std::size_t i = 0; i < vectors * lane_count; ++i) {
+      for (std::size_t i = 0; i < 2 * lane_count; ++i) {
         const double next = brackets[std::min(i, brackets.size() - 1)].next;
         F[i / lane_count][i % lane_count] = next;
         largest = std::max(largest, next);
       }
-      Sweep<Lanes, 2, LaneBits> found[vectors];
-      sweep(string, F, found, SafeStretch<double>(string, largest));
+      const auto side_by_side = sweep<3>(string, F, SafeStretch<double>(string, largest));
       for (std::size_t i = 0; i < brackets.size(); ++i) {
-        const auto& [f, below] = found[i / lane_count];
+        const auto& [f, below] = side_by_side[i / lane_count];
         const std::size_t lane = i % lane_count;
-        result.push_back({{f[0][lane], f[1][lane], f[2][lane]}, static_cast<std::size_t>(below[lane])});
+        for (std::size_t t = 0; t < 4; ++t) found[i].f[t] = f[t][lane];
+        found[i].below = static_cast<std::size_t>(below[lane]);
       }
-      return result;
+      return;
     }
   }
-  for (const auto& bracket : brackets) result.push_back(sweep(string, bracket.next));
-  return result;
+  for (std::size_t i = 0; i < brackets.size(); ++i) found[i] = sweep<3>(string, brackets[i].next);
 }
 
 /// The two parts of a bracket of several roots on either side of its next point, each with a place to go on.
 template <Floating Real>
-std::array<Bracket<Real>, 2> split(const Bracket<Real>& bracket, const Sweep<Real, 2>& at,
+std::array<Bracket<Real>, 2> split(const Bracket<Real>& bracket, const Sweep<Real, 3>& at,
                                    std::size_t degree) {
   const Real x = bracket.next;
   const std::size_t below = std::clamp(at.below, bracket.below, bracket.up_to);  // whatever rounding does
-  std::array<Bracket<Real>, 2> parts{Bracket<Real>{bracket.low, x, bracket.below, below, x, bracket.rate},
-                                     Bracket<Real>{x, bracket.high, below, bracket.up_to, x, bracket.rate}};
+  std::array<Bracket<Real>, 2> parts{Bracket<Real>{bracket.low, x, bracket.below, below, x},
+                                     Bracket<Real>{x, bracket.high, below, bracket.up_to, x}};
   for (Bracket<Real>& part : parts) {
     // A single root may be stepped to; close_in sees to it that the step stays inside.
     if (!part.single() || at.f[0] == Real(0)) {
@@ -69,20 +66,21 @@ std::array<Bracket<Real>, 2> split(const Bracket<Real>& bracket, const Sweep<Rea
 
 /// The lowest `wanted` roots of a string, ascending, by bisection down to single roots.
 template <Floating Real>
-std::vector<Root<Real>> roots_by_brackets(const StringPiece<Real>& string, std::size_t wanted) {
+std::vector<Real> roots_by_brackets(const StringPiece<Real>& string, std::size_t wanted) {
   if (wanted == 0) return {};
   constexpr std::size_t at_once = std::same_as<Real, double> ? 2 * lane_count : 1;
-  std::vector<Root<Real>> roots(std::min(wanted, string.size()));
+  std::vector<Real> roots(std::min(wanted, string.size()));
   std::vector<Bracket<Real>> open{all_of(string)};
   const auto settle = [&](const Bracket<Real>& bracket) {
     const std::size_t end = std::min(bracket.up_to, roots.size());
-    for (std::size_t i = bracket.below; i < end; ++i) roots[i] = {bracket.next, bracket.rate};
+    for (std::size_t i = bracket.below; i < end; ++i) roots[i] = bracket.next;
   };
+  std::array<Sweep<Real, 3>, at_once> found;
   while (!open.empty()) {
     const std::size_t first = open.size() - std::min(open.size(), at_once);
     const std::vector<Bracket<Real>> now(open.begin() + static_cast<std::ptrdiff_t>(first), open.end());
     open.resize(first);
-    const auto found = sweeps<Real>(string, now);
+    sweep_all<Real>(string, now, found);
     for (std::size_t i = 0; i < now.size(); ++i) {
       Bracket<Real> bracket = now[i];
       if (bracket.single()) {
@@ -133,51 +131,47 @@ inline double force_in_double(long double force) {
 
 /// The lowest roots of each piece of a chain's string.
 template <Floating Real>
-using RootsOfPieces = std::vector<std::vector<Root<Real>>>;
+using RootsOfPieces = std::vector<std::vector<Real>>;
 
-/// As few digits as will do come first: each wider type takes one more step from the roots in a narrower one.
-template <Floating Real>
-RootsOfPieces<Real> lowest_roots(const Chain<Real>& chain, std::size_t wanted);
-
-/// Double is the narrowest. Where a chain leaves its range, the 15-bit exponents of long double take over.
-template <>
-inline RootsOfPieces<double> lowest_roots(const Chain<double>& chain, std::size_t wanted) {
+/// Nothing where a chain leaves the range of double on the way.
+inline std::optional<RootsOfPieces<double>> lowest_roots_in_range(const Chain<double>& chain,
+                                                                  std::size_t wanted) {
   const BeadString<double> string(chain);
+  if (!string.in_range()) return std::nullopt;
   RootsOfPieces<double> result;
-  if (!string.in_range()) {
-    const Chain<long double> wide = widened(chain);
-    for (const auto& piece : BeadString<long double>(wide).pieces()) {
-      result.emplace_back();
-      for (const auto& root : roots_by_brackets(piece, wanted)) {
-        result.back().push_back({force_in_double(root.value), static_cast<double>(root.rate)});
-      }
-    }
-    return result;
-  }
   for (const auto& piece : string.pieces()) {
-    if (wanted == 1) {
-      result.push_back({lowest_force(piece)});
-    } else {
-      result.push_back(roots_by_brackets(piece, wanted));
-    }
+    result.push_back(wanted == 1 ? std::vector{lowest_force(piece)} : roots_by_brackets(piece, wanted));
   }
   return result;
 }
 
+/// The root number `index` from a value that is nearly it. Nothing when it turns out that it is not.
+template <Floating Real>
+std::optional<Real> refined(const StringPiece<Real>& string, std::size_t index, const Real& near) {
+  using std::ldexp;
+  Bracket<Real> bracket{Real(ldexp(near, -30)), Real(ldexp(near, 30)), index, index + 1, near};
+  for (int runs = 0; runs < 8; ++runs) {
+    const auto at = sweep<3>(string, bracket.next);
+    if (at.below < index || at.below > index + 1) return std::nullopt;
+    if (close_in(bracket, at, string.size())) return bracket.next;
+  }
+  return std::nullopt;
+}
+
+/// Digits of double come first, and a wider type takes a step or two more from there.
 template <Floating Real>
 RootsOfPieces<Real> lowest_roots(const Chain<Real>& chain, std::size_t wanted) {
-  using Narrow = std::conditional_t<std::same_as<Real, long double>, double, long double>;
-  const BeadString<Real> string(chain);
-  RootsOfPieces<Narrow> near;
-  if (const auto narrow = narrowed<Narrow>(chain); narrow && BeadString<Narrow>(*narrow).in_range()) {
-    near = lowest_roots(*narrow, wanted);
+  RootsOfPieces<double> near;
+  if (const auto narrow = narrowed<double>(chain)) {
+    near = lowest_roots_in_range(*narrow, wanted).value_or(RootsOfPieces<double>());
   }
+  const BeadString<Real> string(chain);
   RootsOfPieces<Real> result;
   for (const auto& piece : string.pieces()) {
-    std::vector<Root<Real>> roots;
+    std::vector<Real> roots;
     if (const std::size_t p = result.size(); p < near.size()) {
-      for (const auto& [value, rate] : near[p]) {
-        const auto root = refined(piece, roots.size(), Root<Real>{Real(value), Real(rate)}, 8);
+      for (const double value : near[p]) {
+        const auto root = refined(piece, roots.size(), Real(value));
         if (!root) break;
         roots.push_back(*root);
       }
@@ -186,6 +180,34 @@ RootsOfPieces<Real> lowest_roots(const Chain<Real>& chain, std::size_t wanted) {
     result.push_back(std::move(roots));
   }
   return result;
+}
+
+/// Where a chain leaves the range of double, the 15-bit exponents of long double take over.
+template <>
+inline RootsOfPieces<double> lowest_roots(const Chain<double>& chain, std::size_t wanted) {
+  if (auto roots = lowest_roots_in_range(chain, wanted)) return *std::move(roots);
+  RootsOfPieces<double> result;
+  for (const auto& roots : lowest_roots(widened(chain), wanted)) {
+    result.emplace_back();
+    for (const long double root : roots) result.back().push_back(force_in_double(root));
+  }
+  return result;
+}
+
+/// The lowest critical force, as critical_forces() gives it.
+/// \throws Error for n = 1, a mechanism, or a force outside the range of the type
+template <Floating Real>
+Real lowest_critical_force(const Chain<Real>& chain) {
+  if constexpr (std::same_as<Real, double>) {
+    const BeadString<double> string(chain);
+    if (string.in_range()) {
+      const auto pieces = string.pieces();
+      const double first = lowest_force(pieces[0]);
+      return pieces.size() == 1 ? first : std::min(first, lowest_force(pieces[1]));
+    }
+  }
+  const auto roots = lowest_roots(chain, 1);
+  return roots.size() == 1 ? roots[0][0] : std::min(roots[0][0], roots[1][0]);
 }
 
 /// The lowest critical forces, ascending, each as often as it occurs: `lowest` of them, or all n - 1 when
@@ -198,7 +220,7 @@ std::vector<Real> critical_forces(const Chain<Real>& chain, std::size_t lowest) 
   std::vector<Real> forces;
   for (const auto& roots : lowest_roots(chain, lowest)) {
     const auto before = static_cast<std::ptrdiff_t>(forces.size());
-    for (const auto& root : roots) forces.push_back(root.value);
+    forces.insert(forces.end(), roots.begin(), roots.end());
     if (before > 0) std::inplace_merge(forces.begin(), forces.begin() + before, forces.end());
   }
   forces.resize(std::min(lowest, forces.size()));

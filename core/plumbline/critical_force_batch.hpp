@@ -25,89 +25,52 @@ struct ChainBatch {
 };
 
 /// The strings of eight chains side by side.
-struct StringLanes {
-  Scratch<Lanes> mass, spacing;
-  Lanes slope, lower_bound;
-  LaneBits plain;  ///< -1 where the data are in order and in range, and no joint but the first is passive
-
+class StringLanes {
+ public:
   /// \param chain  the chain in each lane
   StringLanes(const ChainBatch& batch, const std::array<std::size_t, lane_count>& chain)
-      : mass(batch.links - 1), spacing(batch.links - 1) {
-    const Lanes limit = all_lanes(std::ldexp(1.0, 120));
+      : mass_(batch.links - 1), spacing_(batch.links), plain_(~Mask<Lanes>{}) {
+    const Lanes limit = all_lanes(std::ldexp(1.0, 120)), huge = all_lanes(std::ldexp(1.0, 500));
     const std::size_t n = batch.links;
-    Lanes z{}, behind{}, total_mass{}, reach{};
-    plain = ~LaneBits{};
-    for (std::size_t i = n; i-- > 0;) {
+    const auto within = [](const Lanes& x, const Lanes& bound) { return (x < bound) & (x > 1 / bound); };
+    Lanes z{}, behind{};
+    for (std::size_t i = n; i-- > 0; behind = z) {
       Lanes L, k;
       for (std::size_t lane = 0; lane < lane_count; ++lane) {
         L[lane] = batch.length[chain[lane] * n + i];
         k[lane] = batch.stiffness[chain[lane] * n + i];
       }
-      plain &= (L > 0.0) & (k >= 0.0) & (z + L < limit);
-      behind = z;
       z += L;
-      const Lanes stiffness = k / (z * z);
-      if (i + 1 < n) {
-        mass[i] = L / (z * behind);
-        total_mass += mass[i];
-        plain &= (mass[i] < limit) & (mass[i] > 1 / limit);
+      plain_ &= (L > 0.0) & (k >= 0.0) & (z < huge);
+      if (i + 1 == n) {
+        spacing_[i] = z * z / k;
+      } else {
+        const auto elastic = i == 0 ? k > 0 : ~Mask<Lanes>{};
+        const JointAndLink<Lanes> joint(L, elastic ? k : 1, z, behind);
+        mass_[i] = joint.mass;
+        spacing_[i] = elastic ? joint.spacing : std::numeric_limits<double>::infinity();
+        plain_ &= within(joint.mass, limit) & within(joint.inverse, huge);
       }
-      if (i > 0) {
-        spacing[i - 1] = 1 / stiffness;
-        reach += spacing[i - 1];
-        plain &= (stiffness < limit) & (stiffness > 1 / limit);
-      }
-      slope = stiffness;
+      plain_ &= i == 0 ? spacing_[i] > 1 / limit : within(spacing_[i], limit);
     }
-    plain &= slope < limit;
-    lower_bound = 0.5 / (total_mass * reach);  // as in all_of
   }
+  [[nodiscard]] StringPiece<Lanes> piece() const {
+    return {
+        0,      {mass_.begin(), mass_.size()}, {spacing_.begin() + 1, mass_.size()}, 1 / spacing_[0], Lanes{},
+        Lanes{}};
+  }
+  /// -1 where the data are in order and in range, and no joint but the first is passive.
+  [[nodiscard]] const Mask<Lanes>& plain() const { return plain_; }
+
+ private:
+  Scratch<Lanes> mass_, spacing_;
+  Mask<Lanes> plain_;
 };
-
-/// One run along eight strings, from the left.
-inline Sweep<Lanes, 2, LaneBits> sweep(const StringLanes& strings, const Lanes& F) {
-  StringState<Lanes, 2> state(all_lanes(1), strings.slope);
-  LaneBits below{};
-  for (std::size_t i = 0; i < strings.mass.size(); ++i) {
-    const Lanes before = state.h[0];
-    state.pass_bead(F * strings.mass[i]);
-    state.pass_spacing(strings.spacing[i]);
-    below -= sign_differs(before, state.h[0]);
-  }
-  return {{state.h[0], state.h[1], state.h[2]}, below};
-}
-
-/// The lowest root in each lane, approached from below by Laguerre's iteration, which does not overshoot; NaN
-/// in lanes that are not plain or do not converge to it.
-inline Lanes lowest_roots(const StringLanes& strings) {
-  const auto N = static_cast<double>(strings.mass.size());
-  constexpr double u = std::numeric_limits<double>::epsilon();
-  Lanes x = strings.lower_bound;
-  LaneBits open = strings.plain, failed = ~strings.plain;
-  for (int run = 0; run < 20; ++run) {
-    const auto at = sweep(strings, x);
-    const Lanes inverse = 1 / at.f[0], G = at.f[1] * inverse, H = G * G - 2 * at.f[2] * inverse;
-    const Lanes spread = larger((N - 1) * (N * H - G * G), Lanes{});
-    Lanes root;
-    for (std::size_t lane = 0; lane < lane_count; ++lane) root[lane] = std::sqrt(spread[lane]);
-    // Rounding can put x a little beyond the root: then back.
-    const Lanes step = at.f[0] == 0 ? Lanes{} : N / (at.below == 0 ? G - root : G + root);
-    const Lanes size = magnitude(step), others = magnitude(G * step - 1);  // as in close_in
-    x = open ? x - x * step : x;
-    failed |= open & (at.below > 1);
-    open &= (at.f[0] != 0) & ((others > 0.1) | (size * larger(size * size, others * others) > u / 8));
-    LaneBits any = open & ~failed;
-    std::int64_t left = 0;
-    for (std::size_t lane = 0; lane < lane_count; ++lane) left |= any[lane];
-    if (left == 0) break;
-  }
-  return (open | failed) ? all_lanes(std::numeric_limits<double>::quiet_NaN()) : x;
-}
 
 /// \throws Error as critical_forces(), with the number of the chain in front
 inline double lowest_force_alone(const ChainBatch& batch, std::size_t c) {
   try {
-    return critical_forces(batch.chain(c), 1)[0];
+    return lowest_critical_force(batch.chain(c));
   } catch (const Error& error) {
     throw Error("chain " + std::to_string(c + 1) + ": " + error.what());
   }
@@ -120,9 +83,14 @@ inline void lowest_forces(const ChainBatch& batch, std::size_t first, std::size_
   for (std::size_t c = first; c < end; c += lane_count) {
     std::array<std::size_t, lane_count> chain;
     for (std::size_t lane = 0; lane < lane_count; ++lane) chain[lane] = std::min(c + lane, end - 1);
-    const Lanes roots = lowest_roots(StringLanes(batch, chain));
+    const StringLanes strings(batch, chain);
+    const auto piece = strings.piece();
+    const auto run = [&](const Lanes& F) { return sweep<3>(piece, std::array{F}, SafeStretch<double>())[0]; };
+    const Lanes roots = lowest_root(run, close_to_lowest(piece), static_cast<double>(piece.size()),
+                                    std::numeric_limits<double>::epsilon() / 8);
+    const auto settled = strings.plain() & (roots == roots);
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      forces[chain[lane]] = std::isnan(roots[lane]) ? lowest_force_alone(batch, chain[lane]) : roots[lane];
+      forces[chain[lane]] = settled[lane] != 0 ? roots[lane] : lowest_force_alone(batch, chain[lane]);
     }
   }
 }

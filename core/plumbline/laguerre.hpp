@@ -1,31 +1,80 @@
 #pragma once
 /// \file
 /// Roots of a polynomial all of whose roots are real and positive, from its values and the number of roots
-/// below a point (string_sweep.hpp): Laguerre's iteration inside brackets.
+/// below a point (string_sweep.hpp): Laguerre's iteration inside brackets, and close by the inverse series.
 
 #include <plumbline/string_sweep.hpp>
 
 namespace plumbline {
 
-/// Laguerre's step e from x towards a root, x (1 - e) being the next iterate. From between two roots it
-/// reaches towards either, and not beyond. \param f  value and Taylor coefficients in the relative change of
-/// x \return e, and the sum over all roots of 1 / (relative distance)^2
+/// x / y as good as double has it, for what needs no more.
 template <class T>
-std::pair<T, T> laguerre_step(const T (&f)[3], double degree, bool upwards) {
-  using std::sqrt;
-  const T N(degree);
-  const T G = f[1] / f[0], half = f[2] / f[0];
-  const T H = G * G - (half + half);
-  const T spread = (N - T(1)) * (N * H - G * G);
-  const T root = spread > T(0) ? T(sqrt(spread)) : T(0);
-  return {N / (upwards ? T(G - root) : T(G + root)), H};
+auto rough_ratio(const T& x, const T& y) {
+  if constexpr (requires { x.backend(); }) {
+    long above = 0, below = 0;
+    const double ratio = mpfr_get_d_2exp(&above, x.backend().data(), MPFR_RNDN) /
+                         mpfr_get_d_2exp(&below, y.backend().data(), MPFR_RNDN);
+    const long exponent = std::clamp(above - below, -10000L, 10000L);  // nearer than anything has to be
+    return std::ldexp(static_cast<long double>(ratio), static_cast<int>(exponent));
+  } else {
+    return x / y;
+  }
+}
+template <class T>
+using Rough = decltype(rough_ratio(std::declval<T>(), std::declval<T>()));
+
+/// What moves x to a root of f nearby, x (1 + size), and how far to trust it.
+template <class T>
+struct Step {
+  T size;
+  Rough<T> nearness;      ///< bound on the square of the size against the distance to other roots and to 0
+  Rough<T> left, factor;  ///< left^2 factor bounds the square of the relative error that the step leaves
+
+  /// Whether the bounds hold.
+  [[nodiscard]] auto close_by() const { return nearness < 1.0 / 256; }
+  template <class Enough>
+  [[nodiscard]] auto settles(const Enough& enough) const {
+    const Rough<T> ratio = left / enough;
+    return close_by() & (ratio * ratio * factor < 1.0);
+  }
+};
+
+/// The inverse series of the Taylor polynomial f of order 3 or 4 in the relative change of x. With d_i the
+/// relative distances of the other roots and a = f_0 / f_1, b = f_2 / f_1, c = f_3 / f_1: b = -sum 1 / d_i
+/// and b^2 - 2 c = sum 1 / d_i^2 up to the size of the step; by Newton's identities the further coefficients
+/// are at most powers of m, m^2 = max(b^2, b^2 - 2 c, 1), and so the next term of the inverse series at most
+/// 11 m^3 a^4, or 45 m^4 a^5.
+template <class T, std::size_t terms>
+[[gnu::always_inline]] inline Step<T> series_step(const T (&f)[terms]) {
+  using R = Rough<T>;
+  T a = f[0], ab = f[2];
+  a /= f[1];
+  const R A = rough_ratio(f[0], f[1]), B = rough_ratio(f[2], f[1]), C = rough_ratio(f[3], f[1]);
+  const R squares = B * B - (C + C), nearness = larger(larger(R(B * B), squares), R(R{} + 1)) * A * A;
+  R higher = (B * B + B * B - C) * A * A, left = 16 * nearness * A, factor = nearness;
+  if constexpr (terms > 4) {
+    higher += (5 * B * (B * B - C) + f[4] / f[1]) * A * A * A;
+    left *= 4 * nearness;
+    factor = R{} + 1;
+  }
+  ab /= f[1];
+  ab *= a;
+  ab += higher;
+  ab *= a;
+  a += ab;
+  return {T(-a), nearness, left, factor};
 }
 
-/// A root, and what the others near it do to the convergence: a small error e leaves less than rate e^3.
-template <Floating Real>
-struct Root {
-  Real value, rate;
-};
+/// Laguerre's step: from between two roots it reaches towards either, and not beyond; from below the lowest
+/// towards that, from however far.
+template <class T, std::size_t terms, class Upwards>
+[[gnu::always_inline]] inline T laguerre_step(const T (&f)[terms], double degree, const Upwards& upwards) {
+  const T N = T{} + degree;
+  const T root = square_root(T((N - 1) * larger(T((N - 1) * f[1] * f[1] - 2 * N * f[0] * f[2]), T{})));
+  // f' / f has another sign above a root than below it
+  const T towards = (f[0] < 0) == upwards ? root : T(-root);
+  return -N * f[0] / (f[1] + towards);
+}
 
 /// Part of the line that holds the roots number `below` to `up_to` - 1, and where to look next.
 template <Floating Real>
@@ -33,10 +82,7 @@ struct Bracket {
   Real low, high;
   std::size_t below, up_to;
   Real next;
-  Real rate;            ///< of convergence, as for Root, before a step has told
-  Real last = Real(1);  ///< the step that led there, relative; 1 when it was no Laguerre step
-  Real enough = epsilon<Real>() / Real(8);  ///< relative error that will do
-  Real pull = Real(0);  ///< the sum over all roots of 1 / (relative distance)^2 where that step was made
+  Real last = Real(1);  ///< the step that led there, relative; 1 when it was none
 
   [[nodiscard]] bool single() const { return up_to - below == 1; }
   /// Looks next in the middle, in the measure of a graded spectrum. False when there is no number between.
@@ -49,11 +95,9 @@ struct Bracket {
 };
 
 /// Shortens the bracket of a single root by what was found at its next point, and steps on. Returns true when
-/// the root is known. For that Newton's step must be nearly the same, so that it is this root that is near
-/// and not one behind, and the error that the step leaves small enough. With d the relative distances of
-/// the other roots that error is less than e^3 / 2 sum 1 / d^2; the last two steps tell the sum.
+/// the root is known: when the series says so, and leads the way that the count points.
 template <Floating Real>
-bool close_in(Bracket<Real>& bracket, const Sweep<Real, 2>& at, std::size_t degree) {
+bool close_in(Bracket<Real>& bracket, const Sweep<Real, 3>& at, std::size_t degree) {
   using std::abs;
   using std::sqrt;
   const Real x = bracket.next;
@@ -61,24 +105,21 @@ bool close_in(Bracket<Real>& bracket, const Sweep<Real, 2>& at, std::size_t degr
     bracket.high = x;
     return !bracket.halve();
   }
-  if (at.f[0] == Real(0)) return true;
+  if (at.f[0] == 0) return true;
   const bool upwards = at.below <= bracket.below;
-  const Real width = bracket.high / bracket.low;
-  (upwards ? bracket.low : bracket.high) = x;
-  const auto [signed_step, pull] = laguerre_step(at.f, static_cast<double>(degree), upwards);
-  const Real step = abs(signed_step), target = x - x * signed_step;
-  const Real others = abs(Real(at.f[1] / at.f[0] * signed_step - Real(1)));  // e sum 1 / d
-  if (bracket.last < Real(0.1)) {
-    const Real before = bracket.last + step;
-    bracket.rate = std::max(Real(1), Real(Real(4) * abs(Real(bracket.pull - Real(1) / (before * before)))));
+  const auto series = series_step(at.f);
+  const bool close_by = series.close_by() && (series.size > 0) == upwards;
+  const bool done = close_by && series.settles(rough_ratio(epsilon<Real>(), Real(8)));
+  const Real step = close_by ? series.size : laguerre_step(at.f, static_cast<double>(degree), upwards);
+  const Real target = x + x * step, size = abs(step);
+  if (!done) {
+    const Real width = close_by ? Real(1) : Real(bracket.high / bracket.low);
+    (upwards ? bracket.low : bracket.high) = x;
+    const bool slow = !close_by && bracket.high > bracket.low * sqrt(width) && size > bracket.last / 2;
+    if (slow || !(bracket.low < target && target < bracket.high)) return !bracket.halve();
   }
-  const Real left = std::max(Real(bracket.rate * step * step), Real(others * others)) * step;
-  const bool done = others < Real(0.1) && left < bracket.enough;
-  const bool slow = bracket.high > bracket.low * sqrt(width) && step > bracket.last / Real(2);
-  if (!done && (slow || !(bracket.low < target && target < bracket.high))) return !bracket.halve();
   bracket.next = target;
-  bracket.last = step;
-  bracket.pull = pull;
+  bracket.last = size;
   return done;
 }
 
@@ -87,7 +128,6 @@ bool close_in(Bracket<Real>& bracket, const Sweep<Real, 2>& at, std::size_t degr
 /// The upper: the stiffness matrix of a string is at most twice its diagonal.
 template <Floating Real>
 Bracket<Real> all_of(const StringPiece<Real>& string) {
-  const auto degree = static_cast<double>(string.size());
   Real left = string.slope, high(0), mass(0), reach(0);
   for (std::size_t i = 0; i < string.size(); ++i) {
     const bool fixed = i < string.spacing.size();
@@ -98,8 +138,7 @@ Bracket<Real> all_of(const StringPiece<Real>& string) {
     left = right;
   }
   if (string.free_end()) reach += Real(1) / string.slope;
-  Bracket<Real> all{Real(1) / (Real(2) * mass * reach), Real(4) * high, 0, string.size(), Real(0),
-                    Real(1000 + degree * degree)};  // roots as close as this many are when they are even
+  Bracket<Real> all{Real(1) / (Real(2) * mass * reach), Real(4) * high, 0, string.size(), Real(0)};
   all.halve();
   return all;
 }

@@ -1,50 +1,72 @@
 #pragma once
 /// \file
-/// Eight doubles that are computed with at once: a vector of GCC's and Clang's vector extension. The compiler
-/// splits it where the machine's registers are narrower; with -march=native it uses the widest there are.
+/// Several doubles that are computed with at once: vectors of GCC's and Clang's vector extension. The
+/// compiler splits them where the machine's registers are narrower; with -march=native it uses the widest
+/// there are. The functions take a single number as well, so that one text serves both.
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace plumbline {
 
 inline constexpr std::size_t lane_count = 8;
-typedef double Lanes __attribute__((vector_size(lane_count * sizeof(double))));           // NOLINT
-typedef std::int64_t LaneBits __attribute__((vector_size(lane_count * sizeof(double))));  // NOLINT
+typedef double Lanes __attribute__((vector_size(lane_count * sizeof(double))));  // NOLINT
+typedef double Pair __attribute__((vector_size(2 * sizeof(double))));            // NOLINT
 
-/// Values and bit patterns of the same lanes.
-union LaneView {
-  Lanes values;
-  LaneBits bits;
-};
+/// What a comparison yields: -1 or 0 lane by lane, or a bool.
+template <class T>
+using Mask = decltype(std::declval<T>() < std::declval<T>());
 
-inline LaneBits bits_of(const Lanes& x) {
-  return (LaneBits)x;
-}  // NOLINT: a view, not a conversion
-inline Lanes from_bits(const LaneBits& bits) {
-  return (Lanes)bits;
-}  // NOLINT
+template <class T>
+concept Vectorised = std::same_as<T, Lanes> || std::same_as<T, Pair>;
+
 inline Lanes all_lanes(double x) {
   return Lanes{} + x;
 }
-
-/// |x|, lane by lane.
-inline Lanes magnitude(const Lanes& x) {
-  return from_bits(bits_of(x) & INT64_MAX);
+/// |x|.
+template <Vectorised V>
+V magnitude(const V& x) {
+  return (V)((Mask<V>)x & INT64_MAX);
 }
-inline Lanes larger(const Lanes& x, const Lanes& y) {
+template <class T>
+T larger(const T& x, const T& y) {
   return x > y ? x : y;
 }
-inline Lanes smaller(const Lanes& x, const Lanes& y) {
+template <class T>
+T smaller(const T& x, const T& y) {
   return x < y ? x : y;
 }
 /// -1 in the lanes whose sign bits differ, 0 in the others.
-inline LaneBits sign_differs(const Lanes& x, const Lanes& y) {
-  return (bits_of(x) ^ bits_of(y)) >> 63;
+template <Vectorised V>
+Mask<V> sign_differs(const V& x, const V& y) {
+  return ((Mask<V>)x ^ (Mask<V>)y) >> 63;
 }
 /// The power of two that brings a positive normal number into [1, 2).
-inline Lanes to_unit_scale(const Lanes& x) {
-  return from_bits((INT64_C(2046) - (bits_of(x) >> 52)) << 52);
+template <Vectorised V>
+V to_unit_scale(const V& x) {
+  return (V)((INT64_C(2046) - ((Mask<V>)x >> 52)) << 52);
+}
+inline Lanes square_root(const Lanes& x) {
+  Lanes root;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) root[lane] = std::sqrt(x[lane]);
+  return root;
+}
+template <class T>
+T square_root(const T& x) {
+  using std::sqrt;
+  return sqrt(x);
+}
+
+inline bool any(bool mask) {
+  return mask;
+}
+inline bool any(const Mask<Lanes>& mask) {
+  std::int64_t either = 0;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) either |= mask[lane];
+  return either != 0;
 }
 
 /// v_i + v_{i+1} + … + v_7 in lane i.

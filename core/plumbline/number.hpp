@@ -24,7 +24,7 @@ namespace plumbline {
 namespace mp = boost::multiprecision;
 
 /// Expression templates are off: `auto` and Eigen's expressions would keep references to dead temporaries.
-using Mpfr50 = mp::number<mp::mpfr_float_backend<50>, mp::et_off>;
+using Mpfr50 = mp::number<mp::mpfr_float_backend<50, mp::allocate_stack>, mp::et_off>;
 /// Precision in decimal digits is `Mpfr::default_precision()` at construction.
 using Mpfr = mp::number<mp::mpfr_float_backend<0>, mp::et_off>;
 using Rational = mp::number<mp::gmp_rational, mp::et_off>;

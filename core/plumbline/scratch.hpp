@@ -2,13 +2,14 @@
 /// \file
 /// Arrays for intermediate results that are made again and again. A fresh page from the operating system
 /// costs more than all the arithmetic on its contents, so each thread keeps its last few blocks for the next
-/// ones.
+/// ones; and a few elements need no block at all.
 
 #include <array>
+#include <cstddef>
 #include <cstdlib>
+#include <memory>
 #include <new>
 #include <utility>
-#include <vector>
 
 namespace plumbline {
 
@@ -53,33 +54,36 @@ class SpareBlocks {
   std::size_t next_ = 0;
 };
 
-/// Allocates from the spare blocks, and gives new elements no value where their type allows it.
+/// An array of fixed size, in place or in a spare block. New elements have no value where their type allows
+/// it.
 template <class T>
-struct ScratchAllocator {
-  using value_type = T;
-  ScratchAllocator() = default;
-  template <class U>
-  ScratchAllocator(const ScratchAllocator<U>& /*other*/) {}  // NOLINT(google-explicit-constructor): rebinding
-  bool operator==(const ScratchAllocator&) const = default;
+class Scratch {
+ public:
+  explicit Scratch(std::size_t size) : size_(size) {
+    void* const room =
+        size <= few ? static_cast<void*>(in_place_)
+                    : static_cast<char*>(SpareBlocks::of_this_thread().take(size * sizeof(T))) + header;
+    start_ = static_cast<T*>(room);
+    std::uninitialized_default_construct_n(start_, size);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() {
+    std::destroy_n(start_, size_);
+    if (size_ > few) SpareBlocks::of_this_thread().give_back(reinterpret_cast<char*>(start_) - header);
+  }
 
-  T* allocate(std::size_t count) {
-    void* const block = SpareBlocks::of_this_thread().take(count * sizeof(T));
-    return reinterpret_cast<T*>(static_cast<char*>(block) + SpareBlocks::header);
-  }
-  void deallocate(T* start, std::size_t /*count*/) {
-    SpareBlocks::of_this_thread().give_back(reinterpret_cast<char*>(start) - SpareBlocks::header);
-  }
-  template <class U, class... Arguments>
-  void construct(U* place, Arguments&&... arguments) {
-    if constexpr (sizeof...(arguments) == 0) {
-      ::new (static_cast<void*>(place)) U;
-    } else {
-      ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
-    }
-  }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] const T* begin() const { return start_; }
+  [[nodiscard]] const T* end() const { return start_ + size_; }
+  T& operator[](std::size_t i) { return start_[i]; }
+  const T& operator[](std::size_t i) const { return start_[i]; }
+
+ private:
+  static constexpr std::size_t few = 16, header = SpareBlocks::header;
+  std::size_t size_;
+  T* start_;
+  alignas(T) std::byte in_place_[few * sizeof(T)];
 };
-
-template <class T>
-using Scratch = std::vector<T, ScratchAllocator<T>>;
 
 }  // namespace plumbline

@@ -16,7 +16,7 @@ TEST_CASE("an axis maps its ends to its ends") {
 }
 
 TEST_CASE("ticks are few, round and in between") {
-  PROPERTY("any range", [] {
+  check_property("any range", [] {
     const double low = *rc::gen::inRange(-1000000, 1000000) * 1e-3;
     const double extent = std::pow(10.0, *rc::gen::inRange(-3, 5));
     const Axis axis(low, low + extent, 0, 100);

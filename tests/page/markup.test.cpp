@@ -46,9 +46,14 @@ TEST_CASE("what a user wrote is text, never markup") {
 }
 
 TEST_CASE("what is empty, null or false is no section") {
-  const nlohmann::ordered_json view = {
-      {"list", nlohmann::ordered_json::array()}, {"object", nlohmann::ordered_json::object()}, {"null", nullptr}, {"no", false}, {"yes", true}};
-  CHECK(filled("{{#list}}1{{/list}}{{#object}}2{{/object}}{{#null}}3{{/null}}{{#no}}4{{/no}}{{#yes}}5{{/yes}}", view) == "5");
+  const nlohmann::ordered_json view = {{"list", nlohmann::ordered_json::array()},
+                                       {"object", nlohmann::ordered_json::object()},
+                                       {"null", nullptr},
+                                       {"no", false},
+                                       {"yes", true}};
+  CHECK(
+      filled("{{#list}}1{{/list}}{{#object}}2{{/object}}{{#null}}3{{/null}}{{#no}}4{{/no}}{{#yes}}5{{/yes}}",
+             view) == "5");
 }
 
 TEST_CASE("a broken template is an error") {

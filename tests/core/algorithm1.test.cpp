@@ -1,0 +1,31 @@
+#include <plumbline/algorithm1.hpp>
+
+#include <doctest/doctest.h>
+
+#include <plumbline/buckling_mode.hpp>
+
+using namespace plumbline;
+
+TEST_CASE_TEMPLATE("Algorithm 1 and the recursion agree on the unit chain of four links", Real, double,
+                   Mpfr50) {
+  const Chain<Real> chain({1, 1, 1, 1}, {1, 1, 1, 1});
+  const auto modes = algorithm1(chain);
+  REQUIRE(modes.size() == 3);
+  for (std::size_t m = 0; m < 3; ++m) {
+    // the error of Algorithm 1 in double on this chain is a few units of 1e-15
+    const Real step = Real(64) * epsilon<Real>();
+    CHECK(count_below(chain, Real(modes[m].force * (Real(1) - step))) == m);
+    CHECK(count_below(chain, Real(modes[m].force * (Real(1) + step))) == m + 1);
+  }
+}
+
+TEST_CASE("Algorithm 1 in 50 digits finds the same forces and shapes") {
+  const Chain<Mpfr50> chain({0.3, 2, 7, 0.2, 1, 5}, {4, 0.5, 0.2, 3, 9, 1});
+  const auto peer = algorithm1(chain);
+  const auto modes = critical_modes(chain, 9);
+  REQUIRE(modes.size() == peer.size());
+  for (std::size_t m = 0; m < peer.size(); ++m) {
+    CHECK(abs(modes[m].force / peer[m].force - 1) < Mpfr50(1e-40));
+    for (std::size_t i = 0; i < 6; ++i) CHECK(abs(modes[m].q[i] - peer[m].q[i]) < Mpfr50(1e-38));
+  }
+}
