@@ -24,7 +24,7 @@ bool end_point_imposed(const Scene& s, Place) {
   return std::any_of(s.plan.runs.begin(), s.plan.runs.end(),
                      [](const PlannedRun& run) { return !run.force_controlled; });
 }
-/// No reading depends on what the camera shows.
+/// No reading depends on where a force-controlled carriage is taken to be.
 bool never_force_controlled(const Scene& s, Place) {
   return std::none_of(s.plan.runs.begin(), s.plan.runs.end(),
                       [](const PlannedRun& run) { return run.force_controlled; });
@@ -299,7 +299,7 @@ std::vector<Kind> bench() {
        {true},
        false,
        20,
-       end_point_imposed,
+       never_force_controlled,
        [](const Scene& s, Place, Random& r) {
          return one_way(r, 0.001 * compliance(s), 0.01 * compliance(s));
        },

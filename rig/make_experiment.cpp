@@ -149,6 +149,10 @@ double likeness(const std::vector<Excess>& one, const std::vector<Excess>& other
   return std::abs(product) / (rms(one) * rms(other) * static_cast<double>(one.size()));
 }
 
+std::string key_of(const Effect& effect) {
+  return trial::effect_key(std::string(effect.kind->id), effect.kind->at_joint ? effect.joint + 1 : 0);
+}
+
 trial::TrueEffect label_of(const Effect& effect, double strength) {
   const bool known = effect.kind->id != "unknown";
   trial::TrueEffect label{
@@ -158,23 +162,34 @@ trial::TrueEffect label_of(const Effect& effect, double strength) {
   return label;
 }
 
+/// Whether yielding of the base along y shows.
+bool yields_aside(const Bench& bench, const Outcome& outcome) {
+  std::vector<Effect> along = outcome.effects;
+  for (Effect& effect : along)
+    if (effect.kind->id == "base_compliance") effect.values[1] = 0;
+  const std::vector<Excess> rest =
+      gap(bench.plan, outcome.shown, outcome_of(bench, along).shown, bench.scatter.sigma);
+  return rms(rest) * std::sqrt(static_cast<double>(rest.size())) > 2;
+}
+
 /// What the catalogue itself says cannot be told apart: a payload from a tare error, always; the base's
 /// yielding along x from the train's, while the end point is imposed, if nothing yields noticeably along y.
 std::vector<std::vector<std::string>> equivalents(const Bench& bench, const Outcome& outcome) {
-  if (outcome.effects.size() != 1) return {};
-  const Effect& effect = outcome.effects.front();
   const bool imposed = std::none_of(bench.plan.runs.begin(), bench.plan.runs.end(),
                                     [](const PlannedRun& run) { return run.force_controlled; });
-  if (effect.kind->id == "tip_payload") return {{"force_bias"}};
-  if (effect.kind->id == "train_compliance" && imposed) return {{"base_compliance"}};
-  if (effect.kind->id != "base_compliance" || !imposed) return {};
-  Effect along = effect;
-  along.values[1] = 0;
-  const std::vector<Excess> rest =
-      gap(bench.plan, outcome.shown, outcome_of(bench, {along}).shown, bench.scatter.sigma);
-  const double seen = rms(rest) * std::sqrt(static_cast<double>(rest.size()));
-  return seen < 2 ? std::vector<std::vector<std::string>>{{"train_compliance"}}
-                  : std::vector<std::vector<std::string>>{};
+  std::vector<std::vector<std::string>> all;
+  for (std::size_t e = 0; e < outcome.effects.size(); ++e) {
+    const std::string_view id = outcome.effects[e].kind->id;
+    std::string other;
+    if (id == "tip_payload") other = "force_bias";
+    if (id == "train_compliance" && imposed) other = "base_compliance";
+    if (id == "base_compliance" && imposed && !yields_aside(bench, outcome)) other = "train_compliance";
+    if (other.empty()) continue;
+    all.emplace_back();
+    for (std::size_t k = 0; k < outcome.effects.size(); ++k)
+      all.back().push_back(k == e ? other : key_of(outcome.effects[k]));
+  }
+  return all;
 }
 
 Experiment finished(const Bench& bench, const Outcome& outcome, const std::vector<double>& alone,
@@ -231,10 +246,13 @@ Wish draw_wish(Random& random) {
   if (kind < 0.75) return {{known()}, {random.log_uniform(2.2, 50)}};
   if (kind < 0.87) return {{&random.one_of(outside())}, {random.log_uniform(6, 50)}};
   const Kind *one = known(), *other = known();
-  // With play and dry friction in one joint its equilibrium is not unique.
+  // With play and dry friction in one joint its equilibrium is not unique; the others add up to one effect.
   const auto undetermined = [&] {
-    const auto is = [&](std::string_view id) { return one->id == id || other->id == id; };
-    return one == other || (is("backlash") && is("joint_friction"));
+    const auto are = [&](std::string_view a, std::string_view b) {
+      return (one->id == a && other->id == b) || (one->id == b && other->id == a);
+    };
+    return one == other || are("backlash", "joint_friction") || are("tip_payload", "force_bias") ||
+           are("base_compliance", "train_compliance");
   };
   while (undetermined()) other = known();
   return {{one, other}, {random.log_uniform(5, 40), random.log_uniform(5, 40)}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace plumbline::rig {
 
@@ -71,7 +72,7 @@ void PassiveForce::add_to(const mjModel& model, mjData& data) const {
   const Magnet& magnet = physics_.magnet;
   if (magnet.strength == 0) return;
   const int end = mj_name2id(&model, mjOBJ_SITE, "end");
-  const mjtNum* at = data.site_xpos + 3 * end;
+  const mjtNum* at = data.site_xpos + 3 * static_cast<std::ptrdiff_t>(end);
   const double x = magnet.place[0] - at[0], y = magnet.place[1] - at[1];
   const double pull = magnet.strength * std::exp(-(x * x + y * y) / (2 * magnet.width * magnet.width));
   const std::array<mjtNum, 3> force{pull * x, pull * y, 0}, torque{0, 0, 0};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <memory>
 #include <mutex>
@@ -68,9 +69,9 @@ struct Timing {
   bool steady;       ///< whether it moves at a steady rate; else it starts and stops softly
 };
 
-/// Where real time matters the carriage moves nearly throughout, and the dynamics is that much faster. With dry
-/// friction what the joints carry depends on the way, which damping must not bend, and bristles need short
-/// steps.
+/// Where real time matters the carriage moves nearly throughout, and the dynamics is that much faster. With
+/// dry friction what the joints carry depends on the way, which damping must not bend, and bristles need
+/// short steps.
 Timing timing(const Physics& physics) {
   bool dry = physics.pivot_friction > 0;
   for (const Joint& joint : physics.joint) dry = dry || joint.friction > 0;
@@ -103,7 +104,7 @@ class Bench {
     double late = 0;
     for (std::size_t i = 1; i < run_.commands.size(); ++i) {
       const double planned = run_.commands[i].t - run_.commands[i - 1].t;
-      move(true_command(run_.commands[i - 1]), true_command(run_.commands[i]), planned);
+      move(true_command(run_.commands[i - 1], late), true_command(run_.commands[i], late), planned);
       late += settle();
       states.push_back(read(run_.commands[i].t + late));
     }
@@ -117,14 +118,14 @@ class Bench {
     return {response, response / timing_.steps};
   }
 
-  /// What the carriage does when it is told a command.
-  Pair true_command(const Command& command) const {
+  /// What the carriage does when it is told a command, so much later than planned.
+  Pair true_command(const Command& command, double late) const {
     const Pair& first = run_.commands.front().value;
     if (run_.force_controlled) {  // the load cell is the servo's: what it reads is what was told
       Pair force;
       for (std::size_t a = 0; a < 2; ++a)
-        force[a] =
-            (command.value[a] - physics_.bias[a] - physics_.drift[a] * command.t) / (1 + physics_.gain);
+        force[a] = (command.value[a] - physics_.bias[a] - physics_.drift[a] * (command.t + late)) /
+                   (1 + physics_.gain);
       return turned(force, physics_.misalignment);
     }
     const Pair way =
@@ -149,7 +150,7 @@ class Bench {
     mj_kinematics(model_.get(), data_.get());
     const Pair from = run_.force_controlled ? Pair{0, 0} : end_point();
     constexpr double readings_long = 4;
-    move(from, true_command(run_.commands.front()), readings_long * timing_.responses * pace_.response);
+    move(from, true_command(run_.commands.front(), 0), readings_long * timing_.responses * pace_.response);
     settle();
     passive_.begin_history();
   }
@@ -230,7 +231,7 @@ class Bench {
   Model model_;
   Data data_;
   PassiveForce passive_;
-  int end_;
+  std::ptrdiff_t end_;
   std::vector<int> hub_;
   Pair target_{0, 0};
 };
