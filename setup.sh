@@ -16,6 +16,8 @@ packages=(
   libceres-dev
   # tests
   doctest-dev librapidcheck-dev python3-jsonschema
+  # the rig of the blind trial
+  libmujoco-dev
   # pages, in a browser
   chromium chromium-driver python3-selenium
   # drawings, at run time
@@ -23,7 +25,7 @@ packages=(
 )
 
 # what the benchmarks compare with: ./setup.sh --bench
-peers=(liblapack-dev libopenblas-dev libspectra-dev)
+peers=(liblapack-dev libopenblas-dev libspectra-dev python3-scipy)
 [ "${1:-}" != --bench ] || packages+=("${peers[@]}")
 
 missing=()

@@ -14,15 +14,17 @@ namespace {
 
 struct Options {
   std::string experiment, json, html;
+  bool next = false;
 };
 
-Diagnosis diagnosis_of(const Experiment& experiment) {
+Diagnosis diagnosis_of(const Experiment& experiment, bool next) {
   constexpr std::size_t steps = 100;
   Progress progress("diagnosis", steps);
   std::size_t shown = 0;
-  return diagnose(experiment, [&](double share) {
+  const auto show = [&](double share) {
     for (; shown < static_cast<std::size_t>(share * steps); ++shown) progress.advance();
-  });
+  };
+  return diagnose(experiment, show, next);
 }
 
 void run(const Options& options) {
@@ -31,7 +33,7 @@ void run(const Options& options) {
   std::unique_ptr<OutputFile> json, html;
   if (!options.json.empty()) json = std::make_unique<OutputFile>(options.json);
   if (!options.html.empty()) html = std::make_unique<OutputFile>(options.html);
-  const Diagnosis diagnosis = diagnosis_of(experiment);
+  const Diagnosis diagnosis = diagnosis_of(experiment, options.next);
   if (json) json->write(as_json(diagnosis).dump(2) + "\n");
   if (html) html->write(as_html(experiment, diagnosis));
   if (json) json->commit();
@@ -54,9 +56,12 @@ void add_diagnose(CLI::App& app) {
       ->type_name("[FILE]")
       ->expected(0, 1)
       ->default_str("-");
-  verb->add_option("--html", options->html,
-                   "Write a page with the curves, the residuals and the chain drawn: one file, to print or send")
+  verb->add_option(
+          "--html", options->html,
+          "Write a page with the curves, the residuals and the chain drawn: one file, to print or send")
       ->type_name("FILE");
+  verb->add_flag("--next", options->next,
+                 "Say which run to make next even where the cause is clear: to tell the best two apart");
   verb->callback([options] { run(*options); });
 }
 

@@ -38,5 +38,6 @@ int main(int argc, char** argv) {
   plumbline::add_reference(app);
   plumbline::add_check(app);
   plumbline::add_diagnose(app);
+  plumbline::add_trial(app);
   return run(app, argc, argv);
 }

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/loaded_input.hpp"
+#include "app/located_report.hpp"
 #include "app/path_report.hpp"
 #include "app/verbs.hpp"
 #include "files/text_file.hpp"
@@ -15,21 +16,22 @@ struct Options {
   double to = 0, dy = 0, step = 0.05;
   std::vector<double> force;
   std::string branches = "stable", csv, json, svg;
-  int side = 1;
+  int side = 1, digits = 0;
 };
 
-/// From the unloaded state to the load that was asked for.
-std::pair<Loading<double>, double> loading_of(const Options& options, const Chain<double>& chain) {
-  const auto ray = [](Control control, Point<double> start, double x, double y) {
-    const double size = std::hypot(x, y);
-    if (!(size > 0) || !std::isfinite(size))
-      throw Error("load", "nothing to do", "a finite load that is not zero");
-    return std::pair{Loading<double>{control, start, {x / size, y / size}}, size};
-  };
-  if (!options.force.empty()) return ray(Control::force, {0, 0}, options.force[0], options.force[1]);
-  const auto held = ray(Control::end_point, end_point(chain, chain.rest()), -options.to, options.dy);
-  NominalModel<double>(chain).require_reach(held.first.at(held.second));
-  return held;
+/// From the unloaded state to the load that was asked for, and how far that is.
+template <Floating Real>
+std::pair<Loading<Real>, Real> loading_of(const Options& options, const Chain<Real>& chain) {
+  using std::sqrt;
+  const bool held = options.force.empty();
+  const Real x(held ? -options.to : options.force[0]), y(held ? options.dy : options.force[1]);
+  const Real size = sqrt(x * x + y * y);
+  if (!(size > Real(0)) || !is_finite(size))
+    throw Error("load", "nothing to do", "a finite load that is not zero");
+  const Point<Real> start = held ? end_point(chain, chain.rest()) : Point<Real>{Real(0), Real(0)};
+  const Loading<Real> loading{held ? Control::end_point : Control::force, start, {x / size, y / size}};
+  if (held) NominalModel<Real>(chain).require_reach(loading.at(size));
+  return {loading, size};
 }
 
 void run(Options options) {
@@ -41,6 +43,11 @@ void run(Options options) {
   const PathTask task{chain, loading, last, options.step, options.side};
   PathReport report = options.branches == "stable" ? follow_slowly(task) : follow_all(task);
   report.chain = options.chain.name;
+  LocatedReport located;
+  if (options.digits > 0) {
+    const auto exact = from_rational<Located>(options.chain.exact);
+    located = locate(report, options.chain.exact, loading_of(options, exact).first);
+  }
   for (const std::string& warning : report.warnings) fmt::print(stderr, "plumbline: warning: {}\n", warning);
   const auto write = [](const std::string& path, const std::string& text) {
     OutputFile file(path);
@@ -49,9 +56,14 @@ void run(Options options) {
   };
   const std::string svg = options.svg.empty() ? "" : as_svg(as_drawing(report, chain), 2);
   if (!options.csv.empty()) write(options.csv, as_csv(report));
-  if (!options.json.empty()) write(options.json, as_json(report).dump(2) + "\n");
+  if (!options.json.empty()) {
+    auto json = as_json(report);
+    if (options.digits > 0) json["events"] = as_json(located, options.digits);
+    write(options.json, json.dump(2) + "\n");
+  }
   if (!options.svg.empty()) write(options.svg, svg);
-  if (options.csv.empty() && options.json.empty() && options.svg.empty()) fmt::print("{}", as_text(report));
+  if (options.csv.empty() && options.json.empty() && options.svg.empty())
+    fmt::print("{}{}", as_text(report), options.digits > 0 ? as_text(located, options.digits) : "");
 }
 
 }  // namespace
@@ -85,6 +97,9 @@ void add_path(CLI::App& app) {
   verb->add_option("--step", options->step, "Longest step: root mean square turn of the links, in radians")
       ->check(CLI::Range(1e-4, 0.5))
       ->capture_default_str();
+  verb->add_option("--digits", options->digits,
+                   "Locate every event anew to so many digits, and list them (text and JSON)")
+      ->check(CLI::Range(1, located_digits));
   const auto output = [&](const char* flag, std::string& target, const char* what) {
     verb->add_option(flag, target, what)->type_name("[FILE]")->expected(0, 1)->default_str("-");
   };

@@ -16,6 +16,7 @@ void add_figure(CLI::App& app);
 void add_path(CLI::App& app);
 void add_reference(CLI::App& app);
 void add_diagnose(CLI::App& app);
+void add_trial(CLI::App& app);
 void add_verify(CLI::App& app);
 
 }  // namespace plumbline

@@ -105,7 +105,7 @@ Json run_script(const std::vector<Task>& tasks) {
   for (const Task& one : tasks) all.push_back(for_script(one));
   std::ofstream(in) << all;
   const std::string command =
-      fmt::format("OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 python3 '{}' < '{}' > '{}'", FIT_SCIPY, in, out);
+      fmt::format("OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 {} < '{}' > '{}'", FIT_SCIPY, in, out);
   if (std::system(command.c_str()) != 0) {
     fmt::print(stderr, "bench-fit: the SciPy script failed; it needs python3-scipy\n");
     std::exit(1);

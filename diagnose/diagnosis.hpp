@@ -41,7 +41,9 @@ struct Diagnosis {
 };
 
 /// \param progress  called now and then with the share of the work that is done
+/// \param plan      propose the next run even where the cause is not ambiguous: between the best two
 /// \throws Error where the nominal model cannot follow the experiment
-Diagnosis diagnose(const Experiment& experiment, const std::function<void(double)>& progress = {});
+Diagnosis diagnose(const Experiment& experiment, const std::function<void(double)>& progress = {},
+                   bool plan = false);
 
 }  // namespace plumbline

@@ -8,8 +8,6 @@
 namespace plumbline {
 namespace {
 
-using Values = const double*;
-
 Vector2 gravity_direction(const Experiment& experiment) {
   if (experiment.bench.has_direction)
     return {experiment.bench.gravity_direction[0], experiment.bench.gravity_direction[1]};
@@ -18,96 +16,88 @@ Vector2 gravity_direction(const Experiment& experiment) {
 
 constexpr Coordinate plain = Coordinate::plain;
 
+/// Where an effect is added, and how much of it.
+struct Addition {
+  Rig& rig;
+  std::size_t joint;    ///< from 0
+  Vector2 down;         ///< direction of gravity
+  const double* value;  ///< in catalogue units, one a parameter
+};
+
 struct Entry {
   std::string_view name;
   bool at_joint;
   std::vector<Coordinate> coordinates;  ///< one a parameter
-  /// Adds the effect to the rig; `i` is the joint from 0, `v` the catalogue values.
-  void (*add)(Rig& rig, const Experiment& experiment, std::size_t i, Values v);
+  void (*add)(const Addition& at);
 };
 
-#define PLUMBLINE_EFFECT \
-  [](Rig & rig, [[maybe_unused]] const Experiment& experiment, [[maybe_unused]] std::size_t i, Values v)
-
 const std::array<Entry, effect_count> catalogue{
-    {{"joint_stiffness", true, {plain}, PLUMBLINE_EFFECT{rig.stiffness[i] *= 1 + v[0];
-}  // namespace
-}  // namespace plumbline
-, {"link_length", true, {plain}, PLUMBLINE_EFFECT{rig.length[i] *= 1 + v[0];
-}
-}
-, {"rest_angle", true, {plain}, PLUMBLINE_EFFECT{rig.rest_error[i] += v[0];
-}
-}
-, {"nonlinear_spring", false, {plain}, PLUMBLINE_EFFECT{rig.hardening += v[0];
-}
-}
-, {"backlash", true, {plain}, PLUMBLINE_EFFECT{rig.backlash[i] += v[0];
-}
-}
-, {"joint_friction", false, {plain}, PLUMBLINE_EFFECT{rig.friction += v[0];
-}
-}
-, {"joint_stop", true, {plain, plain}, PLUMBLINE_EFFECT{rig.stop[i] = v[0];
-rig.stop_stiffness[i] = v[1];
-}
-}
-, {"joint_coupling", false, {plain}, PLUMBLINE_EFFECT{rig.coupling += v[0];
-}
-}
-, {"gravity", false, {plain},
-   PLUMBLINE_EFFECT{for (std::size_t j = 0; j < rig.length.size(); ++j) rig.weight[j] +=
-                    v[0] * rig.length[j] * standard_gravity * gravity_direction(experiment);
-}
-}
-, {"tip_payload", false, {plain}, PLUMBLINE_EFFECT{rig.payload += v[0] * gravity_direction(experiment);
-}
-}
-, {"base_compliance", false, {plain, plain}, PLUMBLINE_EFFECT{rig.base_compliance += Vector2(v[0], v[1]);
-}
-}
-, {"axial_compliance", false, {plain}, PLUMBLINE_EFFECT{rig.axial += v[0];
-}
-}
-, {"link_bending", false, {Coordinate::reciprocal}, PLUMBLINE_EFFECT{rig.flexibility += 1 / v[0];
-}
-}
-, {"rail_misalignment", false, {plain}, PLUMBLINE_EFFECT{rig.misalignment += v[0];
-}
-}
-, {"eccentric_load", false, {plain}, PLUMBLINE_EFFECT{rig.eccentricity += v[0];
-}
-}
-, {"tip_stiffness", false, {plain}, PLUMBLINE_EFFECT{rig.tip_stiffness += v[0];
-}
-}
-, {"guide_friction", false, {plain}, PLUMBLINE_EFFECT{rig.guide_friction += v[0];
-}
-}
-, {"force_bias", false, {plain, plain}, PLUMBLINE_EFFECT{rig.force_bias += Vector2(v[0], v[1]);
-}
-}
-, {"force_gain", false, {plain}, PLUMBLINE_EFFECT{rig.force_gain += v[0];
-}
-}
-, {"position_offset", false, {plain, plain}, PLUMBLINE_EFFECT{rig.position_offset += Vector2(v[0], v[1]);
-}
-}
-, {"train_compliance", false, {plain}, PLUMBLINE_EFFECT{rig.train_compliance += v[0];
-}
-}
-, {"viscoelasticity", false, {plain, Coordinate::logarithm}, PLUMBLINE_EFFECT{rig.arm_ratio += v[0];
-rig.relaxation = v[1];
-}
-}
-, {"sensor_drift", false, {plain, plain}, PLUMBLINE_EFFECT{rig.force_drift += Vector2(v[0], v[1]);
-}
-}
-,
-}
-}
-;
-#undef PLUMBLINE_EFFECT
+    Entry{"joint_stiffness",
+          true,
+          {plain},
+          [](const Addition& at) { at.rig.stiffness[at.joint] *= 1 + at.value[0]; }},
+    Entry{
+        "link_length", true, {plain}, [](const Addition& at) { at.rig.length[at.joint] *= 1 + at.value[0]; }},
+    Entry{
+        "rest_angle", true, {plain}, [](const Addition& at) { at.rig.rest_error[at.joint] += at.value[0]; }},
+    Entry{"nonlinear_spring", false, {plain}, [](const Addition& at) { at.rig.hardening += at.value[0]; }},
+    Entry{"backlash", true, {plain}, [](const Addition& at) { at.rig.backlash[at.joint] += at.value[0]; }},
+    Entry{"joint_friction", false, {plain}, [](const Addition& at) { at.rig.friction += at.value[0]; }},
+    Entry{"joint_stop",
+          true,
+          {plain, plain},
+          [](const Addition& at) {
+            at.rig.stop[at.joint] = at.value[0];
+            at.rig.stop_stiffness[at.joint] = at.value[1];
+          }},
+    Entry{"joint_coupling", false, {plain}, [](const Addition& at) { at.rig.coupling += at.value[0]; }},
+    Entry{"gravity",
+          false,
+          {plain},
+          [](const Addition& at) {
+            for (std::size_t j = 0; j < at.rig.length.size(); ++j)
+              at.rig.weight[j] += at.value[0] * at.rig.length[j] * standard_gravity * at.down;
+          }},
+    Entry{"tip_payload", false, {plain}, [](const Addition& at) { at.rig.payload += at.value[0] * at.down; }},
+    Entry{"base_compliance",
+          false,
+          {plain, plain},
+          [](const Addition& at) { at.rig.base_compliance += Vector2(at.value[0], at.value[1]); }},
+    Entry{"axial_compliance", false, {plain}, [](const Addition& at) { at.rig.axial += at.value[0]; }},
+    Entry{"link_bending",
+          false,
+          {Coordinate::reciprocal},
+          [](const Addition& at) { at.rig.flexibility += 1 / at.value[0]; }},
+    Entry{
+        "rail_misalignment", false, {plain}, [](const Addition& at) { at.rig.misalignment += at.value[0]; }},
+    Entry{"eccentric_load", false, {plain}, [](const Addition& at) { at.rig.eccentricity += at.value[0]; }},
+    Entry{"tip_stiffness", false, {plain}, [](const Addition& at) { at.rig.tip_stiffness += at.value[0]; }},
+    Entry{"guide_friction", false, {plain}, [](const Addition& at) { at.rig.guide_friction += at.value[0]; }},
+    Entry{"force_bias",
+          false,
+          {plain, plain},
+          [](const Addition& at) { at.rig.force_bias += Vector2(at.value[0], at.value[1]); }},
+    Entry{"force_gain", false, {plain}, [](const Addition& at) { at.rig.force_gain += at.value[0]; }},
+    Entry{"position_offset",
+          false,
+          {plain, plain},
+          [](const Addition& at) { at.rig.position_offset += Vector2(at.value[0], at.value[1]); }},
+    Entry{"train_compliance",
+          false,
+          {plain},
+          [](const Addition& at) { at.rig.train_compliance += at.value[0]; }},
+    Entry{"viscoelasticity",
+          false,
+          {plain, Coordinate::logarithm},
+          [](const Addition& at) {
+            at.rig.arm_ratio += at.value[0];
+            at.rig.relaxation = at.value[1];
+          }},
+    Entry{"sensor_drift",
+          false,
+          {plain, plain},
+          [](const Addition& at) { at.rig.force_drift += Vector2(at.value[0], at.value[1]); }},
+};
 
 const Entry& entry(EffectId effect) {
   return catalogue[static_cast<std::size_t>(effect)];
@@ -315,7 +305,8 @@ Rig rig_with(const Experiment& experiment, const Candidate& candidate,
     std::vector<double> values;
     for (const Coordinate coordinate : entry(at.effect).coordinates)
       values.push_back(catalogue_value(coordinate, parameters.at(next++)));
-    entry(at.effect).add(rig, experiment, at.joint > 0 ? at.joint - 1 : 0, values.data());
+    entry(at.effect).add(
+        {rig, at.joint > 0 ? at.joint - 1 : 0, gravity_direction(experiment), values.data()});
   }
   return rig;
 }

@@ -9,8 +9,7 @@ namespace {
 
 const Fit* best_explanation(const Cause& cause) {
   if (cause.ranking.empty()) return nullptr;
-  const bool explained = cause.verdict == Verdict::identified || cause.verdict == Verdict::ambiguous;
-  return &cause.ranking[explained ? cause.best : 0].hypothesis.fit;
+  return &cause.ranking[cause.best].hypothesis.fit;
 }
 
 /// "+x", "−y", or "(0.80, −0.60)".

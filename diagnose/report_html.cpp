@@ -122,7 +122,8 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
   };
   for (const std::size_t place : cause.equivalent)
     add(names(cause.ranking[place].hypothesis.fit.candidate),
-        fmt::format("fits these readings as well as the best: their log-likelihoods differ by less than {:g}",
+        fmt::format("fits these readings as well as the best: log-likelihood or log-evidence differ by less "
+                    "than {:g}",
                     told_apart));
   for (std::size_t i = 0; i < std::min(ranking.size(), cause.ranking.size()); ++i) {
     const bool listed =
@@ -131,8 +132,11 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
       add(names(cause.ranking[i].hypothesis.fit.candidate),
           "less probable, yet keeps " + ranking[i]["probability"].get<std::string>());
   }
-  if (cause.verdict != Verdict::unknown && cause.unknown >= 0.01)
+  if (cause.or_unknown) {
+    add("unknown", "fitted without the held-out readings, the explanation does not predict them");
+  } else if (cause.verdict != Verdict::unknown && cause.unknown >= 0.01) {
     add("unknown", "a cause outside the catalogue keeps " + ranking.back()["probability"].get<std::string>());
+  }
   std::vector<std::string> idle;
   for (const EffectAt& at : explained.diagnosis.not_exercised) idle.push_back(label(at));
   add(joined(idle, ", ", ", "), "never exercised: no reading of these runs depends on it");
@@ -156,6 +160,7 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   std::vector<std::string> alternatives;
   for (const std::size_t place : cause.equivalent)
     alternatives.push_back(words(cause.ranking[place].hypothesis.fit.candidate));
+  if (cause.or_unknown) alternatives.emplace_back("a cause outside the catalogue");
   view["alternatives"] = joined(alternatives, ", ", " or ");
   Json& ranking = view["cause"]["ranking"];
   for (Json& one : ranking) {

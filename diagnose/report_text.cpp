@@ -99,7 +99,7 @@ std::string unexplained(const Diagnosis& diagnosis) {
     text += picture(missing);
   }
   if (!diagnosis.cause.ranking.empty()) {
-    const Ranked& partial = diagnosis.cause.ranking.front();
+    const Ranked& partial = diagnosis.cause.ranking[diagnosis.cause.best];
     text += fmt::format("  best partial explanation: {} (chi-square per degree of freedom {:.3g})\n",
                         names(partial.hypothesis.fit.candidate), partial.chi2_per_dof);
   }
@@ -118,6 +118,10 @@ std::string what(const Diagnosis& diagnosis) {
   text += fmt::format("  outside the catalogue with probability {:.2g}\n", cause.unknown);
   for (const std::size_t place : cause.equivalent)
     text += "  cannot be told apart from " + names(cause.ranking[place].hypothesis.fit.candidate) + "\n";
+  if (cause.or_unknown)
+    text +=
+        "  or a cause outside the catalogue: fitted without the held-out readings, it does not predict "
+        "them\n";
   std::string idle;
   for (const EffectAt& at : diagnosis.not_exercised) idle += (idle.empty() ? "" : ", ") + label(at);
   if (!idle.empty())
@@ -140,7 +144,7 @@ std::string how_far(const Diagnosis& diagnosis) {
 
 std::string what_next(const Diagnosis& diagnosis) {
   if (diagnosis.proposals.empty()) return "";
-  std::string text = "What next?  Runs that would tell these apart, best first\n";
+  std::string text = "What next?  Runs that would tell the candidates apart, best first\n";
   for (const Proposal& one : diagnosis.proposals)
     text += fmt::format(
         "  {}: expected odds {}\n", one.description,

@@ -11,6 +11,24 @@ bool better(const Fit& a, const Fit& b) {
   return a.cost < b.cost;
 }
 
+bool same(const Candidate& a, const Candidate& b) {
+  return std::is_permutation(a.effects.begin(), a.effects.end(), b.effects.begin(), b.effects.end());
+}
+
+/// Adds fits, best first; of two of the same candidate the better.
+void add(std::vector<Fit>& fits, std::vector<Fit> more) {
+  for (Fit& one : more) {
+    const auto known = std::find_if(fits.begin(), fits.end(),
+                                    [&](const Fit& other) { return same(other.candidate, one.candidate); });
+    if (known == fits.end()) {
+      fits.push_back(std::move(one));
+    } else if (better(one, *known)) {
+      *known = std::move(one);
+    }
+  }
+  std::sort(fits.begin(), fits.end(), better);
+}
+
 /// How far a search goes. A second effect is looked for beside the twenty best effects alone: of two causes
 /// one is among them unless both hide behind more than a score that mimic their sum. A third is looked for
 /// beside the ten best pairs. The two dozen that promise most are fitted.
@@ -52,7 +70,34 @@ class Searcher {
     return fits;
   }
 
+  /// The best combinations with one effect left out, started where the combination stands: a search that went
+  /// astray alone may have found its place in company.
+  [[nodiscard]] std::vector<Fit> parts(const std::vector<Fit>& combinations) const {
+    constexpr std::size_t examined = 3;
+    std::vector<Fit> fits;
+    for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c)
+      for (std::size_t e = 0; e < combinations[c].candidate.effects.size(); ++e)
+        keep(fits, without_effect(combinations[c], e));
+    return fits;
+  }
+
  private:
+  [[nodiscard]] Fit without_effect(const Fit& combination, std::size_t left_out) const {
+    Candidate candidate;
+    std::vector<double> start;
+    std::size_t p = 0;
+    for (std::size_t e = 0; e < combination.candidate.effects.size(); ++e) {
+      const EffectAt& at = combination.candidate.effects[e];
+      const std::size_t count = parameter_ranges(experiment_, at).size();
+      if (e != left_out) {
+        candidate.effects.push_back(at);
+        for (std::size_t own = 0; own < count; ++own) start.push_back(combination.parameters[p + own]);
+      }
+      p += count;
+    }
+    return fit_from(experiment_, measurements_, candidate, {}, start);
+  }
+
   /// Keeps what converged, unless its parameters are too many for so few readings: three for each.
   void keep(std::vector<Fit>& fits, Fit one) const {
     if (one.converged && 3 * one.parameters.size() <= measurements_.size()) fits.push_back(std::move(one));
@@ -67,10 +112,8 @@ class Searcher {
 
   /// Keeps the better of two ways to the same combination.
   static void offer(std::vector<Combination>& combinations, Combination one) {
-    const auto& effects = one.candidate.effects;
     const auto known = std::find_if(combinations.begin(), combinations.end(), [&](const Combination& other) {
-      return std::is_permutation(effects.begin(), effects.end(), other.candidate.effects.begin(),
-                                 other.candidate.effects.end());
+      return same(other.candidate, one.candidate);
     });
     if (known == combinations.end()) {
       combinations.push_back(std::move(one));
@@ -107,17 +150,18 @@ Findings search(const Experiment& experiment, const Measurements& measurements,
   const Searcher searcher(experiment, measurements);
   std::vector<Fit> fits = searcher.singles();
   const auto p_value = [&] { return test_gap(measurements, fits.front().residual).p_value; };
-  const auto add = [&](const std::vector<Fit>& more) {
-    fits.insert(fits.end(), more.begin(), more.end());
-    std::sort(fits.begin(), fits.end(), better);
-  };
   report(0.1);
   constexpr double look_further = 0.05;  // a search more costs time alone
   if (!fits.empty() && p_value() < look_further) {
     const std::vector<Fit> pairs = searcher.extended(fits, single_seeds);
-    add(pairs);
+    add(fits, pairs);
+    add(fits, searcher.parts(pairs));
     report(0.5);
-    if (p_value() < fit_level) add(searcher.extended(pairs, pair_seeds));
+    if (p_value() < fit_level) {
+      const std::vector<Fit> threes = searcher.extended(pairs, pair_seeds);
+      add(fits, threes);
+      add(fits, searcher.parts(threes));
+    }
   }
   Findings findings;
   for (Fit& one : fits) findings.hypotheses.push_back({std::move(one), 0, 0, {}});

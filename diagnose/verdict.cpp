@@ -20,13 +20,15 @@ double chi2_per_dof(const Measurements& measurements, const Fit& fit, const Nois
   return sum / static_cast<double>(values > parameters ? values - parameters : 1);
 }
 
-/// Posterior probabilities of the genuine hypotheses.
+/// Posterior probabilities of the genuine hypotheses; of all where none is genuine.
 std::vector<Ranked> ranked(const Experiment& experiment, const Measurements& measurements,
                            const Findings& findings) {
+  const auto stands = [&](const Hypothesis& one) { return genuine(experiment, one.fit); };
+  const bool any = std::any_of(findings.hypotheses.begin(), findings.hypotheses.end(), stands);
   std::vector<Ranked> ranking;
   double sum = 0;
   for (const Hypothesis& hypothesis : findings.hypotheses) {
-    if (!genuine(experiment, hypothesis.fit)) continue;
+    if (any && !stands(hypothesis)) continue;
     const double best = ranking.empty() ? hypothesis.log_evidence : ranking.front().hypothesis.log_evidence;
     ranking.push_back({hypothesis, std::exp(hypothesis.log_evidence - best),
                        chi2_per_dof(measurements, hypothesis.fit, findings.noise)});
@@ -90,6 +92,14 @@ double fit_p_value(const Measurements& measurements, const Fit& fit, const Noise
   return std::min(size, test_gap(measurements, fit.residual).p_value);
 }
 
+/// Log-likelihood that a fit gains over a simpler one, in the noise that the simpler one leaves: in its own,
+/// what it has fitted of correlated noise would count for it.
+double gain(const Measurements& measurements, const Fit& simpler, const Fit& fuller) {
+  const NoiseModel noise = estimate_noise(measurements, without_outliers(measurements, simpler.residual));
+  return log_likelihood(measurements, fuller.residual, noise) -
+         log_likelihood(measurements, simpler.residual, noise);
+}
+
 /// The simplest explanation that leaves no structure, unless one more effect is significant at all the places
 /// where it could have been found; the end of the ranking when none suffices.
 std::size_t choose(const Experiment& experiment, const Measurements& measurements, const NoiseModel& noise,
@@ -100,15 +110,16 @@ std::size_t choose(const Experiment& experiment, const Measurements& measurement
     const std::size_t place = first_of(ranking, effects);
     if (place == ranking.size()) continue;
     Hypothesis& one = ranking[place].hypothesis;
+    if (!genuine(experiment, one.fit)) continue;
     one.p_value = fit_p_value(measurements, one.fit, noise);
     if (*one.p_value < fit_level) continue;
     if (chosen == ranking.size()) {
       chosen = place;
       continue;
     }
-    const Hypothesis& simpler = ranking[chosen].hypothesis;
-    const auto more = static_cast<double>(effects - simpler.fit.candidate.effects.size());
-    if (one.log_likelihood > simpler.log_likelihood + more * significant) chosen = place;
+    const Fit& simpler = ranking[chosen].hypothesis.fit;
+    const auto more = static_cast<double>(effects - simpler.candidate.effects.size());
+    if (gain(measurements, simpler, one.fit) > more * significant) chosen = place;
   }
   return chosen;
 }
@@ -133,6 +144,18 @@ bool near(const Hypothesis& best, const Hypothesis& other) {
 
 }  // namespace
 
+std::size_t best_partial(const Measurements& measurements, const std::vector<Hypothesis>& hypotheses) {
+  const double independent = static_cast<double>(measurements.size()) / 8;
+  const auto criterion = [&](const Hypothesis& one) {
+    return independent * std::log(one.fit.cost) +
+           static_cast<double>(one.fit.parameters.size()) * std::log(std::max(independent, 2.0));
+  };
+  const auto place =
+      std::min_element(hypotheses.begin(), hypotheses.end(),
+                       [&](const Hypothesis& a, const Hypothesis& b) { return criterion(a) < criterion(b); });
+  return static_cast<std::size_t>(place - hypotheses.begin());
+}
+
 Cause judge(const Experiment& experiment, const Measurements& measurements, const Findings& findings) {
   Cause cause;
   cause.ranking = ranked(experiment, measurements, findings);
@@ -142,7 +165,12 @@ Cause judge(const Experiment& experiment, const Measurements& measurements, cons
   for (const Ranked& one : cause.ranking) p_value = std::max(p_value, one.hypothesis.p_value.value_or(0));
   cause.unknown = probability_of_unknown(p_value);
   for (Ranked& one : cause.ranking) one.probability *= 1 - cause.unknown;
-  if (chosen == cause.ranking.size()) return cause;
+  if (chosen == cause.ranking.size()) {
+    std::vector<Hypothesis> partial;
+    for (const Ranked& one : cause.ranking) partial.push_back(one.hypothesis);
+    if (!partial.empty()) cause.best = best_partial(measurements, partial);
+    return cause;
+  }
   cause.best = chosen;
   const Hypothesis& best = cause.ranking[chosen].hypothesis;
   for (std::size_t i = 0; i < cause.ranking.size(); ++i) {

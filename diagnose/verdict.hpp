@@ -21,8 +21,9 @@ struct Ranked {
 struct Cause {
   Verdict verdict = Verdict::none;
   std::vector<Ranked> ranking;          ///< most probable first
+  bool or_unknown = false;              ///< the best did not predict: the cause may be outside the catalogue
   double unknown = 1;                   ///< probability that the cause is none of the ranking
-  std::size_t best = 0;                 ///< place of the best in the ranking
+  std::size_t best = 0;                 ///< place of the best, for `unknown` of the best partial one
   std::vector<std::size_t> equivalent;  ///< places in the ranking that cannot be told apart from the best
 };
 
@@ -34,6 +35,10 @@ inline constexpr double told_apart = 3.0;
 /// has run to the end of a range where it turns into another effect (a stop that always touches is a stiffer
 /// joint, a relaxation slower than the experiment a stiffer spring).
 bool genuine(const Experiment& experiment, const Fit& fit);
+
+/// Place of the explanation that is worth most where none is right: what it leaves is then taken as noise
+/// that eight neighbouring readings share, and parameters are charged by Schwarz's criterion.
+std::size_t best_partial(const Measurements& measurements, const std::vector<Hypothesis>& hypotheses);
 
 /// The best hypothesis is identified when it leaves no structure and no other comes near; ambiguous with
 /// those that come near; unknown when it leaves structure.

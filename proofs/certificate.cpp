@@ -4,7 +4,7 @@
 
 #include "proofs/decimal.hpp"
 #include "proofs/exact_chain.hpp"
-#include "proofs/sha256.hpp"
+#include "files/sha256.hpp"
 
 namespace plumbline {
 namespace {

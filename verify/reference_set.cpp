@@ -5,7 +5,7 @@
 #include <plumbline/buckling_mode.hpp>
 
 #include "proofs/decimal.hpp"
-#include "proofs/sha256.hpp"
+#include "files/sha256.hpp"
 #include "proofs/working_precision.hpp"
 #include "verify/reference_texts.hpp"
 

@@ -1,43 +1,70 @@
 #pragma once
 /// \file
-/// The loaded chains of section 3, and where their events lie, to fifty digits.
+/// The loaded chains of sections 2 and 3: all their equilibria at a deflection, and their paths.
 
-#include <plumbline/trace.hpp>
-#include <utility>
+#include <string>
 #include <vector>
+
+#include "proofs/census.hpp"
+#include "proofs/located_event.hpp"
 
 namespace plumbline {
 
-/// pi, to 62 digits.
-Interval pi_enclosure();
-
-/// Section 3.1: three links, passive base, L = k = 1, rest angles given as fractions of pi.
+/// Three links, passive base, L = k = 1, rest angles given as fractions of pi.
 Chain<Interval> three_link_chain_at(const Rational& alpha1_over_pi, const Rational& alpha2_over_pi);
 
-/// Distance of the unloaded end point from the base.
-Interval unloaded_reach(const Chain<Interval>& chain);
+/// The U-shaped chain of Fig. 7, the Z-shaped one of Figs. 8 and 9.
+Chain<Interval> fig7_chain();
+Chain<Interval> fig8_chain();
 
 /// Table 1: four links, L = k = 1.
 Chain<Interval> u_shaped_chain();
 Chain<Interval> z_shaped_chain();
 
-/// Digits of a located event that Newton's method in fifty digits leaves no doubt about.
-inline constexpr int located_digits = 40;
+/// Distance of the unloaded end point from the base.
+Interval unloaded_reach(const Chain<Interval>& chain);
+/// Where the end point of the chains of Table 1 stands without load, as the paper has it: 3.8.
+Interval table_1_reach();
 
-/// What happens to the Z-shape of Fig. 8 where it loses stability.
-struct ZigzagBuckling {
-  BranchPoint<Mpfr50> point;
-  bool continuous;  ///< the stable shapes leave the zigzag there, for growing deflection, to both sides
-};
-ZigzagBuckling zigzag_buckling();
+/// All equilibria with the end point on the x axis, proved complete. \throws Error where it is not decided
+Census held_at(const Chain<Interval>& chain, const Interval& x);
 
-/// The quasi-buckling points of the slowly compressed chains of Table 1 up to 1.5 L, from the end point (3.8,
-/// 0), and the tangent stiffness at the beginning and the end.
-struct QuasiBuckling {
-  std::vector<BranchPoint<Mpfr50>> points;
-  Mpfr50 first_stiffness, last_stiffness;
-  bool stable;  ///< the whole path
+/// "2 stable, 2 unstable".
+std::string types(const Census& census);
+/// "1 minima, 1 saddles, 1 maxima" of the energy of a four-link chain; on one sheet of the elbow if a sign of
+/// q_4 is given.
+std::string extrema(const Census& census, int sign_of_q4 = 0);
+
+/// Signs of joint angles, such as "-+-+"; of all, or from a joint (counted from 0) on.
+std::string signs(const CertifiedEquilibrium& one, std::size_t from = 0);
+/// The shape of three links by the bends of its two joints, in the paper's words: U+ for two negative ones,
+/// U-, and Z- for "+-" (the middle link leads upwards), Z+.
+std::string letter(const CertifiedEquilibrium& one);
+
+/// What a slowly compressed chain does: in double precision between the events, which are located to fifty
+/// digits. Its end point stays on the x axis.
+struct SlowPath {
+  Chain<Located> chain;
+  Loading<Located> loading;
+  std::vector<Branch<double>> stretches;     ///< one, and another after every loss of stability
+  std::vector<BranchEvent<Located>> events;  ///< of all stretches
+
+  [[nodiscard]] std::vector<BranchEvent<Located>> of_kind(EventKind kind) const;
+  /// A stable equilibrium all the way, without bifurcation, fold or jump.
+  [[nodiscard]] bool regular() const;
+  /// The state at a deflection, to 64 digits.
+  [[nodiscard]] BranchPoint<Located> at(const Rational& deflection) const;
 };
-QuasiBuckling quasi_buckling(const Chain<Interval>& chain);
+SlowPath compress_slowly(const Chain<Interval>& chain, const Interval& reach, double last, int side = 1);
+
+/// The equilibrium of a census that a path has at that deflection. \throws Error where there is none
+CertifiedEquilibrium reached(const Census& census, const SlowPath& path, const Rational& deflection);
+
+/// The deflection at which a joint angle of the slowly compressed chain passes zero, between two deflections
+/// where it has different signs.
+Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& from, const Rational& to);
+
+/// Whether stable shapes leave a bifurcation continuously, for growing deflection and to both sides.
+bool leaves_continuously(const SlowPath& path, const BranchEvent<Located>& bifurcation);
 
 }  // namespace plumbline

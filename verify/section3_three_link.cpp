@@ -1,11 +1,13 @@
 /// \file
-/// Section 3.1: three links with a passive base under load, Figures 7 to 9.
+/// Section 3.1: three links with a passive base, bent at rest; the U-chain of Fig. 7.
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <Eigen/LU>
+#include <set>
 
 #include "proofs/census.hpp"
+#include "proofs/symbolic_statics.hpp"
 #include "verify/claims.hpp"
 #include "verify/judging.hpp"
 #include "verify/section3_chains.hpp"
@@ -13,44 +15,119 @@
 namespace plumbline {
 namespace {
 
-const Rational u_alpha[] = {Rational(-1, 4), Rational(-1, 3)},
-               z_alpha[] = {Rational(1, 10), Rational(-1, 10)};
-
-Chain<Interval> u_chain() {
-  return three_link_chain_at(u_alpha[0], u_alpha[1]);
-}
-Chain<Interval> z_chain() {
-  return three_link_chain_at(z_alpha[0], z_alpha[1]);
+Census at_deflection(const Rational& deflection) {
+  return held_at(fig7_chain(), unloaded_reach(fig7_chain()) - Interval(deflection));
 }
 
-/// All equilibria at a deflection, proved complete.
-Census at_deflection(const Chain<Interval>& chain, const Rational& deflection) {
-  Census census = census_at_end_point(chain, {unloaded_reach(chain) - Interval(deflection), Interval(0)});
-  if (!census.complete()) throw Error("census", "undecided boxes", "a regular deflection");
-  return census;
+/// Rank of the Jacobian of three links with the directions (c, s): "singular" below 2.
+std::string rank_word(const std::vector<std::pair<Rational, Rational>>& directions) {
+  Matrix<Rational> J(2, 3);
+  Rational x = 0, y = 0;
+  for (Eigen::Index i = 3; i-- > 0;) {
+    x += directions[static_cast<std::size_t>(i)].first;
+    y += directions[static_cast<std::size_t>(i)].second;
+    J(0, i) = -y;
+    J(1, i) = x;
+  }
+  return Eigen::FullPivLU<Matrix<Rational>>(J).rank() < 2 ? "singular" : "non-singular";
 }
 
-/// "2 stable, 2 unstable".
-std::string types(const Census& census) {
-  std::size_t stable = 0;
-  for (const auto& one : census.equilibria) stable += one.negative_directions.value() == 0 ? 1 : 0;
-  return fmt::format("{} stable, {} unstable", stable, census.equilibria.size() - stable);
+Judgement singular(const Printed& printed, int) {
+  const std::string straight = rank_word({{1, 0}, {1, 0}, {1, 0}});
+  const std::string bent = rank_word({{1, 0}, {Rational(3, 5), Rational(4, 5)}, {1, 0}});
+  const std::string folded = rank_word({{1, 0}, {1, 0}, {-1, 0}});
+  const bool right = printed.at(0) == straight && printed.at(1) == bent;
+  return {
+      !right           ? Verdict::refuted
+      : bent == folded ? Verdict::confirmed
+                       : Verdict::imprecise,
+      "the Jacobian is singular where all links are parallel: in the straight shape, and in every shape that "
+      "is "
+      "folded back on one line, which is not straight",
+      {{EvidenceKind::exact, fmt::format("rank of J in rationals: straight {}, bent {}, folded (0, 0, pi) {}",
+                                         straight, bent, folded)}},
+      ""};
 }
 
-std::string range_note(const Census& census) {
-  return fmt::format("every shape, each with joint deflections of at most half a turn; {} boxes",
-                     census.boxes);
+/// Four links, symmetric at rest: the end point lies on the x axis. They snap.
+Chain<Interval> snapping_chain() {
+  const Interval angle(Rational(3, 5));
+  return Chain<Interval>({1, 1, 1, 1}, {5, 5, 5, 6}, {angle, Interval(-2) * angle, angle, 0});
 }
 
-Judgement u_count(const Printed& printed, int) {
+Judgement always_continuous(const Printed& printed, int digits) {
+  const Chain<Interval> chain = snapping_chain();
+  const Interval reach = unloaded_reach(chain);
+  const SlowPath path = compress_slowly(chain, reach, 1.5);
+  const auto folds = path.of_kind(EventKind::fold);
+  if (folds.size() != 1) throw Error("snapping chain", std::to_string(folds.size()) + " folds", "one");
+  const Rational before(1140, 1000), after(1145, 1000);
+  const Census here = held_at(chain, reach - Interval(before)),
+               there = held_at(chain, reach - Interval(after));
+  // the equilibrium that the chain follows before the fold has none near it after it
+  const CertifiedEquilibrium last = reached(here, path, before);
+  Interval nearest(10);
+  for (const auto& one : there.equilibria) {
+    Interval distance(0);
+    for (std::size_t i = 0; i < one.q.size(); ++i) distance += sqr(one.q[i] - last.q[i]);
+    if (certainly_less(distance, nearest)) nearest = distance;
+  }
+  const bool jumps = path.stretches.size() == 2 && here.equilibria.size() == there.equilibria.size() + 2 &&
+                     certainly_less(Interval(Rational(1, 100)), nearest);
+  Judgement result = judge_word(
+      printed.at(0), jumps ? "can jump" : "continuous", {"continuous", "can jump"},
+      fmt::format("as long as no fold is met: four links, k = (5, 5, 5, 6), rest angles "
+                  "(0.6, -1.2, 0.6, 0), snap to another shape at {} L of compression",
+                  folds[0].point.load.str(6)),
+      {{EvidenceKind::interval,
+        fmt::format(
+            "that chain, certified censuses at 1.14 L ({}) and 1.145 L ({}): the shape that was followed and "
+            "a saddle are gone, and no equilibrium is within 0.1 of it",
+            types(here), types(there))},
+       {EvidenceKind::mp50, "fold located by Newton's method; the chain then flows to another shape"}});
+  result.value = folds[0].point.load.str(std::min(digits, located_digits));
+  return result;
+}
+
+Judgement stiffness_amplitude(const Printed& printed, int) {
+  const SlowPath path = compress_slowly(fig7_chain(), unloaded_reach(fig7_chain()), 1);
+  const Located first = path.at(0).stiffness, last = path.at(Rational(1, 2)).stiffness;
+  const bool depends = abs(first - last) > Located("0.01") * first;
+  return judge_word(
+      printed.at(0), depends ? "depends" : "constant", {"depends", "constant"},
+      "the stiffness does not change by a percent",
+      {{EvidenceKind::mp50, fmt::format("chain of Fig. 7: dF/dDelta is {} k/L^2 without load, {} at "
+                                        "0.5 L",
+                                        first.str(8), last.str(8))}});
+}
+
+/// Equations and unknowns at a given deflection.
+Judgement four_equations(const Printed& printed, int) {
+  const Formulas names({"L", "k", "phi", "q1", "q2", "alpha1", "alpha2", "Fx", "Fy"});
+  const GiNaC::ex L = names.symbol("L"), k = names.symbol("k"), Fx = names.symbol("Fx"),
+                  Fy = names.symbol("Fy");
+  const SymbolicShape shape{{L, L, L},
+                            {0, k, k},
+                            {names.symbol("phi"), names.symbol("alpha1") + names.symbol("q1"),
+                             names.symbol("alpha2") + names.symbol("q2")}};
+  const GiNaC::matrix balance = torque_balance(shape, Fx, Fy), p = end_point(shape);
+  // with y = 0 the moment about the passive base settles F_y = 0
+  const bool settled = identical(balance(0, 0), p(0, 0) * Fy - p(1, 0) * Fx);
+  const std::size_t equations = balance.nops() + p.nops() - (settled ? 1 : 0), unknowns = shape.q.size() + 1;
+  const std::string found = fmt::format("{} equations, {} unknowns", equations, unknowns);
+  return judge_word(
+      printed.at(0), found, {printed.at(0), found}, found,
+      {{EvidenceKind::symbolic,
+        "(6) has three rows, (5) two; the first row is x F_y - y F_x = 0 and with y = 0 says F_y = 0. "
+        "Unknown are phi, q_1, q_2, and F where Delta is given or Delta where F is"}});
+}
+
+Judgement count(const Printed& printed, int) {
   std::string found;
   std::size_t boxes = 0;
   for (const Rational& d : {Rational(1, 50), Rational(1, 20), Rational(1, 10)}) {
-    const Census census = at_deflection(u_chain(), d);
-    if (!found.empty() && found != types(census))
-      found = "another";
-    else
-      found = types(census);
+    const Census census = at_deflection(d);
+    found = found.empty() || found == types(census) ? types(census) : "another";
     boxes += census.boxes;
   }
   return judge_word(
@@ -59,10 +136,24 @@ Judgement u_count(const Printed& printed, int) {
       {{EvidenceKind::interval, fmt::format("certified census at three deflections, {} boxes", boxes)}});
 }
 
-Judgement u_force(const Printed& printed, int) {
+Judgement letters(const Printed& printed, int) {
+  std::set<std::string> found;
+  for (const auto& one : at_deflection(Rational(1, 10)).equilibria) {
+    found.insert(letter(one) + (one.negative_directions == 0 ? " stable" : " unstable"));
+  }
+  const std::set<std::string> claimed(printed.begin(), printed.end());
+  std::string list;
+  for (const std::string& one : found) list += (list.empty() ? "" : ", ") + one;
+  return {claimed == found ? Verdict::confirmed : Verdict::refuted,
+          claimed == found ? "" : "the equilibria are " + list,
+          {{EvidenceKind::interval, "certified census at 0.1 L: " + list}},
+          ""};
+}
+
+Judgement least_force(const Printed& printed, int) {
   bool least = true;
   for (const Rational& d : {Rational(1, 10), Rational(3, 10), Rational(6, 10)}) {
-    const Census census = at_deflection(u_chain(), d);
+    const Census census = at_deflection(d);
     const auto& lowest = census.equilibria.front();  // by energy
     for (const auto& other : census.equilibria) {
       const Interval a = -lowest.fx, b = -other.fx;
@@ -75,86 +166,86 @@ Judgement u_force(const Printed& printed, int) {
                     {{EvidenceKind::interval, "certified censuses at 0.1, 0.3 and 0.6 L"}});
 }
 
-Judgement z_count(const Printed& printed, int) {
-  const Census before = at_deflection(z_chain(), Rational(2, 100)),
-               after = at_deflection(z_chain(), Rational(2, 10));
-  const std::string found = types(before) == types(after) ? types(after) : "changes";
-  return judge_word(printed.at(0), found, {"2 stable, 2 unstable", "changes", found},
-                    fmt::format("at 0.02 L {}, at 0.2 L {}", types(before), types(after)),
-                    {{EvidenceKind::interval, "certified censuses; " + range_note(after)}});
-}
-
-Judgement z_jump(const Printed& printed, int digits) {
-  const ZigzagBuckling buckling = zigzag_buckling();
-  const Census before = at_deflection(z_chain(), Rational(4, 100)),
-               after = at_deflection(z_chain(), Rational(42, 1000));
-  const bool pitchfork = types(before) == "1 stable, 1 unstable" && types(after) == "2 stable, 2 unstable";
-  Judgement result = judge_word(
-      printed.at(0), buckling.continuous && pitchfork ? "continuous" : "jump", {"jump", "continuous"},
-      "the zigzag loses its stability in a supercritical pitchfork bifurcation: two mirrored stable shapes "
-      "leave it "
-      "continuously, and the sudden change is one of stiffness, not of shape",
-      {{EvidenceKind::interval,
-        "certified censuses at 0.04 L (" + types(before) + ") and 0.042 L (" + types(after) + ")"},
-       {EvidenceKind::mp50,
-        "bifurcation located by Newton's method; both sides of the crossing branch stable and ahead"}});
-  result.value = buckling.point.load.str(std::min(digits, located_digits));
-  return result;
-}
-
-Judgement z_angle(const Printed& printed, int digits) {
-  const ZigzagBuckling buckling = zigzag_buckling();
-  const Mpfr50 angle = buckling.point.theta(0);
-  Judgement result =
-      judge_word(printed.at(0), abs(angle) < Mpfr50("1e-40") ? "0" : "negative", {"0", "negative"},
-                 "at the critical force the first angle is still " + angle.str(8) +
-                     "; it passes zero later, and nothing happens to the stiffness there",
-                 {{EvidenceKind::mp50, "theta_1 at the located bifurcation"}});
-  result.value = angle.str(std::min(digits, located_digits));
-  return result;
-}
-
-Judgement z_energy(const Printed& printed, int) {
-  bool equal = true;
-  for (const Rational& d : {Rational(5, 100), Rational(2, 10), Rational(55, 100)}) {
-    const Census census = at_deflection(z_chain(), d);
-    const auto &a = census.equilibria.at(0), &b = census.equilibria.at(1);
-    equal = equal && a.negative_directions == 0 && b.negative_directions == 0 &&
-            !certainly_less(a.energy, b.energy);
+Judgement observed(const Printed& printed, int) {
+  const SlowPath path = compress_slowly(fig7_chain(), unloaded_reach(fig7_chain()), 1);
+  bool lowest = true;
+  std::string shape;
+  for (const Rational& d : {Rational(1, 10), Rational(3, 10), Rational(6, 10), Rational(9, 10)}) {
+    const Census census = at_deflection(d);
+    const CertifiedEquilibrium one = reached(census, path, d);
+    lowest = lowest && !certainly_less(census.equilibria.front().energy, one.energy);
+    shape = shape.empty() || shape == letter(one) ? letter(one) : "changing";
   }
+  const std::string found = lowest ? "global" : "local";
+  const bool right = printed.at(0) == shape && printed.at(1) == found;
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : fmt::format("the shape that is reached is {}, a {} minimum", shape, found),
+          {{EvidenceKind::interval,
+            "slowly compressed chain against certified censuses at 0.1, 0.3, 0.6 and 0.9 L: " + shape +
+                ", a " + found + " minimum of the energy"}},
+          ""};
+}
+
+Judgement continuous(const Printed& printed, int) {
+  const SlowPath path = compress_slowly(fig7_chain(), unloaded_reach(fig7_chain()), 1.5);
   return judge_word(
-      printed.at(0), equal ? "equal" : "local", {"local", "equal"},
-      "both minima have the same energy at every deflection, for the chain turned by half a turn and "
-      "read backwards is the same chain: neither is only local",
-      {{EvidenceKind::interval, "certified censuses at 0.05, 0.2 and 0.55 L: energies equal to 40 digits"}});
+      printed.at(0), path.regular() ? "continuous" : "a jump", {"continuous", "a jump"},
+      "stability is lost on the way",
+      {{EvidenceKind::real64,
+        fmt::format("path from 0 to 1.5 L: {} points, stable throughout, no fold and no bifurcation; no "
+                    "step goes further than the equations stay regular",
+                    path.stretches[0].points.size())}});
 }
 
 }  // namespace
 
 std::vector<Claim> loaded_three_link_claims() {
   return {
+      {"singular-straight",
+       "3, first paragraph",
+       "the Jacobian is singular for the straight shape and non-singular for any other",
+       {"singular", "non-singular"},
+       singular},
+      {"bent-continuous",
+       "3, first paragraph",
+       "a chain that is bent at rest changes its shape continuously",
+       {"continuous"},
+       always_continuous},
+      {"stiffness-amplitude",
+       "3, first paragraph",
+       "the stiffness depends on the loading amplitude",
+       {"depends"},
+       stiffness_amplitude},
+      {"four-equations",
+       "3.1, first paragraph",
+       "four equations for four variables, with (Fx, Fy) = (F, 0)",
+       {"4 equations, 4 unknowns"},
+       four_equations},
       {"fig-7-count",
        "3.1, Fig. 7",
        "the U-chain has two stable and two unstable equilibria",
        {"2 stable, 2 unstable"},
-       u_count},
+       count},
+      {"fig-7-shapes",
+       "3.1, Fig. 7",
+       "the four equilibria are U+, U-, Z+ and Z-, two of them stable",
+       {"U+ stable", "U- stable", "Z+ unstable", "Z- unstable"},
+       letters},
       {"fig-7-force",
        "3.1, Fig. 7",
        "the shape that is observed has the minimum compressive force",
        {"minimum"},
-       u_force},
-      {"fig-8-count",
-       "3.1, Fig. 8",
-       "the Z-chain too has four equilibria, two of them stable",
-       {"2 stable, 2 unstable"},
-       z_count},
-      {"fig-8-jump", "3.1, Fig. 8", "the shape suddenly jumps from Z to U", {"jump"}, z_jump},
-      {"fig-9-angle", "3.1, Fig. 9b", "at the critical force the first angle becomes zero", {"0"}, z_angle},
-      {"fig-9-local",
-       "3.1, Fig. 9e",
-       "the observed shape can be a local instead of the global minimum",
-       {"local"},
-       z_energy},
+       least_force},
+      {"fig-7-observed",
+       "3.1, Fig. 7",
+       "only U+ is observed, the global minimum of the energy",
+       {"U+", "global"},
+       observed},
+      {"fig-7-continuous",
+       "3.1, Fig. 7",
+       "the shape of the U-chain changes continuously, without a jump",
+       {"continuous"},
+       continuous},
   };
 }
 

@@ -1,6 +1,5 @@
 /// \file
-/// Section 4.2, the unit chain of four links: (40), its polynomial, Tables 2 and 3, and what Fig. 16 is said
-/// to show.
+/// Section 4.2, the unit chain of four links: (40), its polynomial, Tables 2 and 3.
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -292,44 +291,6 @@ Judgement shapes_total(const Printed& printed, int) {
                     {{EvidenceKind::exact, "two for each distinct root of det(A F + B), n = 4"}});
 }
 
-/// What a function E(q1, q2) of a chain with two constraints has had eliminated.
-Judgement excluded(const Printed& printed, int) {
-  const std::set<std::string> arguments{"q1", "q2"};
-  std::vector<std::string> rest;
-  for (const char* angle : {"q1", "q2", "q3", "q4"}) {
-    if (!arguments.contains(angle)) rest.emplace_back(angle);
-  }
-  const bool right = printed == rest;
-  return {right ? Verdict::confirmed : Verdict::refuted,
-          right ? ""
-                : fmt::format("the two constraints of (21) eliminate {}; q2 is an argument of E(q1, q2)",
-                              fmt::join(rest, ", ")),
-          {{EvidenceKind::exact, "four joint angles, two constraints, arguments q1 and q2"}},
-          ""};
-}
-
-/// "maximum", "saddle" or "minimum" of the energy at given small delta_x, by the number of lower modes.
-std::string energy_point(std::size_t lower) {
-  return lower == 0 ? "minimum" : lower + 1 == modes().size() ? "maximum" : "saddle";
-}
-
-Judgement extremum(const Printed& printed, int) {
-  // printed: kind of point, stability
-  std::string stability;
-  for (std::size_t m = 0; m < modes().size(); ++m) {
-    if (energy_point(m) == printed.at(0)) stability = m == 0 ? "stable" : "unstable";
-  }
-  if (stability.empty()) throw Error("claim", printed.at(0), "minimum, saddle or maximum");
-  return judge_word(
-      printed.at(1), stability, {"stable", "unstable"},
-      "the minima (U) are the stable, the maxima (Z) the unstable equilibria: the words are interchanged",
-      {{EvidenceKind::interval,
-        fmt::format("certified modes at small delta_x: U has {} lower modes ({}), ZU {} ({}), Z {} ({})",
-                    mode_of_shape("U"), energy_point(mode_of_shape("U")), mode_of_shape("ZU"),
-                    energy_point(mode_of_shape("ZU")), mode_of_shape("Z"),
-                    energy_point(mode_of_shape("Z")))}});
-}
-
 }  // namespace
 
 std::vector<Claim> four_link_claims() {
@@ -400,26 +361,6 @@ std::vector<Claim> four_link_claims() {
        "axial forces U 0.9240, Z 3.5199, ZU 2.3057",
        {"U", "0.9240", "Z", "3.5199", "ZU", "2.3057"},
        forces},
-      {"fig-16-excluded",
-       "4.2, before Fig. 16",
-       "E(q1, q2) is obtained by excluding q2, q3",
-       {"q2", "q3"},
-       excluded},
-      {"fig-16-maxima",
-       "4.2, before Fig. 16",
-       "the maxima of E(q1, q2) are the stable equilibria",
-       {"maximum", "stable"},
-       extremum},
-      {"fig-16-minima",
-       "4.2, before Fig. 16",
-       "the minima of E(q1, q2) are the unstable equilibria",
-       {"minimum", "unstable"},
-       extremum},
-      {"fig-16-saddles",
-       "4.2, before Fig. 16",
-       "the saddle points are unstable equilibria",
-       {"saddle", "unstable"},
-       extremum},
   };
 }
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -109,6 +110,43 @@ TEST_CASE("what no run can separate is one class") {
   const auto names = said(diagnosis);
   CHECK(((names.front() == "train_compliance" && label(other.effects.front()) == "base_compliance") ||
          (names.front() == "base_compliance" && label(other.effects.front()) == "train_compliance")));
+}
+
+TEST_CASE("a cause that the run held out alone shows is found, and nothing is claimed to shrink") {
+  // Joint 3 reaches its stop in the last run alone, which is the one that is held out: without it nothing is
+  // known of the stop.
+  Experiment experiment = bench();
+  Run& last = experiment.runs.back();
+  const Reading start = last.readings.front();
+  for (Reading& reading : last.readings) reading.x = start.x + 1.6 * (reading.x - start.x);
+  const Prediction nominal = predict(experiment, {}, {});
+  std::array<double, 4> reach{};
+  for (std::size_t r = 0; r < 4; ++r)
+    reach[r] = (nominal.runs[r].col(column_q + 2) - experiment.runs[r].rest[2]).abs().maxCoeff();
+  REQUIRE(*std::max_element(reach.begin(), reach.end()) == reach[3]);
+  const double stop = (reach[3] + *std::max_element(reach.begin(), reach.begin() + 3)) / 2;
+  const Diagnosis diagnosis = diagnose(measured(experiment, {{{EffectId::joint_stop, 3}}}, {stop, 20}, 8));
+  CHECK(diagnosis.shrink->heldout == std::vector<std::string>{"z-again"});
+  CHECK(said(diagnosis) == std::vector<std::string>{"joint_stop(3)"});
+  CHECK(diagnosis.cause.verdict == Verdict::identified);
+  CHECK(diagnosis.shrink->ratio == doctest::Approx(1));
+}
+
+TEST_CASE("probabilities of all that is ranked and of the unknown sum to one") {
+  const Diagnosis diagnosis = diagnose(measured(bench(), {{{EffectId::force_gain, 0}}}, {0.1}, 6));
+  double sum = diagnosis.cause.unknown;
+  for (const Ranked& one : diagnosis.cause.ranking) sum += one.probability;
+  CHECK(sum == doctest::Approx(1));
+}
+
+TEST_CASE("the next run is proposed on request where the cause is clear") {
+  // So weak that the second best is not out of sight.
+  const Experiment experiment = measured(bench(), {{{EffectId::joint_coupling, 0}}}, {0.006}, 2);
+  const Diagnosis plain = diagnose(experiment);
+  REQUIRE(plain.cause.verdict == Verdict::identified);
+  REQUIRE(plain.cause.ranking.size() > 1);
+  CHECK(plain.proposals.empty());
+  CHECK_FALSE(diagnose(experiment, {}, true).proposals.empty());
 }
 
 TEST_CASE("a joint whose spring does what no effect does is unknown, and the joint is named") {

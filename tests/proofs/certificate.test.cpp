@@ -7,7 +7,6 @@
 #include <random>
 
 #include "proofs/decimal.hpp"
-#include "proofs/sha256.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;
@@ -83,9 +82,4 @@ TEST_CASE("a thousand links") {
   std::mt19937_64 random(2);
   const auto chain = graded_chain(random, 1000, 1, 0);
   CHECK(check_alone({certificate("long", chain, certify(chain, 1, 1, 50))}) == 0);
-}
-
-TEST_CASE("the digest is SHA-256") {
-  // FIPS 180-2, appendix B.1
-  CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }

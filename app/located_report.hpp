@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// The events of a followed path to up to fifty digits.
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/loaded_paths.hpp"
+#include "proofs/located_event.hpp"
+
+namespace plumbline {
+
+/// Events branch by branch, located.
+using LocatedReport = std::vector<std::vector<BranchEvent<Located>>>;
+
+LocatedReport locate(const PathReport& report, const Chain<Rational>& chain, const Loading<Located>& loading);
+
+std::string as_text(const LocatedReport& report, int digits);
+nlohmann::ordered_json as_json(const LocatedReport& report, int digits);
+
+}  // namespace plumbline

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Experiments made for a blind trial: the folders and the seals are public, the labels stay in memory.
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+
+#include "trial/seal.hpp"
+
+namespace plumbline {
+
+struct SecretExperiments {
+  std::map<std::string, trial::Envelope> envelopes;  ///< by the name of the experiment
+  std::vector<double> nominal_errors;                ///< of the rigs without effect, in sigmas
+};
+
+/// Writes the experiments trial-001, trial-002, … of this seed into the folder, and seals.json beside them.
+/// \throws Error where the program was built without the rig
+SecretExperiments make_experiments(std::size_t trials, std::uint64_t seed,
+                                   const std::filesystem::path& folder, unsigned threads,
+                                   const std::function<void()>& advance);
+
+/// Writes labels/NAME.json for every envelope: the seals are open from then on.
+void publish(const SecretExperiments& secret, const std::filesystem::path& folder);
+
+}  // namespace plumbline

@@ -1,0 +1,157 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <plumbline/error.hpp>
+#include <thread>
+
+#include "app/progress.hpp"
+#include "app/secret_experiments.hpp"
+#include "app/verbs.hpp"
+#include "files/text_file.hpp"
+#include "trial/report.hpp"
+#include "trial/run_trial.hpp"
+
+namespace plumbline {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::size_t trials = 20;
+  std::uint64_t seed = 1;
+  std::string out, experiments, json, markdown;
+  double patience = 30;  // s for one diagnosis
+};
+
+/// Where the trial takes place: the folder that the user names, which must be new or empty, or one for a
+/// while.
+class Place {
+ public:
+  explicit Place(const std::string& wanted) : kept_(!wanted.empty()), folder_(wanted) {
+    if (!kept_) {
+      std::string pattern = (fs::temp_directory_path() / "plumbline-trial-XXXXXX").string();
+      if (mkdtemp(pattern.data()) == nullptr) throw Error(pattern, "a failure", "a new folder");
+      folder_ = pattern;
+    } else if (fs::exists(folder_) && !fs::is_empty(folder_)) {
+      throw Error(wanted, "something there already", "a new or an empty folder");
+    }
+    fs::create_directories(folder_);
+  }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+  ~Place() {
+    std::error_code ignored;
+    if (!kept_) fs::remove_all(folder_, ignored);
+  }
+  [[nodiscard]] const fs::path& folder() const { return folder_; }
+
+ private:
+  bool kept_;
+  fs::path folder_;
+};
+
+unsigned processors() {
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+SecretExperiments make(const Options& options, const fs::path& folder) {
+  Progress progress("experiments", options.trials);
+  return make_experiments(options.trials, options.seed, folder, processors(), [&] { progress.advance(); });
+}
+
+/// The command that gives the same table again.
+std::string command(const Options& options) {
+  if (!options.experiments.empty()) return "plumbline trial --experiments " + options.experiments;
+  return fmt::format("plumbline trial --trials {} --seed {}", options.trials, options.seed);
+}
+
+trial::AllDiagnosed diagnose_all(const Options& options, const trial::SealedFolder& folder,
+                                 const fs::path& reports) {
+  Progress progress("diagnoses", folder.names().size());
+  return trial::diagnose_all(folder, fs::read_symlink("/proc/self/exe"), reports,
+                             std::chrono::duration<double>(options.patience), processors(),
+                             [&] { progress.advance(); });
+}
+
+trial::Circumstances circumstances(const Options& options, const trial::SealedFolder& folder,
+                                   const SecretExperiments& secret) {
+  trial::Circumstances all{command(options), folder.digest(), folder.sealed(), secret.nominal_errors.size()};
+  std::vector<double> errors = secret.nominal_errors;
+  std::sort(errors.begin(), errors.end());
+  if (errors.empty()) return all;
+  all.median_error = errors[errors.size() / 2];
+  all.worst_error = errors.back();
+  return all;
+}
+
+std::unique_ptr<OutputFile> opened(const std::string& path) {
+  return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
+}
+
+void write(const std::unique_ptr<OutputFile>& file, const std::string& text) {
+  if (!file) return;
+  file->write(text);
+  file->commit();
+}
+
+void run(const Options& options) {
+  const auto json = opened(options.json), markdown = opened(options.markdown);
+  const bool quiet = options.json == "-" || options.markdown == "-";
+  const Place place(options.out);
+  SecretExperiments secret;
+  if (options.experiments.empty()) secret = make(options, place.folder());
+  const trial::SealedFolder folder(options.experiments.empty() ? place.folder()
+                                                               : fs::path(options.experiments));
+  if (folder.sealed() > 0 && !quiet) {
+    fmt::print("{} experiments, their labels sealed. SHA-256 of the seals: {}\n\n", folder.sealed(),
+               folder.digest());
+    std::fflush(stdout);
+  }
+  const fs::path reports = place.folder() / "reports";
+  const trial::AllDiagnosed diagnosed = diagnose_all(options, folder, reports);
+  publish(secret, place.folder());
+  const std::vector<trial::Case> cases = trial::unseal(folder, reports, diagnosed);
+  const trial::Circumstances about = circumstances(options, folder, secret);
+  write(json, trial::as_json(about, cases).dump(2) + "\n");
+  write(markdown, trial::as_text(about, cases, trial::Style::markdown));
+  if (!quiet) fmt::print("{}", trial::as_text(about, cases, trial::Style::terminal));
+  const trial::Score score = trial::score(cases);
+  if (score.broken_seals + score.no_report > 0) throw CLI::RuntimeError(1);
+}
+
+}  // namespace
+
+void add_trial(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand(
+      "trial",
+      "The blind trial: experiments whose effect is withheld from the diagnosis, then unsealed and scored");
+  const auto options = std::make_shared<Options>();
+  auto* trials = verb->add_option("--trials", options->trials, "How many experiments the simulated rig makes")
+                     ->check(CLI::PositiveNumber)
+                     ->capture_default_str();
+  auto* seed = verb->add_option("--seed", options->seed, "Of the random numbers")->capture_default_str();
+  verb->add_option("--experiments", options->experiments,
+                   "Diagnose and score the experiments in this folder instead: NAME/experiment.toml with "
+                   "NAME/label.json, or sealed (trial/README.md)")
+      ->type_name("DIR")
+      ->excludes(trials)
+      ->excludes(seed);
+  verb->add_option("--out", options->out, "Keep experiments, seals, reports and labels in this folder")
+      ->type_name("DIR");
+  verb->add_option("--patience", options->patience, "Seconds after which a diagnosis is given up")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option("--json", options->json,
+                   "Write the result as JSON too (without FILE: to standard output alone)")
+      ->type_name("[FILE]")
+      ->expected(0, 1)
+      ->default_str("-");
+  verb->add_option("--markdown", options->markdown, "Write the result as Markdown too")->type_name("FILE");
+  verb->footer("Exit status 1 when a seal is broken or a diagnosis leaves no report.");
+  verb->callback([options] { run(*options); });
+}
+
+}  // namespace plumbline

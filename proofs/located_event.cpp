@@ -1,0 +1,30 @@
+#include "proofs/located_event.hpp"
+
+#include <plumbline/sharpen.hpp>
+
+namespace plumbline {
+
+namespace {
+
+using Model = NominalModel<Located>;
+
+}  // namespace
+
+std::vector<BranchEvent<Located>> locate_events(const Chain<Located>& chain, const Loading<Located>& loading,
+                                                const Branch<double>& branch) {
+  const Model model(chain);
+  Brancher<Model> brancher(model, loading, absolute_angles(chain.rest()));
+  std::vector<BranchEvent<Located>> events;
+  for (const BranchEvent<double>& event : branch.events) events.push_back(sharpen(brancher, branch, event));
+  return events;
+}
+
+BranchPoint<Located> locate_at(const Chain<Located>& chain, const Loading<Located>& loading,
+                               const BranchPoint<double>& near, const Located& load) {
+  const Model model(chain);
+  Brancher<Model> brancher(model, loading, absolute_angles(chain.rest()));
+  const BranchPoint<Located> guess = lift<Located>(near);
+  return brancher.start(load, guess.theta, guess.force);
+}
+
+}  // namespace plumbline

@@ -1,0 +1,106 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/process.hpp"
+
+namespace {
+
+const std::string sources = PLUMBLINE_SOURCE_DIR;
+const std::string friction =
+    R"({"effects": [{"id": "joint_friction", "joint": null, "parameters": {"tau_c": 0.035}}], "strength_sigma": 10})";
+
+/// A folder with the bundled example as its one experiment.
+void add_example(const Workplace& here) {
+  std::filesystem::create_directories(here.folder() / "mine");
+  std::filesystem::copy(sources + "/examples/experiment", here.folder() / "mine" / "bench");
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("experiments of one's own are diagnosed and scored") {
+  const Workplace here;
+  add_example(here);
+  here.write("mine/bench/label.json", friction);
+  const Outcome outcome = here.plumbline("trial --experiments mine --json result.json");
+  CHECK(outcome.status == 0);
+  CHECK(contains(outcome.out, "The labels were not sealed"));
+  const auto result = nlohmann::json::parse(here.read("result.json"));
+  CHECK(result["strong"]["count"] == 1);
+  CHECK(result["experiments"][0]["said"] == "identified joint_friction");
+}
+
+TEST_CASE("a sealed label is verified, a forged one detected") {
+  const Workplace here;
+  add_example(here);
+  std::filesystem::create_directories(here.folder() / "mine" / "labels");
+  here.write("label", "salt\n{\"effects\": []}");
+  REQUIRE(std::system(
+              ("cd '" + here.folder().string() + "' && sha256sum label | cut -c1-64 >digest").c_str()) == 0);
+  const std::string digest = here.read("digest").substr(0, 64);
+  here.write("mine/seals.json", R"({"format": "experiment-seals/1", "seals": {"bench": ")" + digest + "\"}}");
+  here.write("mine/labels/bench.json", R"({"salt": "salt", "label": "{\"effects\": []}"})");
+  const Outcome honest = here.plumbline("trial --experiments mine");
+  CHECK(honest.status == 0);
+  CHECK(contains(honest.out, "every seal holds"));
+  CHECK(contains(honest.out, "false alarm"));
+  here.write("mine/labels/bench.json", R"({"salt": "salt", "label": "{\"effects\": [ ]}"})");
+  const Outcome forged = here.plumbline("trial --experiments mine");
+  CHECK(forged.status == 1);
+  CHECK(contains(forged.out, "1 DO NOT HOLD"));
+  CHECK(contains(forged.out, "broken seal"));
+}
+
+TEST_CASE("a diagnosis that fails is a failure of the trial, with its reason") {
+  const Workplace here;
+  add_example(here);
+  here.write("mine/bench/label.json", friction);
+  here.write("mine/bench/experiment.toml", "format = \"else\"\n");
+  const Outcome outcome = here.plumbline("trial --experiments mine");
+  CHECK(outcome.status == 1);
+  CHECK(contains(outcome.out, "no report"));
+  CHECK(contains(outcome.out, "exit status 2: plumbline: "));
+}
+
+TEST_CASE("without experiments, without labels, or in a folder in use: one line and status 2") {
+  const Workplace here;
+  add_example(here);
+  CHECK(here.plumbline("trial --experiments nowhere").status == 2);
+  const Outcome unlabelled = here.plumbline("trial --experiments mine");
+  CHECK(unlabelled.status == 2);
+  CHECK(contains(unlabelled.err, "neither a seal"));
+  CHECK(here.plumbline("trial --experiments mine --out mine").status == 2);
+}
+
+#ifdef PLUMBLINE_RIG
+TEST_CASE("a small blind trial: seals hold, every diagnosis reports, most causes are found") {
+  const Workplace here;
+  const Outcome outcome = here.plumbline("trial --trials 12 --seed 12 --out kept --json result.json");
+  CHECK(outcome.status == 0);
+  CHECK(contains(outcome.out, "SHA-256 of the seals: "));
+  const auto result = nlohmann::json::parse(here.read("result.json"));
+  CHECK(result["experiments"].size() == 12);
+  CHECK(result["seals"]["sealed"] == 12);
+  CHECK(result["seals"]["broken"] == 0);
+  CHECK(result["no_report"] == 0);
+  // at 80 % right, fewer than 6 of 12 have a chance of 0.4 %
+  CHECK(result["found"]["count"].get<int>() >= 6);
+  CHECK(result["nominal_error_sigma"]["worst"].get<double>() < 0.05);
+  // what was kept is a folder of sealed experiments, and gives the same result again
+  const Outcome again = here.plumbline("trial --experiments kept --json again.json");
+  CHECK(again.status == 0);
+  CHECK(nlohmann::json::parse(here.read("again.json"))["found"] == result["found"]);
+}
+#else
+TEST_CASE("a program without the rig says how to get one that has it") {
+  const Workplace here;
+  const Outcome outcome = here.plumbline("trial --trials 3");
+  CHECK(outcome.status == 2);
+  CHECK(contains(outcome.err, "PLUMBLINE_RIG"));
+}
+#endif

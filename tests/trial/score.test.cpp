@@ -1,0 +1,105 @@
+#include "trial/score.hpp"
+
+#include <doctest/doctest.h>
+
+#include <sstream>
+
+#include "trial/report.hpp"
+
+using namespace plumbline::trial;
+
+namespace {
+
+Case one(const std::string& name, std::vector<TrueEffect> effects, double strength, Answer answer,
+         const std::string& said) {
+  Case made;
+  made.label = {name, std::move(effects), {}, strength, "declared", 1, ""};
+  made.judgement.answer = answer;
+  made.judgement.said = said;
+  made.judgement.best = said.substr(said.find(' ') + 1);
+  return made;
+}
+
+const std::vector<TrueEffect> gravity{{"gravity", 0, {}, 0}}, stop{{"joint_stop", 1, {}, 0}},
+    outside{{"unknown", 0, {}, 0}};
+
+std::vector<Case> a_trial() {
+  std::vector<Case> cases{one("a", {}, 0, Answer::right, "none"),
+                          one("b", {}, 0, Answer::false_alarm, "identified gravity"),
+                          one("c", gravity, 4, Answer::right, "identified gravity"),
+                          one("d", gravity, 30, Answer::right, "identified gravity"),
+                          one("e", stop, 7, Answer::wrong_sure, "identified gravity"),
+                          one("f", stop, 2, Answer::missed_gap, "none"),
+                          one("g", outside, 12, Answer::right, "unknown"),
+                          one("h", {gravity[0], stop[0]}, 12, Answer::part, "identified gravity"),
+                          one("i", stop, 50, Answer::no_report, "killed by signal 11")};
+  cases[2].judgement.covered = {{"rho", true}};
+  cases[3].judgement.covered = {{"rho", false}};
+  cases[2].judgement.stated = {0.95, true};
+  cases[4].judgement.stated = {0.92, false};
+  return cases;
+}
+
+bool is(const Proportion& p, std::size_t count, std::size_t total) {
+  return p.count == count && p.total == total;
+}
+
+}  // namespace
+
+TEST_CASE("what is counted for what") {
+  const Score s = score(a_trial());
+  CHECK(is(s.all.found, 4, 9));
+  CHECK(is(s.strong, 1, 3));
+  CHECK(is(s.weak, 1, 1));
+  CHECK(is(s.false_alarm, 1, 2));
+  CHECK(is(s.wrong_sure, 2, 5));
+  CHECK(is(s.outside, 1, 1));
+  CHECK(is(s.pairs, 0, 1));
+  CHECK(is(s.covered, 1, 2));
+  CHECK(s.no_report == 1);
+  CHECK(s.broken_seals == 0);
+  REQUIRE(s.by_strength.size() == 4);
+  CHECK(s.by_strength[0].name == "under 2.5 sigma");
+  CHECK(is(s.by_strength[0].found, 0, 1));
+  CHECK(s.by_truth.front().name == "none");
+  CHECK(s.by_truth.back().name == "outside the catalogue");
+}
+
+TEST_CASE("the confusion table counts what was said best, and tells a wrong joint") {
+  std::vector<Case> cases = a_trial();
+  cases.push_back(one("j", stop, 9, Answer::wrong_sure, "identified joint_stop"));
+  const Score s = score(cases);
+  CHECK(s.confusion.at("joint_stop").at("gravity") == 1);
+  CHECK(s.confusion.at("joint_stop").at("joint_stop at another joint") == 1);
+  CHECK(s.confusion.at("joint_stop").at("no report") == 1);
+  CHECK(s.confusion.at("gravity").at("gravity") == 2);
+}
+
+TEST_CASE("stated probabilities are binned beside how often they were right") {
+  const Score s = score(a_trial());
+  for (const Reliability& bin : s.reliability) {
+    if (bin.low == 0.9) {
+      CHECK(is(bin.right, 1, 2));
+      CHECK(bin.stated == doctest::Approx(0.935));
+    } else {
+      CHECK(bin.right.total == 0);
+    }
+  }
+}
+
+TEST_CASE("the failures come first, the worst first, and a broken seal is one") {
+  std::vector<Case> cases = a_trial();
+  cases[0].seal_holds = false;
+  Circumstances about;
+  about.sealed = cases.size();
+  const std::string text = as_text(about, cases, Style::terminal);
+  const auto at = [&](const char* word) { return text.find(word); };
+  CHECK(at("1 DO NOT HOLD") != std::string::npos);
+  CHECK(at("killed by signal 11") < at("wrong, sure  e"));
+  CHECK(at("broken seal") < at("Against the aims"));
+  CHECK(at("Failures") < at("Against the aims"));
+  const auto json = as_json(about, cases);
+  CHECK(json["seals"]["broken"] == 1);
+  CHECK(json["experiments"].size() == 9);
+  CHECK(json["strong"]["total"] == 3);
+}

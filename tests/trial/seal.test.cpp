@@ -1,0 +1,64 @@
+#include "trial/seal.hpp"
+
+#include <doctest/doctest.h>
+
+#include <plumbline/error.hpp>
+
+#include "files/sha256.hpp"
+#include "tests/diagnose/folder.hpp"
+
+using namespace plumbline::trial;
+
+namespace {
+
+const Label label{"one",  {{"backlash", 2, {{"b", 0.03}}, 9.5}}, {{"joint_stop(2)"}}, 9.5, "ar1", 1.25,
+                  "words"};
+
+}  // namespace
+
+TEST_CASE("a seal is the SHA-256 of salt, line feed, label") {
+  const Envelope envelope{"00ff", "{}"};
+  CHECK(seal(envelope) == plumbline::sha256("00ff\n{}"));
+}
+
+TEST_CASE("whoever changes the label or the salt breaks the seal") {
+  const Envelope closed = envelope(label);
+  const std::string published = seal(closed);
+  CHECK(seal(closed) == published);
+  for (std::size_t i = 0; i < closed.label.size(); ++i) {
+    Envelope forged = closed;
+    forged.label[i] = static_cast<char>(forged.label[i] ^ 1);
+    CHECK(seal(forged) != published);
+  }
+  Envelope resalted = closed;
+  resalted.salt[0] = resalted.salt[0] == '0' ? '1' : '0';
+  CHECK(seal(resalted) != published);
+}
+
+TEST_CASE("the same label never has the same seal: nobody can look for it among all possible labels") {
+  CHECK(seal(envelope(label)) != seal(envelope(label)));
+  CHECK(envelope(label).salt.size() == 32);
+}
+
+TEST_CASE("labels, envelopes and seals survive their files") {
+  const Folder folder;
+  const Envelope closed = envelope(label);
+  folder.write("envelope.json", envelope_text(closed));
+  const Envelope opened = read_envelope(folder.path() / "envelope.json");
+  CHECK(seal(opened) == seal(closed));
+  const Label read = label_from(nlohmann::json::parse(opened.label), "label");
+  CHECK(as_json(read) == as_json(label));
+  folder.write("seals.json", seals_text({{"one", seal(closed)}}));
+  CHECK(read_seals(folder.path() / "seals.json").at("one") == seal(closed));
+}
+
+TEST_CASE("what is no label, envelope or file of seals is refused with its name") {
+  const Folder folder;
+  folder.write("other.json", "{\"format\": \"else\"}");
+  CHECK_THROWS_WITH_AS(read_seals(folder.path() / "other.json"), doctest::Contains("other.json"),
+                       plumbline::Error);
+  CHECK_THROWS_WITH_AS(read_envelope(folder.path() / "other.json"), doctest::Contains("salt"),
+                       plumbline::Error);
+  CHECK_THROWS_WITH_AS(label_from(nlohmann::json::object(), "a label"), doctest::Contains("effects"),
+                       plumbline::Error);
+}

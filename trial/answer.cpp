@@ -1,0 +1,234 @@
+#include "trial/answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <plumbline/error.hpp>
+
+namespace plumbline::trial {
+namespace {
+
+using Json = nlohmann::json;
+using Names = std::vector<std::string>;
+
+Names names(const Json& alternative) {
+  Names all;
+  if (!alternative.is_array()) return {alternative.get<std::string>()};
+  for (const auto& one : alternative)
+    all.push_back(one.is_string() ? one.get<std::string>() : one.at("id").get<std::string>());
+  return all;
+}
+
+std::string without_joint(const std::string& key) {
+  return key.substr(0, key.find('('));
+}
+
+/// Whether what was said is the truth, in any order. A truth without a joint accepts any joint.
+bool same(Names said, const Names& truth) {
+  if (said.size() != truth.size()) return false;
+  for (const std::string& one : truth) {
+    const auto hit = std::find_if(said.begin(), said.end(), [&](const std::string& word) {
+      return word == one || (without_joint(one) == one && without_joint(word) == one);
+    });
+    if (hit == said.end()) return false;
+    said.erase(hit);
+  }
+  return true;
+}
+
+bool share_one(const Names& said, const Names& truth) {
+  return std::any_of(said.begin(), said.end(), [&](const std::string& word) {
+    return std::find(truth.begin(), truth.end(), word) != truth.end();
+  });
+}
+
+bool outside_catalogue(const Label& label) {
+  return label.effects.size() == 1 && label.effects.front().id == "unknown";
+}
+
+/// Where it is unknown what, it does not matter at which joint.
+Names truth_of(const Label& label) {
+  if (outside_catalogue(label)) return {"unknown"};
+  Names truth;
+  for (const TrueEffect& effect : label.effects) truth.push_back(effect_key(effect.id, effect.joint));
+  return truth;
+}
+
+template <class Value>
+std::optional<Value> largest(const Json& list, const char* key) {
+  const Json* best = nullptr;
+  for (const Json& one : list)
+    if (!best || one.at("share").get<double>() > best->at("share").get<double>()) best = &one;
+  return best ? std::optional<Value>(best->at(key).get<Value>()) : std::nullopt;
+}
+
+Report parsed(const Json& json) {
+  Report report;
+  const Json& cause = json.at("cause");
+  report.verdict = cause.at("verdict");
+  for (const Json& effect : cause.at("effects")) {
+    const Json& joint = effect.at("joint");
+    const std::string key = effect_key(effect.at("id"), joint.is_number() ? joint.get<std::size_t>() : 0);
+    report.effects.push_back(key);
+    for (const auto& [name, value] : effect.at("parameters").items()) {
+      if (!value.at("low").is_number() || !value.at("high").is_number()) continue;
+      const auto [low, high] = std::minmax({value["low"].get<double>(), value["high"].get<double>()});
+      report.bounds[key + "/" + name] = {low, high};
+    }
+  }
+  for (const Json& alternative : cause.at("equivalent")) report.equivalent.push_back(names(alternative));
+  for (const Json& one : cause.at("ranking"))
+    report.ranking.push_back({names(one.at("effects")), one.at("probability")});
+  const Json& where = json.at("where");
+  report.joint = largest<std::size_t>(where.at("joints"), "joint");
+  report.channel = largest<std::string>(where.at("channels"), "channel").value_or("");
+  if (const Json& shrink = json.at("shrink"); shrink.is_object()) {
+    const double floor = shrink.value("noise_floor_ratio", 0.0);
+    if (floor > 0) report.shrunk = shrink.at("ratio").get<double>() / floor;
+  }
+  return report;
+}
+
+std::string words(const Report& report) {
+  std::string text = report.verdict;
+  if (!report.effects.empty()) text += fmt::format(" {}", fmt::join(report.effects, "+"));
+  for (const Names& other : report.equivalent) text += fmt::format(" | {}", fmt::join(other, "+"));
+  return text;
+}
+
+/// Ids in the order of the alphabet.
+std::string kinds(const Names& effects) {
+  Names ids;
+  for (const std::string& effect : effects) ids.push_back(without_joint(effect));
+  std::sort(ids.begin(), ids.end());
+  return fmt::format("{}", fmt::join(ids, "+"));
+}
+
+Answer answer_without_effect(const Report& report) {
+  return report.verdict == "none" ? Answer::right : Answer::false_alarm;
+}
+
+Answer answer_outside(const Report& report) {
+  if (report.verdict == "unknown") return Answer::right;
+  if (report.verdict == "none") return Answer::missed_gap;
+  if (report.verdict == "identified") return Answer::wrong_sure;
+  return report.effects == Names{"unknown"} ? Answer::in_class : Answer::wrong_hedged;
+}
+
+Answer answer_in_catalogue(const Names& truth, const Report& report, const std::vector<Names>& listed,
+                           const std::function<bool(const Names&)>& right) {
+  if (report.verdict == "none") return Answer::missed_gap;
+  if (report.verdict == "unknown") return Answer::unknown;
+  const bool sure = report.verdict == "identified";
+  if (std::any_of(listed.begin(), listed.end(), right)) return sure ? Answer::right : Answer::in_class;
+  const bool partly = truth.size() > 1 && std::any_of(listed.begin(), listed.end(), [&](const Names& said) {
+                        return share_one(said, truth);
+                      });
+  if (partly) return Answer::part;
+  return sure ? Answer::wrong_sure : Answer::wrong_hedged;
+}
+
+/// Nothing where the label does not say where.
+std::optional<bool> place_right(const Label& label, const Report& report) {
+  const std::size_t joint = label.effects.front().joint;
+  if (joint > 0) return report.joint == joint;
+  if (label.channel.empty() || report.channel.empty()) return std::nullopt;
+  return (label.channel + ",").find(report.channel + ",") != std::string::npos;
+}
+
+void judge_parameters(const Label& label, const Report& report, Judgement& judgement) {
+  for (const TrueEffect& effect : label.effects) {
+    for (const auto& [name, value] : effect.parameters) {
+      const std::string key = effect_key(effect.id, effect.joint) + "/" + name;
+      const auto bounds = report.bounds.find(key);
+      if (bounds != report.bounds.end())
+        judgement.covered.emplace_back(key, bounds->second.low <= value && value <= bounds->second.high);
+    }
+  }
+}
+
+/// Explanations outside the ranking have no probability; where the truth is among them, all of the stated
+/// probability went astray.
+void judge_probabilities(const Report& report, const std::function<bool(const Names&)>& right,
+                         Judgement& judgement) {
+  if (report.ranking.empty() || report.verdict == "none") return;
+  const Report::Ranked& first = *std::max_element(
+      report.ranking.begin(), report.ranking.end(),
+      [](const auto& one, const auto& other) { return one.probability < other.probability; });
+  judgement.stated = {first.probability, right(first.effects)};
+  bool found = false;
+  for (const Report::Ranked& one : report.ranking) {
+    const bool is = !found && right(one.effects);
+    found = found || is;
+    judgement.brier += (one.probability - is) * (one.probability - is);
+  }
+  if (!found) judgement.brier += 1;
+}
+
+}  // namespace
+
+Report report_from(const nlohmann::json& json, const std::string& source) {
+  try {
+    return parsed(json);
+  } catch (const nlohmann::json::exception& error) {
+    throw Error(source, error.what(), "a report in the format \"gap-diagnosis/1\"");
+  }
+}
+
+const char* answer_word(Answer answer) {
+  switch (answer) {
+    case Answer::right:
+      return "right";
+    case Answer::in_class:
+      return "in the class";
+    case Answer::part:
+      return "part";
+    case Answer::unknown:
+      return "unknown";
+    case Answer::missed_gap:
+      return "missed gap";
+    case Answer::wrong_hedged:
+      return "wrong, hedged";
+    case Answer::wrong_sure:
+      return "wrong, sure";
+    case Answer::false_alarm:
+      return "false alarm";
+    case Answer::no_report:
+      break;
+  }
+  return "no report";
+}
+
+Judgement judge(const Label& label, const Report& report) {
+  const Names truth = truth_of(label);
+  const auto right = [&](const Names& said) {
+    return same(said, truth) || std::any_of(label.equivalent.begin(), label.equivalent.end(),
+                                            [&](const Names& other) { return same(said, other); });
+  };
+  std::vector<Names> listed = report.equivalent;
+  if (!report.effects.empty()) listed.insert(listed.begin(), report.effects);
+  Judgement judgement;
+  judgement.said = words(report);
+  judgement.best = report.effects.empty() ? report.verdict : kinds(report.effects);
+  judgement.class_size = listed.size();
+  if (truth.empty()) {
+    judgement.answer = answer_without_effect(report);
+    judge_probabilities(report, right, judgement);
+    return judgement;
+  }
+  if (outside_catalogue(label)) {
+    judgement.answer = answer_outside(report);
+    judgement.place_right = place_right(label, report);
+  } else {
+    judgement.answer = answer_in_catalogue(truth, report, listed, right);
+  }
+  const bool found = judgement.answer == Answer::right || judgement.answer == Answer::in_class;
+  if (judgement.answer == Answer::right) judge_parameters(label, report, judgement);
+  if (found && !outside_catalogue(label)) judgement.shrunk = report.shrunk;
+  judgement.over_hedged = found && listed.size() > 1 + label.equivalent.size();
+  judge_probabilities(report, right, judgement);
+  return judgement;
+}
+
+}  // namespace plumbline::trial

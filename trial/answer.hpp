@@ -1,0 +1,66 @@
+#pragma once
+/// \file
+/// A diagnosis beside the truth.
+
+#include <map>
+#include <optional>
+
+#include "trial/label.hpp"
+
+namespace plumbline::trial {
+
+/// What a report in the format "gap-diagnosis/1" says, as far as it is scored.
+struct Report {
+  struct Bounds {
+    double low, high;
+  };
+  struct Ranked {
+    std::vector<std::string> effects;
+    double probability;
+  };
+
+  std::string verdict;                               ///< none, identified, ambiguous, unknown
+  std::vector<std::string> effects;                  ///< the best explanation
+  std::vector<std::vector<std::string>> equivalent;  ///< the others of its class
+  std::map<std::string, Bounds> bounds;              ///< by "effect key/parameter"
+  std::vector<Ranked> ranking;
+  std::optional<std::size_t> joint;  ///< with the largest share
+  std::string channel;               ///< with the largest share
+  std::optional<double> shrunk;      ///< held-out residual after, over the noise floor
+};
+
+/// \throws Error that names the source and says what is missing
+Report report_from(const nlohmann::json& json, const std::string& source);
+
+/// One word for what the diagnosis was worth.
+enum class Answer {
+  right,         ///< the cause, or none where there is none, or unknown where no catalogue has it
+  in_class,      ///< ambiguous, and the cause is in the listed class (or unknown is its best)
+  part,          ///< one of two causes
+  unknown,       ///< a gap seen, its cause not named
+  missed_gap,    ///< a gap not seen
+  wrong_hedged,  ///< ambiguous, and the cause is not in the class
+  wrong_sure,    ///< identified, and wrong
+  false_alarm,   ///< a gap seen where there is none
+  no_report      ///< crash, timeout or invalid JSON
+};
+const char* answer_word(Answer answer);
+
+struct Judgement {
+  Answer answer = Answer::no_report;
+  std::string said;            ///< verdict and effects, or what went wrong
+  std::string best;            ///< the best explanation without its joints: "none", "unknown", "id", "id+id"
+  std::size_t class_size = 0;  ///< explanations that were listed as alike
+  bool over_hedged = false;    ///< right, but with a class that lists more than the experiment's own
+  std::vector<std::pair<std::string, bool>>
+      covered;                      ///< parameters, and whether they are inside their bounds
+  std::optional<bool> place_right;  ///< outside the catalogue: the true joint, or else channel, named first
+  std::optional<double> shrunk;     ///< where the cause was found
+  /// Probability of the most probable explanation and whether it is the truth, where a gap was seen.
+  std::optional<std::pair<double, bool>> stated;
+  double brier = 0;  ///< of the whole ranking, 0 to 2; meaningful with `stated`
+};
+
+Judgement judge(const Label& label, const Report& report);
+
+}  // namespace plumbline::trial

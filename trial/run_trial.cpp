@@ -1,0 +1,69 @@
+#include "trial/run_trial.hpp"
+
+#include <atomic>
+#include <mutex>
+#include <plumbline/error.hpp>
+#include <thread>
+
+#include "files/text_file.hpp"
+
+namespace plumbline::trial {
+namespace {
+
+Judgement judgement_of(const Label& label, const std::filesystem::path& report, const Diagnosed& diagnosed) {
+  Judgement none;
+  none.said = diagnosed.failure;
+  if (!diagnosed.failure.empty()) return none;
+  try {
+    return judge(label, report_from(nlohmann::json::parse(read_text(report)), report.filename().string()));
+  } catch (const std::exception& error) {  // no JSON, or not that of a report
+    none.said = error.what();
+    return none;
+  }
+}
+
+}  // namespace
+
+AllDiagnosed diagnose_all(const SealedFolder& folder, const std::filesystem::path& executable,
+                          const std::filesystem::path& reports, std::chrono::duration<double> patience,
+                          unsigned processes, const std::function<void()>& advance) {
+  std::filesystem::create_directories(reports);
+  const std::vector<std::string>& names = folder.names();
+  AllDiagnosed all(names.size());
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex failing;
+  const auto work = [&] {
+    try {
+      for (std::size_t i = next++; i < names.size(); i = next++) {
+        all[i] =
+            diagnose_alone(executable, folder.experiment(names[i]), reports / (names[i] + ".json"), patience);
+        advance();
+      }
+    } catch (...) {
+      const std::scoped_lock lock(failing);
+      failure = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> workers;
+    for (unsigned w = 0; w < processes; ++w) workers.emplace_back(work);
+  }
+  if (failure) std::rethrow_exception(failure);
+  return all;
+}
+
+std::vector<Case> unseal(const SealedFolder& folder, const std::filesystem::path& reports,
+                         const AllDiagnosed& diagnosed) {
+  std::vector<Case> cases;
+  for (std::size_t i = 0; i < diagnosed.size(); ++i) {
+    const std::string& name = folder.names()[i];
+    Case one = folder.open(name);
+    one.judgement = judgement_of(one.label, reports / (name + ".json"), diagnosed[i]);
+    one.seconds = diagnosed[i].seconds;
+    cases.push_back(std::move(one));
+  }
+  return cases;
+}
+
+}  // namespace plumbline::trial

@@ -1,0 +1,172 @@
+#include "trial/score.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <limits>
+#include <plumbline/error.hpp>
+
+namespace plumbline::trial {
+namespace {
+
+constexpr std::size_t answer_count = static_cast<std::size_t>(Answer::no_report) + 1;
+
+bool is_outside(const Label& label) {
+  return label.effects.size() == 1 && label.effects.front().id == "unknown";
+}
+bool is_single(const Label& label) {
+  return label.effects.size() == 1 && !is_outside(label);
+}
+bool found(const Case& one) {
+  return one.judgement.answer == Answer::right || one.judgement.answer == Answer::in_class;
+}
+
+void count(Row& row, const Case& one) {
+  row.answers.resize(answer_count, 0);
+  ++row.answers[static_cast<std::size_t>(one.judgement.answer)];
+  row.found.add(found(one));
+}
+
+std::string band_name(const Band& band) {
+  if (band.low == 0) return fmt::format("under {:g} sigma", band.high);
+  if (std::isinf(band.high)) return fmt::format("{:g} sigma and more", band.low);
+  return fmt::format("{:g} to {:g} sigma", band.low, band.high);
+}
+
+std::vector<Row> rows_by_strength(const std::vector<Case>& cases) {
+  std::vector<Row> rows;
+  for (const Band& band : bands()) {
+    Row row{band_name(band), {}, {}};
+    for (const Case& one : cases)
+      if (is_single(one.label) && one.label.strength >= band.low && one.label.strength < band.high)
+        count(row, one);
+    if (row.found.total > 0) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// "said" for the confusion table: the right kind at a wrong joint is worth a word of its own.
+std::string said_best(const Case& one) {
+  const Judgement& judged = one.judgement;
+  if (judged.answer == Answer::no_report) return answer_word(judged.answer);
+  const bool misplaced = judged.best == truth_kind(one.label) &&
+                         (judged.answer == Answer::wrong_sure || judged.answer == Answer::wrong_hedged);
+  return misplaced ? judged.best + " at another joint" : judged.best;
+}
+
+/// First what has no effect, then single effects by name, two at once, outside the catalogue.
+std::vector<Row> rows_by_truth(const std::vector<Case>& cases) {
+  std::map<std::string, Row> kinds;
+  for (const Case& one : cases) {
+    const std::size_t effects = one.label.effects.size();
+    const std::string kind = effects > 1 ? "two or more effects" : truth_kind(one.label);
+    const char* place = effects == 0 ? "0" : effects > 1 ? "2" : is_outside(one.label) ? "3" : "1";
+    Row& row = kinds[place + kind];
+    row.name = is_outside(one.label) ? "outside the catalogue" : kind;
+    count(row, one);
+  }
+  std::vector<Row> rows;
+  for (auto& [key, row] : kinds) rows.push_back(std::move(row));
+  return rows;
+}
+
+std::vector<Row> rows_by_noise(const std::vector<Case>& cases) {
+  std::map<std::string, Row> kinds;
+  for (const Case& one : cases) {
+    if (one.label.noise.empty()) continue;
+    Row& row = kinds[one.label.noise];
+    row.name = one.label.noise;
+    count(row, one);
+  }
+  std::vector<Row> rows;
+  for (auto& [key, row] : kinds) rows.push_back(std::move(row));
+  return rows;
+}
+
+Spread spread(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const auto at = [&](double share) {
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+  };
+  return {at(0.5), at(0.9), values.back()};
+}
+
+std::vector<Reliability> reliability(const std::vector<Case>& cases) {
+  std::vector<Reliability> bins{{0, 0.3}, {0.3, 0.5}, {0.5, 0.7}, {0.7, 0.9}, {0.9, 0.99}, {0.99, 1.0000001}};
+  for (const Case& one : cases) {
+    if (!one.judgement.stated) continue;
+    const auto [probability, right] = *one.judgement.stated;
+    for (Reliability& bin : bins) {
+      if (probability < bin.low || probability >= bin.high) continue;
+      bin.stated += probability;
+      bin.right.add(right);
+    }
+  }
+  for (Reliability& bin : bins) bin.stated /= static_cast<double>(std::max<std::size_t>(1, bin.right.total));
+  return bins;
+}
+
+/// The proportions that a case counts for.
+void count_proportions(Score& total, const Case& one) {
+  const Label& label = one.label;
+  const Judgement& judged = one.judgement;
+  if (is_single(label) && label.strength >= 5) total.strong.add(found(one));
+  if (is_single(label) && label.strength >= 2.5 && label.strength < 5) total.weak.add(found(one));
+  if (judged.said.starts_with("identified"))
+    total.wrong_sure.add(judged.answer == Answer::wrong_sure || judged.answer == Answer::false_alarm);
+  if (label.effects.empty()) total.false_alarm.add(judged.answer == Answer::false_alarm);
+  if (is_outside(label)) total.outside.add(found(one));
+  if (judged.place_right) total.place.add(*judged.place_right);
+  if (label.effects.size() > 1) total.pairs.add(found(one));
+  for (const auto& [name, inside] : judged.covered) total.covered.add(inside);
+  if (found(one) && !label.effects.empty() && !is_outside(label)) total.over_hedged.add(judged.over_hedged);
+  total.no_report += judged.answer == Answer::no_report;
+  total.broken_seals += !one.seal_holds;
+}
+
+}  // namespace
+
+std::string truth_kind(const Label& label) {
+  std::vector<std::string> ids;
+  for (const TrueEffect& effect : label.effects) ids.push_back(effect.id);
+  std::sort(ids.begin(), ids.end());
+  return ids.empty() ? "none" : fmt::format("{}", fmt::join(ids, "+"));
+}
+
+std::string truth_words(const Label& label) {
+  std::vector<std::string> keys;
+  for (const TrueEffect& effect : label.effects) keys.push_back(effect_key(effect.id, effect.joint));
+  const std::string words = keys.empty() ? "none" : fmt::format("{}", fmt::join(keys, "+"));
+  return label.description.empty() ? words : words + ": " + label.description;
+}
+
+const std::vector<Band>& bands() {
+  static const std::vector<Band> all{
+      {0, 2.5}, {2.5, 5}, {5, 10}, {10, 20}, {20, std::numeric_limits<double>::infinity()}};
+  return all;
+}
+
+Score score(const std::vector<Case>& cases) {
+  Score total;
+  total.cases = cases.size();
+  total.all.name = "all";
+  std::vector<double> shrunk, seconds, brier;
+  for (const Case& one : cases) {
+    count(total.all, one);
+    count_proportions(total, one);
+    ++total.confusion[truth_kind(one.label)][said_best(one)];
+    if (one.judgement.shrunk) shrunk.push_back(*one.judgement.shrunk);
+    seconds.push_back(one.seconds);
+    if (one.judgement.stated) brier.push_back(one.judgement.brier);
+  }
+  total.by_strength = rows_by_strength(cases);
+  total.by_truth = rows_by_truth(cases);
+  total.by_noise = rows_by_noise(cases);
+  total.reliability = reliability(cases);
+  for (const double one : brier) total.brier += one / static_cast<double>(brier.size());
+  total.shrunk = spread(std::move(shrunk));
+  total.seconds = spread(std::move(seconds));
+  return total;
+}
+
+}  // namespace plumbline::trial

@@ -1,0 +1,56 @@
+#include "trial/sealed_folder.hpp"
+
+#include <algorithm>
+#include <plumbline/error.hpp>
+
+#include "files/sha256.hpp"
+#include "files/text_file.hpp"
+
+namespace plumbline::trial {
+namespace {
+
+namespace fs = std::filesystem;
+
+nlohmann::json parsed(const std::string& text, const std::string& source) {
+  try {
+    return nlohmann::json::parse(text);
+  } catch (const nlohmann::json::exception& error) {
+    throw Error(source, error.what(), "a label as JSON");
+  }
+}
+
+}  // namespace
+
+SealedFolder::SealedFolder(fs::path folder) : folder_(std::move(folder)) {
+  if (!fs::is_directory(folder_)) throw Error(folder_.string(), "no such folder", "a folder of experiments");
+  for (const auto& entry : fs::directory_iterator(folder_))
+    if (fs::exists(entry.path() / "experiment.toml")) names_.push_back(entry.path().filename().string());
+  std::sort(names_.begin(), names_.end());
+  if (names_.empty()) throw Error(folder_.string(), "no experiment", "subfolders with experiment.toml");
+  if (const fs::path file = folder_ / "seals.json"; fs::exists(file)) {
+    seals_ = read_seals(file);
+    digest_ = sha256(read_text(file));
+  }
+  for (const std::string& name : names_) {
+    if (!seals_.contains(name) && !fs::exists(folder_ / name / "label.json"))
+      throw Error((folder_ / name).string(), "neither a seal in seals.json nor a label.json", "one of them");
+  }
+}
+
+Case SealedFolder::open(const std::string& name) const {
+  Case result;
+  const auto sealed = seals_.find(name);
+  const fs::path file =
+      sealed == seals_.end() ? folder_ / name / "label.json" : folder_ / "labels" / (name + ".json");
+  if (sealed == seals_.end()) {
+    result.label = label_from(parsed(read_text(file), file.string()), file.string());
+  } else {
+    const Envelope opened = read_envelope(file);
+    result.seal_holds = seal(opened) == sealed->second;
+    result.label = label_from(parsed(opened.label, file.string()), file.string());
+  }
+  result.label.name = name;
+  return result;
+}
+
+}  // namespace plumbline::trial
