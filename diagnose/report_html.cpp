@@ -92,7 +92,8 @@ Json parameters(const Json& effects, const Candidate& best) {
     const EffectAt& at = best.effects[e];
     for (const auto& [name, bounds] : effects[e]["parameters"].items()) {
       Json row = bounds;
-      row["effect"] = label(at);
+      row["effect"] = effect_name(at.effect);
+      row["place"] = at.joint > 0 ? effects[e]["joint"] : Json("–");
       row["name"] = name;
       row["unit"] = unit(at.effect, name);
       rows.push_back(row);
