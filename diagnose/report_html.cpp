@@ -92,7 +92,8 @@ Json parameters(const Json& effects, const Candidate& best) {
     const EffectAt& at = best.effects[e];
     for (const auto& [name, bounds] : effects[e]["parameters"].items()) {
       Json row = bounds;
-      row["effect"] = label(at);
+      row["effect"] = effect_name(at.effect);
+      row["place"] = at.joint > 0 ? effects[e]["joint"] : Json("–");
       row["name"] = name;
       row["unit"] = unit(at.effect, name);
       rows.push_back(row);
@@ -132,10 +133,11 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
       add(names(cause.ranking[i].hypothesis.fit.candidate),
           "less probable, yet keeps " + ranking[i]["probability"].get<std::string>());
   }
-  if (cause.or_unknown)
+  if (cause.or_unknown) {
     add("unknown", "fitted without the held-out readings, the explanation does not predict them");
-  else if (cause.verdict != CauseVerdict::unknown && cause.unknown >= 0.01)
+  } else if (cause.verdict != CauseVerdict::unknown && cause.unknown >= 0.01) {
     add("unknown", "a cause outside the catalogue keeps " + ranking.back()["probability"].get<std::string>());
+  }
   std::vector<std::string> idle;
   for (const EffectAt& at : explained.diagnosis.not_exercised) idle.push_back(label(at));
   add(joined(idle, ", ", ", "), "never exercised: no reading of these runs depends on it");

@@ -27,7 +27,7 @@ PLUMBLINE = sys.argv.pop(1)
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
 
-# --- experiments, one a verdict: a single link pushed aside, its end point measured
+# --- experiments, one a verdict and one at a joint: a single link pushed aside, its end point measured
 
 
 def angle(force, torque):
@@ -66,6 +66,7 @@ TORQUES = {
     "none": lambda q: 0,
     "ambiguous": lambda q: 0.2 * q,  # a stiffer joint, or a load cell that reads too much
     "unknown": lambda q: 0.05 * math.sin(25 * q),
+    "stopped": lambda q: math.copysign(5 * max(0, abs(q) - 0.25), q),  # identified, at a joint
 }
 
 
@@ -204,7 +205,8 @@ class Pages(unittest.TestCase):
 
     def test_experiments_have_the_verdicts_that_they_are_named_for(self):
         for verdict, _, report in self.diagnoses():
-            self.assertEqual(report["cause"]["verdict"], verdict)
+            self.assertEqual(report["cause"]["verdict"], "identified" if verdict == "stopped" else verdict)
+        self.assertEqual(self.reports["stopped"]["cause"]["effects"][0]["joint"], 1)
 
     def test_numbers_are_those_of_the_report_and_all_are_there(self):
         for verdict, page, report in self.diagnoses():
