@@ -181,7 +181,7 @@ std::vector<Panel> draw_figure_7() {
 
 std::vector<Panel> draw_figure_8() {
   PathTask task = three_links(pi / 10, -pi / 10, 0.6);
-  task.step = 0.005;
+  task.step = 0.01;
   const PathReport slow = follow_slowly(task), all = follow_all(task);
   std::vector<BranchPoint<double>> shapes;
   for (const double load : {0.0, 0.0407353, 0.1, 0.256, 0.6}) shapes.push_back(nearest_to(slow, load));
@@ -197,11 +197,15 @@ std::vector<Panel> draw_figure_9() {
   std::vector<Panel> panels;
   for (const double load : {0.01, 0.0407353, 0.06, 0.15, 0.3, 0.55}) {
     const BranchPoint<double> near = nearest_to(slow, load);
-    const NominalModel<double> model(task.chain);
-    const Equilibrium<double> state = EquilibriumSolver<NominalModel<double>>(model).at_end_point(
-        task.loading.at(load), near.theta, near.force);
+    std::pair<double, double> state{near.theta(0), near.energy};  // first angle and energy
+    if (std::abs(near.load - load) > 1e-6) {                      // else at the bifurcation itself
+      const NominalModel<double> model(task.chain);
+      const auto at = EquilibriumSolver<NominalModel<double>>(model).at_end_point(task.loading.at(load),
+                                                                                  near.theta, near.force);
+      state = {at.theta(0), at.energy};
+    }
     const std::string range = fmt::format("set yrange [{:.4f}:{:.4f}]\nset key top center",
-                                          state.energy - 0.1 * load, state.energy + 0.002 + 1.5 * load);
+                                          state.second - 0.1 * load, state.second + 0.002 + 1.5 * load);
     Panel panel{fmt::format("Δ = {:.4g} L, dot: the slowly loaded chain", load),
                 "φ [rad]",
                 "E / k",
@@ -222,7 +226,7 @@ std::vector<Panel> draw_figure_9() {
       }
       panel.curves.push_back(curve);
     }
-    panel.marks.push_back({state.theta(0), state.energy, ""});
+    panel.marks.push_back({state.first, state.second, ""});
     panels.push_back(panel);
   }
   return panels;
