@@ -25,7 +25,7 @@ packages=(
 )
 
 # what the benchmarks compare with: ./setup.sh --bench
-peers=(liblapack-dev libopenblas-dev libspectra-dev python3-scipy)
+peers=(liblapack-dev libopenblas-dev libspectra-dev python3-scipy auto-07p gfortran)
 [ "${1:-}" != --bench ] || packages+=("${peers[@]}")
 
 missing=()

@@ -6,16 +6,25 @@
 #include <vector>
 
 #include "app/plot.hpp"
+#include "verify/judge.hpp"
 
 namespace plumbline {
 
 struct Figure {
   int number;
   std::string title;
-  std::string sentence;  ///< what the paper's drawing shows, and whether the computation agrees
-  std::size_t columns;   ///< panels in a row
+  std::size_t columns;  ///< panels in a row
   std::vector<Panel> (*draw)();
+  std::vector<std::string> further_claims =
+      {};  ///< ids, beside those whose place in the paper is this figure
 };
+
+/// The claims about a figure.
+std::vector<Claim> claims_about(const Figure& figure);
+
+/// What the paper says that a figure shows, and whether the computation agrees: from the claims about it,
+/// found among judged ones.
+std::string sentence(const Figure& figure, const std::vector<Judged>& judged);
 
 /// All figures that are drawn, ascending.
 const std::vector<Figure>& figures();
@@ -23,12 +32,14 @@ const std::vector<Figure>& figures();
 // Two links, and three links with a passive base (figures_short.cpp).
 std::vector<Panel> draw_figure_2();
 std::vector<Panel> draw_figure_3();
+std::vector<Panel> draw_figure_4();
 std::vector<Panel> draw_figure_5();
 std::vector<Panel> draw_figure_6();
 std::vector<Panel> draw_figure_7();
 std::vector<Panel> draw_figure_8();
 std::vector<Panel> draw_figure_9();
 // Four links (figures_long.cpp).
+std::vector<Panel> draw_figure_10();
 std::vector<Panel> draw_figure_11();
 std::vector<Panel> draw_figure_12();
 std::vector<Panel> draw_figure_13();

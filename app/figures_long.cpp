@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <numbers>
@@ -108,6 +109,23 @@ std::vector<Panel> force_curves(const Chain<double>& chain) {
 
 }  // namespace
 
+std::vector<Panel> draw_figure_10() {
+  std::vector<Panel> panels;
+  for (const auto& [name, rest] : {std::pair{"U-shape", u_shape}, {"Z-shape", z_shape}}) {
+    const Chain<double> chain = four_links(rest);
+    Panel panel{fmt::format("{}: q = ({:.4f})", name, fmt::join(rest, ", ")), "x / L", "y / L", {}, {},
+                "set key off\nset xrange [-0.2:4.8]\nset yrange [-1:0.6]",    true};
+    panel.curves.push_back({outline(chain, absolute_angles(chain.rest())), 1, false, "", 3});
+    const auto joints = panel.curves[0].points;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const bool end = i == rest.size();
+      panel.marks.push_back({joints[i].first, joints[i].second, end ? "(x_0, y_0)" : "", end ? 6 : 7});
+    }
+    panels.push_back(panel);
+  }
+  return panels;
+}
+
 std::vector<Panel> draw_figure_11() {
   const auto chain = four_links(u_shape);
   return {energy_surface(chain, 3.4, 1, "E(q_1, q_2), U-shape, q_4 > 0"),
@@ -132,7 +150,11 @@ std::vector<Panel> draw_figure_15() {
   const auto chain = four_links({0, 0, 0, 0});
   std::vector<Panel> panels;
   for (const auto& branch : follow_all(compressed(chain, 4, 0.6)).branches) {
-    Panel panel{branch.points.back().negative_directions == 0 ? "stable" : "unstable",
+    const std::vector<double> q = joint_angles(branch.points.back().theta);
+    const bool same[] = {(q[1] > 0) == (q[2] > 0), (q[2] > 0) == (q[3] > 0)};
+    const char* const shape = same[0] && same[1] ? "U" : same[0] ? "ZU" : same[1] ? "?" : "Z";  // Table 3
+    Panel panel{fmt::format("{}-shape, {}", shape,
+                            branch.points.back().negative_directions == 0 ? "stable" : "unstable"),
                 "x / L",
                 "y / L",
                 {},

@@ -40,7 +40,7 @@ Panel two_links_energy(double alpha, const std::vector<double>& forces) {
   for (const double F : forces) {
     Curve curve{{}, colour++, false, fmt::format("F = {:g} k/L", F), 1.6};
     std::pair<double, double> least{0, 1e9};
-    for (double q = 0; alpha + q < 1.9; q += 0.005) {
+    for (double q = 0; alpha + q < 2.5; q += 0.005) {
       const double d = deflection_of(alpha, q), V = 2 * q * q - F * d;
       curve.points.emplace_back(d, V);
       if (V < least.second) least = {d, V};
@@ -70,11 +70,13 @@ double deflection(const BranchPoint<double>& p) {
   return p.load;
 }
 
-/// U or Z by the bends of joints 2 and 3, with the sign of the middle link's side.
+/// U or Z by the bends of joints 2 and 3, with the paper's sign; shapes that are pulled, not compressed, are
+/// named so.
 std::string letter(const BranchPoint<double>& p) {
   const std::vector<double> q = joint_angles(p.theta);
   const bool arch = (q[1] > 0) == (q[2] > 0);
-  return std::string(arch ? "U" : "Z") + ((arch ? q[1] < 0 : q[1] > 0) ? "^+" : "^-");
+  return std::string(arch ? "U" : "Z") + (q[1] < 0 ? "^+" : "^-") +
+         (p.load > 0 && p.force.x > 0 ? " pulled" : "");
 }
 
 void add_report(Panel& panel, const PathReport& report, int first_colour) {
@@ -123,9 +125,31 @@ std::vector<Panel> draw_figure_3() {
   return {two_links_force(pi / 6), two_links_energy(pi / 6, {0.5, 1, 2, 3})};
 }
 
+std::vector<Panel> draw_figure_4() {
+  const double phi = 0.5, alpha1 = -0.35, alpha2 = -0.5;
+  const Chain<double> chain({1, 1, 1}, {0, 1, 1}, {phi, alpha1, alpha2});
+  Panel panel{"three links, passive joints at the base and at the end point", "x / L", "y / L", {}, {},
+              "set key off\nset xrange [-0.4:4]\nset yrange [-0.3:1.3]",      true};
+  panel.curves.push_back({outline(chain, absolute_angles(chain.rest())), 1, false, "", 3});
+  const auto joints = panel.curves[0].points;
+  const char* const labels[] = {"φ, passive", "α_1 + q_1, k", "", "(x, y), force F"};
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const bool passive = i == 0 || i + 1 == joints.size();
+    panel.marks.push_back({joints[i].first, joints[i].second, labels[i], passive ? 6 : 7});
+    if (i == 2) panel.marks.push_back({joints[i].first - 0.2, joints[i].second + 0.3, "α_2 + q_2, k", 0});
+    if (i > 0 && i + 1 < joints.size()) {  // the link before, continued: the joint angle is counted from it
+      const auto [x, y] = joints[i];
+      const double dx = x - joints[i - 1].first, dy = y - joints[i - 1].second;
+      panel.curves.push_back({{{x, y}, {x + 0.4 * dx, y + 0.4 * dy}}, 7, true, "", 1});
+    }
+  }
+  panel.curves.push_back({{{-0.4, 0}, {4, 0}}, 7, false, "", 1});
+  return {panel};
+}
+
 std::vector<Panel> draw_figure_5() {
-  Panel straight =
-      force_panel("straight", follow_all(three_links(0, 0, 1)), "set yrange [0:6]\nset xrange [-0.05:1]");
+  Panel straight = force_panel("straight: both U coincide, and both Z", follow_all(three_links(0, 0, 1)),
+                               "set yrange [0:6]\nset xrange [-0.05:1]");
   straight.curves.push_back({{{0, 0}, {0, 1}}, 0, false, "straight shape", 1.6});  // (16): stable up to k / L
   straight.curves.push_back({{{0, 1}, {0, 6}}, 0, true, "", 1.6});
   const auto nearly = follow_all(three_links(-0.05, -0.05, 1));
@@ -151,18 +175,16 @@ std::vector<Panel> draw_figure_7() {
   const PathReport report = follow_all(task);
   std::vector<BranchPoint<double>> last;
   for (const auto& branch : report.branches) last.push_back(branch.points.back());
-  return {force_panel("α = (-π/4, -π/3)", report, "set yrange [0:6]"),
+  return {force_panel("α = (-π/4, -π/3)", report, "set yrange [-6:6]\nset key below"),
           shapes_panel("shapes at the ends of the branches", task.chain, last)};
 }
 
 std::vector<Panel> draw_figure_8() {
-  const PathTask task = three_links(pi / 10, -pi / 10, 0.6);
+  PathTask task = three_links(pi / 10, -pi / 10, 0.6);
+  task.step = 0.01;
   const PathReport slow = follow_slowly(task), all = follow_all(task);
   std::vector<BranchPoint<double>> shapes;
-  for (const auto& stretch : slow.branches) {
-    shapes.push_back(stretch.points.front());
-    shapes.push_back(stretch.points.back());
-  }
+  for (const double load : {0.0, 0.0407353, 0.1, 0.256, 0.6}) shapes.push_back(nearest_to(slow, load));
   return {force_panel("the slowly loaded chain, α = (π/10, -π/10)", slow, ""),
           force_panel("every branch", all, "set yrange [0:4]"), shapes_panel("shapes", task.chain, shapes)};
 }
@@ -174,10 +196,23 @@ std::vector<Panel> draw_figure_9() {
   const PathReport slow = follow_slowly(task);
   std::vector<Panel> panels;
   for (const double load : {0.01, 0.0407353, 0.06, 0.15, 0.3, 0.55}) {
-    const BranchPoint<double> state = nearest_to(slow, load);
+    const BranchPoint<double> near = nearest_to(slow, load);
+    std::pair<double, double> state{near.theta(0), near.energy};  // first angle and energy
+    if (std::abs(near.load - load) > 1e-6) {                      // else at the bifurcation itself
+      const NominalModel<double> model(task.chain);
+      const auto at = EquilibriumSolver<NominalModel<double>>(model).at_end_point(task.loading.at(load),
+                                                                                  near.theta, near.force);
+      state = {at.theta(0), at.energy};
+    }
     const std::string range = fmt::format("set yrange [{:.4f}:{:.4f}]\nset key top center",
-                                          state.energy - 0.1 * load, state.energy + 0.002 + 1.5 * load);
-    Panel panel{fmt::format("Δ = {:.4g} L", load), "φ [rad]", "E / k", {}, {}, range, false};
+                                          state.second - 0.1 * load, state.second + 0.002 + 1.5 * load);
+    Panel panel{fmt::format("Δ = {:.4g} L, dot: the slowly loaded chain", load),
+                "φ [rad]",
+                "E / k",
+                {},
+                {},
+                range,
+                false};
     const double x = task.loading.start.x - load;
     for (const int elbow : {1, -1}) {
       Curve curve{{}, elbow > 0 ? 1 : 2, false, elbow > 0 ? "q_3 bends left" : "q_3 bends right", 1.6};
@@ -191,7 +226,7 @@ std::vector<Panel> draw_figure_9() {
       }
       panel.curves.push_back(curve);
     }
-    panel.marks.push_back({state.theta(0), state.energy, "state"});
+    panel.marks.push_back({state.first, state.second, ""});
     panels.push_back(panel);
   }
   return panels;

@@ -36,7 +36,10 @@ std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
-    result += c;
+    if (c == ' ')
+      result += "\u00a0";  // gnuplot drops an ordinary space behind an index
+    else
+      result += c;
   }
   return result + "\"";
 }
@@ -95,7 +98,8 @@ void add_panel(std::string& script, const Panel& panel) {
 std::string as_svg(const std::vector<Panel>& panels, std::size_t columns) {
   const std::size_t rows = (panels.size() + columns - 1) / columns;
   std::string script = fmt::format(
-      "set encoding utf8\nset terminal svg size {},{} enhanced font 'Helvetica,12' background rgb 'white'\nset output "
+      "set encoding utf8\nset terminal svg size {},{} enhanced font 'Helvetica,12' background rgb "
+      "'white'\nset output "
       "'plot.svg'\n"
       "set palette defined (0 '#08306b', 1 '#9ecae1')\nunset colorbox\nset grid lc rgb '#dddddd' dt 1\nset "
       "border lc rgb '#444444'\nset key top left samplen 2\n"

@@ -26,11 +26,12 @@ struct Options {
 bool with_colour() { return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr; }
 
 /// The whole paper's, for the page.
-std::vector<DrawnFigure> draw_figures() {
+std::vector<DrawnFigure> draw_figures(const std::vector<Judged>& judged) {
   std::vector<DrawnFigure> drawn;
   Progress progress("figures", figures().size());
   for (const Figure& figure : figures()) {
-    drawn.push_back({figure.number, figure.title, figure.sentence, as_svg(figure.draw(), figure.columns)});
+    drawn.push_back(
+        {figure.number, figure.title, sentence(figure, judged), as_svg(figure.draw(), figure.columns)});
     progress.advance();
   }
   return drawn;
@@ -55,7 +56,7 @@ void run(const Options& options) {
   if (!options.json.empty()) write(options.json, as_json(judged).dump(2) + "\n");
   if (!options.html.empty()) {
     const bool whole = !one && options.section.empty();
-    write(options.html, as_html(judged, whole ? draw_figures() : std::vector<DrawnFigure>{}));
+    write(options.html, as_html(judged, whole ? draw_figures(judged) : std::vector<DrawnFigure>{}));
   }
   if (options.json.empty() && options.html.empty())
     fmt::print("{}", one ? as_detail(judged.front(), with_colour()) : as_table(judged, with_colour()));

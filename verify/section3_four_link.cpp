@@ -432,7 +432,7 @@ std::vector<Claim> loaded_four_link_claims() {
        {"-+-+"},
        [](const Printed& printed, int) { return stable_signs(z_shaped_chain(), z_path(), printed); }},
       {"fig-13-singularities",
-       "3.2, after Fig. 12",
+       "3.2, Fig. 13",
        "the surfaces of the Z-chain evolve with singularities, unlike those of the U-chain",
        {"Z singular, U regular"},
        singular_surface},

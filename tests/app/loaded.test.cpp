@@ -109,10 +109,26 @@ TEST_CASE("loads that cannot be are refused in one line") {
   }
 }
 
+TEST_CASE("path: events to fifty digits begin with those of double precision") {
+  const Workplace here;
+  const Outcome outcome = here.plumbline("path --to 1 --digits 50 --json");
+  REQUIRE(outcome.status == 0);
+  const auto json = nlohmann::json::parse(outcome.out);
+  REQUIRE(json["events"].size() == 1);
+  CHECK(json["events"][0]["kind"] == "quasi-buckling");
+  const auto load = json["events"][0]["load"].get<std::string>();
+  CHECK(load.size() > 50);
+  CHECK(std::stod(load) ==
+        doctest::Approx(json["history"][0]["events"][0]["load"].get<double>()).epsilon(1e-9));
+  CHECK(has(here.plumbline("path --to 1 --digits 20").out, "Events to 20 digits"));
+  CHECK(here.plumbline("path --digits 51").status == 2);
+}
+
 TEST_CASE("figure: two links are drawn, with a sentence") {
   const Workplace here;
   const Outcome outcome = here.plumbline("figure 2");
   CHECK(outcome.status == 0);
   CHECK(has(outcome.out, "figure-02.svg"));
+  CHECK(has(outcome.out, "The paper is confirmed: "));
   CHECK(has(here.read("figure-02.svg"), "<svg"));
 }

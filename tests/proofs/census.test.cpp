@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <bit>
+#include <cstdlib>
 #include <random>
 
 #include "proofs/equilibrium_box.hpp"
@@ -169,7 +170,97 @@ int sum_over_faces(const Chain<Interval>& chain, const Point<Interval>& place) {
   return sum;
 }
 
+/// Random shapes from which Newton's method is started; how many distinct equilibria it finds, each of which
+/// the census has to list.
+std::size_t newton_finds(const Census& census, const Chain<Interval>& chain, Control control,
+                         const Point<Interval>& load, std::size_t starts, std::mt19937& random) {
+  const NominalModel<double> model(rounded(chain));
+  EquilibriumSolver<NominalModel<double>> solver(model);
+  const Point<double> at{middle(load.x), middle(load.y)};
+  std::uniform_real_distribution<double> turn(-M_PI, M_PI);
+  std::vector<Equilibrium<double>> found;
+  for (std::size_t start = 0; start < starts; ++start) {
+    std::vector<double> q = model.chain().rest();
+    for (double& angle : q) angle += turn(random);
+    try {
+      const auto theta = absolute_angles(q);
+      auto one = control == Control::force ? solver.under_force(at, theta) : solver.at_end_point(at, theta);
+      const auto angles = joint_angles(one.theta);
+      bool counted = true;
+      for (std::size_t i = 0; i < q.size() && control == Control::end_point; ++i)
+        counted = counted && std::abs(angles[i] - model.chain().rest()[i]) < M_PI;
+      const bool known = std::any_of(found.begin(), found.end(), [&](const Equilibrium<double>& other) {
+        return (other.theta - one.theta).cwiseAbs().maxCoeff() < 1e-6;
+      });
+      if (counted && !known) found.push_back(std::move(one));
+    } catch (const Error&) {  // this start leads to no equilibrium
+    }
+  }
+  for (const auto& one : found) CHECK(listed(census, one));
+  return found.size();
+}
+
 }  // namespace
+
+TEST_CASE(
+    "random chains: the census lists whatever Newton's method finds, and its count with signs is right") {
+  // PLUMBLINE_CENSUS_CHAINS=100 asks for so many chains of two to six links and 10^4 starts each
+  const char* const asked = std::getenv("PLUMBLINE_CENSUS_CHAINS");
+  const std::size_t chains = asked != nullptr ? std::stoul(asked) : 6,
+                    starts = asked != nullptr ? 10000 : 500, longest = asked != nullptr ? 6 : 4;
+  std::mt19937 random(29);
+  std::size_t listed_in_all = 0, found_in_all = 0, faces = 0;
+  for (std::size_t i = 0; i < chains; ++i) {
+    const std::size_t n = 2 + i % (longest - 1);
+    const auto length = random_decimals(random, n, 600, 1500);
+    const Chain<Interval> chain(enclosed(length), enclosed(random_decimals(random, n, 500, 2000)),
+                                enclosed(random_decimals(random, n, -900, 900)));
+    Rational sum = 0;
+    for (const Rational& L : length) sum += L;
+    const Rational share = random_decimals(random, 1, 400, 900)[0];
+    const Point<Interval> place{Interval(Rational(sum * share)), Interval(Rational(sum * share / 7))};
+    const Point<Interval> force{Interval(Rational(-700, 1000)),
+                                Interval(random_decimals(random, 1, 50, 400)[0])};
+    CAPTURE(i);
+    CAPTURE(n);
+    const Census held = census_at_end_point(chain, place), loaded = census_under_force(chain, force);
+    REQUIRE(held.complete());
+    REQUIRE(loaded.complete());
+    CHECK(morse_count(loaded) == 1);
+    if (n <= 4) {
+      std::vector<double> sides{std::hypot(middle(place.x), middle(place.y))};
+      for (const auto& L : chain.length()) sides.push_back(middle(L));
+      CHECK(sum_over_faces(chain, place) == euler_characteristic(sides));
+      ++faces;
+    }
+    listed_in_all += held.equilibria.size() + loaded.equilibria.size();
+    found_in_all += newton_finds(held, chain, Control::end_point, place, starts, random) +
+                    newton_finds(loaded, chain, Control::force, force, starts, random);
+  }
+  CHECK(found_in_all <= listed_in_all);
+  MESSAGE(chains, " chains, ", starts, " starts each and load: the censuses list ", listed_in_all,
+          " equilibria, Newton's method finds ", found_in_all, "; polygon spaces compared: ", faces);
+}
+
+TEST_CASE("exactly at a bifurcation the census says undecided, where it is, and nothing false") {
+  // two unit links, k = (3/2, 1): the straight chain under a dead force has the stiffness matrix ((5/2, -1),
+  // (-1, 1)) less F, so its critical forces are exactly 1/2 and 3
+  const auto chain = unit_chain({Interval(0), Interval(0)}, {Interval(Rational(3, 2)), Interval(1)});
+  const auto under = [&](const Rational& F) {
+    return census_under_force(chain, {Interval(-F), Interval(0)});
+  };
+  const Census at = under(Rational(1, 2)), below = under(Rational(49, 100)), above = under(Rational(51, 100));
+  REQUIRE(below.complete());
+  REQUIRE(above.complete());
+  CHECK(below.equilibria.size() == 1);
+  CHECK(above.equilibria.size() == 3);
+  REQUIRE(at.undecided.size() == 1);
+  for (const Interval& q : at.undecided[0]) {
+    CHECK(q.contains_zero());
+    CHECK(q.width() < Interval::End("0.1"));
+  }
+  CHECK(at.equilibria.empty());
+}
 
 TEST_CASE(
     "the census of the paper's Z-chain at 0.4 L has the equilibria that floating point finds, and no other") {
