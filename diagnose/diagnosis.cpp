@@ -142,7 +142,11 @@ void explain(const Experiment& experiment, const Measurements& measurements,
   const Experiment seen = without(experiment, heldout);
   const Measurements seen_measurements(seen);
   const Findings chosen = search(seen, seen_measurements, [&](double share) { progress(0.1 + 0.4 * share); });
-  if (chosen.hypotheses.empty()) return;
+  if (chosen.hypotheses.empty()) {
+    diagnosis.cause.verdict = CauseVerdict::unknown;
+    diagnosis.cause.unknown = 1;
+    return;
+  }
   if (!heldout.empty()) {
     const std::size_t place =
         leaves_structure(seen_measurements, chosen) ? best_partial(seen_measurements, chosen.hypotheses) : 0;

@@ -81,7 +81,12 @@ Json cause(const Diagnosis& diagnosis) {
                        {"probability", one.probability},
                        {"chi2_per_dof", one.chi2_per_dof}});
   }
-  ranking.push_back({{"effects", {"unknown"}}, {"probability", found.unknown}, {"chi2_per_dof", nullptr}});
+  // An unknown cause predicts nothing beyond the nominal model.
+  if (diagnosis.gap.present) {
+    ranking.push_back({{"effects", {"unknown"}},
+                       {"probability", found.unknown},
+                       {"chi2_per_dof", diagnosis.gap.chi2_per_value}});
+  }
   for (const EffectAt& at : diagnosis.not_exercised) idle.push_back(label(at));
   const bool explained =
       found.verdict == CauseVerdict::identified || found.verdict == CauseVerdict::ambiguous;

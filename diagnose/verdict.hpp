@@ -22,7 +22,7 @@ struct Cause {
   CauseVerdict verdict = CauseVerdict::none;
   std::vector<Ranked> ranking;          ///< most probable first
   bool or_unknown = false;              ///< the best did not predict: the cause may be outside the catalogue
-  double unknown = 1;                   ///< probability that the cause is none of the ranking
+  double unknown = 0;                   ///< probability that the cause is none of the ranking
   std::size_t best = 0;                 ///< place of the best, for `unknown` of the best partial one
   std::vector<std::size_t> equivalent;  ///< places in the ranking that cannot be told apart from the best
 };
