@@ -110,7 +110,7 @@ void run(const Options& options) {
     numbers += (numbers.empty() ? "" : ", ") + std::to_string(figure.number);
   }
   if (chosen.empty()) throw Error("figure", options.which, "all or one of " + numbers);
-  if (!fs::is_directory(options.out)) throw Error("--out", options.out + ", which is no folder", "a folder");
+  make_folder(options.out);
   Progress progress("figures", chosen.size());
   for (const Figure* figure : chosen) {
     const fs::path path = fs::path(options.out) / fmt::format("figure-{:02}.svg", figure->number);
@@ -127,7 +127,7 @@ void add_figure(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("figure", "Redraw a figure of the paper from computation, as SVG");
   const auto options = std::make_shared<Options>();
   verb->add_option("number", options->which, "2, 3, ... 16, or all")->type_name("N")->capture_default_str();
-  verb->add_option("--out", options->out, "Folder for figure-NN.svg")
+  verb->add_option("--out", options->out, "Folder for figure-NN.svg, made if it is not there")
       ->type_name("DIR")
       ->capture_default_str();
   verb->footer("Stable equilibria are drawn solid, unstable ones dashed. Needs gnuplot.");

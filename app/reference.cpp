@@ -44,17 +44,8 @@ std::vector<NamedText> compute(const Options& options) {
                          {command, "plumbline " PLUMBLINE_VERSION, std::to_string(options.seed)});
 }
 
-/// The directory, made if it is not there. Asked for before the work, so that a mistake shows at once.
-void require_directory(const fs::path& path) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (!fs::is_directory(path))
-    throw Error(path.string(), error ? error.message() : "no directory",
-                "a directory, or a name to make one by");
-}
-
 void run(const Options& options) {
-  require_directory(options.out);
+  make_folder(options.out);
   const auto files = compute(options);
   std::vector<std::unique_ptr<OutputFile>> written;
   for (const NamedText& file : files) {

@@ -24,6 +24,13 @@ std::string read_text(const fs::path& path) {
   return text.str();
 }
 
+void make_folder(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (!std::filesystem::is_directory(path))
+    throw Error(path.string(), error ? error.message() : "no folder", "a folder, or a name to make one by");
+}
+
 OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
   if (path_ == "-") return;
   std::error_code ignored;

@@ -12,6 +12,11 @@ namespace plumbline {
 /// \throws Error that names the file: missing, a directory, not readable, or empty
 std::string read_text(const std::filesystem::path& path);
 
+/// Makes a folder, and those around it, unless it is there. Best asked for before the work, so that a mistake
+/// shows at once.
+/// \throws Error that names it when it cannot be made
+void make_folder(const std::filesystem::path& path);
+
 /// A file that appears, complete, with `commit()`; without it nothing is left behind and what stood there
 /// before still stands. "-" is standard output.
 class OutputFile {

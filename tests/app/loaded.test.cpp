@@ -99,7 +99,7 @@ TEST_CASE("loads that cannot be are refused in one line") {
        {"path --to x", "path --to 0", "path --to -5", "path nowhere.toml",
         "path zigzag.toml --to 1 --force 1,0", "equilibria --at 1", "equilibria --at a,b",
         "equilibria --end-point 9,0", "equilibria --end-point 4,0 --certify",
-        "equilibria --end-point 2,0 --certify", "figure 99", "figure 2 --out nowhere"}) {
+        "equilibria --end-point 2,0 --certify", "figure 99", "figure 2 --out zigzag.toml"}) {
     CAPTURE(arguments);
     const Outcome outcome = here.plumbline(arguments);
     CHECK(outcome.status == 2);
