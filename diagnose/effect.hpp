@@ -64,7 +64,7 @@ struct Candidate {
   friend bool operator==(const Candidate&, const Candidate&) = default;
 };
 
-/// The id as effects.md and reports spell it.
+/// The id as the effect catalogue and reports spell it.
 std::string_view effect_name(EffectId effect);
 /// \throws Error for a word that is not in the catalogue
 EffectId effect_id(std::string_view name);

@@ -4,6 +4,8 @@
 
 #include <bit>
 #include <cstdlib>
+#include <optional>
+#include <plumbline/error.hpp>
 #include <random>
 
 #include "proofs/equilibrium_box.hpp"
@@ -208,9 +210,9 @@ TEST_CASE(
   const char* const asked = std::getenv("PLUMBLINE_CENSUS_CHAINS");
   const std::size_t chains = asked != nullptr ? std::stoul(asked) : 6,
                     starts = asked != nullptr ? 10000 : 500, longest = asked != nullptr ? 6 : 4;
-  std::mt19937 random(29);
-  std::size_t listed_in_all = 0, found_in_all = 0, faces = 0;
+  std::size_t listed_in_all = 0, found_in_all = 0, faces = 0, given_up = 0;
   for (std::size_t i = 0; i < chains; ++i) {
+    std::mt19937 random(static_cast<unsigned>(29 + i));
     const std::size_t n = 2 + i % (longest - 1);
     const auto length = random_decimals(random, n, 600, 1500);
     const Chain<Interval> chain(enclosed(length), enclosed(random_decimals(random, n, 500, 2000)),
@@ -223,7 +225,18 @@ TEST_CASE(
                                 Interval(random_decimals(random, 1, 50, 400)[0])};
     CAPTURE(i);
     CAPTURE(n);
-    const Census held = census_at_end_point(chain, place), loaded = census_under_force(chain, force);
+    // Where the end point is close to that of a folded chain the force is hardly bounded, and the census says
+    // that it has come to its limit.
+    std::optional<Census> at_place;
+    try {
+      at_place = census_at_end_point(chain, place);
+    } catch (const Error& error) {
+      MESSAGE("chain ", i, " of ", n, " links: ", error.what());
+      ++given_up;
+      continue;
+    }
+    const Census& held = *at_place;
+    const Census loaded = census_under_force(chain, force);
     REQUIRE(held.complete());
     REQUIRE(loaded.complete());
     CHECK(morse_count(loaded) == 1);
@@ -238,6 +251,7 @@ TEST_CASE(
                     newton_finds(loaded, chain, Control::force, force, starts, random);
   }
   CHECK(found_in_all <= listed_in_all);
+  CHECK(given_up * 50 <= chains);
   MESSAGE(chains, " chains, ", starts, " starts each and load: the censuses list ", listed_in_all,
           " equilibria, Newton's method finds ", found_in_all, "; polygon spaces compared: ", faces);
 }
