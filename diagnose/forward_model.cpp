@@ -213,15 +213,17 @@ Prediction simulate(const Experiment& experiment, const Rig& rig,
     layout.dry = layout.dry || other.rig.friction > 0;
   }
   Prediction result;
-  result.sensitivity.resize(variations.size());
   for (const Run& run : experiment.runs) {
     const auto rows = static_cast<Eigen::Index>(run.readings.size());
     const auto columns = column_q + static_cast<Eigen::Index>(n);
-    result.runs.emplace_back(rows, columns);
+    result.runs.push_back(Trace::Constant(rows, columns, std::numeric_limits<double>::quiet_NaN()));
+  }
+  result.sensitivity.assign(variations.size(), result.runs);
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     std::vector<Trace*> beside;
-    for (auto& traces : result.sensitivity) beside.push_back(&traces.emplace_back(rows, columns));
-    RunWalk walk(experiment, run, layout, rig, variations);
-    if (!walk.walk(result.runs.back(), beside)) {
+    for (auto& traces : result.sensitivity) beside.push_back(&traces[r]);
+    RunWalk walk(experiment, experiment.runs[r], layout, rig, variations);
+    if (!walk.walk(result.runs[r], beside)) {
       result.reached = false;
       return result;
     }

@@ -23,7 +23,7 @@ struct Prediction {
   /// posture.
   bool reached = true;
   bool snapped = false;                         ///< some run went through a snap
-  std::vector<Trace> runs;                      ///< one a run
+  std::vector<Trace> runs;                      ///< one a run; NaN where the rig did not get
   std::vector<std::vector<Trace>> sensitivity;  ///< [parameter][run]: derivative by the fitted coordinate
 };
 

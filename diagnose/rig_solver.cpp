@@ -9,7 +9,13 @@ namespace {
 constexpr double largest_turn = 0.3;     // rad: longest Newton step
 constexpr double nearby = 0.6;           // rad: a joint that turned further between readings has snapped
 constexpr double angle_accuracy = 1e-7;  // rad: a Newton step this short leaves an error of its square
-constexpr int newton_limit = 20;
+// Along one branch each Newton step is at most half as long as the last; a step that is not has left it, or
+// stands at a kink of a joint law, which spoils the ratio of short steps only.
+constexpr double contraction = 0.5;
+constexpr double felt_turn = 1e-3;        // rad
+constexpr double shortest_stride = 1e-3;  // share of the way between two readings
+constexpr int newton_limit = 40;
+constexpr int joint_changes = 8;  // iterations that may change all contacts at once
 constexpr int descent_limit = 400;
 
 Imposed between(const Imposed& from, const Imposed& to, double share) {
@@ -81,7 +87,7 @@ void RigSolver::apply(double share, Posture& posture) const {
 }
 
 bool RigSolver::settle_contacts(const RunRig& run, const Interval& interval,
-                                const std::vector<JointMemory>& memory, Posture& posture) const {
+                                const std::vector<JointMemory>& memory, bool all, Posture& posture) const {
   if (interval.relaxed || !equations_.layout.dry) return false;
   bool changed = false;
   for (std::size_t i = 0; i < run.joint.size(); ++i) {
@@ -93,23 +99,28 @@ bool RigSolver::settle_contacts(const RunRig& run, const Interval& interval,
       continue;
     }
     const Contact next = run.joint[i].next(q, memory[i], posture.contact[i]);
-    changed = changed || next != posture.contact[i];
+    if (next == posture.contact[i]) continue;
     posture.contact[i] = next;
+    changed = true;
+    if (!all) break;
   }
   return changed;
 }
 
 bool RigSolver::newton(const RunRig& run, const Imposed& imposed, const Interval& interval,
-                       const std::vector<JointMemory>& memory, Posture& posture) {
+                       const std::vector<JointMemory>& memory, Pace pace, Posture& posture) {
   if (imposed.control == ControlMode::force) posture.force = imposed.value;
+  double allowed = largest_turn;
   const double scale = largest_stiffness(run) / run.rig.length.front();
   for (int i = 0; i < newton_limit; ++i) {
     equations_.assemble(run, posture, memory, interval, true);
     const bool stable = factorise(run, imposed.control, 0);
     const double turn = solve(run, imposed, posture);
     if (!std::isfinite(turn) || !force_step_.allFinite()) return false;
+    if (pace == Pace::careful && turn > std::max(allowed, felt_turn)) return false;
     apply(std::min(1.0, largest_turn / turn), posture);
-    const bool settled = !settle_contacts(run, interval, memory, posture);
+    const bool settled = !settle_contacts(run, interval, memory, i < joint_changes, posture);
+    allowed = settled ? contraction * turn : largest_turn;
     if (settled && turn < angle_accuracy && force_step_.norm() < 1e-7 * (scale + posture.force.norm()))
       return stable;
   }
@@ -136,10 +147,11 @@ bool RigSolver::descend(const RunRig& run, const Imposed& imposed, const Interva
       continue;
     }
     apply(std::min(1.0, largest_turn / turn), posture);
+    settle_contacts(run, interval, memory, false, posture);
     damping *= 0.5;
     if (damping < 1e-3 * stiff) {
       Posture trial = posture;
-      if (newton(run, imposed, interval, memory, trial)) {
+      if (newton(run, imposed, interval, memory, Pace::careful, trial)) {
         posture = trial;
         return true;
       }
@@ -157,7 +169,7 @@ bool RigSolver::follow(const RunRig& run, const Imposed& before, const Imposed& 
       if (std::abs(to.angle[i] - posture.angle[i]) > nearby) return false;
     return true;
   };
-  if (Posture trial = guess; newton(run, imposed, interval, memory, trial) && near(trial)) {
+  if (Posture trial = guess; newton(run, imposed, interval, memory, Pace::careful, trial) && near(trial)) {
     posture = std::move(trial);
     return true;
   }
@@ -165,11 +177,12 @@ bool RigSolver::follow(const RunRig& run, const Imposed& before, const Imposed& 
   while (done < 1) {
     const Imposed next = between(before, imposed, std::min(1.0, done + stride));
     Posture trial = posture;
-    if (newton(run, next, interval, memory, trial) && near(trial)) {
+    const Pace pace = stride > shortest_stride ? Pace::careful : Pace::free;
+    if (newton(run, next, interval, memory, pace, trial) && near(trial)) {
       posture = std::move(trial);
       done = std::min(1.0, done + stride);
       stride *= 2;
-    } else if (stride > 0.02) {
+    } else if (stride > shortest_stride) {
       stride /= 4;
     } else {
       if (!descend(run, next, interval, memory, posture)) return false;

@@ -38,8 +38,10 @@ class RigSolver {
   [[nodiscard]] bool snapped() const { return snapped_; }
 
  private:
+  /// Careful: gives up where the steps do not shrink as they do along one branch.
+  enum class Pace { careful, free };
   bool newton(const RunRig& run, const Imposed& imposed, const Interval& interval,
-              const std::vector<JointMemory>& memory, Posture& posture);
+              const std::vector<JointMemory>& memory, Pace pace, Posture& posture);
   bool descend(const RunRig& run, const Imposed& imposed, const Interval& interval,
                const std::vector<JointMemory>& memory, Posture& posture);
   /// Factorises with `damping` times the joints' damping matrix added. \returns whether the tangent is that
@@ -48,9 +50,10 @@ class RigSolver {
   /// Solves for the step that cancels residual and constraint. \returns its largest angle
   double solve(const RunRig& run, const Imposed& imposed, const Posture& posture);
   void apply(double share, Posture& posture) const;
-  /// Brings the dry contacts in line with the posture. \returns whether one changed
+  /// Brings the dry contacts in line with the posture, all of them or the first that is not. All at once
+  /// is fast but can go in circles, one at a time does not (Murty's rule). \returns whether one changed
   bool settle_contacts(const RunRig& run, const Interval& interval, const std::vector<JointMemory>& memory,
-                       Posture& posture) const;
+                       bool all, Posture& posture) const;
 
   Equations equations_;
   std::vector<double> step_, column_x_, column_y_;

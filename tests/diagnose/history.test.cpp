@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "diagnose/forward_model.hpp"
+#include "diagnose/measurement.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
@@ -177,10 +178,61 @@ TEST_CASE("a chain pushed over snaps to the other side and stays in balance") {
   }
 }
 
+TEST_CASE("a coarse step ends on the branch of the fine ones") {
+  // Nearly straight, so the first millimetres of a press turn the joints most. Each shape has a mirror image
+  // that is as stable and that one long Newton step may fall on.
+  for (const std::vector<double>& rest :
+       {std::vector<double>{0.02, -0.03, 0.02}, {-0.03, 0.01, 0.04}, {0.01, 0.03, -0.05}}) {
+    const auto pressed = [&](int steps) {
+      Experiment experiment = three_links();
+      press(experiment, rest, {-0.02, 0.002}, steps, false);
+      const Prediction predicted = predict(experiment, {}, {});
+      REQUIRE(predicted.reached);
+      CHECK_FALSE(predicted.snapped);
+      return Trace(predicted.runs[0].bottomRows(1));
+    };
+    // Newton stops within 1e-7 rad.
+    CHECK((pressed(1) - pressed(400)).abs().maxCoeff() < 1e-6);
+  }
+}
+
+TEST_CASE("dry joints that all slip at once find who sticks") {
+  Experiment experiment = three_links();
+  experiment.link_length = {0.2313, 0.2632, 0.2143, 0.2747};
+  experiment.joint_stiffness = {0.44, 0.339, 0.262, 0.202};
+  experiment.link_mass = {0, 0, 0, 0};
+  for (const double tau_c : {0.001, 0.003, 0.01, 0.03}) {
+    experiment.runs.clear();
+    press(experiment, {0.3865, -0.7614, -0.0433, 0.7876}, {0, 0.06}, 24, true);
+    const Prediction predicted = predict(experiment, only(EffectId::joint_friction), {tau_c});
+    REQUIRE(predicted.reached);
+    const Trace& trace = predicted.runs[0];
+    for (Eigen::Index row = 1; row < trace.rows(); ++row) {
+      double x = trace(row, column_x), y = trace(row, column_y), theta = 0;
+      for (std::size_t i = 0; i < 4; ++i) {
+        const double moment = x * trace(row, column_Fy) - y * trace(row, column_Fx);
+        const double spring =
+            experiment.joint_stiffness[i] * (angle(trace, row, i) - experiment.runs[0].rest[i]);
+        CHECK(std::abs(moment - spring) <= tau_c * (1 + 1e-6));
+        theta += angle(trace, row, i);
+        x -= experiment.link_length[i] * std::cos(theta);
+        y -= experiment.link_length[i] * std::sin(theta);
+      }
+    }
+  }
+}
+
 TEST_CASE("an end point out of reach is said, not predicted") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {0.2, 0}, 4, false);
-  CHECK_FALSE(predict(experiment, {}, {}).reached);
+  press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 4, false);
+  const Prediction predicted = predict(experiment, {}, {}, true);
+  CHECK_FALSE(predicted.reached);
+  REQUIRE(predicted.runs.size() == 2);
+  CHECK(predicted.runs[0].row(4).isNaN().all());
+  CHECK(predicted.runs[1].isNaN().all());
+  const Measurements measurements(experiment);
+  CHECK(measurements.residual(experiment, predicted).size() == measurements.size());
 }
 
 TEST_CASE("effects act together: friction, play, weight, compliance and a load cell in one balance") {
