@@ -21,6 +21,7 @@ import xml.etree.ElementTree as xml
 from collections import Counter
 
 from selenium import webdriver
+from selenium.common.exceptions import WebDriverException
 from selenium.webdriver.chrome.service import Service
 
 PLUMBLINE = sys.argv.pop(1)
@@ -140,7 +141,17 @@ class Browser:
         for argument in ("--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"):
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-        self.driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        self.driver = self.started(options)
+
+    @staticmethod
+    def started(options, tries=3):
+        # The first start on a busy machine can miss Selenium's deadline of half a minute.
+        try:
+            return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+        except WebDriverException:
+            if tries == 1:
+                raise
+            return Browser.started(options, tries - 1)
 
     def close(self):
         self.driver.quit()
