@@ -68,18 +68,6 @@ nlohmann::ordered_json point_json(const BranchPoint<double>& p) {
 
 }  // namespace
 
-std::string_view name(EventKind kind) {
-  switch (kind) {
-    case EventKind::fold:
-      return "fold";
-    case EventKind::bifurcation:
-      return "bifurcation";
-    case EventKind::quasi_buckling:
-      break;
-  }
-  return "quasi-buckling";
-}
-
 std::string_view name(BranchEnd end) {
   switch (end) {
     case BranchEnd::load:

@@ -11,7 +11,6 @@
 
 namespace plumbline {
 
-std::string_view name(EventKind kind);
 std::string_view name(BranchEnd end);
 
 /// The force-deflection curve in a few lines, and every event.

@@ -6,12 +6,12 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "bench/race.hpp"
 #include "diagnose/fit.hpp"
 
 namespace plumbline::bench {
@@ -23,10 +23,6 @@ struct Task {
   EffectAt at;
   Experiment experiment;
 };
-
-double processor_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 Run press(const std::vector<double>& length, const std::vector<double>& rest, double by_x, double by_y) {
   Run run{"press", ControlMode::displacement, rest, {}};

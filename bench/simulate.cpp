@@ -57,16 +57,6 @@ std::vector<double> rest_shape(Random& random, std::size_t n) {
   return rest;
 }
 
-Vector2 unloaded_end(const Experiment& experiment, const std::vector<double>& rest) {
-  Vector2 end(0, 0);
-  double theta = 0;
-  for (std::size_t j = 0; j < rest.size(); ++j) {
-    theta += rest[j];
-    end += experiment.link_length[j] * Vector2(std::cos(theta), std::sin(theta));
-  }
-  return end;
-}
-
 /// Load; load and unload; or a cycle and a half.
 double load_share(std::size_t profile, double s) {
   if (profile == 0) return s;

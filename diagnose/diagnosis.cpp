@@ -147,10 +147,11 @@ void explain(const Experiment& experiment, const Measurements& measurements,
     diagnosis.cause.unknown = 1;
     return;
   }
+  const bool structured = leaves_structure(seen_measurements, chosen);
   if (!heldout.empty()) {
-    const std::size_t place =
-        leaves_structure(seen_measurements, chosen) ? best_partial(seen_measurements, chosen.hypotheses) : 0;
-    const Fit& best = chosen.hypotheses[place].fit;
+    std::vector<const Fit*> fits;
+    for (const Hypothesis& hypothesis : chosen.hypotheses) fits.push_back(&hypothesis.fit);
+    const Fit& best = *fits[structured ? best_partial(seen_measurements, fits) : 0];
     const Prediction after = predict(experiment, best.candidate, best.parameters);
     if (after.reached) {
       diagnosis.shrink = measure_shrink(measurements, heldout, residual,
@@ -159,7 +160,7 @@ void explain(const Experiment& experiment, const Measurements& measurements,
   }
   Findings findings = confirmed(experiment, measurements, chosen);
   diagnosis.cause = judge(experiment, measurements, findings);
-  if (diagnosis.cause.verdict == CauseVerdict::unknown && !leaves_structure(seen_measurements, chosen)) {
+  if (diagnosis.cause.verdict == CauseVerdict::unknown && !structured) {
     // What was held out holds the trace of a further cause.
     findings = search(experiment, measurements, [&](double share) { progress(0.5 + 0.4 * share); });
     diagnosis.cause = judge(experiment, measurements, findings);
@@ -189,12 +190,16 @@ std::vector<Fit> to_separate(const Cause& cause, bool on_request) {
   return {cause.ranking[cause.best].hypothesis.fit, cause.ranking[other].hypothesis.fit};
 }
 
-/// Shares of the joints from what was found, where nothing measured shows them.
-void imply_joints(const Experiment& experiment, Diagnosis& diagnosis) {
+/// Shares of the joints where nothing measured shows them: from what was found, else by the best torque law.
+void imply_joints(const Experiment& experiment, const Measurements& measurements,
+                  const std::vector<double>& residual, Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
-  const bool explained =
-      cause.verdict == CauseVerdict::identified || cause.verdict == CauseVerdict::ambiguous;
-  if (!explained || diagnosis.where.joint_evidence == JointEvidence::measured) return;
+  if (!diagnosis.where.joints.empty()) return;
+  if (cause.verdict != CauseVerdict::identified && cause.verdict != CauseVerdict::ambiguous) {
+    diagnosis.where.joints = shares_by_torque_law(experiment, measurements, residual, diagnosis.noise);
+    diagnosis.where.joint_evidence = JointEvidence::implied_by_law;
+    return;
+  }
   std::vector<double> probability{cause.ranking[cause.best].probability};
   for (const std::size_t place : cause.equivalent) probability.push_back(cause.ranking[place].probability);
   diagnosis.where.joints = shares_by_fits(experiment, rivals(cause), probability);
@@ -214,7 +219,7 @@ Diagnosis diagnose(const Experiment& experiment, const Report& progress, bool pl
   diagnosis.noise = diagnosis.gap.test.noise;
   if (diagnosis.gap.present) explain(experiment, measurements, residual, diagnosis, report);
   diagnosis.where = locate(experiment, measurements, nominal, residual, diagnosis.noise);
-  imply_joints(experiment, diagnosis);
+  imply_joints(experiment, measurements, residual, diagnosis);
   if (diagnosis.gap.present && diagnosis.cause.verdict == CauseVerdict::unknown)
     diagnosis.missing = describe_missing(experiment, measurements, nominal, residual, diagnosis.where);
   if (const std::vector<Fit> fits = to_separate(diagnosis.cause, plan); fits.size() > 1)

@@ -55,25 +55,6 @@ Eigen::MatrixXd law_terms(const Deflections& all, std::size_t run, const LawShap
   return terms;
 }
 
-/// The experiment as a rig would have given it, without noise and with all joint angles measured.
-Experiment as_measured(Experiment experiment, const Prediction& predicted) {
-  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
-    for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i) {
-      const auto row = predicted.runs[r].row(static_cast<Eigen::Index>(i));
-      Reading& reading = experiment.runs[r].readings[i];
-      reading.Fx = row(column_Fx);
-      reading.Fy = row(column_Fy);
-      reading.q.assign(row.data() + column_q, row.data() + row.size());
-    }
-  }
-  return experiment;
-}
-
-void sort_by_share(std::vector<JointShare>& shares) {
-  std::stable_sort(shares.begin(), shares.end(),
-                   [](const JointShare& a, const JointShare& b) { return a.share > b.share; });
-}
-
 /// Residuals of the nominal model, in standard deviations, and their derivative by a torque at one joint.
 struct TorqueEffect {
   Eigen::VectorXd residual, per_torque;
@@ -131,39 +112,26 @@ std::vector<JointShare> shares_by_torque_law(const Experiment& experiment, const
       least[j] = std::min(least[j], criterion(measurements, effect, shape));
   }
   const double best = *std::min_element(least.begin(), least.end());
-  std::vector<JointShare> shares;
-  double sum = 0;
-  for (std::size_t j = 0; j < least.size(); ++j) {
-    shares.push_back({j + 1, least[j] < none ? std::exp((best - least[j]) / 2) : 0});
-    sum += shares.back().share;
-  }
-  for (JointShare& one : shares)
-    one.share = sum > 0 ? one.share / sum : 1 / static_cast<double>(shares.size());
-  sort_by_share(shares);
-  return shares;
+  std::vector<double> weight;
+  for (const double one : least) weight.push_back(one < none ? std::exp((best - one) / 2) : 0);
+  return joint_shares(weight);
 }
 
 std::vector<JointShare> shares_by_fits(const Experiment& experiment, const std::vector<Fit>& fits,
                                        const std::vector<double>& probability) {
-  std::vector<JointShare> shares;
-  for (std::size_t j = 0; j < experiment.link_length.size(); ++j) shares.push_back({j + 1, 0});
-  double total = 0;
+  std::vector<double> weight(experiment.link_length.size(), 0.0);
   for (std::size_t f = 0; f < fits.size(); ++f) {
     const Prediction predicted = predict(experiment, fits[f].candidate, fits[f].parameters);
-    std::vector<double> square(shares.size(), 0.0);
+    std::vector<double> square(weight.size(), 0.0);
     double sum = 0;
     const auto torques = missing_torques(as_measured(experiment, predicted));
     for (std::size_t j = 0; j < torques.size(); ++j)
       for (const MissingTorque& one : torques[j]) square[j] += one.torque * one.torque;
     for (const double s : square) sum += s;
     if (!(sum > 0)) continue;
-    total += probability[f];
-    for (std::size_t j = 0; j < square.size(); ++j) shares[j].share += probability[f] * square[j] / sum;
+    for (std::size_t j = 0; j < square.size(); ++j) weight[j] += probability[f] * square[j] / sum;
   }
-  for (JointShare& one : shares)
-    one.share = total > 0 ? one.share / total : 1 / static_cast<double>(shares.size());
-  sort_by_share(shares);
-  return shares;
+  return joint_shares(weight);
 }
 
 }  // namespace plumbline

@@ -107,19 +107,25 @@ std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experi
   return by_joint;
 }
 
+Experiment as_measured(Experiment experiment, const Prediction& predicted) {
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i) {
+      const auto row = predicted.runs[r].row(static_cast<Eigen::Index>(i));
+      Reading& reading = experiment.runs[r].readings[i];
+      reading.Fx = row(column_Fx);
+      reading.Fy = row(column_Fy);
+      reading.q.assign(row.data() + column_q, row.data() + row.size());
+    }
+  }
+  return experiment;
+}
+
 std::vector<JointShare> shares_by_missing_torque(const Experiment& experiment, const NoiseModel& noise) {
   const double scale = std::max(noise.of(Sensor::angle), noise.of(Sensor::force));
-  std::vector<JointShare> shares;
-  double sum = 0;
-  for (const auto& torques : missing_torques(experiment)) {
-    shares.push_back({shares.size() + 1, excess(torques, scale)});
-    sum += shares.back().share;
-  }
-  if (sum == 0) return {};
-  for (JointShare& one : shares) one.share /= sum;
-  std::stable_sort(shares.begin(), shares.end(),
-                   [](const JointShare& a, const JointShare& b) { return a.share > b.share; });
-  return shares;
+  std::vector<double> weight;
+  for (const auto& torques : missing_torques(experiment)) weight.push_back(excess(torques, scale));
+  const bool any = std::any_of(weight.begin(), weight.end(), [](double w) { return w > 0; });
+  return any ? joint_shares(weight) : std::vector<JointShare>();
 }
 
 }  // namespace plumbline

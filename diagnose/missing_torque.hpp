@@ -18,6 +18,9 @@ struct MissingTorque {
 /// By joint. Empty lists where no run measures all joint angles together with the force.
 std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experiment);
 
+/// The experiment as if this had been measured: without noise, with the force and all joint angles.
+Experiment as_measured(Experiment experiment, const Prediction& predicted);
+
 /// Shares of the joints in the missing torque beyond its noise, largest first. Empty where no joint angles
 /// are measured, or where noise alone may give what is missing.
 std::vector<JointShare> shares_by_missing_torque(const Experiment& experiment, const NoiseModel& noise);

@@ -20,16 +20,6 @@ struct Extent {
   double travel = 0, force = 0, deflection = 0, pause = 1;
 };
 
-Vector2 unloaded_end(const Experiment& experiment, const std::vector<double>& rest) {
-  Vector2 end(0, 0);
-  double theta = 0;
-  for (std::size_t j = 0; j < rest.size(); ++j) {
-    theta += rest[j];
-    end += experiment.link_length[j] * Vector2(std::cos(theta), std::sin(theta));
-  }
-  return end;
-}
-
 double largest_deflection(const Trace& trace, const std::vector<double>& rest) {
   double largest = 0;
   for (std::size_t i = 0; i < rest.size(); ++i) {

@@ -91,23 +91,6 @@ PageChart loop_over_command(const Explained& explained, const Series& series, co
   return {run.id + ": " + what + " less the elastic part of the model", drawn(chart)};
 }
 
-/// The experiment as if the corrected model had been measured.
-Experiment as_predicted(const Explained& explained) {
-  Experiment copy = explained.experiment;
-  for (std::size_t r = 0; r < copy.runs.size(); ++r) {
-    const Trace& trace = explained.corrected.runs[r];
-    for (std::size_t i = 0; i < copy.runs[r].readings.size(); ++i) {
-      Reading& reading = copy.runs[r].readings[i];
-      const auto row = static_cast<Eigen::Index>(i);
-      reading.Fx = trace(row, column_Fx);
-      reading.Fy = trace(row, column_Fy);
-      for (std::size_t j = 0; j < reading.q.size(); ++j)
-        reading.q[j] = trace(row, column_q + static_cast<Eigen::Index>(j));
-    }
-  }
-  return copy;
-}
-
 /// Missing torque over angle at one joint in one run; a reading without all angles interrupts the line.
 std::vector<ChartPoint> torque_over_angle(const std::vector<MissingTorque>& torques, std::size_t run) {
   std::vector<ChartPoint> points;
@@ -118,7 +101,7 @@ std::vector<ChartPoint> torque_over_angle(const std::vector<MissingTorque>& torq
 
 PageChart loop_at_joint(const Explained& explained, std::size_t joint, std::size_t run) {
   const auto measured = missing_torques(explained.experiment),
-             modelled = missing_torques(as_predicted(explained));
+             modelled = missing_torques(as_measured(explained.experiment, explained.corrected));
   const Chart chart{
       fmt::format("torque-loop-{}", run + 1),
       fmt::format("Loop of the torque at joint {} in run {}", joint, explained.experiment.runs[run].id),

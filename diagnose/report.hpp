@@ -11,6 +11,8 @@ namespace plumbline {
 
 /// "joint_friction", "backlash(3)".
 std::string label(const EffectAt& at);
+/// "joint_friction + backlash(3)".
+std::string label(const Candidate& candidate);
 
 nlohmann::ordered_json as_json(const Diagnosis& diagnosis);
 

@@ -33,12 +33,6 @@ std::string joined(const std::vector<std::string>& parts, const std::string& bet
   return text;
 }
 
-std::string names(const Candidate& candidate) {
-  std::vector<std::string> parts;
-  for (const EffectAt& at : candidate.effects) parts.push_back(label(at));
-  return joined(parts, " + ", " + ");
-}
-
 std::string words(const Candidate& candidate) {
   std::vector<std::string> parts;
   for (const EffectAt& at : candidate.effects) parts.push_back(in_words(at));
@@ -122,7 +116,7 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
     if (!who.empty()) list.push_back({{"names", who}, {"why", why}});
   };
   for (const std::size_t place : cause.equivalent)
-    add(names(cause.ranking[place].hypothesis.fit.candidate),
+    add(label(cause.ranking[place].hypothesis.fit.candidate),
         fmt::format("fits these readings as well as the best: log-likelihood or log-evidence differ by less "
                     "than {:g}",
                     told_apart));
@@ -130,7 +124,7 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
     const bool listed =
         i == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), i) > 0;
     if (!listed && cause.verdict != CauseVerdict::unknown && cause.ranking[i].probability >= 0.01)
-      add(names(cause.ranking[i].hypothesis.fit.candidate),
+      add(label(cause.ranking[i].hypothesis.fit.candidate),
           "less probable, yet keeps " + ranking[i]["probability"].get<std::string>());
   }
   if (cause.or_unknown) {
@@ -153,7 +147,7 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   view["best"] = false;
   if (explained.best != nullptr) {
     const Candidate& best = explained.best->candidate;
-    view["best"] = {{"names", names(best)}, {"words", words(best)}, {"model", explained.model}};
+    view["best"] = {{"names", label(best)}, {"words", words(best)}, {"model", explained.model}};
     Json rows = parameters(view["cause"]["effects"], best);
     const bool any = !rows.empty();
     view["explained"] = {{"any", any}, {"parameters", std::move(rows)}};

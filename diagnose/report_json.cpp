@@ -144,6 +144,12 @@ std::string label(const EffectAt& at) {
   return at.joint > 0 ? text + "(" + std::to_string(at.joint) + ")" : text;
 }
 
+std::string label(const Candidate& candidate) {
+  std::string text;
+  for (const EffectAt& at : candidate.effects) text += (text.empty() ? "" : " + ") + label(at);
+  return text;
+}
+
 Json as_json(const Diagnosis& diagnosis) {
   Json places = where(diagnosis.where);
   if (diagnosis.missing) places["missing"] = missing(*diagnosis.missing);

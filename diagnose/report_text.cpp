@@ -16,12 +16,6 @@ std::string chance(double p) {
   return p < 1e-300 ? "p < 1e-300" : fmt::format("p = {:.2g}", p);
 }
 
-std::string names(const Candidate& candidate) {
-  std::string text;
-  for (const EffectAt& at : candidate.effects) text += (text.empty() ? "" : " + ") + label(at);
-  return text;
-}
-
 std::string by_channel(const std::map<std::string, double>& values) {
   std::string text;
   for (const auto& [channel, value] : values)
@@ -101,7 +95,7 @@ std::string unexplained(const Diagnosis& diagnosis) {
   if (!diagnosis.cause.ranking.empty()) {
     const Ranked& partial = diagnosis.cause.ranking[diagnosis.cause.best];
     text += fmt::format("  best partial explanation: {} (chi-square per degree of freedom {:.3g})\n",
-                        names(partial.hypothesis.fit.candidate), partial.chi2_per_dof);
+                        label(partial.hypothesis.fit.candidate), partial.chi2_per_dof);
   }
   return text;
 }
@@ -113,11 +107,11 @@ std::string what(const Diagnosis& diagnosis) {
   std::string text =
       fmt::format("What?  {}: {} (probability {:.3f}, chi-square per degree of freedom {:.3g})\n",
                   cause.verdict == CauseVerdict::identified ? "Identified" : "Ambiguous",
-                  names(best.hypothesis.fit.candidate), best.probability, best.chi2_per_dof);
+                  label(best.hypothesis.fit.candidate), best.probability, best.chi2_per_dof);
   text += parameters(diagnosis);
   text += fmt::format("  outside the catalogue with probability {:.2g}\n", cause.unknown);
   for (const std::size_t place : cause.equivalent)
-    text += "  cannot be told apart from " + names(cause.ranking[place].hypothesis.fit.candidate) + "\n";
+    text += "  cannot be told apart from " + label(cause.ranking[place].hypothesis.fit.candidate) + "\n";
   if (cause.or_unknown)
     text +=
         "  or a cause outside the catalogue: fitted without the held-out readings, it does not predict "

@@ -1,8 +1,15 @@
 #include "diagnose/rig.hpp"
 
 #include <limits>
+#include <plumbline/kinematics.hpp>
 
 namespace plumbline {
+
+Vector2 unloaded_end(const Experiment& experiment, const std::vector<double>& rest) {
+  const Point<double> end =
+      end_point(Chain<double>(experiment.link_length, experiment.joint_stiffness), rest);
+  return {end.x, end.y};
+}
 
 Rig nominal_rig(const Experiment& experiment) {
   const std::size_t n = experiment.link_length.size();

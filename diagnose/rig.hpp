@@ -51,6 +51,9 @@ struct Rig {
   Vector2 force_drift = Vector2::Zero();  ///< r_x, r_y, N/s
 };
 
+/// Where the end point of the nominal chain lies at rest.
+Vector2 unloaded_end(const Experiment& experiment, const std::vector<double>& rest);
+
 /// The rig that the nominal model believes in.
 Rig nominal_rig(const Experiment& experiment);
 

@@ -144,16 +144,15 @@ bool near(const Hypothesis& best, const Hypothesis& other) {
 
 }  // namespace
 
-std::size_t best_partial(const Measurements& measurements, const std::vector<Hypothesis>& hypotheses) {
+std::size_t best_partial(const Measurements& measurements, const std::vector<const Fit*>& fits) {
   const double independent = static_cast<double>(measurements.size()) / 8;
-  const auto criterion = [&](const Hypothesis& one) {
-    return independent * std::log(one.fit.cost) +
-           static_cast<double>(one.fit.parameters.size()) * std::log(std::max(independent, 2.0));
+  const auto criterion = [&](const Fit* one) {
+    return independent * std::log(one->cost) +
+           static_cast<double>(one->parameters.size()) * std::log(std::max(independent, 2.0));
   };
-  const auto place =
-      std::min_element(hypotheses.begin(), hypotheses.end(),
-                       [&](const Hypothesis& a, const Hypothesis& b) { return criterion(a) < criterion(b); });
-  return static_cast<std::size_t>(place - hypotheses.begin());
+  const auto place = std::min_element(
+      fits.begin(), fits.end(), [&](const Fit* a, const Fit* b) { return criterion(a) < criterion(b); });
+  return static_cast<std::size_t>(place - fits.begin());
 }
 
 Cause judge(const Experiment& experiment, const Measurements& measurements, const Findings& findings) {
@@ -166,8 +165,8 @@ Cause judge(const Experiment& experiment, const Measurements& measurements, cons
   cause.unknown = probability_of_unknown(p_value);
   for (Ranked& one : cause.ranking) one.probability *= 1 - cause.unknown;
   if (chosen == cause.ranking.size()) {
-    std::vector<Hypothesis> partial;
-    for (const Ranked& one : cause.ranking) partial.push_back(one.hypothesis);
+    std::vector<const Fit*> partial;
+    for (const Ranked& one : cause.ranking) partial.push_back(&one.hypothesis.fit);
     if (!partial.empty()) cause.best = best_partial(measurements, partial);
     return cause;
   }

@@ -38,7 +38,7 @@ bool genuine(const Experiment& experiment, const Fit& fit);
 
 /// Place of the explanation that is worth most where none is right: what it leaves is then taken as noise
 /// that eight neighbouring readings share, and parameters are charged by Schwarz's criterion.
-std::size_t best_partial(const Measurements& measurements, const std::vector<Hypothesis>& hypotheses);
+std::size_t best_partial(const Measurements& measurements, const std::vector<const Fit*>& fits);
 
 /// The best hypothesis is identified when it leaves no structure and no other comes near; ambiguous with
 /// those that come near; unknown when it leaves structure.

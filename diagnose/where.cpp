@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/implied_torque.hpp"
 #include "diagnose/missing_torque.hpp"
 #include "diagnose/regime.hpp"
 
@@ -95,17 +94,21 @@ std::string joint_evidence_words(JointEvidence evidence) {
   return "chance to be the one place of an unknown torque";
 }
 
+std::vector<JointShare> joint_shares(const std::vector<double>& weight) {
+  std::vector<JointShare> shares;
+  for (const double w : weight) shares.push_back({shares.size() + 1, w});
+  normalise(shares);
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const JointShare& a, const JointShare& b) { return a.share > b.share; });
+  return shares;
+}
+
 Where locate(const Experiment& experiment, const Measurements& measurements, const Prediction& nominal,
              const std::vector<double>& residual, const NoiseModel& noise) {
   const std::vector<double> beyond = excess(measurements, residual, noise);
-  Where where{by_channel(measurements, beyond), by_run(experiment, measurements, beyond),
-              along_path(experiment, measurements, nominal, beyond),
-              shares_by_missing_torque(experiment, noise), JointEvidence::measured};
-  if (where.joints.empty()) {
-    where.joints = shares_by_torque_law(experiment, measurements, residual, noise);
-    where.joint_evidence = JointEvidence::implied_by_law;
-  }
-  return where;
+  return {by_channel(measurements, beyond), by_run(experiment, measurements, beyond),
+          along_path(experiment, measurements, nominal, beyond), shares_by_missing_torque(experiment, noise),
+          JointEvidence::measured};
 }
 
 }  // namespace plumbline

@@ -33,16 +33,20 @@ enum class JointEvidence { measured, implied_by_fits, implied_by_law };
 /// The same in words.
 std::string joint_evidence_words(JointEvidence evidence);
 
+/// Shares in proportion to the weights of the joints, largest first; alike where no joint has any.
+std::vector<JointShare> joint_shares(const std::vector<double>& weight);
+
 struct Where {
   std::vector<ChannelShare> channels;
   std::vector<RunShare> runs;
   std::vector<PathShare> load_path;
-  std::vector<JointShare> joints;
+  std::vector<JointShare> joints;  ///< largest first
   JointEvidence joint_evidence = JointEvidence::implied_by_law;
 };
 
-/// \param residual  of the nominal model, flat, in declared sigmas
-/// \param noise     scale of the noise as it is
+/// By joint from measured torque alone; empty where none is measured, or noise alone may give what is
+/// missing. \param residual  of the nominal model, flat, in declared sigmas \param noise     scale of the
+/// noise as it is
 Where locate(const Experiment& experiment, const Measurements& measurements, const Prediction& nominal,
              const std::vector<double>& residual, const NoiseModel& noise);
 

@@ -43,10 +43,6 @@ bool share_one(const Names& said, const Names& truth) {
   });
 }
 
-bool outside_catalogue(const Label& label) {
-  return label.effects.size() == 1 && label.effects.front().id == "unknown";
-}
-
 /// Where it is unknown what, it does not matter at which joint.
 Names truth_of(const Label& label) {
   if (outside_catalogue(label)) return {"unknown"};

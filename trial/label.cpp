@@ -34,6 +34,10 @@ std::string effect_key(const std::string& id, std::size_t joint) {
   return joint > 0 ? id + "(" + std::to_string(joint) + ")" : id;
 }
 
+bool outside_catalogue(const Label& label) {
+  return label.effects.size() == 1 && label.effects.front().id == "unknown";
+}
+
 nlohmann::ordered_json as_json(const Label& label) {
   using Json = nlohmann::ordered_json;
   Json effects = Json::array();

@@ -31,6 +31,9 @@ struct Label {
 /// "id" or "id(joint)".
 std::string effect_key(const std::string& id, std::size_t joint);
 
+/// Whether the one effect is in no catalogue.
+bool outside_catalogue(const Label& label);
+
 nlohmann::ordered_json as_json(const Label& label);
 /// \param source  named in errors
 /// \throws Error when the JSON is not a label

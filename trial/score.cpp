@@ -10,11 +10,8 @@ namespace {
 
 constexpr std::size_t answer_count = static_cast<std::size_t>(Answer::no_report) + 1;
 
-bool is_outside(const Label& label) {
-  return label.effects.size() == 1 && label.effects.front().id == "unknown";
-}
 bool is_single(const Label& label) {
-  return label.effects.size() == 1 && !is_outside(label);
+  return label.effects.size() == 1 && !outside_catalogue(label);
 }
 bool found(const Case& one) {
   return one.judgement.answer == Answer::right || one.judgement.answer == Answer::in_class;
@@ -59,9 +56,9 @@ std::vector<Row> rows_by_truth(const std::vector<Case>& cases) {
   for (const Case& one : cases) {
     const std::size_t effects = one.label.effects.size();
     const std::string kind = effects > 1 ? "two or more effects" : truth_kind(one.label);
-    const char* place = effects == 0 ? "0" : effects > 1 ? "2" : is_outside(one.label) ? "3" : "1";
+    const char* place = effects == 0 ? "0" : effects > 1 ? "2" : outside_catalogue(one.label) ? "3" : "1";
     Row& row = kinds[place + kind];
-    row.name = is_outside(one.label) ? "outside the catalogue" : kind;
+    row.name = outside_catalogue(one.label) ? "outside the catalogue" : kind;
     count(row, one);
   }
   std::vector<Row> rows;
@@ -115,11 +112,12 @@ void count_proportions(Score& total, const Case& one) {
   if (judged.said.starts_with("identified"))
     total.wrong_sure.add(judged.answer == Answer::wrong_sure || judged.answer == Answer::false_alarm);
   if (label.effects.empty()) total.false_alarm.add(judged.answer == Answer::false_alarm);
-  if (is_outside(label)) total.outside.add(found(one));
+  if (outside_catalogue(label)) total.outside.add(found(one));
   if (judged.place_right) total.place.add(*judged.place_right);
   if (label.effects.size() > 1) total.pairs.add(found(one));
   for (const auto& [name, inside] : judged.covered) total.covered.add(inside);
-  if (found(one) && !label.effects.empty() && !is_outside(label)) total.over_hedged.add(judged.over_hedged);
+  if (found(one) && !label.effects.empty() && !outside_catalogue(label))
+    total.over_hedged.add(judged.over_hedged);
   total.no_report += judged.answer == Answer::no_report;
   total.broken_seals += !one.seal_holds;
 }

@@ -116,18 +116,6 @@ std::string certain_digits(const Interval& x) {
   throw Error("equilibrium", x.text(6), "an enclosure of a digit or more");
 }
 
-std::string event_name(EventKind kind) {
-  switch (kind) {
-    case EventKind::fold:
-      return "fold";
-    case EventKind::bifurcation:
-      return "bifurcation";
-    case EventKind::quasi_buckling:
-      return "quasi-buckling";
-  }
-  return {};
-}
-
 Branch<Mpfr50> compressed(const LoadedCase& loaded, const Mpfr50& longest_step) {
   const auto chain = convert<Mpfr50>(enclosed(loaded), [](const Interval& x) { return Mpfr50(x.middle()); });
   const Model model(chain);
@@ -153,7 +141,7 @@ json event_entry(const BranchEvent<Mpfr50>& event) {
   const BranchPoint<Mpfr50>& at = event.point;
   json angles = json::array();
   for (const Mpfr50& angle : joint_angles(at.theta)) angles.push_back(text(angle));
-  return {{"kind", event_name(event.kind)},
+  return {{"kind", name(event.kind)},
           {"load", text(at.load)},
           {"energy", text(at.energy)},
           {"force", {text(at.force.x), text(at.force.y)}},

@@ -4,6 +4,7 @@
 
 #include <boost/math/tools/roots.hpp>
 #include <plumbline/bifurcation.hpp>
+#include <string_view>
 
 namespace plumbline {
 
@@ -12,6 +13,19 @@ enum class EventKind {
   bifurcation,    ///< another branch crosses: buckling
   quasi_buckling  ///< the tangent stiffness is least: the shape bends fastest, without a jump
 };
+
+/// The word for it.
+inline std::string_view name(EventKind kind) {
+  switch (kind) {
+    case EventKind::fold:
+      return "fold";
+    case EventKind::bifurcation:
+      return "bifurcation";
+    case EventKind::quasi_buckling:
+      break;
+  }
+  return "quasi-buckling";
+}
 
 template <Number Real>
 struct BranchEvent {

@@ -29,11 +29,7 @@ TEST_CASE("a wrong command line is bad input") {
   for (const char* arguments : {"nonsense", "critical --nonsense", "critical --digits 0",
                                 "critical --digits x", "critical a.toml b.toml"}) {
     CAPTURE(arguments);
-    const Outcome outcome = here.plumbline(arguments);
-    CHECK(outcome.status == 2);
-    CHECK(outcome.out.empty());
-    CHECK(outcome.err.starts_with("plumbline: "));
-    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    check_refused(here.plumbline(arguments));
   }
 }
 

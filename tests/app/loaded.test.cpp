@@ -101,11 +101,7 @@ TEST_CASE("loads that cannot be are refused in one line") {
         "equilibria --end-point 9,0", "equilibria --end-point 4,0 --certify",
         "equilibria --end-point 2,0 --certify", "figure 99", "figure 2 --out zigzag.toml"}) {
     CAPTURE(arguments);
-    const Outcome outcome = here.plumbline(arguments);
-    CHECK(outcome.status == 2);
-    CHECK(outcome.out.empty());
-    CHECK(outcome.err.starts_with("plumbline: "));
-    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+    check_refused(here.plumbline(arguments));
   }
 }
 

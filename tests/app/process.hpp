@@ -2,8 +2,10 @@
 /// \file
 /// Runs the built executable as a user does, in an empty folder of its own.
 
+#include <doctest/doctest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +17,14 @@ struct Outcome {
   int status;
   std::string out, err;
 };
+
+/// Bad input: status 2, nothing on standard output, one line that says what is wrong.
+inline void check_refused(const Outcome& outcome) {
+  CHECK(outcome.status == 2);
+  CHECK(outcome.out.empty());
+  CHECK(outcome.err.starts_with("plumbline: "));
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+}
 
 class Workplace {
  public:
