@@ -15,19 +15,6 @@
 
 namespace plumbline {
 
-/// What is imposed grows along a ray: start + load · direction, an end point or a force. The direction is a
-/// unit vector, so the load is a length or a force.
-template <Number Real>
-struct Loading {
-  Control control;
-  Point<Real> start;
-  Point<Real> direction;
-
-  [[nodiscard]] Point<Real> at(const Real& load) const {
-    return {start.x + load * direction.x, start.y + load * direction.y};
-  }
-};
-
 /// Follows branches of one model under one loading. Keeps its storage.
 template <SmoothModel Model>
 class Brancher {
@@ -144,11 +131,11 @@ class Brancher {
         const Real turn = max(Real(term.theta.cwiseAbs().maxCoeff()), Real(abs(term.load) / load_scale()));
         const Real last = max(turn, Real(size(term.force) / force_unit));
         if (last > Real(0))
-          series.reach =
-              min(series.reach, Real(pow(epsilon<Real>() / last, Real(1) / Real(static_cast<int>(k)))));
+          series.reach = min(
+              series.reach, Real(pow(Real(4) * epsilon<Real>() / last, Real(1) / Real(static_cast<int>(k)))));
       }
     }
-    series.complete(at_.energy, loading_.direction, held);
+    series.complete(at_.energy, loading_);
   }
 
   /// The place s of a series as a point; its type is left open.
