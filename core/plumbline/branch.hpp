@@ -1,13 +1,12 @@
 #pragma once
 /// \file
-/// A branch of equilibria, followed by pseudo-arclength in O(n) a step.
+/// The points of a branch of equilibria: corrected by Newton's method in a hyperplane (pseudo-arclength), and
+/// expanded in power series, each in O(n).
 ///
-/// A step is never chosen by hope. Along the tangent t the bordered matrix A of the equations changes, to
-/// leading order, by s D, D = A'(t); it is singular where -1/s is an eigenvalue of A^-1 D. A few steps of
-/// power iteration bound that distance, the *horizon*, and a step goes only a fraction of it. Where another
-/// branch comes near, or crosses, A is nearly singular, the horizon closes in, and the steps shrink with it.
-/// Beside that, (-1)^negative_directions · sign(dload/ds) cannot change along a branch without a crossing; a
-/// step that changes it is taken back.
+/// How far a branch is free of surprises shows in the bordered matrix A of its equations. Along the tangent t
+/// it changes, to leading order, by s D, D = A'(t); it is singular where -1/s is an eigenvalue of A^-1 D. A
+/// few steps of power iteration bound that distance, the *horizon*. Where another branch comes near, or
+/// crosses, A is nearly singular and the horizon closes in.
 
 #include <optional>
 #include <plumbline/branch_series.hpp>

@@ -4,8 +4,7 @@
 ///
 /// All equations of a chain are polynomials in angles, sines and cosines, so their Taylor coefficients follow
 /// one after the other from one factored matrix. With an order that grows like the digits, a series is exact
-/// to rounding over a fixed part of its radius of convergence: one factorisation carries a branch as far as a
-/// dozen Newton corrections of tangent steps would, and any point in between costs one evaluation.
+/// to rounding over a fixed part of its radius of convergence, and any point there costs one evaluation.
 
 #include <plumbline/loaded_model.hpp>
 #include <plumbline/loading.hpp>
