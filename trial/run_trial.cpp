@@ -5,6 +5,7 @@
 #include <plumbline/error.hpp>
 #include <thread>
 
+#include "files/json_file.hpp"
 #include "files/text_file.hpp"
 
 namespace plumbline::trial {
@@ -14,8 +15,9 @@ Judgement judgement_of(const Label& label, const std::filesystem::path& report, 
   Judgement none;
   none.said = diagnosed.failure;
   if (!diagnosed.failure.empty()) return none;
+  const std::string name = report.filename().string();
   try {
-    return judge(label, report_from(nlohmann::json::parse(read_text(report)), report.filename().string()));
+    return judge(label, report_from(parse_json(read_text(report), name), name));
   } catch (const std::exception& error) {  // no JSON, or not that of a report
     none.said = error.what();
     return none;
