@@ -12,14 +12,6 @@ namespace {
 using Json = nlohmann::json;
 using Names = std::vector<std::string>;
 
-Names names(const Json& alternative) {
-  Names all;
-  if (!alternative.is_array()) return {alternative.get<std::string>()};
-  for (const auto& one : alternative)
-    all.push_back(one.is_string() ? one.get<std::string>() : one.at("id").get<std::string>());
-  return all;
-}
-
 std::string without_joint(const std::string& key) {
   return key.substr(0, key.find('('));
 }
@@ -64,8 +56,7 @@ Report parsed(const Json& json) {
   const Json& cause = json.at("cause");
   report.verdict = cause.at("verdict");
   for (const Json& effect : cause.at("effects")) {
-    const Json& joint = effect.at("joint");
-    const std::string key = effect_key(effect.at("id"), joint.is_number() ? joint.get<std::size_t>() : 0);
+    const std::string key = effect_key(effect);
     report.effects.push_back(key);
     for (const auto& [name, value] : effect.at("parameters").items()) {
       if (!value.at("low").is_number() || !value.at("high").is_number()) continue;
@@ -73,9 +64,10 @@ Report parsed(const Json& json) {
       report.bounds[key + "/" + name] = {low, high};
     }
   }
-  for (const Json& alternative : cause.at("equivalent")) report.equivalent.push_back(names(alternative));
+  for (const Json& alternative : cause.at("equivalent"))
+    report.equivalent.push_back(effect_keys(alternative));
   for (const Json& one : cause.at("ranking"))
-    report.ranking.push_back({names(one.at("effects")), one.at("probability")});
+    report.ranking.push_back({effect_keys(one.at("effects")), one.at("probability")});
   const Json& where = json.at("where");
   report.joint = largest<std::size_t>(where.at("joints"), "joint");
   report.channel = largest<std::string>(where.at("channels"), "channel").value_or("");
