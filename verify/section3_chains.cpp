@@ -5,6 +5,8 @@
 #include <boost/math/tools/roots.hpp>
 #include <plumbline/slow_loading.hpp>
 
+#include "proofs/exactly.hpp"
+
 namespace plumbline {
 
 namespace {
@@ -152,11 +154,7 @@ CertifiedEquilibrium reached(const Census& census, const SlowPath& path, const R
 }
 
 Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& from, const Rational& to) {
-  const auto angle = [&](const Located& load) {
-    Rational exact;
-    mpfr_get_q(exact.backend().data(), load.backend().data());
-    return joint_angles(path.at(exact).theta)[joint];
-  };
+  const auto angle = [&](const Located& load) { return joint_angles(path.at(exactly(load)).theta)[joint]; };
   const auto low = from_rational<Located>(from), high = from_rational<Located>(to);
   std::uintmax_t evaluations = 100;
   const auto close = [](const Located& a, const Located& b) { return abs(b - a) < Located("1e-58"); };
