@@ -1,6 +1,7 @@
 #include "diagnose/fit.hpp"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -153,6 +154,8 @@ bool minimise(Problem& problem, const std::vector<std::size_t>& free, double out
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
+  // What fails stands in the summary; Ceres's warnings, silent or not, would go to standard error.
+  FLAGS_minloglevel = google::GLOG_FATAL;
   options.max_num_iterations = 30;
   options.function_tolerance = 1e-5;
   options.parameter_tolerance = 1e-7;
