@@ -12,6 +12,10 @@ namespace {
 using Json = nlohmann::json;
 using Names = std::vector<std::string>;
 
+std::string parameter_key(const std::string& effect, const std::string& name) {
+  return fmt::format("{}/{}", effect, name);
+}
+
 std::string without_joint(const std::string& key) {
   return key.substr(0, key.find('('));
 }
@@ -61,7 +65,7 @@ Report parsed(const Json& json) {
     for (const auto& [name, value] : effect.at("parameters").items()) {
       if (!value.at("low").is_number() || !value.at("high").is_number()) continue;
       const auto [low, high] = std::minmax({value["low"].get<double>(), value["high"].get<double>()});
-      report.bounds[key + "/" + name] = {low, high};
+      report.bounds[parameter_key(key, name)] = {low, high};
     }
   }
   for (const Json& alternative : cause.at("equivalent"))
@@ -128,7 +132,7 @@ std::optional<bool> place_right(const Label& label, const Report& report) {
 void judge_parameters(const Label& label, const Report& report, Judgement& judgement) {
   for (const TrueEffect& effect : label.effects) {
     for (const auto& [name, value] : effect.parameters) {
-      const std::string key = effect_key(effect.id, effect.joint) + "/" + name;
+      const std::string key = parameter_key(effect_key(effect.id, effect.joint), name);
       const auto bounds = report.bounds.find(key);
       if (bounds != report.bounds.end())
         judgement.covered.emplace_back(key, bounds->second.low <= value && value <= bounds->second.high);
