@@ -9,10 +9,6 @@ namespace {
 
 const std::string sources = PLUMBLINE_SOURCE_DIR;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("the published forces agree with the reference, to all their digits") {

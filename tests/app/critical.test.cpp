@@ -4,14 +4,6 @@
 
 #include "tests/app/process.hpp"
 
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-}  // namespace
-
 TEST_CASE("without arguments the command lists its verbs, and critical computes the bundled example") {
   const Workplace here;
   const Outcome help = here.plumbline("");

@@ -20,6 +20,10 @@ struct Outcome {
   std::string out, err;
 };
 
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 /// Bad input: status 2, nothing on standard output, one line that says what is wrong.
 inline void check_refused(const Outcome& outcome) {
   CHECK(outcome.status == 2);

@@ -17,10 +17,6 @@ void add_example(const Workplace& here) {
   std::filesystem::copy(sources + "/examples/experiment", here.path() / "mine" / "bench");
 }
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("experiments of one's own are diagnosed and scored") {
