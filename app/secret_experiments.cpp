@@ -17,12 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void write(const fs::path& path, const std::string& text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
-}
-
 #ifdef PLUMBLINE_RIG
 SecretExperiments made(std::size_t trials, std::uint64_t seed, const fs::path& folder, unsigned threads,
                        const std::function<void()>& advance) {
@@ -53,14 +47,14 @@ SecretExperiments make_experiments(std::size_t trials, std::uint64_t seed, const
   SecretExperiments secret = made(trials, seed, folder, threads, advance);
   trial::Seals seals;
   for (const auto& [name, envelope] : secret.envelopes) seals[name] = trial::seal(envelope);
-  write(folder / "seals.json", trial::seals_text(seals));
+  write_text(folder / "seals.json", trial::seals_text(seals));
   return secret;
 }
 
 void publish(const SecretExperiments& secret, const fs::path& folder) {
   fs::create_directories(folder / "labels");
   for (const auto& [name, envelope] : secret.envelopes)
-    write(folder / "labels" / (name + ".json"), trial::envelope_text(envelope));
+    write_text(folder / "labels" / (name + ".json"), trial::envelope_text(envelope));
 }
 
 }  // namespace plumbline

@@ -142,6 +142,7 @@ bool minimise(Problem& problem, const std::vector<std::size_t>& free, double out
               std::vector<double>& parameters) {
   if (!problem.evaluate(parameters) || free.empty()) return problem.reached();
   std::vector<double> scaled;
+  scaled.reserve(free.size());
   for (const std::size_t p : free) scaled.push_back(parameters[p] / problem.ranges()[p].scale);
   auto* cost = new Scaled(problem, parameters, free, outlier_bound, values);  // Ceres takes it over
   ceres::Problem least_squares;

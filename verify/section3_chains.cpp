@@ -6,6 +6,7 @@
 #include <plumbline/slow_loading.hpp>
 
 #include "proofs/exactly.hpp"
+#include "verify/sign.hpp"
 
 namespace plumbline {
 
@@ -34,10 +35,6 @@ Vector<double> unloaded_shape(const Chain<double>& chain) {
     q[0] -= std::atan2(p.y, p.x);
   }
   return absolute_angles(q);
-}
-
-char sign(const Interval& x) {
-  return certainly_positive(x) ? '+' : certainly_negative(x) ? '-' : '0';
 }
 
 }  // namespace
@@ -85,7 +82,7 @@ std::string types(const Census& census) {
 std::string extrema(const Census& census, int sign_of_q4) {
   std::size_t count[3] = {0, 0, 0};
   for (const auto& one : census.equilibria) {
-    const char q4 = sign(sin(one.q.at(3)));
+    const char q4 = sign_character(sin(one.q.at(3)));
     if (q4 == '0') throw Error("census", "an open sign of q4", "a certain one");
     if (sign_of_q4 == 0 || (q4 == '+') == (sign_of_q4 > 0)) ++count[one.negative_directions.value()];
   }
@@ -94,7 +91,7 @@ std::string extrema(const Census& census, int sign_of_q4) {
 
 std::string signs(const CertifiedEquilibrium& one, std::size_t from) {
   std::string text;
-  for (std::size_t i = from; i < one.q.size(); ++i) text += sign(one.q[i]);
+  for (std::size_t i = from; i < one.q.size(); ++i) text += sign_character(one.q[i]);
   return text;
 }
 

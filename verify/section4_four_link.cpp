@@ -15,6 +15,7 @@
 #include "verify/judging.hpp"
 #include "verify/post_buckling.hpp"
 #include "verify/section4_chains.hpp"
+#include "verify/sign.hpp"
 
 namespace plumbline {
 namespace {
@@ -61,13 +62,9 @@ const std::string how =
     "counts of critical forces by exact recursion bound each F to 60 digits; lambda, q, F_y from it in "
     "intervals";
 
-int sign(const Interval& x) {
-  return certainly_positive(x) ? 1 : certainly_negative(x) ? -1 : 0;
-}
-
 std::string signs(const CertifiedMode& mode) {
   std::string pattern;
-  for (const Interval& angle : mode.q) pattern += sign(angle) > 0 ? '+' : sign(angle) < 0 ? '-' : '?';
+  for (const Interval& angle : mode.q) pattern += sign_character(angle);
   return pattern;
 }
 
