@@ -4,7 +4,7 @@
 /// all cores.
 
 #include <plumbline/critical_force.hpp>
-#include <plumbline/parallel.hpp>
+#include <thread>
 
 namespace plumbline {
 
@@ -110,9 +110,27 @@ inline std::vector<double> lowest_forces(const ChainBatch& batch,
   std::vector<double> forces(batch.size());
   const std::size_t most = (batch.size() + 1023) / 1024;  // a thread is not worth it for fewer
   const std::size_t parts = std::max<std::size_t>(1, std::min<std::size_t>(threads, most));
-  in_parallel(parts, threads, [&](std::size_t part) {
-    lowest_forces(batch, batch.size() * part / parts, batch.size() * (part + 1) / parts, forces);
-  });
+  std::vector<std::exception_ptr> failures(parts);
+  {
+    std::vector<std::jthread> workers;
+    for (std::size_t part = 0; part < parts; ++part) {
+      const auto work = [&, part] {
+        try {
+          lowest_forces(batch, batch.size() * part / parts, batch.size() * (part + 1) / parts, forces);
+        } catch (...) {
+          failures[part] = std::current_exception();
+        }
+      };
+      if (part + 1 < parts) {
+        workers.emplace_back(work);
+      } else {
+        work();
+      }
+    }
+  }
+  for (const auto& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
   return forces;
 }
 
