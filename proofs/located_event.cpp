@@ -15,7 +15,7 @@ std::vector<BranchEvent<Located>> locate_events(const Chain<Located>& chain, con
   const Model model(chain);
   Brancher<Model> brancher(model, loading, absolute_angles(chain.rest()));
   std::vector<BranchEvent<Located>> events;
-  for (const BranchEvent<double>& event : branch.events) events.push_back(sharpen(brancher, branch, event));
+  for (const BranchEvent<double>& event : branch.events) events.push_back(sharpen(brancher, event));
   return events;
 }
 

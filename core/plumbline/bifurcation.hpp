@@ -22,6 +22,10 @@ struct Bifurcation {
   BranchPoint<Real> point;                ///< tangent: that of the branch it was found on
   std::vector<Variation<Real>> tangents;  ///< of the branches through it: two, or none if not simple
   Real imperfection;                      ///< mu, relative to the largest joint stiffness; 0 where they cross
+  Real rounding;                          ///< what rounding alone can make of that
+
+  /// Whether two branches cross here, as far as the digits tell.
+  [[nodiscard]] bool simple() const { return tangents.size() == 2 && imperfection <= Real(64) * rounding; }
 };
 
 template <SmoothModel Model>
@@ -38,7 +42,7 @@ class BifurcationSolver {
     n_ = point.theta.size();
     T_[0] = point.tangent;
     T_[1] = direction;
-    psi0_ = brancher_->weighted(direction.theta);
+    psi0_ = brancher_->weighted(critical(point.tangent, direction));
     Real last = std::numeric_limits<Real>::max();
     static const Real enough = sqrt(epsilon<Real>());
     for (int iteration = 0; iteration < 12; ++iteration) {
@@ -46,17 +50,14 @@ class BifurcationSolver {
       Eigen::Matrix<Real, 2, 2> Q;
       const auto [newton, mu] = newton_step(point, Q);
       const Real size = brancher_->length(newton);
-      if (!is_finite(size) || size > Real(1) || (iteration > 3 && size > last)) return std::nullopt;
+      if (!is_finite(size) || size > Real(1) || (iteration > 3 && size > last && last > enough))
+        return std::nullopt;
       Brancher<Model>::move(point, newton, Real(1));
-      last = size;
-      if (size > enough) continue;
-      Real largest(0), moment(0);
-      for (Eigen::Index i = 0; i < n_; ++i) {
-        largest = max(largest, Real(abs(at_.hessian(0, i))));
-        moment = max(moment, Real(abs(psi0_(i))));
+      if (last <= enough) {  // once more than it takes, for mu is that of the point before
+        const Real unit = psi0_.cwiseAbs().maxCoeff() / at_.hessian.row(0).cwiseAbs().maxCoeff();
+        return Bifurcation<Real>{point, tangents(Q), abs(mu) * unit, rounding(point) * unit};
       }
-      Bifurcation<Real> found{std::move(point), tangents(Q), abs(mu) * moment / largest};
-      return found;
+      last = size;
     }
     return std::nullopt;
   }
@@ -87,6 +88,29 @@ class BifurcationSolver {
     matrix_.factor(at_.hessian);
     transposed_.factor(at_.hessian);
     return matrix_.border(C, R, D) && transposed_.border(R, C, Matrix<Real>(D.transpose()));
+  }
+
+  /// The direction in which the chain can move at no change of the load: by the symmetry of the equations
+  /// that is psi as well. At a crossing it is the combination of both tangents that leaves the load alone.
+  static Vector<Real> critical(const Variation<Real>& a, const Variation<Real>& b) {
+    Vector<Real> theta = b.load * a.theta - a.load * b.theta;
+    const Real size = theta.cwiseAbs().maxCoeff();
+    if (!(size > Real(0))) return b.theta;
+    return theta / size;
+  }
+
+  /// Of mu = -psi . F, by the size of the terms that F is a sum of.
+  Real rounding(const BranchPoint<Real>& point) const {
+    using std::abs, std::max;
+    const Real force = abs(point.force.x) + abs(point.force.y);
+    const Real turn = max(Real(1), Real(point.theta.cwiseAbs().maxCoeff()));
+    Real sum(0), reach(0);
+    for (Eigen::Index i = 0; i < n_; ++i) {
+      const Real link = abs(at_.end_point_gradient(i, 0)) + abs(at_.end_point_gradient(i, 1));
+      sum += abs(psi_(i)) * (turn * abs(at_.hessian(0, i)) + force * link);
+      reach += link;
+    }
+    return epsilon<Real>() * (sum + (abs(psi_place_.x) + abs(psi_place_.y)) * reach);
   }
 
   /// Solves with a right-hand side; the last unknown, beside the variation, is the multiplier of psi0.

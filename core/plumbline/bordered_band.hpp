@@ -159,22 +159,24 @@ class BorderedBand {
   [[nodiscard]] Eigen::Index shifted() const { return static_cast<Eigen::Index>(shifts_.size()); }
 
   void eliminate(Eigen::Index i, Eigen::Index reach) {
+    L_(0, i) = Real(1) / L_(0, i);
     for (Eigen::Index d = reach; d > 0; --d) {
-      const Real factor = L_(d, i) / L_(0, i);
+      const Real factor = L_(d, i) * L_(0, i);
       for (Eigen::Index e = d; e <= reach; ++e) L_(e - d, i + d) -= L_(e, i) * factor;
     }
-    for (Eigen::Index d = 1; d <= reach; ++d) L_(d, i) /= L_(0, i);
+    for (Eigen::Index d = 1; d <= reach; ++d) L_(d, i) *= L_(0, i);
   }
 
   template <class V>
   void solve_band(V&& v) const {
+    using std::min;
     const Eigen::Index n = L_.cols();
-    for (Eigen::Index i = 0; i < n; ++i) {
-      for (Eigen::Index d = 1; d <= B && i + d < n; ++d) v(i + d) -= L_(d, i) * v(i);
+    for (Eigen::Index i = 1; i < n; ++i) {
+      for (Eigen::Index d = 1; d <= min<Eigen::Index>(B, i); ++d) v(i) -= L_(d, i - d) * v(i - d);
     }
-    for (Eigen::Index i = n; i-- > 0;) {
-      v(i) /= L_(0, i);
-      for (Eigen::Index d = 1; d <= B && i + d < n; ++d) v(i) -= L_(d, i) * v(i + d);
+    for (Eigen::Index i = 0; i < n; ++i) v(i) *= L_(0, i);
+    for (Eigen::Index i = n - 1; i-- > 0;) {
+      for (Eigen::Index d = 1; d <= min<Eigen::Index>(B, n - 1 - i); ++d) v(i) -= L_(d, i) * v(i + d);
     }
   }
 
@@ -190,8 +192,9 @@ class BorderedBand {
       rows_[static_cast<std::size_t>(k)] = best;
       if (best != k) LU_.row(best).swap(LU_.row(k));
       if (!(abs(LU_(k, k)) > Real(0)) || !is_finite(LU_(k, k))) return false;
+      LU_(k, k) = Real(1) / LU_(k, k);
       for (Eigen::Index i = k + 1; i < size; ++i) {
-        LU_(i, k) /= LU_(k, k);
+        LU_(i, k) *= LU_(k, k);
         for (Eigen::Index j = k + 1; j < size; ++j) LU_(i, j) -= LU_(i, k) * LU_(k, j);
       }
     }
@@ -206,14 +209,14 @@ class BorderedBand {
     }
     for (Eigen::Index k = size; k-- > 0;) {
       for (Eigen::Index j = k + 1; j < size; ++j) z_(k) -= LU_(k, j) * z_(j);
-      z_(k) /= LU_(k, k);
+      z_(k) *= LU_(k, k);
     }
   }
 
-  Band<Real, B> L_;  // unit lower band below, pivots in row 0
+  Band<Real, B> L_;  // unit lower band below, reciprocals of the pivots in row 0
   std::vector<std::pair<Eigen::Index, Real>> shifts_;
   std::size_t negative_ = 0;
-  Matrix<Real> X_, R_, G_, LU_, scratch_;
+  Matrix<Real> X_, R_, G_, LU_, scratch_;  // LU_ with reciprocals of its pivots
   std::vector<Eigen::Index> rows_;
   Vector<Real> z_;
 };

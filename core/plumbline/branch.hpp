@@ -10,6 +10,7 @@
 /// step that changes it is taken back.
 
 #include <optional>
+#include <plumbline/branch_series.hpp>
 #include <plumbline/equilibrium.hpp>
 
 namespace plumbline {
@@ -25,20 +26,6 @@ struct Loading {
   [[nodiscard]] Point<Real> at(const Real& load) const {
     return {start.x + load * direction.x, start.y + load * direction.y};
   }
-};
-
-template <Number Real>
-struct BranchPoint {
-  Real load;
-  Vector<Real> theta;
-  Point<Real> force;
-  Point<Real> end_point;
-  Real energy;                      ///< stored energy
-  std::size_t negative_directions;  ///< in the sense of the control
-  Real stiffness;                   ///< tangent stiffness along the loading's direction; infinite where the
-                                    ///< end point stands still (a fold in deflection)
-  Real stiffness_rate;              ///< of the sign of d stiffness/d load; meaningless at a fold
-  Variation<Real> tangent;          ///< of unit length in the branch's own measure
 };
 
 /// Follows branches of one model under one loading. Keeps its storage.
@@ -121,7 +108,7 @@ class Brancher {
     const Real ahead = (load - point.load) / tangent.load;
     move(point, tangent, ahead);
     point.load = load;
-    if (!correct(point, at_load(), tangent, Real(abs(ahead)))) return std::nullopt;
+    if (!correct(point, at_load(), tangent, Real(abs(ahead) / Real(4)))) return std::nullopt;
     return point;
   }
 
@@ -131,7 +118,52 @@ class Brancher {
     using std::abs;
     BranchPoint<Real> point = from;
     move(point, from.tangent, h);
-    if (!correct(point, row(from.tangent), from.tangent, Real(abs(h)))) return std::nullopt;
+    if (!correct(point, row(from.tangent), from.tangent, Real(abs(h) / Real(4)))) return std::nullopt;
+    return point;
+  }
+
+  /// The branch around the point of the factors at hand; s is measured along the point's tangent.
+  void expand(const BranchPoint<Real>& point, BranchSeries<Real>& series) {
+    using std::abs, std::max, std::min, std::pow;
+    const bool held = loading_.control == Control::end_point;
+    const auto size = [](const Point<Real>& force) { return Real(abs(force.x) + abs(force.y)); };
+    const Real force_unit = max(force_scale_, size(point.force));
+    series.begin({point.theta, point.force, point.load}, at_.end_point);
+    model_->begin_series(at_, series.order(), links_);
+    series.reach = std::numeric_limits<Real>::max();
+    for (Eigen::Index k = 1; k <= series.order(); ++k) {
+      links_.lower_orders(k, series, v_, place_.x, place_.y);
+      v_ = -v_;
+      w_.resize(3);
+      w_ << (held ? Real(-place_.x) : Real(0)), (held ? Real(-place_.y) : Real(0)), Real(k == 1 ? 1 : 0);
+      const Variation<Real>& term = solution();
+      const auto [x, y] = links_.turn(k, term.theta);
+      series.set(k, term, {x, y});
+      if (k + 2 > series.order()) {  // the last two: one may vanish, for symmetry's sake say
+        // by largest entries, for the squares of a length would overflow where the series hardly converges
+        const Real turn = max(Real(term.theta.cwiseAbs().maxCoeff()), Real(abs(term.load) / load_scale()));
+        const Real last = max(turn, Real(size(term.force) / force_unit));
+        if (last > Real(0))
+          series.reach =
+              min(series.reach, Real(pow(epsilon<Real>() / last, Real(1) / Real(static_cast<int>(k)))));
+      }
+    }
+    series.complete(at_.energy, loading_.direction, held);
+  }
+
+  /// The place s of a series as a point; its type is left open.
+  BranchPoint<Real> along(BranchSeries<Real>& series, const Real& s) const {
+    series.go_to(s);
+    BranchPoint<Real> point = series.point();
+    scale(point.tangent, Real(1) / length(point.tangent));
+    return point;
+  }
+
+  /// A point beside a branch, brought onto it square to its tangent; then the factors at hand are its own.
+  /// Nothing where it has to move farther than `farthest`, or Newton's method does not contract.
+  std::optional<BranchPoint<Real>> onto(BranchPoint<Real> point, const Real& farthest) {
+    const Variation<Real> tangent = point.tangent;
+    if (!correct(point, row(tangent), tangent, farthest)) return std::nullopt;
     return point;
   }
 
@@ -256,8 +288,10 @@ class Brancher {
     return solution();
   }
 
-  /// Newton's method in the hyperplane; the factors at hand become those of the accepted point.
-  bool correct(BranchPoint<Real>& point, const Row& plane, const Variation<Real>& tangent, const Real& h) {
+  /// Newton's method in a hyperplane, while it contracts; the factors at hand become those of the accepted
+  /// point. \param farthest  longest first step that still counts as near
+  bool correct(BranchPoint<Real>& point, const Row& plane, const Variation<Real>& tangent,
+               const Real& farthest) {
     using std::sqrt;
     static const Real settled = sqrt(epsilon<Real>());
     Real last(0);
@@ -267,8 +301,7 @@ class Brancher {
       const Variation<Real>& newton = solution();
       const Real size = length(newton);
       if (!is_finite(size)) return false;
-      if (iteration == 0 && size > h / Real(4) && size > settled) return false;    // far from the tangent
-      if (iteration > 0 && size > last / Real(4) && size > settled) return false;  // no contraction
+      if (size > settled && size > (iteration == 0 ? farthest : Real(last / Real(4)))) return false;
       move(point, newton, Real(1));
       last = size;
       if (size <= settled) return assemble(point, plane) && finish(point, tangent);
@@ -304,25 +337,14 @@ class Brancher {
     point.energy = at_.energy;
     const Point<Real>& d = loading_.direction;
     const Variation<Real>& t = point.tangent;
-    const auto along = [&](const Variation<Real>& v) -> Real {  // the end point's way
-      Real sum(0);
-      for (Eigen::Index i = 0; i < v.theta.size(); ++i)
-        sum += v.theta(i) * (at_.end_point_gradient(i, 0) * d.x + at_.end_point_gradient(i, 1) * d.y);
-      return sum;
-    };
-    // second-order change u'' along the branch at an even pace of the load: A u'' = -(second derivative),
-    // u''.load = 0
-    Variation<Real>& second = change_of_equations(point, t, t);
-    const Real pace = second.load / t.load;
     if (loading_.control == Control::end_point) {
       point.stiffness = (t.force.x * d.x + t.force.y * d.y) / t.load;
-      point.stiffness_rate =
-          pace * (t.force.x * d.x + t.force.y * d.y) - (second.force.x * d.x + second.force.y * d.y);
-    } else {
-      const Real way = along(t), bend = place_.x * d.x + place_.y * d.y;
-      point.stiffness = t.load / way;
-      point.stiffness_rate = along(second) - pace * way - bend;  // of minus the compliance
+      return;
     }
+    Real way(0);
+    for (Eigen::Index i = 0; i < t.theta.size(); ++i)
+      way += t.theta(i) * (at_.end_point_gradient(i, 0) * d.x + at_.end_point_gradient(i, 1) * d.y);
+    point.stiffness = t.load / way;
   }
 
   /// A^-1 A'(v) w at the point of the factors at hand.
@@ -349,6 +371,7 @@ class Brancher {
   Real load_weight_, force_scale_;
   Expansion<Real, bandwidth> at_;
   BorderedBand<Real, bandwidth> matrix_;
+  LinkSeries<Real> links_;
   Matrix<Real> C_, R_, D_;
   Vector<Real> v_, w_;
   Variation<Real> probe_, solved_;

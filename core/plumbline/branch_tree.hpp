@@ -20,7 +20,9 @@ bool lies_on(Brancher<Model>& brancher, const Branch<typename Model::Real>& bran
     const Variation<Real> gap{point.theta - a.theta, {Real(0), Real(0)}, point.load - a.load};
     const Variation<Real> step{b.theta - a.theta, {Real(0), Real(0)}, b.load - a.load};
     if (brancher.length(gap) > Real(2) * brancher.length(step) + same) continue;
-    const auto there = brancher.step(a, brancher.product(gap, a.tangent));
+    const Real ahead = brancher.product(gap, a.tangent);
+    if (ahead < -same || ahead > brancher.product(step, a.tangent) + same) continue;
+    const auto there = brancher.step(a, ahead);
     if (there && (there->theta - point.theta).cwiseAbs().maxCoeff() < Real(1000) * same) return true;
   }
   return false;
@@ -67,7 +69,7 @@ std::vector<Branch<typename Model::Real>> branch_tree(Brancher<Model>& brancher,
       for (const int side : {1, -1}) {
         BranchPoint<Real> at = event.point;
         at.tangent = event.crossing;
-        const auto off = brancher.step(at, Real(side) * limits.longest / Real(10));
+        const auto off = brancher.step(at, Real(side) / Real(200));
         if (off && off->load >= limits.from && off->load <= limits.to) starts.push_back(*off);
       }
     }

@@ -5,6 +5,7 @@
 
 #include <plumbline/bordered_band.hpp>
 #include <plumbline/kinematics.hpp>
+#include <plumbline/link_series.hpp>
 
 namespace plumbline {
 
@@ -41,15 +42,17 @@ struct Variation {
   Real load;
 };
 
-/// A model that also says how its stiffness changes: `second_derivative(at, F, v, w, moment, place)` gives,
-/// where the model was expanded, the second derivative of residual (n) and end point in the directions v and
-/// w. Branches are followed with it.
+/// A model whose branches can be followed: `second_derivative(at, F, v, w, moment, place)` gives, where the
+/// model was expanded, the second derivative of residual (n) and end point in the directions v and w; and its
+/// nonlinear part is that of links that turn, `begin_series(at, order, links)`.
 template <class M>
-concept SmoothModel = LoadedModel<M> &&
+concept SmoothModel = LoadedModel<M> && Floating<typename M::Real> &&
     requires(const M& model, const Expansion<typename M::Real, M::bandwidth>& at,
              const Point<typename M::Real>& force, const Variation<typename M::Real>& v,
-             Vector<typename M::Real>& moment, Point<typename M::Real>& place) {
+             Vector<typename M::Real>& moment, Point<typename M::Real>& place,
+             LinkSeries<typename M::Real>& links) {
   model.second_derivative(at, force, v, v, moment, place);
+  model.begin_series(at, 1, links);
 };
 
 /// The nominal chain: rigid links, linear springs V = sum k_i (q_i - rest_i)^2 / 2, q_i = theta_i -
@@ -111,6 +114,11 @@ class NominalModel {
       place.x = place.x - x * turn;
       place.y = place.y - y * turn;
     }
+  }
+
+  /// The rest of the equations is linear.
+  void begin_series(const Expansion<Real, 1>& at, Eigen::Index order, LinkSeries<Real>& links) const {
+    links.begin(at.end_point_gradient, order);
   }
 
   /// \throws Error where the end point p is out of reach, on the edge of reach (where only the stretched or

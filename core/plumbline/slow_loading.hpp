@@ -37,7 +37,7 @@ std::vector<Branch<typename Model::Real>> load_slowly(Brancher<Model>& brancher,
                                                       int side = 1) {
   using Real = typename Model::Real;
   if (start.negative_directions > 0) throw Error("slow loading", "an unstable start", "a stable one");
-  const Real nudge = limits.longest / Real(50);
+  const Real nudge = Real(1) / Real(1000);  // radians
   std::vector<Branch<Real>> history;
   BranchPoint<Real> from = start;
   for (int stretch = 0; stretch < 64; ++stretch) {

@@ -1,39 +1,12 @@
 #pragma once
 /// \file
-/// A branch from end to end, with the events on it: folds, bifurcations, quasi-buckling points.
+/// A branch from end to end, with the events on it.
 
 #include <boost/math/tools/roots.hpp>
 #include <plumbline/bifurcation.hpp>
-#include <string_view>
+#include <plumbline/branch_event.hpp>
 
 namespace plumbline {
-
-enum class EventKind {
-  fold,           ///< the load turns back: under a growing load the chain must jump (snap)
-  bifurcation,    ///< another branch crosses: buckling
-  quasi_buckling  ///< the tangent stiffness is least: the shape bends fastest, without a jump
-};
-
-/// The word for it.
-inline std::string_view name(EventKind kind) {
-  switch (kind) {
-    case EventKind::fold:
-      return "fold";
-    case EventKind::bifurcation:
-      return "bifurcation";
-    case EventKind::quasi_buckling:
-      break;
-  }
-  return "quasi-buckling";
-}
-
-template <Number Real>
-struct BranchEvent {
-  EventKind kind;
-  std::size_t before;        ///< it lies behind points[before]
-  BranchPoint<Real> point;   ///< located to working precision
-  Variation<Real> crossing;  ///< at a bifurcation: the tangent of the other branch
-};
 
 /// Why a branch was not followed further.
 enum class BranchEnd {
@@ -55,11 +28,20 @@ struct Branch {
 template <Number Real>
 struct TraceLimits {
   Real from, to;                      ///< load window
-  Real longest = Real(1) / Real(20);  ///< longest step: root mean square turn of the links, in radians
+  Real longest = Real(1) / Real(20);  ///< longest way between points: root mean square turn of the links, in
+                                      ///< radians
   std::size_t points = 100000;
 };
 
 /// Follows one branch.
+///
+/// A stride goes as far as the series around its first point is exact, and is never chosen by hope: it is
+/// taken only where
+/// - the horizons of its two ends meet, so that the equations stay regular in between,
+/// - (-1)^negative_directions · sign(dload/ds) is the same at both ends, for that cannot change along a
+/// branch
+///   without a crossing, and the negative directions differ by one at most.
+/// So the type of a point in between is that of the end on its side of the fold, if the stride has one.
 template <SmoothModel Model>
 class Tracer {
  public:
@@ -68,173 +50,235 @@ class Tracer {
   Tracer(Brancher<Model>& brancher, TraceLimits<Real> limits)
       : brancher_(&brancher), limits_(std::move(limits)) {}
 
-  /// From a point, along its tangent. Never crosses to another branch: a step that could is shortened, and
-  /// where steps come to nothing the branch ends as degenerate.
+  /// From a point, along its tangent. Never crosses to another branch: a stride that could is shortened, and
+  /// where strides come to nothing the branch ends as degenerate.
   Branch<Real> run(BranchPoint<Real> start) {
     Branch<Real> branch{{std::move(start)}, {}, BranchEnd::points};
-    Real h = limits_.longest / Real(16), tried = std::numeric_limits<Real>::max();
     brancher_->refresh(branch.points.back());
-    auto horizon = brancher_->horizon(branch.points.back(), 8);
-    while (branch.points.size() < limits_.points) {
+    horizon_ = brancher_->horizon(branch.points.back(), 8);
+    tried_ = std::numeric_limits<Real>::max();
+    std::optional<BranchEnd> end;
+    while (!end && branch.points.size() < limits_.points) {
       const BranchPoint<Real> here = branch.points.back();
-      if (horizon.ahead > Real(0) && horizon.ahead < limits_.longest && horizon.ahead < tried / Real(2)) {
-        tried = horizon.ahead;
-        if (cross(branch, horizon)) {
-          tried = std::numeric_limits<Real>::max();
-          h = limits_.longest / Real(16);
-          brancher_->refresh(branch.points.back());
-          horizon = brancher_->horizon(branch.points.back(), 8);
-          continue;
-        }
-      }
-      h = smallest(Real(2) * h, limits_.longest, horizon.distance * Real(2) / Real(5));
-      std::optional<BranchPoint<Real>> next = advance(here, h);
-      while (!next && h > shortest()) {
-        h /= Real(2);
-        next = advance(here, h);
-      }
-      if (!next) {
-        branch.end = BranchEnd::degenerate;
-        return branch;
-      }
-      if (outside(next->load)) return finish(branch, here);
-      horizon = brancher_->horizon(*next, 2);
-      if (horizon.distance > Real(4) * tried) tried = std::numeric_limits<Real>::max();
-      branch.points.push_back(std::move(*next));
-      note_events(branch, h);
-      if (closed(branch) || !brancher_->force_bounded(branch.points.back())) {
-        branch.end = closed(branch) ? BranchEnd::closed : BranchEnd::unbounded;
-        return branch;
-      }
+      brancher_->expand(here, series_);
+      if (cross(branch, here)) continue;
+      end = stride(branch, here);
     }
+    if (end) branch.end = *end;
     return branch;
   }
 
-  /// The fold between a point and the one h ahead, where the tangent's load changes sign.
-  BranchPoint<Real> fold(const BranchPoint<Real>& from, const Real& h) {
-    return zero(from, h, [](const BranchPoint<Real>& at) { return at.tangent.load; });
-  }
-
-  /// The stationary tangent stiffness between a point and the one h ahead.
-  BranchPoint<Real> stationary_stiffness(const BranchPoint<Real>& from, const Real& h) {
-    return zero(from, h, [](const BranchPoint<Real>& at) { return at.stiffness_rate; });
-  }
-
  private:
+  using Series = BranchSeries<Real>;
+  using Horizon = typename Brancher<Model>::Horizon;
+
   static Real shortest() {
     using std::pow;
     return pow(epsilon<Real>(), Real(2) / Real(3));
   }
-  static Real smallest(const Real& a, const Real& b, const Real& c) {
-    using std::min;
-    return min(a, min(b, c));
-  }
   [[nodiscard]] bool outside(const Real& load) const { return load < limits_.from || load > limits_.to; }
-
   static bool orientation(const BranchPoint<Real>& p) {
     return (p.negative_directions % 2 == 0) == (p.tangent.load > Real(0));
   }
 
-  /// A step that stays on the branch for sure: an orientation that changes is a crossing, and inertia changes
-  /// by one exactly where the load turns.
-  std::optional<BranchPoint<Real>> advance(const BranchPoint<Real>& here, const Real& h) {
-    auto next = brancher_->step(here, h);
-    if (!next || orientation(*next) != orientation(here)) return std::nullopt;
-    const std::size_t a = here.negative_directions, b = next->negative_directions;
-    if ((a > b ? a - b : b - a) > 1) return std::nullopt;
-    return next;
+  /// As far as is sure, with the points and events on the way. Says why the branch ends, where it does.
+  std::optional<BranchEnd> stride(Branch<Real>& branch, const BranchPoint<Real>& here) {
+    for (Real h = farthest(Real(1)); h > shortest(); h /= Real(2)) {
+      const auto next = brancher_->onto(brancher_->along(series_, h), h);
+      if (!next || !sure(here, *next, h)) continue;
+      const BranchPoint<Real> first = branch.points.front();
+      const Real back = brancher_->product(chord(here, first), here.tangent);
+      const bool closes = branch.points.size() > 1 && back > Real(0) && back <= h && meets(back, first);
+      const std::size_t events = branch.events.size();
+      const Laid laid =
+          lay(branch, here.negative_directions, closes ? first : *next, Real(0), closes ? back : h);
+      if (laid == Laid::unsure) continue;
+      if (laid == Laid::left) return BranchEnd::load;
+      if (closes) return BranchEnd::closed;
+      if (!brancher_->force_bounded(*next)) return BranchEnd::unbounded;
+      if (branch.events.size() > events) brancher_->refresh(*next);
+      return std::nullopt;
+    }
+    return BranchEnd::degenerate;
+  }
+  /// \param share  of the reach of the series
+  Real farthest(const Real& share) const {
+    using std::min;
+    return min(Real(share * series_.reach), Real(1) / Real(2));
   }
 
-  Branch<Real> finish(Branch<Real>& branch, const BranchPoint<Real>& here) {
-    const Real& edge = here.tangent.load > Real(0) ? limits_.to : limits_.from;
-    if (auto last = brancher_->at_load(here, edge)) branch.points.push_back(std::move(*last));
-    branch.end = BranchEnd::load;
-    return std::move(branch);
+  /// Whether a stride stays on its branch; the horizon is then that of its end.
+  bool sure(const BranchPoint<Real>& here, const BranchPoint<Real>& next, const Real& h) {
+    const std::size_t a = here.negative_directions, b = next.negative_directions;
+    if (orientation(here) != orientation(next) || (a > b ? a - b : b - a) > 1) return false;
+    const Horizon ahead = brancher_->horizon(next, 4);
+    if (horizon_.distance + ahead.distance < h) return false;
+    horizon_ = ahead;
+    if (horizon_.distance > Real(4) * tried_) tried_ = std::numeric_limits<Real>::max();
+    return true;
   }
 
   static Variation<Real> chord(const BranchPoint<Real>& a, const BranchPoint<Real>& b) {
     return {b.theta - a.theta, {b.force.x - a.force.x, b.force.y - a.force.y}, b.load - a.load};
   }
+  /// Whether the series passes a point, beside the way to there.
+  bool meets(const Real& s, const BranchPoint<Real>& point) {
+    using std::sqrt;
+    return brancher_->length(chord(brancher_->along(series_, s), point)) < sqrt(sqrt(epsilon<Real>())) * s;
+  }
 
   /// Over a simple bifurcation ahead, if there is one and it is on this branch.
-  bool cross(Branch<Real>& branch, const typename Brancher<Model>::Horizon& horizon) {
-    using std::abs;
-    const BranchPoint<Real> here = branch.points.back();
-    BranchPoint<Real> guess = here;
-    Brancher<Model>::move(guess, here.tangent, horizon.ahead);
-    auto found = BifurcationSolver<Model>(*brancher_).near(std::move(guess), horizon.direction);
-    if (!found || found->tangents.size() != 2 || found->imperfection > Real(256) * epsilon<Real>())
+  bool cross(Branch<Real>& branch, const BranchPoint<Real>& here) {
+    using std::abs, std::min;
+    const Real guess = horizon_.ahead, straight = Real(99) / Real(100);
+    if (!(guess > Real(0) && guess < farthest(Real(2)) && guess < tried_ / Real(2))) return false;
+    tried_ = guess;
+    auto found =
+        BifurcationSolver<Model>(*brancher_).near(brancher_->along(series_, guess), horizon_.direction);
+    if (!found || !found->simple()) return false;
+    const Real s = brancher_->product(chord(here, found->point), here.tangent);
+    if (!(s > Real(0) && s < farthest(Real(2)) && meets(s, found->point)) || outside(found->point.load))
       return false;
-    const Variation<Real> way = chord(here, found->point);
-    const Real distance = brancher_->length(way), straight = Real(99) / Real(100);
-    const auto along = [&](const Variation<Real>& t) { return brancher_->product(way, t) / distance; };
-    if (distance > Real(2) * horizon.ahead || !(along(here.tangent) > straight)) return false;
-    const std::size_t mine = abs(along(found->tangents[0])) > abs(along(found->tangents[1])) ? 0 : 1;
+    const Variation<Real> along = brancher_->along(series_, s).tangent;
+    const auto agrees = [&](const Variation<Real>& t) { return brancher_->product(along, t); };
+    const std::size_t mine = abs(agrees(found->tangents[0])) > abs(agrees(found->tangents[1])) ? 0 : 1;
     Variation<Real> tangent = found->tangents[mine];
-    if (along(tangent) < Real(0)) Brancher<Model>::scale(tangent, Real(-1));
-    if (!(along(tangent) > straight)) return false;
+    if (agrees(tangent) < Real(0)) Brancher<Model>::scale(tangent, Real(-1));
+    if (!(agrees(tangent) > straight)) return false;
     brancher_->describe_singular(found->point, tangent);
+    found->point.stiffness = series_.stiffness(s);
     found->point.negative_directions = here.negative_directions;  // in between, rounding alone would decide
-    if (outside(found->point.load)) return false;
-    auto beyond = brancher_->step(found->point, distance);
-    if (!beyond || orientation(*beyond) == orientation(here)) return false;
+    std::optional<BranchPoint<Real>> beyond;
+    for (Real hop = Real(1) / Real(20); !beyond && hop > min(s, Real(1) / Real(20)) / Real(16);
+         hop /= Real(4)) {
+      beyond = brancher_->step(found->point, hop);
+      if (beyond && orientation(*beyond) == orientation(here)) beyond.reset();
+    }
+    if (!beyond) return false;
+    crossing_ = s;
+    const Laid laid = lay(branch, here.negative_directions, found->point, Real(0), s);
+    crossing_.reset();
+    if (laid != Laid::whole) return false;
     branch.events.push_back(
-        {EventKind::bifurcation, branch.points.size() - 1, found->point, found->tangents[1 - mine]});
-    branch.points.push_back(found->point);
-    branch.points.push_back(std::move(*beyond));
+        {EventKind::bifurcation, branch.points.size() - 2, found->point, found->tangents[1 - mine]});
+    brancher_->refresh(*beyond);
+    horizon_ = brancher_->horizon(*beyond, 8);
+    tried_ = std::numeric_limits<Real>::max();
+    brancher_->expand(*beyond, series_);
+    const Real from = brancher_->product(chord(*beyond, found->point), beyond->tangent);
+    crossing_ = from;
+    lay(branch, beyond->negative_directions, *beyond, from, Real(0));
+    crossing_.reset();
+    brancher_->refresh(*beyond);
     return true;
   }
 
-  void note_events(Branch<Real>& branch, const Real& h) {
-    const auto& points = branch.points;
-    const std::size_t last = points.size() - 1;
-    const BranchPoint<Real>&a = points[last - 1], &b = points[last];
-    if ((a.tangent.load > Real(0)) != (b.tangent.load > Real(0))) {
-      branch.events.push_back({EventKind::fold, last - 1, fold(a, h), {}});
-      return;
-    }
-    const Real now = b.stiffness_rate * sign(b.tangent.load);
-    const Real before = a.stiffness_rate * sign(a.tangent.load);
-    if (before < Real(0) && now > Real(0) && !is_event(branch, last - 1))
-      branch.events.push_back({EventKind::quasi_buckling, last - 1, stationary_stiffness(a, h), {}});
+  /// A place in a stride, with what shows an event.
+  struct Place {
+    Real s;
+    Real load;
+    Real turn;  ///< derivative of the load
+    Real bend;
+  };
+  Place place(const Real& s) {
+    series_.go_to(s);
+    return {s, series_.value(Series::load), series_.slope(Series::load), series_.value(Series::bend)};
   }
-  static Real sign(const Real& x) { return x < Real(0) ? Real(-1) : Real(1); }
-  static bool is_event(const Branch<Real>& branch, std::size_t point) {
-    return !branch.events.empty() && branch.events.back().before + 1 == point;
+
+  enum class Laid : std::uint8_t {
+    whole,
+    left,   ///< the branch leaves the load window; it ends at the edge
+    unsure  ///< the load turns twice, or a point is not found: nothing was laid
+  };
+
+  /// The points of a stride over (from, to], evenly spaced, the last one given, with the events between them.
+  /// \param type  negative directions up to a fold; behind, those of the last point
+  Laid lay(Branch<Real>& branch, std::size_t type, const BranchPoint<Real>& last, const Real& from,
+           const Real& to) {
+    using std::ceil;
+    const std::size_t points = branch.points.size(), events = branch.events.size();
+    const auto count = static_cast<int>(ceil((to - from) / limits_.longest));
+    bool turned = false;
+    Place before = place(from);
+    for (int i = 1; i <= count; ++i) {
+      const Real s = i < count ? Real(from + (to - from) * Real(i) / Real(count)) : to;
+      std::optional<BranchPoint<Real>> point = last;
+      if (i < count) point = point_at(s);
+      const Place here = place(s);
+      const bool turns = (before.turn > Real(0)) != (here.turn > Real(0));
+      if (!point || (turns && turned)) {
+        branch.points.resize(points);
+        branch.events.resize(events);
+        return Laid::unsure;
+      }
+      if (outside(point->load)) return leave(branch, before, here);
+      note_event(branch, before, here);
+      turned = turned || turns;
+      if (i < count) point->negative_directions = turned ? last.negative_directions : type;
+      branch.points.push_back(std::move(*point));
+      before = here;
+    }
+    return Laid::whole;
+  }
+
+  std::optional<BranchPoint<Real>> point_at(const Real& s) {
+    using std::abs;
+    BranchPoint<Real> point = brancher_->along(series_, s);
+    if (abs(s) <= series_.reach) return point;
+    return brancher_->onto(std::move(point), Real(abs(s)));
+  }
+
+  void note_event(Branch<Real>& branch, const Place& a, const Place& b) {
+    using std::abs;
+    if ((a.turn > Real(0)) != (b.turn > Real(0))) {
+      const Real s = zero([this](const Real& at) { return place(at).turn; }, a.s, b.s);
+      if (crossing_ && abs(s - *crossing_) < (b.s - a.s) / Real(1000)) return;
+      auto found = located(branch, EventKind::fold, s);
+      if (!found) throw Error("branch", "a fold that cannot be located", "a regular branch around it");
+      branch.events.push_back({EventKind::fold, branch.points.size() - 1, std::move(*found), {}});
+    } else if (a.bend < Real(0) && b.bend > Real(0)) {
+      const Real s = zero([this](const Real& at) { return place(at).bend; }, a.s, b.s);
+      auto found = located(branch, EventKind::quasi_buckling, s);
+      // where the bend is all rounding, as beside a crossing, its sign means nothing
+      if (!found || (found->load > a.load) == (found->load > b.load)) return;
+      branch.events.push_back({EventKind::quasi_buckling, branch.points.size() - 1, std::move(*found), {}});
+    }
+  }
+  std::optional<BranchPoint<Real>> located(const Branch<Real>& branch, EventKind kind, const Real& s) {
+    BranchPoint<Real> near = brancher_->along(series_, s);
+    near.negative_directions = branch.points.back().negative_directions;
+    return locate(*brancher_, kind, std::move(near));
+  }
+
+  /// The last point, at the edge of the load window.
+  Laid leave(Branch<Real>& branch, const Place& inside, const Place& beyond) {
+    const Real& edge = beyond.load > limits_.to ? limits_.to : limits_.from;
+    if (!outside(inside.load) && inside.load != edge) {
+      const Real s = zero([&](const Real& at) { return Real(place(at).load - edge); }, inside.s, beyond.s);
+      auto last = brancher_->at_load(brancher_->along(series_, s), edge);
+      note_event(branch, inside, place(s));
+      if (last) branch.points.push_back(std::move(*last));
+    }
+    return Laid::left;
   }
 
   template <class Quantity>
-  BranchPoint<Real> zero(const BranchPoint<Real>& from, const Real& h, Quantity quantity) {
+  static Real zero(const Quantity& quantity, const Real& low, const Real& high) {
     using std::abs;
-    const auto at = [&](const Real& s) {
-      auto point = brancher_->step(from, s);
-      if (!point) throw Error("branch", "a step that does not settle", "a regular branch around an event");
-      return *point;
-    };
-    const auto value = [&](const Real& s) { return quantity(at(s)); };
     std::uintmax_t evaluations = 200;
-    const auto close = [&](const Real& a, const Real& b) { return abs(b - a) <= epsilon<Real>() * h; };
-    const Real left = value(Real(0)), right = value(h);
-    const auto [a, b] = boost::math::tools::toms748_solve(value, Real(0), h, left, right, close, evaluations);
-    BranchPoint<Real> found = at((a + b) / Real(2));
-    found.negative_directions = from.negative_directions;  // at a fold rounding alone would decide
-    return found;
-  }
-
-  bool closed(const Branch<Real>& branch) const {
-    if (branch.points.size() < 8) return false;
-    const BranchPoint<Real>&first = branch.points.front(), &last = branch.points.back();
-    const Variation<Real> gap = chord(last, first);
-    const Real distance = brancher_->length(gap);
-    // the start lies within the step just ended, on the same piece of the branch
-    return distance < limits_.longest &&
-           brancher_->product(first.tangent, last.tangent) > Real(99) / Real(100) &&
-           brancher_->product(gap, last.tangent) > Real(99) / Real(100) * distance &&
-           first.negative_directions == last.negative_directions;
+    const auto close = [&](const Real& a, const Real& b) {
+      return abs(b - a) <= epsilon<Real>() * abs(high);
+    };
+    const auto [a, b] = boost::math::tools::toms748_solve(quantity, low, high, close, evaluations);
+    return (a + b) / Real(2);
   }
 
   Brancher<Model>* brancher_;
   TraceLimits<Real> limits_;
+  Series series_;
+  Horizon horizon_;
+  Real tried_;  ///< the nearest crossing that was looked for and not found: to look again only when nearer
+  std::optional<Real> crossing_;  ///< a bifurcation on the stride: the load may turn there, without a fold
 };
 
 }  // namespace plumbline

@@ -78,7 +78,7 @@ TEST_CASE("a symmetric zigzag crosses a bifurcation; a nearly symmetric one turn
   for (const auto& p : branch.points) CHECK(std::abs(p.theta(0) - p.theta(2)) < 1e-9);
   const double critical = buckling[0].point.load;
 
-  for (const double off : {1e-3, 1e-6, -1e-6, 1e-8}) {
+  for (const double off : {1e-3, 1e-6, -1e-6, 1e-8, -1e-10, 1e-12}) {
     CAPTURE(off);
     const ThreeLinks nearly(pi / 10 + off, -pi / 10);
     Brancher<Nominal> brancher(nearly.model, nearly.loading, nearly.shape);
@@ -203,6 +203,33 @@ TEST_CASE("quasi-buckling: the stiffness is least where it is said to be") {
     REQUIRE(near);
     CHECK(near->stiffness > least.stiffness);
   }
+}
+
+TEST_CASE("points close together show no event that is not there") {
+  const ThreeLinks exact(pi / 10, -pi / 10);
+  Brancher<Nominal> brancher(exact.model, exact.loading, exact.shape);
+  for (const double longest : {0.05, 0.005, 0.0005}) {
+    const auto branch = Tracer<Nominal>(brancher, {0, 1, longest}).run(brancher.start(0, exact.shape));
+    REQUIRE(branch.events.size() == 2);
+    CHECK(branch.events[0].kind == EventKind::bifurcation);
+    CHECK(branch.events[1].kind == EventKind::quasi_buckling);
+  }
+}
+
+TEST_CASE("the arches have a stiffness where they leave the zigzag, though force and way both turn there") {
+  const ThreeLinks exact(pi / 10, -pi / 10);
+  Brancher<Nominal> brancher(exact.model, exact.loading, exact.shape);
+  const auto zigzag = Tracer<Nominal>(brancher, {0, 0.1}).run(brancher.start(0, exact.shape));
+  BranchPoint<double> at = zigzag.events.at(0).point;
+  at.tangent = zigzag.events[0].crossing;
+  const auto beside = brancher.step(at, -0.01);
+  REQUIRE(beside);
+  auto inwards = *beside;
+  Brancher<Nominal>::scale(inwards.tangent, beside->tangent.load > 0 ? -1 : 1);
+  const auto arches = Tracer<Nominal>(brancher, {0, 0.1}).run(inwards);
+  REQUIRE(arches.events.size() == 1);
+  // symmetric in the way from the crossing, so 0.01 off it differs by the order of 0.01^2
+  CHECK(arches.events[0].point.stiffness == doctest::Approx(beside->stiffness).epsilon(1e-3));
 }
 
 TEST_CASE("the work of a step grows linearly with the chain") {

@@ -1,0 +1,162 @@
+#pragma once
+/// \file
+/// A branch of equilibria around one of its points, as power series in the length s along the tangent there.
+///
+/// All equations of a chain are polynomials in angles, sines and cosines, so their Taylor coefficients follow
+/// one after the other from one factored matrix. With an order that grows like the digits, a series is exact
+/// to rounding over a fixed part of its radius of convergence: one factorisation carries a branch as far as a
+/// dozen Newton corrections of tangent steps would, and any point in between costs one evaluation.
+
+#include <plumbline/loaded_model.hpp>
+
+namespace plumbline {
+
+template <Number Real>
+struct BranchPoint {
+  Real load;
+  Vector<Real> theta;
+  Point<Real> force;
+  Point<Real> end_point;
+  Real energy;                      ///< stored energy
+  std::size_t negative_directions;  ///< in the sense of the control
+  Real stiffness;                   ///< tangent stiffness along the loading's direction; infinite where the
+                                    ///< end point stands still (a fold in deflection)
+  Variation<Real> tangent;          ///< of unit length in the branch's own measure
+};
+
+/// The coefficients of s^0 … s^order of everything that a point of a branch is described by.
+template <Floating Real>
+class BranchSeries {
+ public:
+  /// Quantities beside the angles. The tangent stiffness is push'/way', force and way of the end point along
+  /// the loading's direction; `bend` has the sign of its derivative.
+  enum Quantity : std::uint8_t { Fx, Fy, load, place_x, place_y, energy, push, way, bend, quantities };
+
+  BranchSeries() : BranchSeries(sufficient_order()) {}
+  explicit BranchSeries(Eigen::Index order) : order_(order) {}
+
+  /// Order 0.
+  void begin(const Variation<Real>& here, const Point<Real>& place) {
+    angles_ = here.theta.size();
+    const Eigen::Index rows = (angles_ + quantities + width - 1) / width * width;
+    if (coefficient_.rows() != rows || coefficient_.cols() != order_ + 1) {
+      coefficient_ = Matrix<Real>::Constant(rows, order_ + 1, Real(0));
+      value_.resize(rows);
+      slope_.resize(rows);
+    }
+    set(0, here, place);
+  }
+
+  /// Order k.
+  void set(Eigen::Index k, const Variation<Real>& term, const Point<Real>& place) {
+    coefficient_.col(k).head(angles_) = term.theta;
+    entry(Fx, k) = term.force.x;
+    entry(Fy, k) = term.force.y;
+    entry(load, k) = term.load;
+    entry(place_x, k) = place.x;
+    entry(place_y, k) = place.y;
+  }
+
+  /// The other quantities, when all orders are set. dE/ds = F . dp/ds, for these are equilibria.
+  /// \param d     the loading's direction
+  /// \param held  whether an end point is imposed
+  void complete(const Real& energy_here, const Point<Real>& d, bool held) {
+    using Row = Vector<Real>;
+    const auto row = [&](Quantity q) -> Row { return coefficient_.row(angles_ + q); };
+    const auto derivative = [](const Row& of) {
+      Row rate = of.tail(of.size() - 1);
+      for (Eigen::Index k = 0; k < rate.size(); ++k) rate(k) *= Real(static_cast<int>(k + 1));
+      return rate;
+    };
+    const auto product = [](const Row& p, const Row& q, Eigen::Index k) {  // of order k
+      Real sum(0);
+      for (Eigen::Index j = 0; j <= k; ++j) sum += p(j) * q(k - j);
+      return sum;
+    };
+    const Row x = row(place_x), y = row(place_y), fx = row(Fx), fy = row(Fy), load_row = row(load);
+    const Row dx = derivative(x), dy = derivative(y);
+    entry(energy, 0) = energy_here;
+    for (Eigen::Index k = 0; k < order_; ++k)
+      entry(energy, k + 1) = (product(dx, fx, k) + product(dy, fy, k)) / Real(static_cast<int>(k + 1));
+    coefficient_.row(angles_ + push) = held ? Row(d.x * fx + d.y * fy) : load_row;
+    coefficient_.row(angles_ + way) = held ? load_row : Row(d.x * x + d.y * y);
+    const Row push1 = derivative(row(push)), way1 = derivative(row(way));
+    const Row push2 = derivative(push1), way2 = derivative(way1);
+    for (Eigen::Index k = 0; k + 1 < order_; ++k)
+      entry(bend, k) = product(push2, way1, k) - product(push1, way2, k);
+  }
+
+  [[nodiscard]] Eigen::Index order() const { return order_; }
+  [[nodiscard]] const Real& coefficient(Quantity q, Eigen::Index k) const {
+    return coefficient_(angles_ + q, k);
+  }
+  [[nodiscard]] const Real& force_x(Eigen::Index k) const { return coefficient(Fx, k); }
+  [[nodiscard]] const Real& force_y(Eigen::Index k) const { return coefficient(Fy, k); }
+
+  /// Goes to a place of the branch. By Horner's scheme, several rows at once.
+  void go_to(const Real& s) {
+    using Rows = Eigen::Array<Real, width, 1>;
+    for (Eigen::Index row = 0; row < coefficient_.rows(); row += width) {
+      Rows value = Rows::Constant(Real(0)), slope = value;
+      for (Eigen::Index k = order_; k >= 0; --k) {
+        slope = slope * s + value;
+        value = value * s + coefficient_.col(k).template segment<width>(row).array();
+      }
+      value_.template segment<width>(row) = value;
+      slope_.template segment<width>(row) = slope;
+    }
+  }
+  /// What is there, and its derivative by s.
+  [[nodiscard]] const Real& value(Quantity q) const { return value_(angles_ + q); }
+  [[nodiscard]] const Real& slope(Quantity q) const { return slope_(angles_ + q); }
+
+  /// Tangent stiffness at s, also where force and way both turn back, as they do on a branch that leaves a
+  /// symmetric one: there it is the ratio of their second derivatives.
+  [[nodiscard]] Real stiffness(const Real& s) {
+    go_to(s);
+    using std::abs, std::sqrt;
+    const Real force = curvature(push, s), distance = curvature(way, s);
+    static const Real near = sqrt(sqrt(epsilon<Real>()));
+    const bool turns = abs(slope(push)) < near * abs(force) && abs(slope(way)) < near * abs(distance);
+    return turns ? force / distance : slope(push) / slope(way);
+  }
+
+  /// The place as a point; its type is left open, and its tangent has any length.
+  [[nodiscard]] BranchPoint<Real> point() const {
+    return {value(load),
+            value_.head(angles_),
+            {value(Fx), value(Fy)},
+            {value(place_x), value(place_y)},
+            value(energy),
+            0,
+            slope(push) / slope(way),
+            {slope_.head(angles_), {slope(Fx), slope(Fy)}, slope(load)}};
+  }
+
+  /// Length over which the series is exact to rounding.
+  Real reach{0};
+
+ private:
+  /// Terms beyond it are below rounding over a quarter of the radius of convergence: (1/4)^order = eps.
+  static Eigen::Index sufficient_order() {
+    using std::ceil, std::log;
+    return static_cast<Eigen::Index>(ceil(log(epsilon<Real>()) / log(Real(1) / Real(4))));
+  }
+
+  /// Second derivative.
+  [[nodiscard]] Real curvature(Quantity q, const Real& s) const {
+    Real sum(0);
+    for (Eigen::Index k = order_; k > 1; --k)
+      sum = sum * s + Real(static_cast<int>(k * (k - 1))) * coefficient(q, k);
+    return sum;
+  }
+
+  Real& entry(Quantity q, Eigen::Index k) { return coefficient_(angles_ + q, k); }
+
+  static constexpr Eigen::Index width = std::same_as<Real, double> ? 8 : 1;
+  Eigen::Index angles_ = 0, order_;
+  Matrix<Real> coefficient_;  ///< a column an order
+  Vector<Real> value_, slope_;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,139 @@
+#include <plumbline/strain_energy.hpp>
+#include <plumbline/trace.hpp>
+
+#include "tests/property.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+template <class Real>
+using Nominal = NominalModel<Real>;
+
+/// A chain of up to nine links in a plane, bent at rest, loaded along a ray.
+struct Bench {
+  Chain<double> chain;
+  Loading<double> loading;
+  double last, reach;
+};
+
+double share(int low, int high) {
+  return *rc::gen::inRange(low * 100, high * 100) / 100.0;
+}
+
+Bench random_bench() {
+  const bool held = *rc::gen::arbitrary<bool>();
+  const auto n = static_cast<std::size_t>(*rc::gen::inRange(held ? 2 : 1, 10));
+  std::vector<double> length, stiffness, rest;
+  double reach = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    length.push_back(share(0, 2) + 0.3);
+    stiffness.push_back(share(0, 3) + 0.3);
+    rest.push_back(share(-1, 1) + 0.005);  // never straight: at the edge of its reach
+    reach += length.back();
+  }
+  if (held && n > 2 && *rc::gen::arbitrary<bool>()) stiffness[0] = 0;
+  const Chain<double> chain(length, stiffness, rest);
+  const double way = share(0, 6), last = held ? (share(0, 1) + 0.1) * reach / 2 : (share(0, 8) + 1) / reach;
+  const Point<double> start = held ? end_point(chain, rest) : Point<double>{0, 0};
+  return {chain,
+          {held ? Control::end_point : Control::force, start, {std::cos(way), std::sin(way)}},
+          last,
+          reach};
+}
+
+/// Torque and place out of balance, beside the terms that they are sums of.
+template <class Real>
+Real imbalance(const Nominal<Real>& model, const Loading<Real>& loading, const BranchPoint<Real>& point,
+               const Real& reach) {
+  using std::abs, std::max;
+  Expansion<Real, 1> at;
+  model.expand(point.theta, point.force, at);
+  const Real force = abs(point.force.x) + abs(point.force.y);
+  const Real moment = force * reach + at.hessian.row(0).cwiseAbs().maxCoeff();
+  const Point<Real> wanted = loading.at(point.load);
+  const bool held = loading.control == Control::end_point;
+  const Real off = held ? abs(at.end_point.x - wanted.x) + abs(at.end_point.y - wanted.y)
+                        : abs(point.force.x - wanted.x) + abs(point.force.y - wanted.y);
+  return max(Real(at.residual.cwiseAbs().maxCoeff() / moment), Real(off / (held ? reach : Real(force + 1))));
+}
+
+}  // namespace
+
+TEST_CASE("a series is the branch: within its reach every place is an equilibrium to rounding") {
+  check_property("imbalance, energy and stiffness along a series", [] {
+    const Bench bench = random_bench();
+    const Nominal<double> model(bench.chain);
+    const auto shape = absolute_angles(bench.chain.rest());
+    Brancher<Nominal<double>> brancher(model, bench.loading, shape);
+    const auto start = brancher.start(0, shape);
+    brancher.refresh(start);
+    BranchSeries<double> series;
+    brancher.expand(start, series);
+    const double s = std::min(series.reach, 0.5) * share(-1, 1);
+    const auto point = brancher.along(series, s);
+    // order + 1 terms a quantity, each rounded once, twice over by Horner's scheme, and the truncation
+    const double rounding = 4 * static_cast<double>(series.order()) * std::numeric_limits<double>::epsilon();
+    RC_ASSERT(imbalance(model, bench.loading, point, bench.reach) < rounding);
+    const double energy = strain_energy(bench.chain, joint_angles(point.theta));
+    RC_ASSERT(std::abs(point.energy - energy) < rounding * (1 + energy));
+    const auto exact = brancher.onto(point, 1e-6);
+    RC_ASSERT(exact.has_value());
+    RC_ASSERT(std::abs(exact->stiffness - point.stiffness) < 1e-9 * (1 + std::abs(exact->stiffness)));
+  });
+}
+
+TEST_CASE("the type of a point inside a stride is that of its own matrix") {
+  check_property("negative directions along a branch", [] {
+    const Bench bench = random_bench();
+    const Nominal<double> model(bench.chain);
+    const auto shape = absolute_angles(bench.chain.rest());
+    Brancher<Nominal<double>> brancher(model, bench.loading, shape);
+    const auto branch =
+        Tracer<Nominal<double>>(brancher, {0, bench.last, 0.02, 3000}).run(brancher.start(0, shape));
+    RC_ASSERT(branch.end != BranchEnd::degenerate);
+    for (const auto& point : branch.points) {
+      const auto alone = brancher.onto(point, 1e-6);
+      RC_ASSERT(alone.has_value());
+      const bool at_fold = std::abs(point.tangent.load) < 1e-6 * brancher.load_scale();  // rounding decides
+      RC_ASSERT(at_fold || alone->negative_directions == point.negative_directions);
+    }
+  });
+}
+
+TEST_CASE("what happens on a branch does not depend on the spacing of its points") {
+  check_property("events with points 0.05 and 0.003 apart", [] {
+    const Bench bench = random_bench();
+    const Nominal<double> model(bench.chain);
+    const auto shape = absolute_angles(bench.chain.rest());
+    Brancher<Nominal<double>> brancher(model, bench.loading, shape);
+    const auto start = brancher.start(0, shape);
+    const auto follow = [&](double longest) {
+      return Tracer<Nominal<double>>(brancher, {0, bench.last, longest, 100000}).run(start);
+    };
+    const auto wide = follow(0.05), fine = follow(0.003);
+    RC_ASSERT(wide.end == fine.end);
+    RC_ASSERT(wide.events.size() == fine.events.size());
+    for (std::size_t i = 0; i < wide.events.size(); ++i) {
+      RC_ASSERT(wide.events[i].kind == fine.events[i].kind);
+      RC_ASSERT(std::abs(wide.events[i].point.load - fine.events[i].point.load) < 1e-9 * bench.reach);
+    }
+  });
+}
+
+TEST_CASE("fifty digits take a higher order, not shorter strides") {
+  using Exact = Nominal<Mpfr50>;
+  const Chain<Mpfr50> chain({1, 1, 1, 1}, {1, 1, 1, 1},
+                            {Mpfr50("-0.2417"), Mpfr50("0.6821"), Mpfr50("-0.7958"), Mpfr50("0.517")});
+  const Exact model(chain);
+  const Vector<Mpfr50> shape = absolute_angles(chain.rest());
+  const Loading<Mpfr50> loading{Control::end_point, {Mpfr50("3.8"), 0}, {-1, 0}};
+  Brancher<Exact> brancher(model, loading, shape);
+  const auto branch = Tracer<Exact>(brancher, {0, Mpfr50("1.5"), 1}).run(brancher.start(0, shape));
+  CHECK(branch.end == BranchEnd::load);
+  CHECK(branch.points.size() < 30);
+  for (const auto& point : branch.points)
+    CHECK(imbalance(model, loading, point, Mpfr50(4)) < Mpfr50("1e-48"));
+  REQUIRE(branch.events.size() == 1);
+  CHECK(branch.events[0].kind == EventKind::quasi_buckling);
+}
