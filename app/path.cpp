@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "app/certified_report.hpp"
 #include "app/loaded_input.hpp"
 #include "app/located_report.hpp"
 #include "app/path_report.hpp"
@@ -17,21 +18,28 @@ struct Options {
   std::vector<double> force;
   std::string branches = "stable", csv, json, svg;
   int side = 1, digits = 0;
+  bool certify = false;
 };
 
+template <Analytic Real>
+Real exactly(double x) {
+  if constexpr (std::same_as<Real, Interval>) {
+    return Interval::from_double(x);
+  } else {
+    return Real(x);
+  }
+}
+
 /// From the unloaded state to the load that was asked for, and how far that is.
-template <Floating Real>
+template <Analytic Real>
 std::pair<Loading<Real>, Real> loading_of(const Options& options, const Chain<Real>& chain) {
   using std::sqrt;
   const bool held = options.force.empty();
-  const Real x(held ? -options.to : options.force[0]), y(held ? options.dy : options.force[1]);
+  const Real x = exactly<Real>(held ? -options.to : options.force[0]),
+             y = exactly<Real>(held ? options.dy : options.force[1]);
   const Real size = sqrt(x * x + y * y);
-  if (!(size > Real(0)) || !is_finite(size))
-    throw Error("load", "nothing to do", "a finite load that is not zero");
   const Point<Real> start = held ? end_point(chain, chain.rest()) : Point<Real>{Real(0), Real(0)};
-  const Loading<Real> loading{held ? Control::end_point : Control::force, start, {x / size, y / size}};
-  if (held) NominalModel<Real>(chain).require_reach(loading.at(size));
-  return {loading, size};
+  return {{held ? Control::end_point : Control::force, start, {x / size, y / size}}, size};
 }
 
 void run(Options options) {
@@ -40,6 +48,8 @@ void run(Options options) {
     options.chain.refuse_as_output(*output);
   const auto chain = from_rational<double>(options.chain.exact);
   const auto [loading, last] = loading_of(options, chain);
+  if (!(last > 0) || !is_finite(last)) throw Error("load", "nothing to do", "a finite load that is not zero");
+  if (loading.control == Control::end_point) NominalModel<double>(chain).require_reach(loading.at(last));
   const PathTask task{chain, loading, last, options.step, options.side};
   PathReport report = options.branches == "stable" ? follow_slowly(task) : follow_all(task);
   report.chain = options.chain.name;
@@ -47,6 +57,11 @@ void run(Options options) {
   if (options.digits > 0) {
     const auto exact = from_rational<Located>(options.chain.exact);
     located = locate(report, options.chain.exact, loading_of(options, exact).first);
+  }
+  CertifiedReport certified;
+  if (options.certify) {
+    const auto exact = from_rational<Interval>(options.chain.exact);
+    certified = certify(report, exact, loading_of(options, exact).first);
   }
   for (const std::string& warning : report.warnings) fmt::print(stderr, "plumbline: warning: {}\n", warning);
   const auto write = [](const std::string& path, const std::string& text) {
@@ -59,11 +74,14 @@ void run(Options options) {
   if (!options.json.empty()) {
     auto json = as_json(report);
     if (options.digits > 0) json["events"] = as_json(located, options.digits);
+    if (options.certify) json["certificates"] = as_json(certified);
     write(options.json, json.dump(2) + "\n");
   }
   if (!options.svg.empty()) write(options.svg, svg);
   if (options.csv.empty() && options.json.empty() && options.svg.empty())
-    fmt::print("{}{}", as_text(report), options.digits > 0 ? as_text(located, options.digits) : "");
+    fmt::print("{}{}{}", as_text(report), options.digits > 0 ? as_text(located, options.digits) : "",
+               options.certify ? as_text(certified) : "");
+  if (options.certify && !complete(certified)) throw CLI::RuntimeError(1);
 }
 
 }  // namespace
@@ -100,6 +118,12 @@ void add_path(CLI::App& app) {
   verb->add_option("--digits", options->digits,
                    "Locate every event anew to so many digits, and list them (text and JSON)")
       ->check(CLI::Range(1, located_digits));
+  verb->add_flag(
+      "--certify", options->certify,
+      "Prove by interval arithmetic what the points only suggest: that each part is one smooth "
+      "branch without gap or jump, where it is stable, and where the load turns. Around a "
+      "bifurcation, where equilibria are not regular, a small gap is left out and listed (text and "
+      "JSON). Exit status 1 where anything else stays open");
   const auto output = [&](const char* flag, std::string& target, const char* what) {
     verb->add_option(flag, target, what)->type_name("[FILE]")->expected(0, 1)->default_str("-");
   };

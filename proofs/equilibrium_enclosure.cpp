@@ -1,7 +1,8 @@
 #include "proofs/equilibrium_enclosure.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+
+#include "proofs/inertia.hpp"
 
 namespace plumbline {
 
@@ -66,12 +67,8 @@ Equations equations(const Exact& model, Control control, const Point<Interval>& 
   return e;
 }
 
-Eigen::MatrixXd middle_of(const Matrix<Interval>& A) {
-  Eigen::MatrixXd M(A.rows(), A.cols());
-  for (Eigen::Index j = 0; j < A.cols(); ++j) {
-    for (Eigen::Index i = 0; i < A.rows(); ++i) M(i, j) = Span(A(i, j)).middle();
-  }
-  return M;
+Matrix<Span> rounded(const Matrix<Interval>& A) {
+  return A.unaryExpr([](const Interval& x) { return Span(x); });
 }
 
 /// Krawczyk's operator over the box of a radius around m; nothing unless it maps the box strictly into
@@ -86,7 +83,7 @@ std::optional<Unknowns> krawczyk(const Exact& model, Control control, const Poin
   }
   const Equations at_point = equations(model, control, load, point),
                   over_box = equations(model, control, load, box);
-  const Eigen::MatrixXd Y = middle_of(over_box.derivative).inverse();
+  const Eigen::MatrixXd Y = middle(rounded(over_box.derivative)).inverse();
   const Eigen::Index size = Y.rows();
   if (!Y.allFinite()) return std::nullopt;
   Unknowns image;
@@ -108,36 +105,16 @@ std::optional<Unknowns> krawczyk(const Exact& model, Control control, const Poin
   return image;
 }
 
-/// Sylvester's law: with X close to the eigenvectors, X^T K X is diagonally dominant, which proves X regular
-/// and shows the signs. K is symmetric in (theta, -F).
+/// K is symmetric in (theta, -F), where each border adds one negative eigenvalue.
 std::optional<std::size_t> negative_directions(const Equations& e, Control control) {
-  Matrix<Interval> K = e.derivative;
+  Matrix<Span> K = rounded(e.derivative);
   const Eigen::Index size = K.rows(), borders = control == Control::end_point ? 2 : 0;
   for (Eigen::Index a = size - borders; a < size; ++a) {
     for (Eigen::Index i = 0; i < size; ++i) K(i, a) = -K(i, a);
   }
-  const Eigen::MatrixXd X = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(middle_of(K)).eigenvectors();
-  Eigen::Index negative = 0;
-  for (Eigen::Index i = 0; i < size; ++i) {
-    Interval diagonal(0);
-    Interval::End others(0);
-    for (Eigen::Index j = 0; j < size; ++j) {
-      Interval sum(0);
-      for (Eigen::Index a = 0; a < size; ++a) {
-        for (Eigen::Index b = 0; b < size; ++b)
-          sum += Interval::from_double(X(a, i)) * K(a, b) * Interval::from_double(X(b, j));
-      }
-      if (i == j)
-        diagonal = sum;
-      else
-        others += std::max(abs(sum.lower()), abs(sum.upper()));
-    }
-    others *= Interval::End(1.000001);  // the sums above are rounded to nearest
-    if (diagonal.lower() > others) continue;
-    if (!(diagonal.upper() < -others)) return std::nullopt;
-    ++negative;
-  }
-  return static_cast<std::size_t>(negative - borders);
+  const auto negative = negative_eigenvalues(K);
+  if (!negative) return std::nullopt;
+  return *negative - static_cast<std::size_t>(borders);
 }
 
 }  // namespace

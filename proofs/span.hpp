@@ -54,6 +54,9 @@ struct Span {
     const double p = a.low / b.low, q = a.low / b.high, r = a.high / b.low, s = a.high / b.high;
     return {down(std::min(std::min(p, q), std::min(r, s))), up(std::max(std::max(p, q), std::max(r, s)))};
   }
+  friend bool certainly_positive(const Span& x) { return x.low > 0; }
+  friend bool certainly_negative(const Span& x) { return x.high < 0; }
+
   Span& operator+=(const Span& b) { return *this = *this + b; }
   Span& operator-=(const Span& b) { return *this = *this - b; }
 
@@ -99,4 +102,14 @@ inline Circle circle(const Span& x) {
   return {{std::max(c.low, -1.0), std::min(c.high, 1.0)}, {std::max(s.low, -1.0), std::min(s.high, 1.0)}};
 }
 
+inline Span cos(const Span& x) {
+  return circle(x).cosine;
+}
+inline Span sin(const Span& x) {
+  return circle(x).sine;
+}
+
 }  // namespace plumbline
+
+template <>
+struct Eigen::NumTraits<plumbline::Span> : plumbline::EigenScalar<plumbline::Span> {};

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <boost/math/tools/roots.hpp>
+#include <plumbline/sharpen.hpp>
 #include <plumbline/slow_loading.hpp>
 
 #include "proofs/exactly.hpp"
@@ -22,9 +23,29 @@ Located middle(const Interval& x) {
   return x.middle();
 }
 
-template <Floating Real>
+template <Analytic Real>
 Loading<Real> inwards(const Real& reach) {
   return {Control::end_point, {reach, Real(0)}, {Real(-1), Real(0)}};
+}
+
+double rounded(const Interval& x) {
+  return static_cast<double>(x.middle());
+}
+
+std::string in_words(const PathCertificate& proved) {
+  std::string text =
+      fmt::format("one smooth branch, proved by {} interval Newton segments: ", proved.segments);
+  for (const CertifiedRun& run : proved.runs) {
+    text += fmt::format("{}{} from deflection {:.6g} to {:.6g}", &run == proved.runs.data() ? "" : ", then ",
+                        run.negative_directions == 0 ? "stable" : "unstable", run.from, run.to);
+  }
+  for (const Span& fold : proved.folds)
+    text += fmt::format("; the deflection turns exactly once in [{:.9g}, {:.9g}]", fold.low, fold.high);
+  for (const Span& gap : proved.gaps)
+    text += fmt::format("; not covered: [{:.6g}, {:.6g}] around a bifurcation", gap.low, gap.high);
+  if (proved.failed_at)
+    text += fmt::format("; not proved from {:.6g} on: {}", proved.failed_at->low, proved.failure);
+  return text + (proved.stiff ? "; the force grows all along" : "");
 }
 
 /// The chain turned so that its unloaded end point lies on the x axis; possible with a passive base.
@@ -109,8 +130,23 @@ std::vector<BranchEvent<Located>> SlowPath::of_kind(EventKind kind) const {
 }
 
 bool SlowPath::regular() const {
-  return stretches.size() == 1 && stretches[0].end == BranchEnd::load &&
-         of_kind(EventKind::quasi_buckling).size() == events.size();
+  return proved.size() == 1 && proved[0].regular() && stretches[0].end == BranchEnd::load;
+}
+
+std::string SlowPath::continuity() const {
+  const auto certified = [](const PathCertificate& one) { return one.certified(); };
+  if (regular()) return "continuous";
+  return std::all_of(proved.begin(), proved.end(), certified) ? "a jump" : "open";
+}
+
+bool SlowPath::stiff() const {
+  return regular() && proved[0].stiff;
+}
+
+Evidence SlowPath::evidence() const {
+  std::string text;
+  for (const PathCertificate& one : proved) text += (text.empty() ? "" : "; and after it ") + in_words(one);
+  return {EvidenceKind::interval, text};
 }
 
 BranchPoint<Located> SlowPath::at(const Rational& deflection) const {
@@ -126,15 +162,15 @@ BranchPoint<Located> SlowPath::at(const Rational& deflection) const {
 
 SlowPath compress_slowly(const Chain<Interval>& chain, const Interval& reach, double last, int side) {
   using Model = NominalModel<double>;
-  const auto rounded = [](const Interval& x) { return static_cast<double>(x.middle()); };
   const Model model(convert<double>(chain, rounded));
   const Vector<double> shape = unloaded_shape(model.chain());
   Brancher<Model> brancher(model, inwards(rounded(reach)), shape);
-  SlowPath path{convert<Located>(chain, middle), inwards(middle(reach)), {}, {}};
+  SlowPath path{chain, reach, convert<Located>(chain, middle), inwards(middle(reach)), {}, {}, {}};
   path.stretches = load_slowly(brancher, brancher.start(0, shape), {0, last}, side);
   for (const Branch<double>& stretch : path.stretches) {
     for (auto& event : locate_events(path.chain, path.loading, stretch))
       path.events.push_back(std::move(event));
+    path.proved.push_back(certify(chain, inwards(reach), stretch));
   }
   return path;
 }
@@ -159,17 +195,23 @@ Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& 
   return (a + b) / 2;
 }
 
-bool leaves_continuously(const SlowPath& path, const BranchEvent<Located>& bifurcation) {
-  const NominalModel<Located> model(path.chain);
-  Brancher<NominalModel<Located>> brancher(model, path.loading, absolute_angles(path.chain.rest()));
-  BranchPoint<Located> at = bifurcation.point;
-  at.tangent = bifurcation.crossing;
-  bool both = true;
+std::vector<PathCertificate> leaving(const SlowPath& path, const BranchEvent<Located>& bifurcation,
+                                     double to) {
+  using Model = NominalModel<double>;
+  constexpr double next_to = 1e-5;  // root mean square turn of the links
+  const Model model(convert<double>(path.enclosed, rounded));
+  Brancher<Model> brancher(model, inwards(rounded(path.reach)), absolute_angles(model.chain().rest()));
+  BranchPoint<double> at = lift<double>(bifurcation.point);
+  at.tangent = lift<double>(bifurcation.crossing);
+  std::vector<PathCertificate> sides;
   for (const int side : {1, -1}) {
-    const auto off = brancher.step(at, Located(side) / 100);
-    both = both && off && off->negative_directions == 0 && off->load > at.load;
+    auto off = brancher.step(at, side * next_to);
+    if (!off) throw Error("bifurcation", "a side that is not found", "two sides of the branch that crosses");
+    if (off->tangent.load < 0) Brancher<Model>::scale(off->tangent, -1);
+    const Branch<double> branch = Tracer<Model>(brancher, {0, to}).run(*off);
+    sides.push_back(certify(path.enclosed, inwards(path.reach), branch));
   }
-  return both;
+  return sides;
 }
 
 }  // namespace plumbline

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "proofs/census.hpp"
+#include "proofs/certified_path.hpp"
 #include "proofs/located_event.hpp"
+#include "verify/claim.hpp"
 
 namespace plumbline {
 
@@ -41,17 +43,27 @@ std::string signs(const CertifiedEquilibrium& one, std::size_t from = 0);
 /// U-, and Z- for "+-" (the middle link leads upwards), Z+.
 std::string letter(const CertifiedEquilibrium& one);
 
-/// What a slowly compressed chain does: in double precision between the events, which are located to fifty
-/// digits. Its end point stays on the x axis.
+/// What a slowly compressed chain does: followed in double precision, its events located to fifty digits, its
+/// stretches proved. Its end point stays on the x axis.
 struct SlowPath {
+  Chain<Interval> enclosed;
+  Interval reach;  ///< of the unloaded end point
   Chain<Located> chain;
   Loading<Located> loading;
   std::vector<Branch<double>> stretches;     ///< one, and another after every loss of stability
   std::vector<BranchEvent<Located>> events;  ///< of all stretches
+  std::vector<PathCertificate> proved;       ///< of each stretch
 
   [[nodiscard]] std::vector<BranchEvent<Located>> of_kind(EventKind kind) const;
-  /// A stable equilibrium all the way, without bifurcation, fold or jump.
+  /// Proved: a stable equilibrium all the way, without bifurcation, fold or jump, which depends analytically
+  /// on the deflection.
   [[nodiscard]] bool regular() const;
+  /// "continuous", "a jump", or "open" where the proof fails.
+  [[nodiscard]] std::string continuity() const;
+  /// Proved: regular, and the force grows all along.
+  [[nodiscard]] bool stiff() const;
+  /// What is proved of the stretches, in words.
+  [[nodiscard]] Evidence evidence() const;
   /// The state at a deflection, to 64 digits.
   [[nodiscard]] BranchPoint<Located> at(const Rational& deflection) const;
 };
@@ -64,7 +76,9 @@ CertifiedEquilibrium reached(const Census& census, const SlowPath& path, const R
 /// where it has different signs.
 Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& from, const Rational& to);
 
-/// Whether stable shapes leave a bifurcation continuously, for growing deflection and to both sides.
-bool leaves_continuously(const SlowPath& path, const BranchEvent<Located>& bifurcation);
+/// Proofs that stable shapes leave a bifurcation for growing deflection: to each side, from next to it up to
+/// another deflection.
+std::vector<PathCertificate> leaving(const SlowPath& path, const BranchEvent<Located>& bifurcation,
+                                     double to);
 
 }  // namespace plumbline

@@ -138,25 +138,18 @@ Judgement continuity_proof(const Printed& printed, int) {
 }
 
 Judgement u_continuous(const Printed& printed, int) {
-  return judge_word(
-      printed.at(0), u_path().regular() ? "continuous" : "a jump", {"continuous", "a jump"},
-      "stability is lost on the way",
-      {{EvidenceKind::real64,
-        fmt::format("path from 0 to 1.5 L: {} points, stable throughout, no fold, no bifurcation",
-                    u_path().stretches[0].points.size())}});
+  return judge_word(printed.at(0), u_path().continuity(), {"continuous", "a jump", "open"},
+                    "stability is lost on the way", {u_path().evidence()});
 }
 
-/// "increasing" where the tangent stiffness is positive all along a path.
+/// "increasing" where the tangent stiffness is proved positive all along a path.
 std::string resistance(const SlowPath& path) {
-  bool grows = path.regular();
-  for (const auto& point : path.stretches[0].points) grows = grows && point.stiffness > 0;
-  return grows ? "increasing" : "not increasing";
+  return path.stiff() ? "increasing" : "not increasing";
 }
 
 Judgement u_resistance(const Printed& printed, int) {
   return judge_word(printed.at(0), resistance(u_path()), {"increasing", "not increasing"},
-                    "the force falls somewhere",
-                    {{EvidenceKind::real64, "tangent stiffness positive along the path to 1.5 L"}});
+                    "the force falls somewhere", {u_path().evidence()});
 }
 
 Judgement u_stiffness(const Printed& printed, int) {
@@ -227,9 +220,7 @@ Judgement z_smooth(const Printed& printed, int) {
                    {{EvidenceKind::theorem,
                      "implicit function theorem: where the Hessian on the tangent space is "
                      "definite, shape and force are analytic in the deflection"},
-                    {EvidenceKind::real64,
-                     fmt::format("path to 1.5 L: {} points, stable throughout, no fold and no bifurcation",
-                                 z_path().stretches[0].points.size())}},
+                    z_path().evidence()},
                    ""};
   if (printed.at(0) == found) return result;
   result.verdict = printed.at(0) == "not very smooth" && smooth ? Verdict::imprecise : Verdict::refuted;
@@ -350,7 +341,8 @@ Judgement several(const Printed& printed, int digits) {
   Judgement result = judge_word(
       printed.at(0), path.regular() && points.size() >= 2 ? "possible" : "open",
       {"possible", "open", "impossible"}, "they exist",
-      {{EvidenceKind::mp50,
+      {path.evidence(),
+       {EvidenceKind::mp50,
         fmt::format("three links, passive base, k = (0, 1, 2), rest angles 1.1 and -1.5: the stable path to "
                     "1.4 L has {} points of least stiffness{}",
                     points.size(), points.empty() ? "" : ", located in 64 digits")}});

@@ -72,7 +72,11 @@ Judgement always_continuous(const Printed& printed, int digits) {
     for (std::size_t i = 0; i < one.q.size(); ++i) distance += sqr(one.q[i] - last.q[i]);
     if (certainly_less(distance, nearest)) nearest = distance;
   }
-  const bool jumps = path.stretches.size() == 2 && here.equilibria.size() == there.equilibria.size() + 2 &&
+  const PathCertificate& proved = path.proved.front();
+  const bool snaps = proved.certified() && proved.folds.size() == 1 && proved.runs.size() == 2 &&
+                     proved.runs[0].negative_directions == 0 && proved.runs[1].negative_directions == 1;
+  const bool jumps = path.stretches.size() == 2 && snaps &&
+                     here.equilibria.size() == there.equilibria.size() + 2 &&
                      certainly_less(Interval(Rational(1, 100)), nearest);
   Judgement result = judge_word(
       printed.at(0), jumps ? "can jump" : "continuous", {"continuous", "can jump"},
@@ -84,6 +88,7 @@ Judgement always_continuous(const Printed& printed, int digits) {
             "that chain, certified censuses at 1.14 L ({}) and 1.145 L ({}): the shape that was followed and "
             "a saddle are gone, and no equilibrium is within 0.1 of it",
             types(here), types(there))},
+       path.evidence(),
        {EvidenceKind::mp50, "fold located by Newton's method; the chain then flows to another shape"}});
   result.value = folds[0].point.load.str(std::min(digits, located_digits));
   return result;
@@ -188,13 +193,8 @@ Judgement observed(const Printed& printed, int) {
 
 Judgement continuous(const Printed& printed, int) {
   const SlowPath path = compress_slowly(fig7_chain(), unloaded_reach(fig7_chain()), 1.5);
-  return judge_word(
-      printed.at(0), path.regular() ? "continuous" : "a jump", {"continuous", "a jump"},
-      "stability is lost on the way",
-      {{EvidenceKind::real64,
-        fmt::format("path from 0 to 1.5 L: {} points, stable throughout, no fold and no bifurcation; no "
-                    "step goes further than the equations stay regular",
-                    path.stretches[0].points.size())}});
+  return judge_word(printed.at(0), path.continuity(), {"continuous", "a jump", "open"},
+                    "stability is lost on the way", {path.evidence()});
 }
 
 }  // namespace

@@ -57,19 +57,28 @@ Judgement count(const Printed& printed, int) {
 Judgement jump(const Printed& printed, int digits) {
   const Interval at(buckling().point.load, buckling().point.load), off(Rational(1, 1000000));
   const Census before = at_deflection(at - off), after = at_deflection(at + off);
-  const bool pitchfork = types(before) == "1 stable, 1 unstable" && types(after) == "2 stable, 2 unstable";
-  Judgement result =
-      judge_word(printed.at(0), pitchfork && leaves_continuously(path(), buckling()) ? "continuous" : "jump",
-                 {"jump", "continuous"},
-                 "the zigzag loses its stability in a supercritical pitchfork bifurcation: two mirrored "
-                 "stable shapes leave it "
-                 "continuously, and the sudden change is one of stiffness, not of shape",
-                 {{EvidenceKind::interval,
-                   fmt::format("certified censuses 1e-6 L before ({}) and 1e-6 L after the value ({})",
-                               types(before), types(after))},
-                  {EvidenceKind::mp50,
-                   "bifurcation located by Newton's method in 64 digits; both sides of the crossing branch "
-                   "stable and ahead"}});
+  bool continuous = types(before) == "1 stable, 1 unstable" && types(after) == "2 stable, 2 unstable";
+  std::size_t segments = 0;
+  double farthest = 0;
+  const auto load = static_cast<double>(buckling().point.load);
+  for (const PathCertificate& side : leaving(path(), buckling(), 0.1)) {
+    continuous = continuous && side.regular();
+    segments += side.segments;
+    farthest = std::max(farthest, side.runs.empty() ? 1 : side.runs[0].from - load);
+  }
+  continuous = continuous && farthest < 1e-6;
+  Judgement result = judge_word(
+      printed.at(0), continuous ? "continuous" : "jump", {"jump", "continuous"},
+      "the zigzag loses its stability in a supercritical pitchfork bifurcation: two mirrored stable shapes "
+      "leave it continuously, and the sudden change is one of stiffness, not of shape",
+      {{EvidenceKind::interval,
+        fmt::format("certified censuses 1e-6 L before ({}) and 1e-6 L after the value ({})", types(before),
+                    types(after))},
+       {EvidenceKind::interval,
+        fmt::format("both sides of the branch that crosses there are smooth, stable and ahead, proved by {} "
+                    "interval Newton segments from less than {:.0e} L behind the value up to 0.1 L",
+                    segments, farthest)},
+       {EvidenceKind::mp50, "bifurcation located by Newton's method in 64 digits"}});
   result.value = located(buckling().point.load, digits);
   return result;
 }
@@ -194,15 +203,13 @@ Judgement monotonic(const Printed& printed, int) {
     grows = grows && certainly_less(before, now);
     before = now;
   }
-  for (const auto& stretch : path().stretches) {
-    for (const auto& point : stretch.points) grows = grows && (point.stiffness > 0);
-  }
+  for (const PathCertificate& stretch : path().proved) grows = grows && stretch.certified() && stretch.stiff;
   return judge_word(printed.at(0), grows ? "monotonic" : "not monotonic", {"monotonic", "not monotonic"},
                     "the force falls somewhere",
                     {{EvidenceKind::interval,
                       "certified censuses at 0.05, 0.1 … 0.6 L: the force of the observed "
                       "shape grows"},
-                     {EvidenceKind::real64, "tangent stiffness positive along the whole path"}});
+                     path().evidence()});
 }
 
 Judgement local_minimum(const Printed& printed, int) {
@@ -225,7 +232,7 @@ Judgement local_minimum(const Printed& printed, int) {
 
 Judgement keeps(const Printed& printed, int) {
   const auto& last = path().stretches.back();
-  bool stays = path().stretches.size() == 2 && last.end == BranchEnd::load;
+  bool stays = path().stretches.size() == 2 && last.end == BranchEnd::load && path().proved.back().regular();
   for (const Rational& d : {Rational(3, 10), Rational(45, 100), Rational(55, 100)}) {
     const CertifiedEquilibrium here = reached(at_deflection(d), path(), d);
     stays = stays && here.negative_directions == 0 && letter(here).front() == 'U';
@@ -234,7 +241,7 @@ Judgement keeps(const Printed& printed, int) {
                     {{EvidenceKind::interval,
                       "certified censuses at 0.3, 0.45 and 0.55 L: the state of the slowly "
                       "compressed chain is a stable U-shape"},
-                     {EvidenceKind::real64, "no event on the path after the bifurcation up to 0.6 L"}});
+                     path().evidence()});
 }
 
 }  // namespace

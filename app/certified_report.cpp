@@ -1,0 +1,76 @@
+#include "app/certified_report.hpp"
+
+#include <fmt/core.h>
+
+namespace plumbline {
+
+namespace {
+
+std::string text(const Span& load) {
+  return fmt::format("[{:.9g}, {:.9g}]", load.low, load.high);
+}
+
+std::string text(const CertifiedRun& run) {
+  return fmt::format(
+      "  load from {:.9g} to {:.9g}: {}\n", run.from, run.to,
+      run.negative_directions == 0 ? "stable" : fmt::format("unstable ({})", run.negative_directions));
+}
+
+nlohmann::ordered_json pairs(const std::vector<Span>& loads) {
+  auto list = nlohmann::ordered_json::array();
+  for (const Span& load : loads) list.push_back({load.low, load.high});
+  return list;
+}
+
+}  // namespace
+
+CertifiedReport certify(const PathReport& report, const Chain<Interval>& chain,
+                        const Loading<Interval>& loading) {
+  CertifiedReport certified;
+  for (const Branch<double>& branch : report.branches) certified.push_back(certify(chain, loading, branch));
+  return certified;
+}
+
+bool complete(const CertifiedReport& report) {
+  return std::all_of(report.begin(), report.end(),
+                     [](const PathCertificate& one) { return one.certified(); });
+}
+
+std::string as_text(const CertifiedReport& report) {
+  std::string all = "\nProved by interval arithmetic, the chain's numbers as exact decimals\n";
+  for (std::size_t b = 0; b < report.size(); ++b) {
+    const PathCertificate& one = report[b];
+    all +=
+        fmt::format("part {}: {} in {} segments; the points are within {:.1e} rad of it, the chords {:.1e}\n",
+                    b + 1, one.gaps.empty() ? "one smooth branch" : "smooth but for the gaps", one.segments,
+                    one.distance, one.tube);
+    for (const CertifiedRun& run : one.runs) all += text(run);
+    for (const Span& fold : one.folds) all += "  the load turns once in " + text(fold) + "\n";
+    for (const Span& gap : one.gaps) all += "  not covered, around a bifurcation: " + text(gap) + "\n";
+    if (one.failed_at) all += fmt::format("  NOT proved from {} on: {}\n", text(*one.failed_at), one.failure);
+  }
+  return all;
+}
+
+nlohmann::ordered_json as_json(const CertifiedReport& report) {
+  auto list = nlohmann::ordered_json::array();
+  for (const PathCertificate& one : report) {
+    auto runs = nlohmann::ordered_json::array();
+    for (const CertifiedRun& run : one.runs)
+      runs.push_back({{"from", run.from}, {"to", run.to}, {"negative_directions", run.negative_directions}});
+    nlohmann::ordered_json failure;
+    if (one.failed_at)
+      failure = {{"load", {one.failed_at->low, one.failed_at->high}}, {"reason", one.failure}};
+    list.push_back({{"certified", one.certified()},
+                    {"segments", one.segments},
+                    {"widest_tube", one.tube},
+                    {"farthest_point", one.distance},
+                    {"runs", runs},
+                    {"folds", pairs(one.folds)},
+                    {"gaps", pairs(one.gaps)},
+                    {"failure", failure}});
+  }
+  return list;
+}
+
+}  // namespace plumbline

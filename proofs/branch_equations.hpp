@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// The equations of a branch of equilibria over boxes, in spans.
+
+#include <plumbline/branch.hpp>
+
+#include "proofs/span.hpp"
+
+namespace plumbline {
+
+/// E(u) = 0 under a loading. Unknowns u are theta_1 … theta_n, then Fx and Fy where the end point is held,
+/// last the load. There is one equation fewer than unknowns: the solutions are curves. Evaluated at a box,
+/// every result encloses what it is at each point inside.
+class BranchEquations {
+ public:
+  BranchEquations(const Chain<Interval>& chain, const Loading<Interval>& loading);
+
+  [[nodiscard]] Eigen::Index unknowns() const { return size_; }
+  /// The unknowns of a point that was computed in double precision.
+  [[nodiscard]] Vector<Span> at(const BranchPoint<double>& point) const;
+  [[nodiscard]] Span load(const Vector<Span>& u) const { return u(size_ - 1); }
+
+  /// E(u), and a zero for the plane.
+  [[nodiscard]] Vector<Span> value(const Vector<Span>& u);
+  /// E'(u), bordered by the normal of a plane as last row.
+  [[nodiscard]] Matrix<Span> derivative(const Vector<Span>& u, const Vector<Span>& normal);
+  /// E''(u) v v, and a zero for the plane.
+  [[nodiscard]] Vector<Span> curvature(const Vector<Span>& u, const Vector<Span>& v);
+  /// What answers the load along a tangent at u: how fast the force grows in the loading's direction where
+  /// the end point is held, how fast the end point moves in it under a force.
+  [[nodiscard]] Span answer(const Vector<Span>& u, const Vector<Span>& tangent);
+  /// Negative directions of the energy's Hessian in the sense of the control; nothing where that is open.
+  [[nodiscard]] std::optional<std::size_t> negative_directions(const Vector<Span>& u);
+
+ private:
+  using Model = NominalModel<Span>;
+  void expand(const Vector<Span>& u);
+  [[nodiscard]] Variation<Span> variation(const Vector<Span>& v) const;
+
+  Model model_;
+  Loading<Span> loading_;
+  bool held_;
+  Eigen::Index n_, size_;
+  Expansion<Span, 1> at_;
+  Point<Span> force_;
+};
+
+}  // namespace plumbline

@@ -1,0 +1,296 @@
+#include "proofs/certified_path.hpp"
+
+#include "proofs/regular_tube.hpp"
+
+namespace plumbline {
+
+namespace {
+
+using Model = NominalModel<double>;
+using Points = std::vector<BranchPoint<double>>;
+
+constexpr double shortest = 1e-9;  ///< of a segment, in radians
+constexpr double fine = 1e-5;     ///< a longer segment is halved where only the sign of the stiffness is open
+constexpr double nearest = 1e-6;  ///< farther from the curve a point is none of it
+
+double middle_of(const Interval& x) {
+  return static_cast<double>(x.middle());
+}
+Point<double> middle_of(const Point<Interval>& p) {
+  return {middle_of(p.x), middle_of(p.y)};
+}
+
+int sign(const Span& x) {
+  return certainly_positive(x) ? 1 : certainly_negative(x) ? -1 : 0;
+}
+
+Variation<double> chord(const BranchPoint<double>& a, const BranchPoint<double>& b) {
+  return {b.theta - a.theta, {b.force.x - a.force.x, b.force.y - a.force.y}, b.load - a.load};
+}
+
+/// A tube and which way the load goes in it.
+struct Segment {
+  Vector<Span> normal;
+  Tube tube;
+  Span load;
+  int way;        ///< sign of the load's change, 0 where it may vanish
+  int bend;       ///< then: sign of its second derivative
+  int stiffness;  ///< sign of the tangent stiffness along the load, 0 where it is open
+};
+
+class Prover {
+ public:
+  Prover(const Chain<Interval>& chain, const Loading<Interval>& loading)
+      : model_(convert<double>(chain, [](const Interval& x) { return middle_of(x); })),
+        brancher_(model_, {loading.control, middle_of(loading.start), middle_of(loading.direction)},
+                  absolute_angles(model_.chain().rest())),
+        equations_(chain, loading) {}
+
+  PathCertificate run(const Branch<double>& branch, double gap);
+
+ private:
+  void pass_last_fold(Points& points, const Branch<double>& branch);
+  std::vector<Points> pieces(const Branch<double>& branch, double gap);
+  bool prove(Points points, bool closed);
+  std::optional<Segment> segment(const BranchPoint<double>& a, const BranchPoint<double>& b);
+  bool join(const BranchPoint<double>& at, const Segment& before, const Segment& after);
+  bool account(const Segment& segment, const BranchPoint<double>& a);
+  bool settle(int way, double load);
+  std::optional<BranchPoint<double>> between(const BranchPoint<double>& a, const BranchPoint<double>& b);
+  bool fail(const Span& load, const char* why) {
+    result_.failed_at = load;
+    result_.failure = why;
+    return false;
+  }
+
+  Model model_;
+  Brancher<Model> brancher_;
+  BranchEquations equations_;
+  PathCertificate result_;
+  const char* obstacle_ = "";
+
+  // the run at hand
+  int way_ = 0;
+  bool typed_ = false;
+  struct Bend {
+    int sign;
+    Span load;
+  };
+  std::optional<Bend> bend_;
+};
+
+std::optional<BranchPoint<double>> Prover::between(const BranchPoint<double>& a,
+                                                   const BranchPoint<double>& b) {
+  const double length = brancher_.length(chord(a, b));
+  if (!(length > 4 * shortest)) return std::nullopt;  // neither part is too short
+  for (const bool forwards : {true, false}) {
+    const BranchPoint<double>&from = forwards ? a : b, &to = forwards ? b : a;
+    const auto middle = brancher_.step(from, brancher_.product(chord(from, to), from.tangent) / 2);
+    if (middle && brancher_.length(chord(a, *middle)) < 0.75 * length &&
+        brancher_.length(chord(*middle, b)) < 0.75 * length)
+      return middle;
+  }
+  return std::nullopt;
+}
+
+std::optional<Segment> Prover::segment(const BranchPoint<double>& a, const BranchPoint<double>& b) {
+  const Variation<double> along = chord(a, b);
+  const double length = brancher_.length(along);
+  const Eigen::Index size = equations_.unknowns();
+  Segment found;
+  found.normal = Vector<Span>::Constant(size, Span(0));
+  found.normal.head(along.theta.size()) = (brancher_.weighted(along.theta) / length).cast<Span>();
+  found.normal(size - 1) = brancher_.load_weight() * along.load / length;
+  const Vector<Span> from = equations_.at(a), to = equations_.at(b);
+  auto tube = tube_along(equations_, from, to, found.normal);
+  if (!tube) {
+    obstacle_ = "no tube that holds one regular branch: another may touch or cross it";
+    return std::nullopt;
+  }
+  const Vector<Span> everywhere = widened(hull(from, to), tube->image), pace = tangent(*tube);
+  found.load = equations_.load(everywhere);
+  found.way = sign(equations_.load(pace));
+  found.bend = found.way == 0 ? sign(equations_.load(bend(equations_, *tube, everywhere, pace))) : 0;
+  if (found.way == 0 && found.bend == 0) {
+    obstacle_ = "whether the load turns stays open";
+    return std::nullopt;
+  }
+  found.stiffness = sign(equations_.answer(everywhere, pace)) * found.way;
+  found.tube = std::move(*tube);
+  return found;
+}
+
+/// Whether both segments are the same curve at a point, which is near it; what is known of the point.
+bool Prover::join(const BranchPoint<double>& at, const Segment& before, const Segment& after) {
+  const Vector<Span> point = equations_.at(at);
+  const auto box = tube_at(equations_, point, hull(before.normal, after.normal));
+  if (!box || (box->image.array() > before.tube.radius.array()).any() ||
+      (box->image.array() > after.tube.radius.array()).any()) {
+    obstacle_ = "the curves before and after may not be one";
+    return false;
+  }
+  const double distance = box->image.head(at.theta.size()).maxCoeff();
+  if (distance > nearest) {
+    obstacle_ = "a point that is not on the branch";
+    return false;
+  }
+  result_.distance = std::max(result_.distance, distance);
+  const int way = sign(equations_.load(tangent(*box)));
+  if (way == 0) return true;
+  if (!settle(way, at.load)) return false;
+  if (typed_) return true;
+  if (const auto negative = equations_.negative_directions(widened(point, box->image))) {
+    result_.runs.back().negative_directions = *negative;
+    typed_ = true;
+  }
+  return true;
+}
+
+/// The load is known to go one way at a place.
+bool Prover::settle(int way, double load) {
+  if (way != way_) {
+    if (way_ != 0) {
+      if (!typed_) return fail(load, "the type of the equilibria stays open");
+      result_.folds.push_back(bend_->load);
+    } else if (bend_) {
+      return fail(bend_->load, "whether the load turns stays open");
+    }
+    result_.runs.push_back({load, load, 0});
+    typed_ = false;
+    way_ = way;
+  }
+  result_.runs.back().to = load;
+  bend_.reset();
+  return true;
+}
+
+bool Prover::account(const Segment& segment, const BranchPoint<double>& a) {
+  ++result_.segments;
+  result_.stiff = result_.stiff && segment.stiffness > 0;
+  result_.tube = std::max(result_.tube, segment.tube.image.head(a.theta.size()).maxCoeff());
+  if (segment.way != 0) return settle(segment.way, a.load);
+  if (bend_ && bend_->sign != segment.bend) return fail(segment.load, "whether the load turns stays open");
+  bend_ = Bend{segment.bend, bend_ ? hull(bend_->load, segment.load) : segment.load};
+  return true;
+}
+
+/// One curve through all the points.
+bool Prover::prove(Points points, bool closed) {
+  way_ = 0;
+  typed_ = false;
+  bend_.reset();
+  std::reverse(points.begin(), points.end());
+  BranchPoint<double> here = points.back();
+  points.pop_back();
+  std::optional<Segment> first, last;
+  while (!points.empty()) {
+    const BranchPoint<double>& there = points.back();
+    if (!(brancher_.length(chord(here, there)) > shortest)) {  // the same point again
+      points.pop_back();
+      continue;
+    }
+    auto next = segment(here, there);
+    if (next && next->stiffness == 0 && brancher_.length(chord(here, there)) > fine) {
+      if (auto middle = between(here, there)) {
+        points.push_back(std::move(*middle));
+        continue;
+      }
+    }
+    if (next && join(here, last ? *last : *next, *next)) {
+      if (!account(*next, here)) return false;
+      if (!first) first = next;
+      last = std::move(next);
+      here = there;
+      points.pop_back();
+      continue;
+    }
+    if (!result_.certified()) return false;
+    auto middle = between(here, there);
+    if (!middle) return fail(hull(Span(here.load), Span(there.load)), obstacle_);
+    points.push_back(std::move(*middle));
+  }
+  if (!last) return true;
+  if (!join(here, *last, closed ? *first : *last))
+    return result_.certified() ? fail(here.load, obstacle_) : false;
+  if (bend_) return fail(bend_->load, "whether the load turns stays open");
+  if (!typed_) return fail(here.load, "the type of the equilibria stays open");
+  result_.runs.back().to = here.load;
+  return true;
+}
+
+/// A stretch that ends in a fold is followed beyond it: that proves the fold.
+void Prover::pass_last_fold(Points& points, const Branch<double>& branch) {
+  if (points.size() < 2 || branch.events.empty() || branch.events.back().kind != EventKind::fold) return;
+  const BranchPoint<double>& fold = branch.events.back().point;
+  if (brancher_.length(chord(points.back(), fold)) > shortest) return;
+  const Variation<double> way = chord(points[points.size() - 2], fold);
+  for (double h = brancher_.product(way, fold.tangent); std::abs(h) > shortest; h /= 2) {
+    auto beyond = brancher_.step(fold, h);
+    if (!beyond) continue;
+    points.back() = std::move(*beyond);
+    return;
+  }
+}
+
+/// The points of a branch, cut where another one crosses: there the equations are singular.
+std::vector<Points> Prover::pieces(const Branch<double>& branch, double gap) {
+  Points points = branch.points;
+  pass_last_fold(points, branch);
+  if (branch.end == BranchEnd::closed) points.push_back(points.front());
+  std::vector<Points> result{{}};
+  auto next = points.begin();
+  for (const auto& event : branch.events) {
+    if (event.kind != EventKind::bifurcation) continue;
+    const BranchPoint<double>& crossing = event.point;
+    const auto close = [&](const BranchPoint<double>& p) {
+      return brancher_.length(chord(p, crossing)) < 2 * gap;
+    };
+    auto before = points.begin() + static_cast<std::ptrdiff_t>(std::min(event.before + 1, points.size()));
+    auto after = before;
+    while (before != next && close(*(before - 1))) --before;
+    while (after != points.end() && close(*after)) ++after;
+    Points& piece = result.back();
+    piece.insert(piece.end(), next, before);
+    const Variation<double> way = after != points.end() ? chord(crossing, *after)
+                                  : !piece.empty()      ? chord(piece.back(), crossing)
+                                                        : crossing.tangent;
+    const double ahead = brancher_.product(way, crossing.tangent) < 0 ? -gap : gap;
+    if (auto last = brancher_.step(crossing, -ahead); last && !piece.empty())
+      piece.push_back(std::move(*last));
+    Points further;
+    if (auto first = brancher_.step(crossing, ahead); first && after != points.end())
+      further.push_back(std::move(*first));
+    Span left_out(crossing.load);
+    if (!piece.empty()) left_out = hull(left_out, Span(piece.back().load));
+    if (after != points.end())
+      left_out = hull(left_out, Span(further.empty() ? after->load : further.back().load));
+    result_.gaps.push_back(left_out);
+    result.push_back(std::move(further));
+    next = after;
+  }
+  result.back().insert(result.back().end(), next, points.end());
+  return result;
+}
+
+PathCertificate Prover::run(const Branch<double>& branch, double gap) {
+  const std::vector<Points> all = pieces(branch, gap);
+  const bool closed = branch.end == BranchEnd::closed && all.size() == 1;
+  for (const Points& piece : all) {
+    if (!piece.empty() && !prove(piece, closed)) break;
+  }
+  return std::move(result_);
+}
+
+}  // namespace
+
+bool PathCertificate::regular() const {
+  return certified() && gaps.empty() && runs.size() == 1 && runs[0].negative_directions == 0 &&
+         runs[0].from < runs[0].to;
+}
+
+PathCertificate certify(const Chain<Interval>& chain, const Loading<Interval>& loading,
+                        const Branch<double>& branch, double gap) {
+  return Prover(chain, loading).run(branch, gap);
+}
+
+}  // namespace plumbline

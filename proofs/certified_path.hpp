@@ -1,0 +1,56 @@
+#pragma once
+/// \file
+/// Whether a path of equilibria that was followed in double precision is there: proved by interval
+/// arithmetic.
+///
+/// Between consecutive points, halved where need be, a tube (regular_tube.hpp) is proved to hold one smooth
+/// curve of equilibria, and at every point a small box is proved to lie in both tubes that meet there and to
+/// hold one piece of curve across both their planes. So all of them together are one analytic curve, without
+/// gap or jump, and no other branch crosses it.
+///
+/// Along it the energy's Hessian, in the sense of the control, is singular exactly where the load turns: the
+/// bordered matrix of the tube is regular, and by Cramer's rule the load's share of the tangent is the
+/// Hessian's determinant but for a factor without a zero. So the number of negative directions is constant
+/// between turns, and one point of each run proves it. Where the load's share of the tangent may vanish, the
+/// second derivative has one sign, and with the signs on both sides it decides between no turn and exactly
+/// one (a fold).
+
+#include <string>
+
+#include "proofs/span.hpp"
+
+#include <plumbline/trace.hpp>
+
+namespace plumbline {
+
+/// Part of the curve over which the load only grows, or only falls, from the one to the other.
+struct CertifiedRun {
+  double from, to;
+  std::size_t negative_directions;
+};
+
+struct PathCertificate {
+  std::vector<CertifiedRun> runs;  ///< in the order of the path
+  std::vector<Span> folds;         ///< loads: in each the load turns exactly once
+  std::vector<Span> gaps;  ///< loads around the bifurcations, where equilibria are not regular: not covered
+  std::optional<Span> failed_at;  ///< loads where the first tube, or its type, is not proved
+  std::string failure;            ///< why not
+  bool stiff = true;              ///< the tangent stiffness along the load is positive all along
+  std::size_t segments = 0;       ///< tubes
+  double tube = 0;                ///< widest, in radians: so far from the chord a link may point
+  double distance = 0;            ///< in radians: so near are the points to the curve
+
+  /// Whether everything is proved but what lies in the gaps.
+  [[nodiscard]] bool certified() const { return !failed_at; }
+  /// Certified without a gap, stable, and the load grows all along.
+  [[nodiscard]] bool regular() const;
+};
+
+/// Proves what it can of a branch.
+/// \param chain, loading  what the branch was followed with, enclosed
+/// \param gap  distance from a bifurcation on either side, in radians (root mean square turn of the links),
+///             that is left out
+PathCertificate certify(const Chain<Interval>& chain, const Loading<Interval>& loading,
+                        const Branch<double>& branch, double gap = 1e-5);
+
+}  // namespace plumbline

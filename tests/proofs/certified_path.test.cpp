@@ -1,0 +1,329 @@
+#include "proofs/certified_path.hpp"
+
+#include <doctest/doctest.h>
+
+#include <plumbline/branch_tree.hpp>
+#include <plumbline/slow_loading.hpp>
+#include <random>
+
+#include "proofs/census.hpp"
+#include "proofs/inertia.hpp"
+#include "proofs/located_event.hpp"
+#include "proofs/regular_tube.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+using Nominal = NominalModel<double>;
+
+double middle(const Interval& x) {
+  return static_cast<double>(x.middle());
+}
+Interval decimal(int digits, int unit) {
+  return Interval(Rational(digits, unit));
+}
+
+/// A chain under a loading, enclosed and in double precision.
+struct Loaded {
+  Chain<Interval> chain;
+  Loading<Interval> loading;
+  Nominal model;
+  Vector<double> shape;
+  Brancher<Nominal> brancher;
+
+  Loaded(Chain<Interval> chain_, Loading<Interval> loading_, const std::vector<double>& q)
+      : chain(std::move(chain_)),
+        loading(std::move(loading_)),
+        model(convert<double>(chain, middle)),
+        shape(absolute_angles(q)),
+        brancher(model,
+                 {loading.control,
+                  {middle(loading.start.x), middle(loading.start.y)},
+                  {middle(loading.direction.x), middle(loading.direction.y)}},
+                 shape) {}
+  Loaded(const Loaded&) = delete;
+  Loaded& operator=(const Loaded&) = delete;
+
+  Branch<double> follow(double to) {
+    return Tracer<Nominal>(brancher, {0, to}).run(brancher.start(0, shape));
+  }
+  [[nodiscard]] PathCertificate certificate(const Branch<double>& branch) const {
+    return certify(chain, loading, branch);
+  }
+};
+
+std::vector<double> rest_of(const Chain<Interval>& chain) {
+  std::vector<double> q;
+  for (const Interval& angle : chain.rest()) q.push_back(middle(angle));
+  return q;
+}
+
+/// Pushed along -x from its unloaded shape.
+Loaded compressed(const Chain<Interval>& chain) {
+  return {chain,
+          {Control::end_point, end_point(chain, chain.rest()), {Interval(-1), Interval(0)}},
+          rest_of(chain)};
+}
+
+Loaded z_chain() {
+  return {Chain<Interval>(
+              {1, 1, 1, 1}, {1, 1, 1, 1},
+              {decimal(-2417, 10000), decimal(6821, 10000), decimal(-7958, 10000), decimal(517, 1000)}),
+          {Control::end_point, {decimal(38, 10), Interval(0)}, {Interval(-1), Interval(0)}},
+          {-0.2417, 0.6821, -0.7958, 0.5170}};
+}
+
+/// The zigzag with a passive base of Fig. 8, its end point on the x axis; off the symmetric one by an angle.
+Loaded zigzag(double off) {
+  const Interval angle = Interval::pi() / Interval(10), first = angle + Interval::from_double(off);
+  const Chain<Interval> chain({1, 1, 1}, {0, 1, 1}, {0, first, -angle});
+  const Point<Interval> p = end_point(chain, chain.rest());
+  std::vector<double> q = rest_of(chain);
+  q[0] = -std::atan2(middle(p.y), middle(p.x));
+  return {
+      chain, {Control::end_point, {sqrt(sqr(p.x) + sqr(p.y)), Interval(0)}, {Interval(-1), Interval(0)}}, q};
+}
+
+/// One unit link under the compression 6/5, pushed aside.
+Loaded one_link() {
+  return {Chain<Interval>({1}, {1}),
+          {Control::force, {decimal(-6, 5), Interval(0)}, {Interval(0), Interval(-1)}},
+          {1}};
+}
+
+constexpr double critical = 0.040735331464751;  // of the symmetric zigzag; see tests/core/trace.test.cpp
+
+}  // namespace
+
+TEST_CASE("the number of negative eigenvalues is certain or not given") {
+  Matrix<Span> K = Matrix<Span>::Constant(3, 3, Span(1));
+  K(0, 0) = Span(2);
+  K(1, 1) = Span(-1);
+  K(2, 2) = Span(3);
+  // determinant 2 (-3 - 1) - (3 - 1) + (1 + 1) = -8: one eigenvalue is negative or three are; the trace is 4
+  CHECK(negative_eigenvalues(K) == 1);
+  K(2, 2) = Span(0, 3);  // with 0: determinant 2 (0 - 1) - (0 - 1) + 2 = 1, so there are two or none
+  CHECK_FALSE(negative_eigenvalues(K));
+  CHECK_FALSE(negative_eigenvalues(Matrix<Span>::Constant(2, 2, Span(1))));
+}
+
+TEST_CASE("a tube holds the branch to fifty digits, and its tangent") {
+  Loaded z = z_chain();
+  const Branch<double> branch = z.follow(1);
+  BranchEquations equations(z.chain, z.loading);
+  const auto exact = [](const Interval& x) { return x.middle(); };
+  const auto chain = convert<Located>(z.chain, exact);
+  const Loading<Located> loading{
+      Control::end_point, {exact(z.loading.start.x), Located(0)}, {Located(-1), Located(0)}};
+  for (std::size_t i = 1; i < branch.points.size(); ++i) {
+    const BranchPoint<double>&a = branch.points[i - 1], &b = branch.points[i];
+    CAPTURE(a.load);
+    const Vector<Span> from = equations.at(a), to = equations.at(b);
+    Vector<Span> normal = to - from;
+    normal(4) = normal(5) = Span(0);  // a plane without the force
+    for (Span& x : normal) x = Span(x.middle());
+    const auto tube = tube_along(equations, from, to, normal);
+    if (i < 3) REQUIRE(tube);
+    if (!tube) continue;
+    const Vector<Span> directions = tangent(*tube);
+    for (const double share : {0.0, 0.3, 0.7, 1.0}) {
+      const Located load = Located(a.load) + Located(share) * (Located(b.load) - Located(a.load));
+      const BranchPoint<Located> point = locate_at(chain, loading, share < 0.5 ? a : b, load);
+      const auto unknowns = [](const auto& theta, const auto& force, const auto& l) {
+        Vector<Located> u(7);
+        u << theta.template cast<Located>(), Located(force.x), Located(force.y), Located(l);
+        return u;
+      };
+      const Vector<Located> u = unknowns(point.theta, point.force, point.load),
+                            first = unknowns(a.theta, a.force, a.load),
+                            chord = unknowns(b.theta, b.force, b.load) - first,
+                            t = unknowns(point.tangent.theta, point.tangent.force, point.tangent.load);
+      Vector<Located> n(7);
+      for (Eigen::Index j = 0; j < 7; ++j) n(j) = Located(normal(j).low);
+      const Located s = n.dot(u - first) / n.dot(chord);
+      if (s < 0 || s > 1) continue;
+      const Vector<Located> off = u - first - s * chord;
+      for (Eigen::Index j = 0; j < 7; ++j) {
+        CHECK(abs(off(j)) <= Located(tube->image(j)));
+        const Located slope = t(j) / n.dot(t);
+        CHECK(Located(directions(j).low) <= slope);
+        CHECK(slope <= Located(directions(j).high));
+      }
+    }
+  }
+}
+
+TEST_CASE("paths without an event are one smooth stable branch") {
+  const auto regular = [](Loaded loaded, double to) {
+    const Branch<double> branch = loaded.follow(to);
+    REQUIRE(branch.end == BranchEnd::load);
+    const PathCertificate proved = loaded.certificate(branch);
+    CAPTURE(proved.failure);
+    CHECK(proved.regular());
+    CHECK(proved.runs.at(0).from == 0);
+    CHECK(proved.runs.at(0).to == to);
+    CHECK(proved.segments + 1 >= branch.points.size());
+    CHECK(proved.distance < 1e-10);
+  };
+  regular(z_chain(), 1.5);
+  regular(zigzag(1e-3), 1);
+  regular(zigzag(-1e-6), 1);
+  regular(compressed(Chain<Interval>({1, 2}, {3, 1}, {decimal(3, 10), decimal(-8, 10)})), 1);
+  regular(compressed(Chain<Interval>(std::vector<Interval>(8, Interval(1)), {1, 2, 1, 2, 1, 2, 1, 2},
+                                     {decimal(1, 10), decimal(-2, 10), decimal(3, 10), decimal(-1, 10),
+                                      decimal(2, 10), decimal(1, 10), decimal(-3, 10), decimal(2, 10)})),
+          3);
+  const Chain<Interval> bent({1, 1, 1}, {1, 1, 1}, {decimal(1, 10), decimal(2, 10), decimal(1, 10)});
+  regular(
+      {bent, {Control::force, {Interval(0), Interval(0)}, {decimal(-8, 10), decimal(6, 10)}}, rest_of(bent)},
+      1);
+}
+
+TEST_CASE("a fold is enclosed, with the types on both sides") {
+  // as in tests/core/trace.test.cpp: load = (1.2 sin theta - theta) / cos theta turns where
+  // 1.2 - cos theta = theta sin theta
+  Loaded link = one_link();
+  const Branch<double> branch =
+      Tracer<Nominal>(link.brancher, {-2, 2}).run(link.brancher.start(0, link.shape));
+  const PathCertificate proved = link.certificate(branch);
+  CAPTURE(proved.failure);
+  REQUIRE(proved.certified());
+  REQUIRE(proved.folds.size() == 2);
+  REQUIRE(proved.runs.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(proved.runs[i].negative_directions == (i == 1 ? 1 : 0));
+  const double theta =
+      boost::math::tools::bisect([](double t) { return 1.2 - std::cos(t) - t * std::sin(t); }, 0.3, 1.2,
+                                 [](double a, double b) { return b - a < 1e-15; })
+          .first;
+  const double load = (1.2 * std::sin(theta) - theta) / std::cos(theta);
+  CHECK(proved.folds[0].contains(load));
+  CHECK(proved.folds[1].contains(-load));
+  CHECK_FALSE(proved.regular());
+
+  // a stretch of the slowly loaded chain ends in the fold: that it is one is proved, too
+  const auto history = load_slowly(link.brancher, link.brancher.start(0, link.shape), {-2, 2});
+  const PathCertificate snapped = link.certificate(history.at(0));
+  REQUIRE(snapped.certified());
+  REQUIRE(snapped.folds.size() == 1);
+  CHECK(snapped.folds[0].contains(load));
+  CHECK(snapped.runs.at(0).negative_directions == 0);
+  CHECK(snapped.runs.at(1).negative_directions == 1);
+  CHECK(link.certificate(history.at(1)).regular());
+}
+
+TEST_CASE("a bifurcation is left out, and said to be; without its event it is refused") {
+  Loaded exact = zigzag(0);
+  Branch<double> branch = exact.follow(1);
+  REQUIRE(branch.events.size() >= 1);
+  const PathCertificate proved = exact.certificate(branch);
+  CAPTURE(proved.failure);
+  REQUIRE(proved.certified());
+  CHECK_FALSE(proved.regular());
+  REQUIRE(proved.gaps.size() == 1);
+  CHECK(proved.gaps[0].contains(critical));
+  CHECK(proved.gaps[0].width() < 1e-4);
+  REQUIRE(proved.runs.size() == 2);
+  CHECK(proved.runs[0].negative_directions == 0);
+  CHECK(proved.runs[1].negative_directions == 1);
+
+  std::erase_if(branch.points,
+                [](const BranchPoint<double>& p) { return std::abs(p.load - critical) < 1e-9; });
+  branch.events.clear();
+  const PathCertificate refused = exact.certificate(branch);
+  REQUIRE(refused.failed_at);
+  CHECK(refused.failed_at->low < critical + 1e-6);
+  CHECK(refused.failed_at->high > critical - 1e-6);
+}
+
+TEST_CASE("points of two branches are not one") {
+  // just off symmetry two branches pass each other at a distance of about 1e-6^(1/3): the stable one bends
+  // away where the other, unstable, seems to go straight on
+  Loaded near = zigzag(1e-6), exact = zigzag(0);
+  const Branch<double> stable = near.follow(1), symmetric = exact.follow(1);
+  Branch<double> joined{{}, {}, BranchEnd::load};
+  for (const auto& point : stable.points) {
+    if (point.load < critical - 1e-4) joined.points.push_back(point);
+  }
+  REQUIRE(joined.points.size() > 3);
+  CHECK(near.certificate(joined).regular());
+  for (const auto& point : symmetric.points) {
+    if (point.load > critical + 1e-3)
+      joined.points.push_back(near.brancher.start(point.load, point.theta, point.force));
+  }
+  REQUIRE(joined.points.back().negative_directions == 1);
+  const PathCertificate refused = near.certificate(joined);
+  REQUIRE(refused.failed_at);
+  CHECK(refused.failed_at->low > critical - 1e-3);
+  CHECK(refused.failed_at->high < critical + 2e-3);
+
+  // the mirrored shape at the same load, at one point of the stable branch
+  Branch<double> jumping = stable;
+  BranchPoint<double>& moved = jumping.points[jumping.points.size() / 2];
+  const Vector<double> mirrored = moved.theta.reverse();  // turned by half a turn and read backwards
+  moved = near.brancher.start(moved.load, mirrored, moved.force);
+  REQUIRE((moved.theta - mirrored).cwiseAbs().maxCoeff() < 1e-3);
+  CHECK_FALSE(near.certificate(jumping).certified());
+}
+
+TEST_CASE("a point that was moved is found") {
+  Loaded z = z_chain();
+  for (const double by : {1e-5, 1e-3, 0.1}) {
+    Branch<double> branch = z.follow(1);
+    const std::size_t i = branch.points.size() / 2;
+    branch.points[i].theta(2) += by;
+    const PathCertificate proved = z.certificate(branch);
+    REQUIRE(proved.failed_at);
+    CHECK(proved.failed_at->low <= branch.points[i].load);
+    CHECK(proved.failed_at->high >= branch.points[i - 1].load);
+  }
+}
+
+TEST_CASE("where a certified path ends the census has the same equilibrium, of the same type") {
+  std::mt19937 random(17);
+  const auto thousandths = [&](std::size_t n, int low, int high) {
+    std::uniform_int_distribution<int> any(low, high);
+    std::vector<Interval> values;
+    for (std::size_t i = 0; i < n; ++i) values.push_back(decimal(any(random), 1000));
+    return values;
+  };
+  std::size_t ends = 0;
+  for (std::size_t trial = 0; trial < 16; ++trial) {
+    const std::size_t n = 2 + trial % 3;
+    auto stiffness = thousandths(n, 500, 2000);
+    if (trial % 4 == 3) stiffness[0] = Interval(0);
+    const Chain<Interval> chain(thousandths(n, 600, 1500), stiffness, thousandths(n, -900, 900));
+    const bool held = trial % 2 == 0 || trial % 4 == 3;
+    const Point<Interval> start =
+        held ? end_point(chain, chain.rest()) : Point<Interval>{Interval(0), Interval(0)};
+    const Loading<Interval> loading{
+        held ? Control::end_point : Control::force, start, {decimal(-3, 5), decimal(4, 5)}};
+    Loaded loaded(chain, loading, rest_of(chain));
+    const Branch<double> branch = loaded.follow(0.4);
+    const PathCertificate proved = loaded.certificate(branch);
+    CAPTURE(trial);
+    CAPTURE(proved.failure);
+    REQUIRE(proved.certified());
+    const BranchPoint<double>& last = branch.points.back();
+    if (branch.end != BranchEnd::load) continue;
+    const Interval load = Interval::from_double(last.load);
+    const Point<Interval> at = loading.at(load);
+    const Census census = held ? census_at_end_point(chain, at) : census_under_force(chain, at);
+    REQUIRE(census.complete());
+    std::size_t same = 0;
+    for (const auto& one : census.equilibria) {
+      double theta = 0, off = 0;
+      for (std::size_t j = 0; j < n; ++j) {
+        theta += middle(one.q[j]);
+        off = std::max(off,
+                       std::abs(std::remainder(theta - last.theta(static_cast<Eigen::Index>(j)), 2 * M_PI)));
+      }
+      if (off > proved.distance + 1e-12) continue;
+      ++same;
+      CHECK(one.negative_directions == proved.runs.back().negative_directions);
+    }
+    CHECK(same == 1);
+    ++ends;
+  }
+  CHECK(ends >= 12);
+}
