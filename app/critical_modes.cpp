@@ -6,16 +6,11 @@
 #include "proofs/decimal.hpp"
 #include "proofs/enclosure.hpp"
 #include "proofs/exact_count.hpp"
+#include "proofs/exactly.hpp"
 #include "proofs/working_precision.hpp"
 
 namespace plumbline {
 namespace {
-
-Rational exactly(const Mpfr& x) {
-  Rational result;
-  mpfr_get_q(result.backend().data(), x.backend().data());
-  return result;
-}
 
 /// The force rounded to nearest. Where its bounds do not settle that, it lies next to the number half-way
 /// between two decimals, or on it, and an exact count says on which side.

@@ -95,10 +95,7 @@ struct Options {
 };
 
 void write(const Figure& figure, const std::filesystem::path& path) {
-  const std::string svg = as_svg(figure.draw(), figure.columns);
-  OutputFile file(path);
-  file.write(svg);
-  file.commit();
+  write_text(path, as_svg(figure.draw(), figure.columns));
 }
 
 void run(const Options& options) {

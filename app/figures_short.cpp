@@ -217,9 +217,10 @@ std::vector<Panel> draw_figure_9() {
     for (const int elbow : {1, -1}) {
       Curve curve{{}, elbow > 0 ? 1 : 2, false, elbow > 0 ? "q_3 bends left" : "q_3 bends right", 1.6};
       const double widest = std::acos((x * x - 3) / (2 * x));  // links 2 and 3 stretched
-      for (double s = -pi / 2; s < pi / 2 + 0.01; s += 0.01) {
-        const double phi = widest * std::sin(std::min(s, pi / 2)), dx = x - std::cos(phi),
-                     dy = -std::sin(phi);
+      constexpr int steps = 315;
+      for (int step = 0; step <= steps; ++step) {
+        const double phi = widest * std::sin(pi * (static_cast<double>(step) / steps - 0.5)),
+                     dx = x - std::cos(phi), dy = -std::sin(phi);
         const double c = std::min(1.0, (dx * dx + dy * dy - 2) / 2), q3 = elbow * std::acos(c);
         const double q2 = std::remainder(std::atan2(dy, dx) - std::atan2(std::sin(q3), 1 + c) - phi, 2 * pi);
         curve.points.emplace_back(phi, (std::pow(q2 - pi / 10, 2) + std::pow(q3 + pi / 10, 2)) / 2);

@@ -27,8 +27,7 @@ template <class X, class Y>
 void add_curves(std::vector<Curve>& curves, const Branch<double>& branch, int colour, X x, Y y,
                 const std::string& title) {
   bool first = true;
-  for (std::size_t i = 0; i < branch.points.size(); ++i) {
-    const auto& point = branch.points[i];
+  for (const auto& point : branch.points) {
     const bool dashed = point.negative_directions > 0;
     if (first || curves.back().dashed != dashed) {
       Curve curve{{}, colour, dashed, first ? title : "", 1.6};

@@ -3,34 +3,14 @@
 #include <fmt/core.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <plumbline/error.hpp>
 
+#include "files/temporary_folder.hpp"
 #include "files/text_file.hpp"
 
 namespace plumbline {
 namespace {
-
-/// A folder that vanishes.
-class Scratch {
- public:
-  Scratch() {
-    std::string pattern = std::filesystem::temp_directory_path() / "plumbline-plot-XXXXXX";
-    if (mkdtemp(pattern.data()) == nullptr) throw Error(pattern, "no folder", "a place for gnuplot's script");
-    folder_ = pattern;
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-  [[nodiscard]] std::filesystem::path operator/(const char* name) const { return folder_ / name; }
-
- private:
-  std::filesystem::path folder_;
-};
 
 std::string quoted(const std::string& text) {
   std::string result = "\"";
@@ -107,9 +87,9 @@ std::string as_svg(const std::vector<Panel>& panels, std::size_t columns) {
       520 * columns, 400 * rows, rows, columns);
   for (const Panel& panel : panels) add_panel(script, panel);
   script += "unset multiplot\n";
-  const Scratch scratch;
+  const TemporaryFolder scratch;
   std::ofstream(scratch / "plot.gp") << script;
-  const std::string command = "cd '" + (scratch / "").string() + "' && gnuplot plot.gp 2>errors";
+  const std::string command = "cd '" + scratch.path().string() + "' && gnuplot plot.gp 2>errors";
   const int status = std::system(command.c_str());
   if (status != 0) {
     std::string why;

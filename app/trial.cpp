@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
+#include <optional>
 #include <plumbline/error.hpp>
 #include <thread>
 
 #include "app/progress.hpp"
 #include "app/secret_experiments.hpp"
 #include "app/verbs.hpp"
+#include "files/temporary_folder.hpp"
 #include "files/text_file.hpp"
 #include "trial/report.hpp"
 #include "trial/run_trial.hpp"
@@ -30,26 +31,18 @@ struct Options {
 /// while.
 class Place {
  public:
-  explicit Place(const std::string& wanted) : kept_(!wanted.empty()), folder_(wanted) {
-    if (!kept_) {
-      std::string pattern = (fs::temp_directory_path() / "plumbline-trial-XXXXXX").string();
-      if (mkdtemp(pattern.data()) == nullptr) throw Error(pattern, "a failure", "a new folder");
-      folder_ = pattern;
-    } else if (fs::exists(folder_) && !fs::is_empty(folder_)) {
-      throw Error(wanted, "something there already", "a new or an empty folder");
+  explicit Place(const fs::path& wanted) : folder_(wanted) {
+    if (wanted.empty()) {
+      folder_ = temporary_.emplace().path();
+    } else if (fs::exists(wanted) && !fs::is_empty(wanted)) {
+      throw Error(wanted.string(), "something there already", "a new or an empty folder");
     }
-    fs::create_directories(folder_);
-  }
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
-  ~Place() {
-    std::error_code ignored;
-    if (!kept_) fs::remove_all(folder_, ignored);
+    make_folder(folder_);
   }
   [[nodiscard]] const fs::path& folder() const { return folder_; }
 
  private:
-  bool kept_;
+  std::optional<TemporaryFolder> temporary_;
   fs::path folder_;
 };
 

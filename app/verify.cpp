@@ -23,7 +23,9 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
-bool with_colour() { return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr; }
+bool with_colour() {
+  return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+}
 
 /// The whole paper's, for the page.
 std::vector<DrawnFigure> draw_figures(const std::vector<Judged>& judged) {
@@ -37,26 +39,21 @@ std::vector<DrawnFigure> draw_figures(const std::vector<Judged>& judged) {
   return drawn;
 }
 
-void write(const std::string& path, const std::string& text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
-}
-
 void run(const Options& options) {
   const std::vector<Claim> claims = in_section(all_claims(), options.section);
   const bool one = !options.claim.empty();
   std::vector<Judged> judged = judge(one ? with_id(claims, options.claim) : claims, options.precision);
   if (options.chains > 0) {
     Progress progress("random chains", options.chains);
-    const SampledChains sampled = check_random_chains(options.chains, options.seed, [&] { progress.advance(); });
+    const SampledChains sampled =
+        check_random_chains(options.chains, options.seed, [&] { progress.advance(); });
     const std::vector<Judged> properties = judge_sampled(sampled, options.seed);
     judged.insert(judged.end(), properties.begin(), properties.end());
   }
-  if (!options.json.empty()) write(options.json, as_json(judged).dump(2) + "\n");
+  if (!options.json.empty()) write_text(options.json, as_json(judged).dump(2) + "\n");
   if (!options.html.empty()) {
     const bool whole = !one && options.section.empty();
-    write(options.html, as_html(judged, whole ? draw_figures(judged) : std::vector<DrawnFigure>{}));
+    write_text(options.html, as_html(judged, whole ? draw_figures(judged) : std::vector<DrawnFigure>{}));
   }
   if (options.json.empty() && options.html.empty())
     fmt::print("{}", one ? as_detail(judged.front(), with_colour()) : as_table(judged, with_colour()));
@@ -70,14 +67,16 @@ void run(const Options& options) {
 void add_verify(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("verify", "Every claim of the paper, judged, with the evidence");
   const auto options = std::make_shared<Options>();
-  verb->add_option("--section", options->section, "Only the claims of one section, such as 4.1")->type_name("S");
+  verb->add_option("--section", options->section, "Only the claims of one section, such as 4.1")
+      ->type_name("S");
   verb->add_option("--claim", options->claim, "Everything about one claim")
       ->type_name("ID")
       ->excludes("--section");
   verb->add_option("--precision", options->precision, "Significant digits of the values")
       ->capture_default_str()
       ->check(CLI::Range(1, 50));
-  verb->add_option("--chains", options->chains, "Check what is proved of every chain on so many random ones as well")
+  verb->add_option("--chains", options->chains,
+                   "Check what is proved of every chain on so many random ones as well")
       ->type_name("N")
       ->excludes("--claim");
   verb->add_option("--seed", options->seed, "Which random chains")->capture_default_str();
@@ -85,10 +84,12 @@ void add_verify(CLI::App& app) {
       ->type_name("[FILE]")
       ->expected(0, 1)
       ->default_str("-");
-  verb->add_option("--html", options->html, "Write the claims as a page, of the whole paper with its figures redrawn")
+  verb->add_option("--html", options->html,
+                   "Write the claims as a page, of the whole paper with its figures redrawn")
       ->type_name("FILE");
   verb->footer(
-      "A refuted claim of the paper is a finding, not a failure: the exit status is 1 only when a claim could not "
+      "A refuted claim of the paper is a finding, not a failure: the exit status is 1 only when a claim "
+      "could not "
       "be judged, two number types disagree, or a random chain contradicts a theorem.");
   verb->callback([options] { run(*options); });
 }

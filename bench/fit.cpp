@@ -6,13 +6,13 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "bench/race.hpp"
 #include "diagnose/fit.hpp"
+#include "files/temporary_folder.hpp"
 
 namespace plumbline::bench {
 namespace {
@@ -94,9 +94,8 @@ Json for_script(const Task& one) {
 }
 
 Json run_script(const std::vector<Task>& tasks) {
-  const auto folder = std::filesystem::temp_directory_path();
-  const std::string in = (folder / "bench-fit-in.json").string(),
-                    out = (folder / "bench-fit-out.json").string();
+  const TemporaryFolder folder;
+  const std::string in = folder / "in.json", out = folder / "out.json";
   Json all = Json::array();
   for (const Task& one : tasks) all.push_back(for_script(one));
   std::ofstream(in) << all;

@@ -103,10 +103,13 @@ Auto auto07p(const fs::path& folder) {
       << "NMX=1000000, NPR=0, MXBF=0, IID=0, ITMX=8, ITNW=5, NWTN=3, JAC=1\n"
       << fmt::format("EPSL={0}, EPSU={0}, EPSS=1e-6\n", tolerance)
       << "DS=0.0001, DSMIN=1e-9, DSMAX=0.0005, IADS=1\nNPAR=1, THL={}, THU={}, UZSTOP={1: 1.5}\n";
-  const double before = children_seconds();
-  run(fmt::format("cd {} && OMP_NUM_THREADS=1 ./chain > out 2> errors", folder.string()));
   Auto result;
-  result.all.seconds = children_seconds() - before;
+  for (int round = 0; round < 5; ++round) {
+    const double before = children_seconds();
+    run(fmt::format("cd {} && OMP_NUM_THREADS=1 ./chain > out 2> errors", folder.string()));
+    const double seconds = children_seconds() - before;
+    if (round == 0 || seconds < result.all.seconds) result.all.seconds = seconds;
+  }
   std::ifstream out(folder / "out");
   for (std::string line; std::getline(out, line);) {
     const std::size_t own = line.find("Total Time");
@@ -139,9 +142,8 @@ std::string row(const std::string& way, const Timed& timed, double ratio) {
                      ratio < 100 ? 1 : 0);
 }
 
-/// Two ways of the same path; the first counts as 1.
-std::string race(const std::string& way, const Timed& one, const std::string& other_way, const Timed& other) {
-  return row(way, one, 1) + row(other_way, other, other.per_point() / one.per_point());
+std::string reached(double ratio, double aim) {
+  return ratio >= aim ? "reached" : fmt::format("missed by a factor of {:.1f}", aim / ratio);
 }
 
 std::string report(const fs::path& folder) {
@@ -149,37 +151,48 @@ std::string report(const fs::path& folder) {
       "# Following a path, beside peers\n\n"
       "`build/bench/bench-path` writes this. The Z-chain of Table 1, end point held, from 0 to 1.5 L; "
       "processor time, one\n"
-      "thread; best of 15 runs for Plumbline, one run for the peers. The peers' last Newton increment is "
+      "thread; best of 15 runs for Plumbline, of 5 for the peers. The peers' last Newton increment is "
       "below "
       "{}; every\n"
       "point of Plumbline is an equilibrium to rounding (tests/core/branch_series.test.cpp).\n\n"
       "| way | points | µs a point | ratio |\n|---|---|---|---|\n",
       tolerance);
-  for (const double longest : {0.05, 0.01, 0.002}) {
-    text += race(fmt::format("Plumbline, points {} apart, types of all points and events", longest),
-                 ours(longest), "SciPy `root` at the same points, types from the projected Hessian",
-                 scipy(folder, longest));
+  std::vector<double> script_ratio;
+  std::vector<std::size_t> script_points;
+  for (const double longest : {0.05, 0.006, 0.001}) {
+    const Timed one = ours(longest), script = scipy(folder, longest);
+    script_ratio.push_back(script.per_point() / one.per_point());
+    script_points.push_back(one.points);
+    text += row(fmt::format("Plumbline, points {} apart, types of all points and events", longest), one, 1);
+    text +=
+        row("SciPy `root` at the same points, types from the projected Hessian", script, script_ratio.back());
   }
   const Auto peer = auto07p(folder);
   const double path = 1.24;  // its length in our measure, radians
-  const double spacing = path / static_cast<double>(peer.all.points);
-  text += race("Plumbline, as many points as AUTO-07p, types of all points and events", ours(spacing),
-               "AUTO-07p 0.9, fine steps, derivatives given, folds and branch points but no types", peer.all);
+  const Timed fine = ours(path / static_cast<double>(peer.all.points));
+  const double fine_ratio = peer.all.per_point() / fine.per_point();
+  text += row("Plumbline, as many points as AUTO-07p, types of all points and events", fine, 1);
+  text += row("AUTO-07p 0.9, fine steps, derivatives given, folds and branch points but no types", peer.all,
+              fine_ratio);
   text += fmt::format(
       "\nThe time that AUTO prints itself (elapsed, on a machine that may be busy) is {:.3g} s, {:.2f} µs a "
       "point. "
       "Fine steps\n"
       "favour it: its beginning and its output do not count, and a short step takes few iterations.\n\n"
-      "Aimed at are 300 times the speed of SciPy and 40 times that of AUTO-07p. Plumbline's work is in about "
-      "20 "
-      "strides, each\n"
-      "a power series of order 26 that is exact to rounding as far as the nearest singularity lets it; a "
-      "point on a "
-      "stride\n"
-      "is one evaluation of the series. So the ratio grows with the number of points, up to that of a point "
-      "alone.\n\n"
+      "Aimed at are 300 times the speed of SciPy and 40 times that of AUTO-07p, per point. Plumbline's work "
+      "is in "
+      "16 strides,\n"
+      "each a power series of order 30 that is exact to rounding as far as the nearest singularity lets it; "
+      "a point "
+      "on a stride\n"
+      "is one evaluation of the series. So the ratios grow with the number of points. Beside a script that "
+      "takes {} "
+      "steps the\n"
+      "aim is {}; with {} points (the default of `path`) it is {}. Beside AUTO-07p it is {}.\n\n"
       "| links n | µs a point | ns a point and link |\n|---|---|---|\n",
-      peer.own, 1e6 * peer.own / static_cast<double>(peer.all.points));
+      peer.own, 1e6 * peer.own / static_cast<double>(peer.all.points), script_points[1],
+      reached(script_ratio[1], 300), script_points[0], reached(script_ratio[0], 300),
+      reached(fine_ratio, 40));
   for (const std::size_t n : {4U, 10U, 100U, 1000U, 10000U, 100000U}) {
     const double each = long_chain(n);
     text += fmt::format("| {} | {:.2f} | {:.1f} |\n", n, each, 1000 * each / static_cast<double>(n));

@@ -2,7 +2,7 @@
 """The force-deflection curve of a chain as one computes it with SciPy: root finding at every deflection, from the point
 before, and the stability of every point from the Hessian on the tangent space of the constraint.
 
-Reads on standard input what bench-path writes, and writes processor seconds and the forces as JSON.
+Reads on standard input what bench-path writes, and writes processor seconds (the best of five runs) and the forces as JSON.
 """
 import json
 import sys
@@ -37,11 +37,14 @@ def negative_directions(unknown, length, k):
 
 task = json.load(sys.stdin)
 length, k, rest = (np.array(task[name]) for name in ("length", "stiffness", "rest"))
-start = time.process_time()
-unknown = np.concatenate([rest, [0.0, 0.0]])
-forces, unstable = [], 0
-for x, y in zip(task["x"], task["y"]):
-    unknown = root(residual, unknown, args=(length, k, rest, (x, y)), tol=task["tolerance"]).x
-    unstable += negative_directions(unknown, length, k)
-    forces.append(unknown[-2])
-json.dump({"seconds": time.process_time() - start, "unstable": unstable, "Fx": forces}, sys.stdout)
+seconds = []
+for _ in range(5):
+    start = time.process_time()
+    unknown = np.concatenate([rest, [0.0, 0.0]])
+    forces, unstable = [], 0
+    for x, y in zip(task["x"], task["y"]):
+        unknown = root(residual, unknown, args=(length, k, rest, (x, y)), tol=task["tolerance"]).x
+        unstable += negative_directions(unknown, length, k)
+        forces.append(unknown[-2])
+    seconds.append(time.process_time() - start)
+json.dump({"seconds": min(seconds), "unstable": unstable, "Fx": forces}, sys.stdout)

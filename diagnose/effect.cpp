@@ -274,6 +274,21 @@ std::vector<ParameterRange> parameter_ranges(const Experiment& experiment, const
   return all;
 }
 
+Instance part(const Candidate& candidate, const std::vector<double>& parameters,
+              const std::function<bool(const EffectAt&)>& stays) {
+  Instance left;
+  auto value = parameters.begin();
+  for (const EffectAt& at : candidate.effects) {
+    const auto next = value + static_cast<std::ptrdiff_t>(entry(at.effect).coordinates.size());
+    if (stays(at)) {
+      left.candidate.effects.push_back(at);
+      left.parameters.insert(left.parameters.end(), value, next);
+    }
+    value = next;
+  }
+  return left;
+}
+
 double catalogue_value(Coordinate coordinate, double fitted) {
   switch (coordinate) {
     case Coordinate::logarithm:

@@ -3,6 +3,7 @@
 /// The effect catalogue as data: what each effect is called, where it can sit, what parameters it has, where
 /// it enters the rig.
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -74,6 +75,16 @@ bool sits_at_joint(EffectId effect);
 /// The parameters of one effect and of a candidate.
 std::vector<ParameterRange> parameter_ranges(const Experiment& experiment, const EffectAt& at);
 std::vector<ParameterRange> parameter_ranges(const Experiment& experiment, const Candidate& candidate);
+
+/// A candidate and its fitted coordinates.
+struct Instance {
+  Candidate candidate;
+  std::vector<double> parameters;
+};
+
+/// What is left of a candidate of which only some effects stay.
+Instance part(const Candidate& candidate, const std::vector<double>& parameters,
+              const std::function<bool(const EffectAt&)>& stays);
 
 /// The value in the catalogue's units of a fitted coordinate, and back.
 double catalogue_value(Coordinate coordinate, double fitted);

@@ -1,6 +1,7 @@
 #include "diagnose/fit.hpp"
 
 #include <ceres/ceres.h>
+#include <glog/logging.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -141,6 +142,7 @@ bool minimise(Problem& problem, const std::vector<std::size_t>& free, double out
               std::vector<double>& parameters) {
   if (!problem.evaluate(parameters) || free.empty()) return problem.reached();
   std::vector<double> scaled;
+  scaled.reserve(free.size());
   for (const std::size_t p : free) scaled.push_back(parameters[p] / problem.ranges()[p].scale);
   auto* cost = new Scaled(problem, parameters, free, outlier_bound, values);  // Ceres takes it over
   ceres::Problem least_squares;
@@ -153,6 +155,8 @@ bool minimise(Problem& problem, const std::vector<std::size_t>& free, double out
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
+  // What fails stands in the summary; Ceres's warnings, silent or not, would go to standard error.
+  FLAGS_minloglevel = google::GLOG_FATAL;
   options.max_num_iterations = 30;
   options.function_tolerance = 1e-5;
   options.parameter_tolerance = 1e-7;

@@ -39,8 +39,8 @@ struct Traveller {
     return read;
   }
 
-  [[nodiscard]] Interval interval(double dt) const {
-    Interval result;
+  [[nodiscard]] TimeStep interval(double dt) const {
+    TimeStep result;
     result.relaxed = false;
     if (on.rig.arm_ratio != 0 && dt > 0) {
       const double ratio = dt / on.rig.relaxation;
@@ -50,7 +50,7 @@ struct Traveller {
     return result;
   }
 
-  void remember(const Layout& layout, const Interval& during) {
+  void remember(const Layout& layout, const TimeStep& during) {
     for (std::size_t i = 0; i < memory.size(); ++i) {
       const double q = layout.joint_angle(posture, i);
       const JointMemory last = memory[i];
@@ -148,7 +148,7 @@ class RunWalk {
     const Reading& reading = run_.readings[r];
     const double dt = moved_ ? reading.t - last_time_ : 0;
     if (moved_ && reading.x != last_x_) direction_ = reading.x > last_x_ ? 1 : -1;
-    const auto during = [&](const Traveller& rig) { return moved_ ? rig.interval(dt) : Interval{}; };
+    const auto during = [&](const Traveller& rig) { return moved_ ? rig.interval(dt) : TimeStep{}; };
     const Imposed target = main_.imposed(run_, reading);
     const Posture guess = extrapolated(target);
     last_posture_ = main_.posture;

@@ -113,6 +113,7 @@ std::vector<JointShare> shares_by_torque_law(const Experiment& experiment, const
   }
   const double best = *std::min_element(least.begin(), least.end());
   std::vector<double> weight;
+  weight.reserve(least.size());
   for (const double one : least) weight.push_back(one < none ? std::exp((best - one) / 2) : 0);
   return joint_shares(weight);
 }

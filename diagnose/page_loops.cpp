@@ -20,30 +20,6 @@ bool dissipates(EffectId effect) {
          effect == EffectId::viscoelasticity;
 }
 
-/// The explanation without its dissipating effects; nothing where it has none.
-struct Elastic {
-  Candidate candidate;
-  std::vector<double> parameters;
-  bool differs = false;
-};
-
-Elastic elastic_part(const Explained& explained) {
-  Elastic result;
-  if (explained.best == nullptr) return result;
-  auto value = explained.best->parameters.begin();
-  for (const EffectAt& at : explained.best->candidate.effects) {
-    const auto count = static_cast<std::ptrdiff_t>(parameter_ranges(explained.experiment, at).size());
-    if (dissipates(at.effect)) {
-      result.differs = true;
-    } else {
-      result.candidate.effects.push_back(at);
-      result.parameters.insert(result.parameters.end(), value, value + count);
-    }
-    value += count;
-  }
-  return result;
-}
-
 bool turns_back(const Explained& explained, std::size_t run) {
   const std::vector<Regime> regime = regimes(explained.experiment.runs[run], explained.nominal.runs[run]);
   return std::find(regime.begin(), regime.end(), Regime::unloading) != regime.end();
@@ -118,8 +94,10 @@ PageChart loop_at_joint(const Explained& explained, std::size_t joint, std::size
 }  // namespace
 
 std::vector<PageChart> loop_charts(const Explained& explained) {
-  const Elastic elastic = elastic_part(explained);
-  if (!elastic.differs) return {};
+  if (explained.best == nullptr) return {};
+  const Instance elastic = part(explained.best->candidate, explained.best->parameters,
+                                [](const EffectAt& at) { return !dissipates(at.effect); });
+  if (elastic.candidate == explained.best->candidate) return {};
   const Prediction base = predict(explained.experiment, elastic.candidate, elastic.parameters);
   if (!base.reached) return {};
   std::vector<PageChart> charts;

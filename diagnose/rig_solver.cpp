@@ -86,7 +86,7 @@ void RigSolver::apply(double share, Posture& posture) const {
   posture.force += share * force_step_;
 }
 
-bool RigSolver::settle_contacts(const RunRig& run, const Interval& interval,
+bool RigSolver::settle_contacts(const RunRig& run, const TimeStep& interval,
                                 const std::vector<JointMemory>& memory, bool all, Posture& posture) const {
   if (interval.relaxed || !equations_.layout.dry) return false;
   bool changed = false;
@@ -107,7 +107,7 @@ bool RigSolver::settle_contacts(const RunRig& run, const Interval& interval,
   return changed;
 }
 
-bool RigSolver::newton(const RunRig& run, const Imposed& imposed, const Interval& interval,
+bool RigSolver::newton(const RunRig& run, const Imposed& imposed, const TimeStep& interval,
                        const std::vector<JointMemory>& memory, Pace pace, Posture& posture) {
   if (imposed.control == ControlMode::force) posture.force = imposed.value;
   double allowed = largest_turn;
@@ -127,7 +127,7 @@ bool RigSolver::newton(const RunRig& run, const Imposed& imposed, const Interval
   return false;
 }
 
-bool RigSolver::descend(const RunRig& run, const Imposed& imposed, const Interval& interval,
+bool RigSolver::descend(const RunRig& run, const Imposed& imposed, const TimeStep& interval,
                         const std::vector<JointMemory>& memory, Posture& posture) {
   snapped_ = true;
   const double stiff = largest_stiffness(run);
@@ -161,7 +161,7 @@ bool RigSolver::descend(const RunRig& run, const Imposed& imposed, const Interva
 }
 
 bool RigSolver::follow(const RunRig& run, const Imposed& before, const Imposed& imposed,
-                       const Interval& interval, const std::vector<JointMemory>& memory, const Posture& guess,
+                       const TimeStep& interval, const std::vector<JointMemory>& memory, const Posture& guess,
                        Posture& posture) {
   snapped_ = false;
   const auto near = [&](const Posture& to) {
@@ -192,7 +192,7 @@ bool RigSolver::follow(const RunRig& run, const Imposed& before, const Imposed& 
   return true;
 }
 
-void RigSolver::settle(const RunRig& run, const Imposed& imposed, const Interval& interval,
+void RigSolver::settle(const RunRig& run, const Imposed& imposed, const TimeStep& interval,
                        const std::vector<JointMemory>& memory, const Posture& posture) {
   equations_.assemble(run, posture, memory, interval, false);
   solve(run, imposed, posture);
@@ -200,7 +200,7 @@ void RigSolver::settle(const RunRig& run, const Imposed& imposed, const Interval
   settled_force_step_ = force_step_;
 }
 
-Posture RigSolver::neighbour(const RunRig& run, const Imposed& imposed, const Interval& interval,
+Posture RigSolver::neighbour(const RunRig& run, const Imposed& imposed, const TimeStep& interval,
                              const std::vector<JointMemory>& memory, const Posture& posture) {
   Posture result = posture;
   if (imposed.control == ControlMode::force) result.force = imposed.value;

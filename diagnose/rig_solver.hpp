@@ -18,17 +18,17 @@ class RigSolver {
   /// under `before`.
   /// \param guess  where that may be; looked at first
   /// \returns false where there is none within reach; `posture` is then without meaning
-  bool follow(const RunRig& run, const Imposed& before, const Imposed& imposed, const Interval& interval,
+  bool follow(const RunRig& run, const Imposed& before, const Imposed& imposed, const TimeStep& interval,
               const std::vector<JointMemory>& memory, const Posture& guess, Posture& posture);
 
   /// Prepares neighbour() at the posture that follow() reached.
-  void settle(const RunRig& run, const Imposed& imposed, const Interval& interval,
+  void settle(const RunRig& run, const Imposed& imposed, const TimeStep& interval,
               const std::vector<JointMemory>& memory, const Posture& posture);
 
   /// One chord step with the factors of the last follow(): the posture of a rig that differs little from the
   /// one followed. What rounding leaves out of balance at the posture itself does not enter: a rig that does
   /// not differ in this run has the same posture, to the bit.
-  Posture neighbour(const RunRig& run, const Imposed& imposed, const Interval& interval,
+  Posture neighbour(const RunRig& run, const Imposed& imposed, const TimeStep& interval,
                     const std::vector<JointMemory>& memory, const Posture& posture);
 
   /// The end point of a posture.
@@ -40,9 +40,9 @@ class RigSolver {
  private:
   /// Careful: gives up where the steps do not shrink as they do along one branch.
   enum class Pace { careful, free };
-  bool newton(const RunRig& run, const Imposed& imposed, const Interval& interval,
+  bool newton(const RunRig& run, const Imposed& imposed, const TimeStep& interval,
               const std::vector<JointMemory>& memory, Pace pace, Posture& posture);
-  bool descend(const RunRig& run, const Imposed& imposed, const Interval& interval,
+  bool descend(const RunRig& run, const Imposed& imposed, const TimeStep& interval,
                const std::vector<JointMemory>& memory, Posture& posture);
   /// Factorises with `damping` times the joints' damping matrix added. \returns whether the tangent is that
   /// of a minimum on the constraint
@@ -52,7 +52,7 @@ class RigSolver {
   void apply(double share, Posture& posture) const;
   /// Brings the dry contacts in line with the posture, all of them or the first that is not. All at once
   /// is fast but can go in circles, one at a time does not (Murty's rule). \returns whether one changed
-  bool settle_contacts(const RunRig& run, const Interval& interval, const std::vector<JointMemory>& memory,
+  bool settle_contacts(const RunRig& run, const TimeStep& interval, const std::vector<JointMemory>& memory,
                        bool all, Posture& posture) const;
 
   Equations equations_;

@@ -76,26 +76,16 @@ class Searcher {
     constexpr std::size_t examined = 3;
     std::vector<Fit> fits;
     for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c)
-      for (std::size_t e = 0; e < combinations[c].candidate.effects.size(); ++e)
-        keep(fits, without_effect(combinations[c], e));
+      for (const EffectAt& left_out : combinations[c].candidate.effects)
+        keep(fits, without(combinations[c], left_out));
     return fits;
   }
 
  private:
-  [[nodiscard]] Fit without_effect(const Fit& combination, std::size_t left_out) const {
-    Candidate candidate;
-    std::vector<double> start;
-    std::size_t p = 0;
-    for (std::size_t e = 0; e < combination.candidate.effects.size(); ++e) {
-      const EffectAt& at = combination.candidate.effects[e];
-      const std::size_t count = parameter_ranges(experiment_, at).size();
-      if (e != left_out) {
-        candidate.effects.push_back(at);
-        for (std::size_t own = 0; own < count; ++own) start.push_back(combination.parameters[p + own]);
-      }
-      p += count;
-    }
-    return fit_from(experiment_, measurements_, candidate, {}, start);
+  [[nodiscard]] Fit without(const Fit& combination, const EffectAt& left_out) const {
+    const Instance rest = part(combination.candidate, combination.parameters,
+                               [&](const EffectAt& at) { return at != left_out; });
+    return fit_from(experiment_, measurements_, rest.candidate, {}, rest.parameters);
   }
 
   /// Keeps what converged, unless its parameters are too many for so few readings: three for each.

@@ -54,7 +54,7 @@ Equations::Equations(const Layout& unknowns)
       compliance(Eigen::Matrix2d::Zero()) {}
 
 void Equations::assemble(const RunRig& run, const Posture& posture, const std::vector<JointMemory>& memory,
-                         const Interval& interval, bool tangent) {
+                         const TimeStep& interval, bool tangent) {
   std::fill(residual.begin(), residual.end(), 0.0);
   end_point.setZero();
   if (tangent) {
@@ -82,7 +82,7 @@ void Equations::add_stiffness(std::size_t row, std::size_t column, double value)
 }
 
 void Equations::add_joints(const RunRig& run, const Posture& posture, const std::vector<JointMemory>& memory,
-                           const Interval& interval, bool tangent) {
+                           const TimeStep& interval, bool tangent) {
   for (std::size_t i = 0; i < layout.links; ++i) {
     const JointLaw& law = run.joint[i];
     const double q = layout.joint_angle(posture, i);

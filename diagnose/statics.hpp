@@ -35,8 +35,8 @@ struct RunRig {
   std::vector<Vector2> beyond;  ///< weight that link j carries at its middle but for its own half
 };
 
-/// The interval that ends with a reading: what history the joints follow in it.
-struct Interval {
+/// The time that ends with a reading: what history the joints follow in it.
+struct TimeStep {
   bool relaxed = true;  ///< slowly, and before the first reading: no friction, no Maxwell arm
   double decay = 1, gain = 1;
 };
@@ -68,7 +68,7 @@ struct Equations {
 
   /// Evaluates residual and end point; with `tangent` also the derivatives.
   void assemble(const RunRig& run, const Posture& posture, const std::vector<JointMemory>& memory,
-                const Interval& interval, bool tangent);
+                const TimeStep& interval, bool tangent);
 
   Layout layout;
   std::vector<double> residual;                ///< torque out of balance at each node
@@ -80,7 +80,7 @@ struct Equations {
 
  private:
   void add_joints(const RunRig& run, const Posture& posture, const std::vector<JointMemory>& memory,
-                  const Interval& interval, bool tangent);
+                  const TimeStep& interval, bool tangent);
   void add_coupling(const RunRig& run, const Posture& posture, bool tangent);
   void add_rigid_link(const RunRig& run, std::size_t link, const Posture& posture, bool tangent);
   void add_bending_link(const RunRig& run, std::size_t link, const Posture& posture, bool tangent);

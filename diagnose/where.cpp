@@ -96,6 +96,7 @@ std::string joint_evidence_words(JointEvidence evidence) {
 
 std::vector<JointShare> joint_shares(const std::vector<double>& weight) {
   std::vector<JointShare> shares;
+  shares.reserve(weight.size());
   for (const double w : weight) shares.push_back({shares.size() + 1, w});
   normalise(shares);
   std::stable_sort(shares.begin(), shares.end(),

@@ -71,4 +71,10 @@ void OutputFile::fail(const std::string& found) const {
   throw Error(path_ == "-" ? "standard output" : path_.string(), found, "a file that can be written");
 }
 
+void write_text(const fs::path& path, const std::string& text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
 }  // namespace plumbline

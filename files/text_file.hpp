@@ -40,4 +40,7 @@ class OutputFile {
   std::ofstream stream_;
 };
 
+/// A whole file at once. \throws Error as OutputFile does
+void write_text(const std::filesystem::path& path, const std::string& text);
+
 }  // namespace plumbline

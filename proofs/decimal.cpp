@@ -13,11 +13,6 @@ Integer power_of_ten(unsigned exponent) {
   return mp::pow(Integer(10), exponent);
 }
 
-Rational shifted(const Rational& x, int exponent) {
-  const Integer scale = power_of_ten(static_cast<unsigned>(exponent < 0 ? -exponent : exponent));
-  return exponent < 0 ? Rational(x / scale) : Rational(x * scale);
-}
-
 /// The integer nearest to a non-negative fraction, ties upwards.
 Integer nearest_integer(const Rational& x) {
   return (2 * mp::numerator(x) + mp::denominator(x)) / (2 * mp::denominator(x));
@@ -63,6 +58,11 @@ std::optional<Rational> parse_decimal(std::string_view text) {
   const Rational value =
       shifted(Rational(Integer(first == std::string::npos ? "0" : digits.substr(first))), exponent);
   return negative ? Rational(-value) : value;
+}
+
+Rational shifted(const Rational& x, int exponent) {
+  const Integer scale = power_of_ten(static_cast<unsigned>(exponent < 0 ? -exponent : exponent));
+  return exponent < 0 ? Rational(x / scale) : Rational(x * scale);
 }
 
 Rational unit_in_digit(const Rational& x, int digit) {

@@ -17,6 +17,9 @@ std::optional<Rational> parse_decimal(std::string_view text);
 /// for decimal exponents from -5 to `digits` and scientific notation otherwise. Exact zero is "0".
 std::string to_decimal(const Rational& x, int digits);
 
+/// x 10^exponent.
+Rational shifted(const Rational& x, int exponent);
+
 /// One unit in a significant digit (from 1) of x, which is not zero: 0.01 for the third digit of 9.87.
 Rational unit_in_digit(const Rational& x, int digit);
 

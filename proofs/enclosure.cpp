@@ -4,20 +4,12 @@
 #include <plumbline/critical_force.hpp>
 #include <string>
 
+#include "proofs/decimal.hpp"
 #include "proofs/exact_count.hpp"
 #include "proofs/working_precision.hpp"
 
 namespace plumbline {
 namespace {
-
-Integer power_of_ten(long exponent) {
-  return mp::pow(Integer(10), static_cast<unsigned>(exponent));
-}
-
-Rational decimal(const Integer& mantissa, long exponent) {
-  return exponent < 0 ? Rational(mantissa, power_of_ten(-exponent))
-                      : Rational(mantissa * power_of_ten(exponent));
-}
 
 /// Two units on either side of x in the digit after `kept` + `guard` significant ones, and whether the two
 /// ends round to the same decimal of `kept` digits.
@@ -30,12 +22,12 @@ Bounds bounds(const Real& x, int kept, int guard) {
   long exponent = 0;
   const auto digits = static_cast<std::size_t>(kept) + static_cast<std::size_t>(guard);
   char* const text = mpfr_get_str(nullptr, &exponent, 10, digits, x.backend().data(), MPFR_RNDN);
-  const Integer mantissa(text), tail = power_of_ten(guard);
+  const Integer mantissa(text), tail = mp::pow(Integer(10), static_cast<unsigned>(guard));
   mpfr_free_str(text);
   const Integer low = mantissa - 2, high = mantissa + 2;
   const auto rounded = [&](const Integer& m) { return Integer((m + tail / 2) / tail); };
-  const long place = exponent - static_cast<long>(digits);
-  return {decimal(low, place), decimal(high, place), rounded(low) == rounded(high)};
+  const int place = static_cast<int>(exponent) - kept - guard;
+  return {shifted(low, place), shifted(high, place), rounded(low) == rounded(high)};
 }
 
 /// Bounds on critical force number `index` from a value of so many digits, the last four of which rounding

@@ -1,10 +1,12 @@
 #include "proofs/expression.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <plumbline/error.hpp>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 namespace plumbline {
 namespace {
@@ -71,6 +73,61 @@ class HalfAngles : public GiNaC::map_function {
   std::map<ex, ex, GiNaC::ex_is_less> tangents_;
 };
 
+bool divides(const ex& factor) {
+  return GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::negative);
+}
+
+/// In brackets unless it binds closer than any operator.
+std::string operand(const ex& e) {
+  const bool closed = GiNaC::is_a<GiNaC::symbol>(e) || GiNaC::is_a<GiNaC::function>(e) ||
+                      e.info(GiNaC::info_flags::nonnegint);
+  return closed ? text(e) : "(" + text(e) + ")";
+}
+
+std::string factor_text(const ex& e) {
+  return GiNaC::is_a<GiNaC::power>(e) ? text(e) : operand(e);
+}
+
+std::string power_text(const ex& e) {
+  if (divides(e)) return "1/" + factor_text(1 / e);
+  const ex base = e.op(0), exponent = e.op(1);
+  if (exponent.is_equal(GiNaC::numeric(1, 2))) return "sqrt(" + text(base) + ")";
+  return operand(base) + "^" + operand(exponent);
+}
+
+std::string product_text(const ex& e) {
+  std::string number;
+  std::vector<std::string> factors, divisors;
+  for (const ex& factor : e) {
+    if (GiNaC::is_a<GiNaC::numeric>(factor))
+      number = text(factor);
+    else if (divides(factor))
+      divisors.push_back(factor_text(1 / factor));
+    else
+      factors.push_back(factor_text(factor));
+  }
+  std::sort(factors.begin(), factors.end());
+  std::sort(divisors.begin(), divisors.end());
+  const bool sign_alone = number == "-1" && !factors.empty();
+  if (!number.empty() && !sign_alone) factors.insert(factors.begin(), number);
+  if (factors.empty()) factors.emplace_back("1");
+  std::string result = sign_alone ? "-" : "";
+  for (std::size_t i = 0; i < factors.size(); ++i) result += (i > 0 ? "*" : "") + factors[i];
+  for (const std::string& divisor : divisors) result += "/" + divisor;
+  return result;
+}
+
+std::string sum_text(const ex& e) {
+  std::vector<std::string> terms;
+  for (const ex& term : e) terms.push_back(text(term));
+  const auto negative = [](const std::string& term) { return term[0] == '-'; };
+  std::sort(terms.begin(), terms.end());
+  std::stable_partition(terms.begin(), terms.end(), std::not_fn(negative));
+  std::string result;
+  for (const std::string& term : terms) result += (result.empty() || negative(term) ? "" : "+") + term;
+  return result;
+}
+
 }  // namespace
 
 Formulas::Formulas(const std::vector<std::string>& names) {
@@ -123,8 +180,14 @@ ex limit_at_zero(const ex& e, const ex& x) {
 }
 
 std::string text(const ex& e) {
+  if (GiNaC::is_a<GiNaC::add>(e)) return sum_text(e);
+  if (GiNaC::is_a<GiNaC::mul>(e)) return product_text(e);
+  if (GiNaC::is_a<GiNaC::power>(e)) return power_text(e);
   std::ostringstream out;
-  out << e;
+  if (GiNaC::is_a<GiNaC::function>(e) && e.nops() == 1)
+    out << GiNaC::ex_to<GiNaC::function>(e).get_name() << '(' << text(e.op(0)) << ')';
+  else
+    out << e;
   return out.str();
 }
 

@@ -48,7 +48,8 @@ GiNaC::ex limit_at_zero(const GiNaC::ex& e, const GiNaC::ex& x);
 /// The power of the lowest-order term of e in x around 0; `none` where no term up to that order is left.
 int leading_order(const GiNaC::ex& e, const GiNaC::ex& x, int none = 16);
 
-/// The expression as text.
+/// The expression as text that Formulas::parse reads. Terms and factors stand in an order of our own: that of
+/// GiNaC is another one at every run.
 std::string text(const GiNaC::ex& e);
 
 }  // namespace plumbline

@@ -62,19 +62,13 @@ std::string samples(const Readings& readings) {
   return text + "\n";
 }
 
-void write(const std::filesystem::path& path, const std::string& text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
-}
-
 }  // namespace
 
 void write_experiment(const Experiment& experiment, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   for (std::size_t r = 0; r < experiment.runs.size(); ++r)
-    write(folder / (experiment.plan.runs[r].id + ".csv"), samples(experiment.runs[r]));
-  write(folder / "experiment.toml", settings(experiment));
+    write_text(folder / (experiment.plan.runs[r].id + ".csv"), samples(experiment.runs[r]));
+  write_text(folder / "experiment.toml", settings(experiment));
 }
 
 }  // namespace plumbline::rig

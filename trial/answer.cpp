@@ -12,12 +12,8 @@ namespace {
 using Json = nlohmann::json;
 using Names = std::vector<std::string>;
 
-Names names(const Json& alternative) {
-  Names all;
-  if (!alternative.is_array()) return {alternative.get<std::string>()};
-  for (const auto& one : alternative)
-    all.push_back(one.is_string() ? one.get<std::string>() : one.at("id").get<std::string>());
-  return all;
+std::string parameter_key(const std::string& effect, const std::string& name) {
+  return fmt::format("{}/{}", effect, name);
 }
 
 std::string without_joint(const std::string& key) {
@@ -64,18 +60,18 @@ Report parsed(const Json& json) {
   const Json& cause = json.at("cause");
   report.verdict = cause.at("verdict");
   for (const Json& effect : cause.at("effects")) {
-    const Json& joint = effect.at("joint");
-    const std::string key = effect_key(effect.at("id"), joint.is_number() ? joint.get<std::size_t>() : 0);
+    const std::string key = effect_key(effect);
     report.effects.push_back(key);
     for (const auto& [name, value] : effect.at("parameters").items()) {
       if (!value.at("low").is_number() || !value.at("high").is_number()) continue;
       const auto [low, high] = std::minmax({value["low"].get<double>(), value["high"].get<double>()});
-      report.bounds[key + "/" + name] = {low, high};
+      report.bounds[parameter_key(key, name)] = {low, high};
     }
   }
-  for (const Json& alternative : cause.at("equivalent")) report.equivalent.push_back(names(alternative));
+  for (const Json& alternative : cause.at("equivalent"))
+    report.equivalent.push_back(effect_keys(alternative));
   for (const Json& one : cause.at("ranking"))
-    report.ranking.push_back({names(one.at("effects")), one.at("probability")});
+    report.ranking.push_back({effect_keys(one.at("effects")), one.at("probability")});
   const Json& where = json.at("where");
   report.joint = largest<std::size_t>(where.at("joints"), "joint");
   report.channel = largest<std::string>(where.at("channels"), "channel").value_or("");
@@ -136,7 +132,7 @@ std::optional<bool> place_right(const Label& label, const Report& report) {
 void judge_parameters(const Label& label, const Report& report, Judgement& judgement) {
   for (const TrueEffect& effect : label.effects) {
     for (const auto& [name, value] : effect.parameters) {
-      const std::string key = effect_key(effect.id, effect.joint) + "/" + name;
+      const std::string key = parameter_key(effect_key(effect.id, effect.joint), name);
       const auto bounds = report.bounds.find(key);
       if (bounds != report.bounds.end())
         judgement.covered.emplace_back(key, bounds->second.low <= value && value <= bounds->second.high);

@@ -7,38 +7,19 @@
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <csignal>
 #include <cstring>
 #include <fstream>
 #include <plumbline/error.hpp>
 #include <thread>
 
+#include "files/temporary_folder.hpp"
+
 namespace plumbline::trial {
 namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-/// A folder that goes away with its owner.
-class Chamber {
- public:
-  Chamber() {
-    std::string pattern = (fs::temp_directory_path() / "plumbline-diagnosis-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw Error(pattern, std::strerror(errno), "a new folder");
-    folder_ = pattern;
-  }
-  Chamber(const Chamber&) = delete;
-  Chamber& operator=(const Chamber&) = delete;
-  ~Chamber() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-  [[nodiscard]] fs::path operator/(const char* name) const { return folder_ / name; }
-
- private:
-  fs::path folder_;
-};
 
 void copy_experiment(const fs::path& from, const fs::path& to) {
   fs::create_directory(to);
@@ -85,7 +66,7 @@ std::string wait_for(pid_t process, std::chrono::duration<double> patience) {
 
 Diagnosed diagnose_alone(const fs::path& executable, const fs::path& experiment, const fs::path& report,
                          std::chrono::duration<double> patience) {
-  const Chamber chamber;
+  const TemporaryFolder chamber;
   copy_experiment(experiment, chamber / "experiment");
   const auto begin = Clock::now();
   const pid_t process = start(executable, chamber / "experiment", report, chamber / "complaints");

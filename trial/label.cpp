@@ -5,23 +5,16 @@
 namespace plumbline::trial {
 namespace {
 
-/// An alternative is a list of effects, each a name or an object with id and joint.
-std::vector<std::string> names(const nlohmann::json& alternative) {
-  const auto name = [](const nlohmann::json& one) {
-    if (one.is_string()) return one.get<std::string>();
-    const nlohmann::json joint = one.value("joint", nlohmann::json());
-    return effect_key(one.at("id"), joint.is_number() ? joint.get<std::size_t>() : 0);
-  };
-  if (!alternative.is_array()) return {name(alternative)};
-  std::vector<std::string> all;
-  for (const auto& one : alternative) all.push_back(name(one));
-  return all;
+/// Counted from 1; 0 where there is none, or null.
+std::size_t joint_of(const nlohmann::json& effect) {
+  const nlohmann::json joint = effect.value("joint", nlohmann::json());
+  return joint.is_null() ? 0 : joint.get<std::size_t>();
 }
 
 TrueEffect effect_from(const nlohmann::json& json) {
   TrueEffect effect;
   effect.id = json.at("id");
-  if (json.contains("joint") && !json["joint"].is_null()) effect.joint = json["joint"];
+  effect.joint = joint_of(json);
   if (json.contains("parameters"))
     for (const auto& [name, value] : json["parameters"].items()) effect.parameters.emplace_back(name, value);
   effect.strength = json.value("strength_sigma", 0.0);
@@ -32,6 +25,17 @@ TrueEffect effect_from(const nlohmann::json& json) {
 
 std::string effect_key(const std::string& id, std::size_t joint) {
   return joint > 0 ? id + "(" + std::to_string(joint) + ")" : id;
+}
+
+std::string effect_key(const nlohmann::json& effect) {
+  return effect.is_string() ? effect.get<std::string>() : effect_key(effect.at("id"), joint_of(effect));
+}
+
+std::vector<std::string> effect_keys(const nlohmann::json& effects) {
+  if (!effects.is_array()) return {effect_key(effects)};
+  std::vector<std::string> keys;
+  for (const nlohmann::json& effect : effects) keys.push_back(effect_key(effect));
+  return keys;
 }
 
 bool outside_catalogue(const Label& label) {
@@ -65,7 +69,7 @@ Label label_from(const nlohmann::json& json, const std::string& source) {
     label.name = json.value("name", "");
     for (const auto& effect : json.at("effects")) label.effects.push_back(effect_from(effect));
     for (const auto& alternative : json.value("equivalent", nlohmann::json::array()))
-      label.equivalent.push_back(names(alternative));
+      label.equivalent.push_back(effect_keys(alternative));
     label.strength = json.value("strength_sigma", 0.0);
     label.noise = json.value("noise", "");
     label.noise_scale = json.value("noise_scale", json.value("noise_factor", 1.0));

@@ -30,6 +30,10 @@ struct Label {
 
 /// "id" or "id(joint)".
 std::string effect_key(const std::string& id, std::size_t joint);
+/// The key of an effect in JSON, where it is its key or an object with "id" and "joint"; the keys of a list
+/// of them, or of one alone. \throws nlohmann::json::exception for anything else
+std::string effect_key(const nlohmann::json& effect);
+std::vector<std::string> effect_keys(const nlohmann::json& effects);
 
 /// Whether the one effect is in no catalogue.
 bool outside_catalogue(const Label& label);

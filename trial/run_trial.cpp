@@ -1,10 +1,8 @@
 #include "trial/run_trial.hpp"
 
-#include <atomic>
-#include <mutex>
-#include <plumbline/error.hpp>
-#include <thread>
+#include <plumbline/parallel.hpp>
 
+#include "files/json_file.hpp"
 #include "files/text_file.hpp"
 
 namespace plumbline::trial {
@@ -14,8 +12,9 @@ Judgement judgement_of(const Label& label, const std::filesystem::path& report, 
   Judgement none;
   none.said = diagnosed.failure;
   if (!diagnosed.failure.empty()) return none;
+  const std::string name = report.filename().string();
   try {
-    return judge(label, report_from(nlohmann::json::parse(read_text(report)), report.filename().string()));
+    return judge(label, report_from(parse_json(read_text(report), name), name));
   } catch (const std::exception& error) {  // no JSON, or not that of a report
     none.said = error.what();
     return none;
@@ -30,26 +29,11 @@ AllDiagnosed diagnose_all(const SealedFolder& folder, const std::filesystem::pat
   std::filesystem::create_directories(reports);
   const std::vector<std::string>& names = folder.names();
   AllDiagnosed all(names.size());
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr failure;
-  std::mutex failing;
-  const auto work = [&] {
-    try {
-      for (std::size_t i = next++; i < names.size(); i = next++) {
-        all[i] =
-            diagnose_alone(executable, folder.experiment(names[i]), reports / (names[i] + ".json"), patience);
-        advance();
-      }
-    } catch (...) {
-      const std::scoped_lock lock(failing);
-      failure = std::current_exception();
-    }
-  };
-  {
-    std::vector<std::jthread> workers;
-    for (unsigned w = 0; w < processes; ++w) workers.emplace_back(work);
-  }
-  if (failure) std::rethrow_exception(failure);
+  in_parallel(names.size(), processes, [&](std::size_t i) {
+    all[i] =
+        diagnose_alone(executable, folder.experiment(names[i]), reports / (names[i] + ".json"), patience);
+    advance();
+  });
   return all;
 }
 

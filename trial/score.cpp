@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <plumbline/error.hpp>
 
@@ -51,6 +52,14 @@ std::string said_best(const Case& one) {
 }
 
 /// First what has no effect, then single effects by name, two at once, outside the catalogue.
+/// The rows in the order of their keys.
+std::vector<Row> in_order(std::map<std::string, Row> by_key) {
+  std::vector<Row> rows;
+  rows.reserve(by_key.size());
+  for (auto& [key, row] : by_key) rows.push_back(std::move(row));
+  return rows;
+}
+
 std::vector<Row> rows_by_truth(const std::vector<Case>& cases) {
   std::map<std::string, Row> kinds;
   for (const Case& one : cases) {
@@ -61,9 +70,7 @@ std::vector<Row> rows_by_truth(const std::vector<Case>& cases) {
     row.name = outside_catalogue(one.label) ? "outside the catalogue" : kind;
     count(row, one);
   }
-  std::vector<Row> rows;
-  for (auto& [key, row] : kinds) rows.push_back(std::move(row));
-  return rows;
+  return in_order(std::move(kinds));
 }
 
 std::vector<Row> rows_by_noise(const std::vector<Case>& cases) {
@@ -74,16 +81,14 @@ std::vector<Row> rows_by_noise(const std::vector<Case>& cases) {
     row.name = one.label.noise;
     count(row, one);
   }
-  std::vector<Row> rows;
-  for (auto& [key, row] : kinds) rows.push_back(std::move(row));
-  return rows;
+  return in_order(std::move(kinds));
 }
 
 Spread spread(std::vector<double> values) {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());
   const auto at = [&](double share) {
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5)];
+    return values[static_cast<std::size_t>(std::lround(share * static_cast<double>(values.size() - 1)))];
   };
   return {at(0.5), at(0.9), values.back()};
 }

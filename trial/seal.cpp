@@ -6,6 +6,7 @@
 #include <array>
 #include <plumbline/error.hpp>
 
+#include "files/json_file.hpp"
 #include "files/sha256.hpp"
 #include "files/text_file.hpp"
 
@@ -14,12 +15,8 @@ namespace {
 
 constexpr const char* format = "experiment-seals/1";
 
-nlohmann::json parsed(const std::filesystem::path& path) {
-  try {
-    return nlohmann::json::parse(read_text(path));
-  } catch (const nlohmann::json::exception& error) {
-    throw Error(path.string(), error.what(), "JSON");
-  }
+nlohmann::json json_in(const std::filesystem::path& path) {
+  return parse_json(read_text(path), path.string());
 }
 
 }  // namespace
@@ -40,7 +37,7 @@ std::string seals_text(const Seals& seals) {
 }
 
 Seals read_seals(const std::filesystem::path& path) {
-  const nlohmann::json file = parsed(path);
+  const nlohmann::json file = json_in(path);
   if (!file.is_object() || file.value("format", "") != format || !file.contains("seals"))
     throw Error(path.string(), "no seals",
                 std::string("an object with \"format\": \"") + format + "\" and \"seals\"");
@@ -56,7 +53,7 @@ std::string envelope_text(const Envelope& envelope) {
 }
 
 Envelope read_envelope(const std::filesystem::path& path) {
-  const nlohmann::json file = parsed(path);
+  const nlohmann::json file = json_in(path);
   try {
     return {file.at("salt"), file.at("label")};
   } catch (const nlohmann::json::exception& error) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <plumbline/error.hpp>
 
+#include "files/json_file.hpp"
 #include "files/sha256.hpp"
 #include "files/text_file.hpp"
 
@@ -11,12 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-nlohmann::json parsed(const std::string& text, const std::string& source) {
-  try {
-    return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::exception& error) {
-    throw Error(source, error.what(), "a label as JSON");
-  }
+Label label_in(const std::string& text, const fs::path& file) {
+  return label_from(parse_json(text, file.string()), file.string());
 }
 
 }  // namespace
@@ -43,11 +40,11 @@ Case SealedFolder::open(const std::string& name) const {
   const fs::path file =
       sealed == seals_.end() ? folder_ / name / "label.json" : folder_ / "labels" / (name + ".json");
   if (sealed == seals_.end()) {
-    result.label = label_from(parsed(read_text(file), file.string()), file.string());
+    result.label = label_in(read_text(file), file);
   } else {
     const Envelope opened = read_envelope(file);
     result.seal_holds = seal(opened) == sealed->second;
-    result.label = label_from(parsed(opened.label, file.string()), file.string());
+    result.label = label_in(opened.label, file);
   }
   result.label.name = name;
   return result;

@@ -1,11 +1,15 @@
 #include "verify/chain_properties.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <plumbline/critical_force.hpp>
 
+#include "proofs/exact_chain.hpp"
+#include "proofs/exact_matrix.hpp"
+#include "proofs/exactly.hpp"
 #include "verify/algorithm1_instances.hpp"
 
 namespace plumbline {
@@ -16,12 +20,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The margin of what either holds or not.
 Margin holds(bool it) {
   return it ? 0 : infinity;
-}
-
-Rational exactly(const Mpfr50& x) {
-  Rational result;
-  mpfr_get_q(result.backend().data(), x.backend().data());
-  return result;
 }
 
 /// Whether `relation` holds between the exact counts below F of the sample and of each other chain, left and
@@ -49,9 +47,6 @@ bool one_or_none_passed(std::size_t count, std::size_t other) {
 Margin two_zero_eigenvalues(const Sample& s) {
   const Matrix<Rational> C = algorithm1_matrix(s.exact);
   const Matrix<Rational> square = C * C;
-  const auto rank = [](const Matrix<Rational>& matrix) {
-    return static_cast<std::size_t>(matrix.fullPivLu().rank());
-  };
   const std::size_t n = s.exact.size();
   return holds(rank(C) == n && rank(square) == n - 1 && rank(Matrix<Rational>(square * C)) == n - 1);
 }
@@ -105,66 +100,31 @@ Margin scaling(const Sample& s) {
                std::all_of(s.above.begin(), s.above.end(), same_count));
 }
 
-/// sum_i z_i^2 prod_{j != i} k_j, which is -det B.
-Rational minus_det_B(const Chain<Rational>& chain) {
-  const std::vector<Rational> z = distance_to_end(chain);
-  Rational sum(0);
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    Rational term = z[i] * z[i];
-    for (std::size_t j = 0; j < chain.size(); ++j) term *= j == i ? Rational(1) : chain.stiffness()[j];
-    sum += term;
-  }
-  return sum;
+Margin between(const Rational& low, const Rational& value, const Rational& high) {
+  return holds(low < value && value < high);
 }
 
-/// prod F_i = (sum_i z_i^2 prod_{j != i} k_j) / (prod L_i sum L_i).
+Rational sum_of(const std::vector<Rational>& values) {
+  return std::accumulate(values.begin(), values.end(), Rational(0));
+}
+
 Margin product(const Sample& s) {
-  Rational expected = minus_det_B(s.exact), total(0);
-  for (const Rational& L : s.exact.length()) {
-    expected /= L;
-    total += L;
-  }
-  expected /= total;
-  Rational low(1), high(1);
-  for (std::size_t i = 0; i < s.modes.size(); ++i) {
-    low *= s.below[i];
-    high *= s.above[i];
-  }
-  return holds(low < expected && expected < high);
+  const auto product_of = [](const std::vector<Rational>& values) {
+    return std::accumulate(values.begin(), values.end(), Rational(1), std::multiplies<>());
+  };
+  return between(product_of(s.below), product_of_forces(s.exact), product_of(s.above));
 }
 
-/// sum F_i = sum_j (k_j + k_{j+1}) / L_j - k_1 / sum L, with k_{n+1} = 0.
 Margin sum(const Sample& s) {
-  const std::size_t n = s.exact.size();
-  const std::vector<Rational>&L = s.exact.length(), &k = s.exact.stiffness();
-  Rational expected = -k[0] / distance_to_end(s.exact)[0], low(0), high(0);
-  for (std::size_t j = 0; j < n; ++j) expected += (k[j] + (j + 1 < n ? k[j + 1] : Rational(0))) / L[j];
-  for (std::size_t i = 0; i < s.modes.size(); ++i) {
-    low += s.below[i];
-    high += s.above[i];
-  }
-  return holds(low < expected && expected < high);
+  return between(sum_of(s.below), sum_of_forces(s.exact), sum_of(s.above));
 }
 
-/// sum 1/F_i = (sum_{i<j} z_i z_j (z_i - z_j) prod_{l != i,j} k_l) / (sum_i z_i^2 prod_{j != i} k_j).
 Margin sum_of_inverses(const Sample& s) {
-  const std::vector<Rational> z = distance_to_end(s.exact);
-  Rational expected(0), low(0), high(0);
-  for (std::size_t i = 0; i < z.size(); ++i) {
-    for (std::size_t j = i + 1; j < z.size(); ++j) {
-      Rational term = z[i] * z[j] * (z[i] - z[j]);
-      for (std::size_t l = 0; l < z.size(); ++l) {
-        if (l != i && l != j) term *= s.exact.stiffness()[l];
-      }
-      expected += term;
-    }
-  }
-  expected /= minus_det_B(s.exact);
-  for (std::size_t i = 0; i < s.modes.size(); ++i) {
-    low += 1 / s.above[i];
-    high += 1 / s.below[i];
-  }
-  return holds(low < expected && expected < high);
+  const auto inverses = [](std::vector<Rational> values) {
+    for (Rational& x : values) x = 1 / x;
+    return values;
+  };
+  return between(sum_of(inverses(s.above)), sum_of_inverse_forces(s.exact), sum_of(inverses(s.below)));
 }
 
 /// A stiffer joint adds a matrix of rank one to K: no force falls, and none passes the next one.

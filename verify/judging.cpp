@@ -7,15 +7,10 @@
 #include <plumbline/error.hpp>
 
 #include "proofs/decimal.hpp"
+#include "proofs/exactly.hpp"
 
 namespace plumbline {
 namespace {
-
-Rational rational(const Interval::End& end) {
-  Rational result;
-  mpfr_get_q(result.backend().data(), end.backend().data());
-  return result;
-}
 
 void require_count(std::size_t printed, std::size_t computed) {
   if (printed != computed) {
@@ -29,8 +24,8 @@ int places_behind_point(const std::string& decimal) {
 }
 
 std::string certified_fixed(const Interval& value, int places) {
-  const std::string low = to_fixed(rational(value.lower()), places);
-  if (low != to_fixed(rational(value.upper()), places)) {
+  const std::string low = to_fixed(exactly(value.lower()), places);
+  if (low != to_fixed(exactly(value.upper()), places)) {
     throw Error("enclosure", value.text(10), fmt::format("narrow enough for {} places", places));
   }
   return low;
@@ -136,8 +131,8 @@ Judgement judge_decimals(const Printed& printed, const std::vector<Interval>& co
 }
 
 std::string certified_decimal(const Interval& value, int digits) {
-  const std::string low = to_decimal(rational(value.lower()), digits);
-  if (low != to_decimal(rational(value.upper()), digits)) {
+  const std::string low = to_decimal(exactly(value.lower()), digits);
+  if (low != to_decimal(exactly(value.upper()), digits)) {
     throw Error("enclosure", value.text(10), fmt::format("narrow enough for {} digits", digits));
   }
   return low;

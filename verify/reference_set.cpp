@@ -4,8 +4,9 @@
 
 #include <plumbline/buckling_mode.hpp>
 
-#include "proofs/decimal.hpp"
 #include "files/sha256.hpp"
+#include "proofs/decimal.hpp"
+#include "proofs/exactly.hpp"
 #include "proofs/working_precision.hpp"
 #include "verify/reference_loaded.hpp"
 #include "verify/reference_texts.hpp"
@@ -25,9 +26,7 @@ std::vector<std::string> energy_factors(const Chain<Rational>& chain, std::size_
   const auto rounded = from_rational<Mpfr>(chain);
   std::vector<std::string> factors;
   for (const auto& mode : critical_modes(rounded, modes)) {
-    Rational exact;
-    mpfr_get_q(exact.backend().data(), energy_factor(rounded, mode.q).backend().data());
-    factors.push_back(to_decimal(exact, reference_digits));
+    factors.push_back(to_decimal(exactly(energy_factor(rounded, mode.q)), reference_digits));
   }
   return factors;
 }

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <openssl/evp.h>
 
 #include <algorithm>
@@ -11,12 +12,6 @@ namespace plumbline {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string joined(const std::vector<std::string>& parts, const std::string& between) {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : between) + part;
-  return text;
-}
 
 std::string in_base64(const std::string& bytes) {
   std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');
@@ -34,14 +29,14 @@ Json card(const Json& report, const Printed& printed) {
   view["has_value"] = !report["value"].get<std::string>().empty();
   view["has_evidence"] = !report["evidence"].empty();
   view["has_print"] = !printed.empty();
-  view["printed"] = joined(printed, " | ");
+  view["printed"] = fmt::format("{}", fmt::join(printed, " | "));
   std::vector<std::string> kinds;
   for (std::size_t i = 0; i < report["evidence"].size(); ++i) {
     view["evidence"][i]["place"] = std::to_string(i);
     const auto kind = report["evidence"][i]["kind"].get<std::string>();
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
   }
-  view["kinds"] = joined(kinds, ", ");
+  view["kinds"] = fmt::format("{}", fmt::join(kinds, ", "));
   return view;
 }
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <numeric>
+#include <plumbline/parallel.hpp>
 #include <random>
 
 #include "verify/chain_properties.hpp"
@@ -121,19 +121,12 @@ SampledChains check_random_chains(std::size_t chains, std::uint64_t seed,
                                   const std::function<void()>& advance, unsigned threads) {
   Findings total;
   std::mutex mutex;
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t index = next++; index < chains; index = next++) {
-      const Findings found = check(seed, index);
-      const std::scoped_lock lock(mutex);
-      total.merge(found);
-      advance();
-    }
-  };
-  {
-    std::vector<std::jthread> workers(std::max(1U, threads));
-    for (std::jthread& worker : workers) worker = std::jthread(work);
-  }
+  in_parallel(chains, threads, [&](std::size_t index) {
+    const Findings found = check(seed, index);
+    const std::scoped_lock lock(mutex);
+    total.merge(found);
+    advance();
+  });
   SampledChains result{{}, total.agreement};
   for (std::size_t p = 0; p < total.tallies.size(); ++p) {
     const ChainProperty& property = chain_properties()[p];

@@ -6,6 +6,9 @@
 #include <plumbline/sharpen.hpp>
 #include <plumbline/slow_loading.hpp>
 
+#include "proofs/exactly.hpp"
+#include "verify/sign.hpp"
+
 namespace plumbline {
 
 namespace {
@@ -55,10 +58,6 @@ Vector<double> unloaded_shape(const Chain<double>& chain) {
   return absolute_angles(q);
 }
 
-char sign(const Interval& x) {
-  return certainly_positive(x) ? '+' : certainly_negative(x) ? '-' : '0';
-}
-
 }  // namespace
 
 Chain<Interval> three_link_chain_at(const Rational& alpha1_over_pi, const Rational& alpha2_over_pi) {
@@ -104,7 +103,7 @@ std::string types(const Census& census) {
 std::string extrema(const Census& census, int sign_of_q4) {
   std::size_t count[3] = {0, 0, 0};
   for (const auto& one : census.equilibria) {
-    const char q4 = sign(sin(one.q.at(3)));
+    const char q4 = sign_character(sin(one.q.at(3)));
     if (q4 == '0') throw Error("census", "an open sign of q4", "a certain one");
     if (sign_of_q4 == 0 || (q4 == '+') == (sign_of_q4 > 0)) ++count[one.negative_directions.value()];
   }
@@ -113,7 +112,7 @@ std::string extrema(const Census& census, int sign_of_q4) {
 
 std::string signs(const CertifiedEquilibrium& one, std::size_t from) {
   std::string text;
-  for (std::size_t i = from; i < one.q.size(); ++i) text += sign(one.q[i]);
+  for (std::size_t i = from; i < one.q.size(); ++i) text += sign_character(one.q[i]);
   return text;
 }
 
@@ -188,11 +187,7 @@ CertifiedEquilibrium reached(const Census& census, const SlowPath& path, const R
 }
 
 Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& from, const Rational& to) {
-  const auto angle = [&](const Located& load) {
-    Rational exact;
-    mpfr_get_q(exact.backend().data(), load.backend().data());
-    return joint_angles(path.at(exact).theta)[joint];
-  };
+  const auto angle = [&](const Located& load) { return joint_angles(path.at(exactly(load)).theta)[joint]; };
   const auto low = from_rational<Located>(from), high = from_rational<Located>(to);
   std::uintmax_t evaluations = 100;
   const auto close = [](const Located& a, const Located& b) { return abs(b - a) < Located("1e-58"); };

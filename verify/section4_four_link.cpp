@@ -8,13 +8,14 @@
 #include <plumbline/critical_force.hpp>
 #include <set>
 
+#include "proofs/certified_modes.hpp"
 #include "proofs/decimal.hpp"
-#include "proofs/enclosure.hpp"
 #include "proofs/exact_chain.hpp"
 #include "verify/claims.hpp"
 #include "verify/judging.hpp"
 #include "verify/post_buckling.hpp"
 #include "verify/section4_chains.hpp"
+#include "verify/sign.hpp"
 
 namespace plumbline {
 namespace {
@@ -25,21 +26,21 @@ struct CertifiedMode {
   std::vector<Interval> q;
 };
 
-CertifiedMode certified_mode(const Chain<Interval>& chain, const Interval& F) {
-  const std::vector<Interval> z = distance_to_end(chain);
-  const std::vector<Interval>& k = chain.stiffness();
-  std::vector<Interval> q{Interval(1) / z[0]};
-  Interval h(1);
-  Interval g = k[0] / sqr(z[0]);
-  for (std::size_t i = 1; i < chain.size(); ++i) {
-    g = g - F * h * chain.length()[i - 1] / (z[i - 1] * z[i]);
-    h = h + sqr(z[i]) / k[i] * g;
-    q.push_back(z[i] * g / k[i]);
-  }
-  Interval fy = lateral_force(chain, F, q);
-  Interval norm = sqr(fy);
-  for (const Interval& angle : q) norm += sqr(angle);
-  norm = sqrt(norm);
+/// Around a certified decimal.
+Interval within_a_unit(const std::string& decimal, int digits) {
+  const Rational x = parse_decimal(decimal).value(), unit = unit_in_digit(x, digits);
+  return hull(Interval(x - unit), Interval(x + unit));
+}
+
+CertifiedMode certified_mode(const Chain<Interval>& chain, const ForceEnclosure& force,
+                             const ShapeEnclosure& shape) {
+  const Interval F = hull(Interval(force.low), Interval(force.high));
+  std::vector<Interval> q;
+  for (const std::string& angle : shape.q) q.push_back(within_a_unit(angle, shape.digits));
+  const Interval fy = lateral_force(chain, F, q);
+  Interval squares = sqr(fy);
+  for (const Interval& angle : q) squares += sqr(angle);
+  const Interval norm = certainly_negative(q[0]) ? -sqrt(squares) : sqrt(squares);
   for (Interval& angle : q) angle /= norm;
   return {F, Interval(-1) / F, energy_factor(chain, q), fy / norm, q};
 }
@@ -47,11 +48,11 @@ CertifiedMode certified_mode(const Chain<Interval>& chain, const Interval& F) {
 /// The three modes of the unit chain, ascending in force; computed once.
 const std::vector<CertifiedMode>& modes() {
   static const std::vector<CertifiedMode> instance = [] {
-    std::vector<CertifiedMode> result;
+    const CertifiedModes certified = certify(four_link_chain(), 3, 3, 60);
     const Chain<Interval> chain = from_rational<Interval>(four_link_chain());
-    for (const ForceEnclosure& F : enclose_critical_forces(four_link_chain(), 3, 60)) {
-      result.push_back(certified_mode(chain, hull(Interval(F.low), Interval(F.high))));
-    }
+    std::vector<CertifiedMode> result;
+    for (std::size_t m = 0; m < 3; ++m)
+      result.push_back(certified_mode(chain, certified.forces[m], certified.shapes[m]));
     return result;
   }();
   return instance;
@@ -61,13 +62,9 @@ const std::string how =
     "counts of critical forces by exact recursion bound each F to 60 digits; lambda, q, F_y from it in "
     "intervals";
 
-int sign(const Interval& x) {
-  return certainly_positive(x) ? 1 : certainly_negative(x) ? -1 : 0;
-}
-
 std::string signs(const CertifiedMode& mode) {
   std::string pattern;
-  for (const Interval& angle : mode.q) pattern += sign(angle) > 0 ? '+' : sign(angle) < 0 ? '-' : '?';
+  for (const Interval& angle : mode.q) pattern += sign_character(angle);
   return pattern;
 }
 

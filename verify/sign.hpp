@@ -8,6 +8,11 @@
 
 namespace plumbline {
 
+/// '+' or '-' where x certainly has this sign, otherwise '0'.
+inline char sign_character(const Interval& x) {
+  return certainly_positive(x) ? '+' : certainly_negative(x) ? '-' : '0';
+}
+
 /// The sign (+1 or -1) that f certainly has on all of [low, high]; nothing where it changes or cannot be
 /// decided with pieces of width (high - low) / 2^depth.
 template <class Function>

@@ -16,6 +16,7 @@
 /// directions: n_-[T C; C' D] = n_-(T') + n_-(G) - n_-(S), where G is the small dense matrix.
 
 #include <algorithm>
+#include <array>
 #include <plumbline/number.hpp>
 #include <utility>
 #include <vector>
@@ -149,8 +150,10 @@ class BorderedBand {
       z_(m + a) = sum;
     }
     solve_dense();
-    for (Eigen::Index b = 0; b < m + p; ++b) {
-      for (Eigen::Index i = 0; i < n; ++i) v(i) -= X_(i, b) * z_(b);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      Real x = v(i);
+      for (Eigen::Index b = 0; b < m + p; ++b) x -= X_(i, b) * z_(b);
+      v(i) = x;
     }
     for (Eigen::Index a = 0; a < p; ++a) w(a) = z_(m + a);
   }
@@ -169,14 +172,26 @@ class BorderedBand {
 
   template <class V>
   void solve_band(V&& v) const {
-    using std::min;
     const Eigen::Index n = L_.cols();
-    for (Eigen::Index i = 1; i < n; ++i) {
-      for (Eigen::Index d = 1; d <= min<Eigen::Index>(B, i); ++d) v(i) -= L_(d, i - d) * v(i - d);
+    std::array<Real, B> last;  // the entries behind, or ahead: at hand without a way through memory
+    last.fill(Real(0));
+    const auto keep = [&last](const Real& x) {
+      for (std::size_t d = B - 1; d > 0; --d) last[d] = last[d - 1];
+      last[0] = x;
+    };
+    for (Eigen::Index i = 0; i < n; ++i) {
+      Real x = v(i);
+      for (Eigen::Index d = 1; d <= B && d <= i; ++d)
+        x -= L_(d, i - d) * last[static_cast<std::size_t>(d - 1)];
+      v(i) = x * L_(0, i);
+      keep(x);
     }
-    for (Eigen::Index i = 0; i < n; ++i) v(i) *= L_(0, i);
-    for (Eigen::Index i = n - 1; i-- > 0;) {
-      for (Eigen::Index d = 1; d <= min<Eigen::Index>(B, n - 1 - i); ++d) v(i) -= L_(d, i) * v(i + d);
+    for (Eigen::Index i = n; i-- > 0;) {
+      Real x = v(i);
+      for (Eigen::Index d = 1; d <= B && i + d < n; ++d)
+        x -= L_(d, i) * last[static_cast<std::size_t>(d - 1)];
+      v(i) = x;
+      keep(x);
     }
   }
 
@@ -202,14 +217,24 @@ class BorderedBand {
   }
 
   void solve_dense() {
-    const Eigen::Index size = LU_.rows();
-    for (Eigen::Index k = 0; k < size; ++k) std::swap(z_(k), z_(rows_[static_cast<std::size_t>(k)]));
+    for (Eigen::Index k = 0; k < z_.size(); ++k) std::swap(z_(k), z_(rows_[static_cast<std::size_t>(k)]));
+    if (z_.size() == 3) {  // along a branch: few enough for registers
+      Eigen::Matrix<Real, 3, 1> z = z_;
+      substitute(z);
+      z_ = z;
+    } else {
+      substitute(z_);
+    }
+  }
+  template <class Column>
+  void substitute(Column& z) const {
+    const Eigen::Index size = z.size();
     for (Eigen::Index k = 0; k < size; ++k) {
-      for (Eigen::Index i = k + 1; i < size; ++i) z_(i) -= LU_(i, k) * z_(k);
+      for (Eigen::Index i = k + 1; i < size; ++i) z(i) -= LU_(i, k) * z(k);
     }
     for (Eigen::Index k = size; k-- > 0;) {
-      for (Eigen::Index j = k + 1; j < size; ++j) z_(k) -= LU_(k, j) * z_(j);
-      z_(k) *= LU_(k, k);
+      for (Eigen::Index j = k + 1; j < size; ++j) z(k) -= LU_(k, j) * z(j);
+      z(k) *= LU_(k, k);
     }
   }
 

@@ -1,32 +1,18 @@
 #pragma once
 /// \file
-/// A branch of equilibria, followed by pseudo-arclength in O(n) a step.
+/// The points of a branch of equilibria: corrected by Newton's method in a hyperplane (pseudo-arclength), and
+/// expanded in power series, each in O(n).
 ///
-/// A step is never chosen by hope. Along the tangent t the bordered matrix A of the equations changes, to
-/// leading order, by s D, D = A'(t); it is singular where -1/s is an eigenvalue of A^-1 D. A few steps of
-/// power iteration bound that distance, the *horizon*, and a step goes only a fraction of it. Where another
-/// branch comes near, or crosses, A is nearly singular, the horizon closes in, and the steps shrink with it.
-/// Beside that, (-1)^negative_directions · sign(dload/ds) cannot change along a branch without a crossing; a
-/// step that changes it is taken back.
+/// How far a branch is free of surprises shows in the bordered matrix A of its equations. Along the tangent t
+/// it changes, to leading order, by s D, D = A'(t); it is singular where -1/s is an eigenvalue of A^-1 D. A
+/// few steps of power iteration bound that distance, the *horizon*. Where another branch comes near, or
+/// crosses, A is nearly singular and the horizon closes in.
 
 #include <optional>
 #include <plumbline/branch_series.hpp>
 #include <plumbline/equilibrium.hpp>
 
 namespace plumbline {
-
-/// What is imposed grows along a ray: start + load · direction, an end point or a force. The direction is a
-/// unit vector, so the load is a length or a force.
-template <Number Real>
-struct Loading {
-  Control control;
-  Point<Real> start;
-  Point<Real> direction;
-
-  [[nodiscard]] Point<Real> at(const Real& load) const {
-    return {start.x + load * direction.x, start.y + load * direction.y};
-  }
-};
 
 /// Follows branches of one model under one loading. Keeps its storage.
 template <SmoothModel Model>
@@ -144,11 +130,11 @@ class Brancher {
         const Real turn = max(Real(term.theta.cwiseAbs().maxCoeff()), Real(abs(term.load) / load_scale()));
         const Real last = max(turn, Real(size(term.force) / force_unit));
         if (last > Real(0))
-          series.reach =
-              min(series.reach, Real(pow(epsilon<Real>() / last, Real(1) / Real(static_cast<int>(k)))));
+          series.reach = min(
+              series.reach, Real(pow(Real(4) * epsilon<Real>() / last, Real(1) / Real(static_cast<int>(k)))));
       }
     }
-    series.complete(at_.energy, loading_.direction, held);
+    series.complete(at_.energy, loading_);
   }
 
   /// The place s of a series as a point; its type is left open.

@@ -4,10 +4,10 @@
 ///
 /// All equations of a chain are polynomials in angles, sines and cosines, so their Taylor coefficients follow
 /// one after the other from one factored matrix. With an order that grows like the digits, a series is exact
-/// to rounding over a fixed part of its radius of convergence: one factorisation carries a branch as far as a
-/// dozen Newton corrections of tangent steps would, and any point in between costs one evaluation.
+/// to rounding over a fixed part of its radius of convergence, and any point there costs one evaluation.
 
 #include <plumbline/loaded_model.hpp>
+#include <plumbline/loading.hpp>
 
 namespace plumbline {
 
@@ -57,33 +57,44 @@ class BranchSeries {
     entry(place_y, k) = place.y;
   }
 
-  /// The other quantities, when all orders are set. dE/ds = F . dp/ds, for these are equilibria.
-  /// \param d     the loading's direction
-  /// \param held  whether an end point is imposed
-  void complete(const Real& energy_here, const Point<Real>& d, bool held) {
-    using Row = Vector<Real>;
-    const auto row = [&](Quantity q) -> Row { return coefficient_.row(angles_ + q); };
-    const auto derivative = [](const Row& of) {
-      Row rate = of.tail(of.size() - 1);
-      for (Eigen::Index k = 0; k < rate.size(); ++k) rate(k) *= Real(static_cast<int>(k + 1));
-      return rate;
+  /// The other quantities, when all orders are set. Since these are equilibria dE/ds = F . dp/ds, and that is
+  /// push · way', beside the work of a force that the load comes on top of.
+  void complete(const Real& energy_here, const Loading<Real>& loading) {
+    const Point<Real>& d = loading.direction;
+    const bool held = loading.control == Control::end_point;
+    const auto along = [&](Quantity x, Eigen::Index k) -> Real {
+      return d.x * coefficient(x, k) + d.y * coefficient(Quantity(x + 1), k);
     };
-    const auto product = [](const Row& p, const Row& q, Eigen::Index k) {  // of order k
-      Real sum(0);
-      for (Eigen::Index j = 0; j <= k; ++j) sum += p(j) * q(k - j);
-      return sum;
-    };
-    const Row x = row(place_x), y = row(place_y), fx = row(Fx), fy = row(Fy), load_row = row(load);
-    const Row dx = derivative(x), dy = derivative(y);
+    for (Eigen::Index k = 0; k <= order_; ++k) {
+      entry(push, k) = held ? along(Fx, k) : coefficient(load, k);
+      entry(way, k) = held ? coefficient(load, k) : along(place_x, k);
+    }
+    rates_.setConstant(order_ + 1, 5, Real(0));
+    auto push0 = rates_.col(0), push1 = rates_.col(1), push2 = rates_.col(2), way1 = rates_.col(3),
+         way2 = rates_.col(4);
+    push0 = coefficient_.row(angles_ + push);
+    for (Eigen::Index k = 0; k < order_; ++k) {
+      const Real next(static_cast<int>(k + 1));
+      push1(k) = next * coefficient(push, k + 1);
+      way1(k) = next * coefficient(way, k + 1);
+    }
+    for (Eigen::Index k = 0; k + 1 < order_; ++k) {
+      const Real next(static_cast<int>(k + 1));
+      push2(k) = next * push1(k + 1);
+      way2(k) = next * way1(k + 1);
+    }
     entry(energy, 0) = energy_here;
-    for (Eigen::Index k = 0; k < order_; ++k)
-      entry(energy, k + 1) = (product(dx, fx, k) + product(dy, fy, k)) / Real(static_cast<int>(k + 1));
-    coefficient_.row(angles_ + push) = held ? Row(d.x * fx + d.y * fy) : load_row;
-    coefficient_.row(angles_ + way) = held ? load_row : Row(d.x * x + d.y * y);
-    const Row push1 = derivative(row(push)), way1 = derivative(row(way));
-    const Row push2 = derivative(push1), way2 = derivative(way1);
-    for (Eigen::Index k = 0; k + 1 < order_; ++k)
-      entry(bend, k) = product(push2, way1, k) - product(push1, way2, k);
+    for (Eigen::Index k = 0; k < order_; ++k) {
+      const auto product = [k](const auto& p, const auto& q) -> Real {  // of order k
+        return p.head(k + 1).dot(q.head(k + 1).reverse());
+      };
+      const Real work = product(way1, push0);
+      entry(energy, k + 1) = work / Real(static_cast<int>(k + 1));
+      if (!held)
+        entry(energy, k + 1) +=
+            loading.start.x * coefficient(place_x, k + 1) + loading.start.y * coefficient(place_y, k + 1);
+      if (k + 1 < order_) entry(bend, k) = product(push2, way1) - product(way2, push1);
+    }
   }
 
   [[nodiscard]] Eigen::Index order() const { return order_; }
@@ -133,14 +144,14 @@ class BranchSeries {
             {slope_.head(angles_), {slope(Fx), slope(Fy)}, slope(load)}};
   }
 
-  /// Length over which the series is exact to rounding.
+  /// Length over which the series is exact to rounding: its last terms are at most 4 eps there.
   Real reach{0};
 
  private:
-  /// Terms beyond it are below rounding over a quarter of the radius of convergence: (1/4)^order = eps.
+  /// Terms beyond it are below rounding over three tenths of the radius of convergence: 0.3^order = eps.
   static Eigen::Index sufficient_order() {
     using std::ceil, std::log;
-    return static_cast<Eigen::Index>(ceil(log(epsilon<Real>()) / log(Real(1) / Real(4))));
+    return static_cast<Eigen::Index>(ceil(log(epsilon<Real>()) / log(Real(3) / Real(10))));
   }
 
   /// Second derivative.
@@ -157,6 +168,7 @@ class BranchSeries {
   Eigen::Index angles_ = 0, order_;
   Matrix<Real> coefficient_;  ///< a column an order
   Vector<Real> value_, slope_;
+  Matrix<Real> rates_;  ///< of push and way, and of their rates
 };
 
 }  // namespace plumbline

@@ -9,11 +9,9 @@
 /// held; the converse fails.
 
 #include <plumbline/loaded_model.hpp>
+#include <plumbline/loading.hpp>
 
 namespace plumbline {
-
-/// What the environment prescribes.
-enum class Control { end_point, force };
 
 template <Number Real>
 struct Equilibrium {

@@ -45,7 +45,7 @@ struct Step {
 /// are at most powers of m, m^2 = max(b^2, b^2 - 2 c, 1), and so the next term of the inverse series at most
 /// 11 m^3 a^4, or 45 m^4 a^5.
 template <class T, std::size_t terms>
-[[gnu::always_inline]] inline Step<T> series_step(const T (&f)[terms]) {
+[[gnu::always_inline]] inline Step<T> series_step(const std::array<T, terms>& f) {
   using R = Rough<T>;
   T a = f[0], ab = f[2];
   a /= f[1];
@@ -68,7 +68,8 @@ template <class T, std::size_t terms>
 /// Laguerre's step: from between two roots it reaches towards either, and not beyond; from below the lowest
 /// towards that, from however far.
 template <class T, std::size_t terms, class Upwards>
-[[gnu::always_inline]] inline T laguerre_step(const T (&f)[terms], double degree, const Upwards& upwards) {
+[[gnu::always_inline]] inline T laguerre_step(const std::array<T, terms>& f, double degree,
+                                              const Upwards& upwards) {
   const T N = T{} + degree;
   const T root = square_root(T((N - 1) * larger(T((N - 1) * f[1] * f[1] - 2 * N * f[0] * f[2]), T{})));
   // f' / f has another sign above a root than below it

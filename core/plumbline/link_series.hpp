@@ -44,10 +44,11 @@ class LinkSeries {
       };
       Links fall = Links::Constant(Real(0)), rise = fall, by_fx = fall, by_fy = fall;
       for (Eigen::Index j = 1; j < k; ++j) {
-        fall += at(turn_, j) * at(y_, k - j);
-        rise += at(turn_, j) * at(x_, k - j);
-        by_fx += at(y_, j) * branch.force_x(k - j);
-        by_fy += at(x_, j) * branch.force_y(k - j);
+        const Links before_x = at(x_, k - j), before_y = at(y_, k - j), turned = at(turn_, j);
+        fall += turned * before_y;
+        rise += turned * before_x;
+        by_fx += before_y * branch.force_x(j);
+        by_fy += before_x * branch.force_y(j);
       }
       const Links dx = fall * -share, dy = rise * share;
       at(x_, k) = dx;

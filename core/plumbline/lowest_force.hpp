@@ -67,7 +67,7 @@ template <class T>
     for (int t = 0; t <= order; ++t) h[t] += string.spacing[i] * g[t];
   }
   if (string.free_end()) pass_bead(string.mass.back());
-  T f[order + 1];
+  std::array<T, order + 1> f;
   for (int t = 0; t <= order; ++t) f[t] = string.free_end() ? g[t] : h[t];
   const T x = laguerre_step(f, static_cast<double>(string.size()), T{} == 0);
   T power = x;

@@ -7,6 +7,7 @@
 /// Rounding perturbs each datum of the string only relatively: the result belongs exactly to a string near
 /// by.
 
+#include <array>
 #include <plumbline/bead_string.hpp>
 
 namespace plumbline {
@@ -19,7 +20,7 @@ using Count = std::conditional_t<Vectorised<T>, Mask<T>, std::size_t>;
 /// coefficients in the relative change of F, and the number of critical forces below F.
 template <class T, int order>
 struct Sweep {
-  T f[order + 1];
+  std::array<T, order + 1> f;
   Count<T> below;
 };
 
@@ -74,7 +75,7 @@ struct SafeStretch {
       const Real Fm = F * string.largest_mass;
       if (string.size() <= 16 && Fm * string.largest_spacing < Real(1 << 20)) return;  // 16 links: 2^352
       const Real bits = 2 * std::log2(1 + std::sqrt(Fm * string.largest_spacing));
-      const Real room = std::numeric_limits<Real>::max_exponent / 4;  // squares are to come
+      const Real room = Real(std::numeric_limits<Real>::max_exponent) / 4;  // squares are to come
       links = static_cast<std::size_t>(std::max(Real(1), std::min(Real(1000), room / (bits + Real(0.01)))));
       if (string.largest_spacing > 0) unit = std::sqrt(string.largest_spacing / Fm);
     }

@@ -182,6 +182,9 @@ class Tracer {
   };
   Place place(const Real& s) {
     series_.go_to(s);
+    return place_at_hand(s);
+  }
+  [[nodiscard]] Place place_at_hand(const Real& s) const {
     return {s, series_.value(Series::load), series_.slope(Series::load), series_.value(Series::bend)};
   }
 
@@ -202,9 +205,8 @@ class Tracer {
     Place before = place(from);
     for (int i = 1; i <= count; ++i) {
       const Real s = i < count ? Real(from + (to - from) * Real(i) / Real(count)) : to;
-      std::optional<BranchPoint<Real>> point = last;
-      if (i < count) point = point_at(s);
-      const Place here = place(s);
+      std::optional<BranchPoint<Real>> point = i < count ? point_at(s) : last;
+      const Place here = i < count ? place_at_hand(s) : place(s);
       const bool turns = (before.turn > Real(0)) != (here.turn > Real(0));
       if (!point || (turns && turned)) {
         branch.points.resize(points);

@@ -9,10 +9,6 @@ namespace {
 
 const std::string sources = PLUMBLINE_SOURCE_DIR;
 
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("the published forces agree with the reference, to all their digits") {
@@ -27,7 +23,7 @@ TEST_CASE("the published forces agree with the reference, to all their digits") 
 TEST_CASE("the example in Python passes, and its report in the sources is what the command prints") {
   const Workplace here;
   const std::string run = "python3 " + sources + "/examples/python/critical_forces.py " + sources +
-                          "/reference/chains.csv >" + (here.folder() / "VALUES.csv").string();
+                          "/reference/chains.csv >" + (here.path() / "VALUES.csv").string();
   REQUIRE(std::system(run.c_str()) == 0);
   const Outcome outcome = here.plumbline("check VALUES.csv");
   CHECK(outcome.status == 0);

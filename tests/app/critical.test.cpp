@@ -4,14 +4,6 @@
 
 #include "tests/app/process.hpp"
 
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-}  // namespace
-
 TEST_CASE("without arguments the command lists its verbs, and critical computes the bundled example") {
   const Workplace here;
   const Outcome help = here.plumbline("");
@@ -79,7 +71,7 @@ TEST_CASE("the bad chain files are refused in one line that says where, what and
 
 TEST_CASE("files that cannot be read or written are named, and nothing is left behind") {
   const Workplace here;
-  std::filesystem::create_directory(here.folder() / "folder");
+  std::filesystem::create_directory(here.path() / "folder");
   for (const char* arguments :
        {"critical missing.toml", "critical folder", "critical --csv folder", "critical --csv missing/out.csv",
         "critical --json missing/out.json", "critical --csv /dev/full", "critical >/dev/full"}) {
@@ -158,7 +150,7 @@ TEST_CASE("the certificates pass the stand-alone checker") {
              "tie,1;1;1;1,1;1;0;1\n");
   CHECK(here.plumbline("critical c.csv --all --digits 40 --certify proof.json --csv values.csv").status == 0);
   const std::string check = "python3 '" PLUMBLINE_SOURCE_DIR "/proofs/check_certificates.py' '";
-  CHECK(std::system((check + (here.folder() / "proof.json").string() + "' >/dev/null").c_str()) == 0);
+  CHECK(std::system((check + (here.path() / "proof.json").string() + "' >/dev/null").c_str()) == 0);
 }
 
 TEST_CASE("a chain that is not straight has no critical force") {

@@ -6,10 +6,6 @@
 
 namespace {
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 const char* const zigzag = "lengths = [1, 1, 1]\nstiffness = [0, 1, 1]\nrest = [-0.1, 0.3, -0.3]\n";
 
 }  // namespace
@@ -18,7 +14,7 @@ TEST_CASE("path: the bundled Z-chain, as text, CSV and JSON") {
   const Workplace here;
   const Outcome text = here.plumbline("path --to 1.5");
   CHECK(text.status == 0);
-  CHECK(has(text.out, "quasi-buckling"));
+  CHECK(contains(text.out, "quasi-buckling"));
   const Outcome csv = here.plumbline("path --to 1.5 --csv");
   CHECK(csv.status == 0);
   CHECK(csv.out.starts_with(
@@ -66,7 +62,7 @@ TEST_CASE("path: drawings are SVG") {
   here.write("zigzag.toml", zigzag);
   const Outcome outcome = here.plumbline("path zigzag.toml --to 0.3 --svg out.svg");
   CHECK(outcome.status == 0);
-  CHECK(has(here.read("out.svg"), "<svg"));
+  CHECK(contains(here.read("out.svg"), "<svg"));
 }
 
 TEST_CASE("equilibria: certified and sampled lists agree for the bundled chain") {
@@ -88,7 +84,7 @@ TEST_CASE("equilibria: certified and sampled lists agree for the bundled chain")
   const auto forced = read("equilibria --force -0.5,0.1 --certify --json");
   int sum = 0;
   for (const auto& one : forced["equilibria"])
-    sum += has(one["type"], "(1)") || has(one["type"], "(3)") ? -1 : 1;
+    sum += contains(one["type"], "(1)") || contains(one["type"], "(3)") ? -1 : 1;
   CHECK(sum == 1);  // Euler characteristic of the space of all joint angles
 }
 
@@ -116,7 +112,7 @@ TEST_CASE("path: events to fifty digits begin with those of double precision") {
   CHECK(load.size() > 50);
   CHECK(std::stod(load) ==
         doctest::Approx(json["history"][0]["events"][0]["load"].get<double>()).epsilon(1e-9));
-  CHECK(has(here.plumbline("path --to 1 --digits 20").out, "Events to 20 digits"));
+  CHECK(contains(here.plumbline("path --to 1 --digits 20").out, "Events to 20 digits"));
   CHECK(here.plumbline("path --digits 51").status == 2);
 }
 
@@ -154,7 +150,7 @@ TEST_CASE("figure: two links are drawn, with a sentence") {
   const Workplace here;
   const Outcome outcome = here.plumbline("figure 2");
   CHECK(outcome.status == 0);
-  CHECK(has(outcome.out, "figure-02.svg"));
-  CHECK(has(outcome.out, "The paper is confirmed: "));
-  CHECK(has(here.read("figure-02.svg"), "<svg"));
+  CHECK(contains(outcome.out, "figure-02.svg"));
+  CHECK(contains(outcome.out, "The paper is confirmed: "));
+  CHECK(contains(here.read("figure-02.svg"), "<svg"));
 }

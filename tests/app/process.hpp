@@ -13,10 +13,16 @@
 #include <string>
 #include <vector>
 
+#include "tests/folder.hpp"
+
 struct Outcome {
   int status;
   std::string out, err;
 };
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 /// Bad input: status 2, nothing on standard output, one line that says what is wrong.
 inline void check_refused(const Outcome& outcome) {
@@ -26,45 +32,27 @@ inline void check_refused(const Outcome& outcome) {
   CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
 }
 
-class Workplace {
+class Workplace : public Folder {
  public:
-  Workplace() {
-    std::string pattern = std::filesystem::temp_directory_path() / "plumbline-XXXXXX";
-    folder_ = mkdtemp(pattern.data());
-  }
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
-  ~Workplace() {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-  }
   [[nodiscard]] std::string read(const std::string& name) const {
     std::ostringstream text;
-    text << std::ifstream(folder_ / name).rdbuf();
+    text << std::ifstream(*this / name).rdbuf();
     return text.str();
   }
-  [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+  [[nodiscard]] bool exists(const std::string& name) const { return std::filesystem::exists(*this / name); }
   /// How many files lie in the folder.
   [[nodiscard]] std::size_t files() const {
-    const std::filesystem::directory_iterator all(folder_);
+    const std::filesystem::directory_iterator all(path());
     return static_cast<std::size_t>(std::distance(begin(all), end(all)));
   }
-  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
   /// `plumbline` with these arguments, as a shell reads them.
   [[nodiscard]] Outcome plumbline(const std::string& arguments) const {
     const Workplace streams;
-    const std::string out = streams.folder() / "out", err = streams.folder() / "err";
-    const int status = std::system(("cd '" + folder_.string() + "' && '" PLUMBLINE_EXECUTABLE "' >'" + out +
+    const std::string out = streams / "out", err = streams / "err";
+    const int status = std::system(("cd '" + path().string() + "' && '" PLUMBLINE_EXECUTABLE "' >'" + out +
                                     "' 2>'" + err + "' </dev/null " + arguments)
                                        .c_str());
     return {WEXITSTATUS(status), streams.read("out"), streams.read("err")};
   }
-
- private:
-  std::filesystem::path folder_;
 };

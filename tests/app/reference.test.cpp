@@ -24,7 +24,7 @@ TEST_CASE("the reference set in the repository is what the command writes, to th
   }
   CHECK(files == 15);
   CHECK(static_cast<std::size_t>(
-            std::distance(std::filesystem::directory_iterator(here.folder() / "set"), {})) == files);
+            std::distance(std::filesystem::directory_iterator(here.path() / "set"), {})) == files);
 }
 
 TEST_CASE("a place that cannot hold the set is refused, and nothing is written") {

@@ -13,12 +13,8 @@ const std::string friction =
 
 /// A folder with the bundled example as its one experiment.
 void add_example(const Workplace& here) {
-  std::filesystem::create_directories(here.folder() / "mine");
-  std::filesystem::copy(sources + "/examples/experiment", here.folder() / "mine" / "bench");
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
+  std::filesystem::create_directories(here.path() / "mine");
+  std::filesystem::copy(sources + "/examples/experiment", here.path() / "mine" / "bench");
 }
 
 }  // namespace
@@ -38,10 +34,10 @@ TEST_CASE("experiments of one's own are diagnosed and scored") {
 TEST_CASE("a sealed label is verified, a forged one detected") {
   const Workplace here;
   add_example(here);
-  std::filesystem::create_directories(here.folder() / "mine" / "labels");
+  std::filesystem::create_directories(here.path() / "mine" / "labels");
   here.write("label", "salt\n{\"effects\": []}");
   REQUIRE(std::system(
-              ("cd '" + here.folder().string() + "' && sha256sum label | cut -c1-64 >digest").c_str()) == 0);
+              ("cd '" + here.path().string() + "' && sha256sum label | cut -c1-64 >digest").c_str()) == 0);
   const std::string digest = here.read("digest").substr(0, 64);
   here.write("mine/seals.json", R"({"format": "experiment-seals/1", "seals": {"bench": ")" + digest + "\"}}");
   here.write("mine/labels/bench.json", R"({"salt": "salt", "label": "{\"effects\": []}"})");

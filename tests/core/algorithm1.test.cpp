@@ -4,6 +4,8 @@
 
 #include <plumbline/buckling_mode.hpp>
 
+#include "verify/algorithm1_instances.hpp"
+
 using namespace plumbline;
 
 TEST_CASE_TEMPLATE("Algorithm 1 and the recursion agree on the unit chain of four links", Real, double,

@@ -17,6 +17,10 @@ inline double nan_value() {
   return std::nan("");
 }
 
+inline Candidate only(EffectId effect, std::size_t joint = 0) {
+  return {{{effect, joint}}};
+}
+
 inline Experiment three_links() {
   Experiment experiment;
   experiment.name = "three links";

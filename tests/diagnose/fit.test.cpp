@@ -10,14 +10,6 @@
 using namespace plumbline;
 using namespace plumbline::test;
 
-namespace {
-
-Candidate only(EffectId effect, std::size_t joint = 0) {
-  return {{{effect, joint}}};
-}
-
-}  // namespace
-
 TEST_CASE("a fit finds every effect that was put in, within five of its standard deviations") {
   const Experiment bench = full_bench();
   for (const EffectAt& at : possible_effects(bench)) {

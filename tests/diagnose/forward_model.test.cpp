@@ -18,11 +18,8 @@ double cross(const Point& a, const Point& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
-Candidate only(EffectId effect, std::size_t joint = 0) {
-  return {{{effect, joint}}};
-}
-
-/// One predicted reading, read in relative joint angles: what the statics of the effect catalogue is written in.
+/// One predicted reading, read in relative joint angles: what the statics of the effect catalogue is written
+/// in.
 struct Shape {
   std::vector<double> q;
   std::vector<Point> joint;  ///< positions of joints 1 … n and of the end point

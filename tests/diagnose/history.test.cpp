@@ -11,10 +11,6 @@ using namespace plumbline::test;
 
 namespace {
 
-Candidate only(EffectId effect, std::size_t joint = 0) {
-  return {{{effect, joint}}};
-}
-
 double angle(const Trace& trace, Eigen::Index row, std::size_t i) {
   return trace(row, column_q + static_cast<Eigen::Index>(i));
 }

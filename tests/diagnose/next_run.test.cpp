@@ -12,10 +12,6 @@ using namespace plumbline::test;
 
 namespace {
 
-Candidate only(EffectId effect, std::size_t joint = 0) {
-  return {{{effect, joint}}};
-}
-
 /// Presses along x alone: what such a rig most often does.
 Experiment along_x() {
   Experiment experiment = three_links();

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/diagnose/folder.hpp"
+#include "tests/folder.hpp"
 
 using namespace plumbline;
 

@@ -32,6 +32,18 @@ TEST_CASE("series and limits around zero") {
   CHECK_THROWS_AS(limit_at_zero(f.parse("1/x"), x), Error);
 }
 
+TEST_CASE("a formula has one text, which can be read again") {
+  const Formulas f({"L", "k", "x"});
+  for (const char* formula : {"2*k/L", "k*x-L", "-1/x", "1/x^2", "k*sin(L-x)^2/L/(L+x)", "3/2*k/sqrt(x)",
+                              "x^(2/3)-x/2-1", "-k*(L-1)", "(-2)^x", "2*(k+x)*(L+x)", "sqrt(2)/2"}) {
+    CAPTURE(formula);
+    CHECK(f.parse(text(f.parse(formula))).is_equal(f.parse(formula)));
+  }
+  CHECK(text(f.parse("k*x-L")) == "k*x-L");
+  CHECK(text(f.parse("k/(x+L)*2*sin(x-L)^2")) == "2*k*sin(x-L)^2/(L+x)");
+  CHECK(text(f.parse("-k/x^2-1/L")) == "-1/L-k/x^2");
+}
+
 TEST_CASE("what cannot be read or decided is refused") {
   const Formulas f({"x"});
   CHECK_THROWS_AS(f.parse("x+y"), Error);

@@ -90,6 +90,14 @@ std::vector<Rational> joint_angles(const Exact& chain, const Rational& F) {
   return q;
 }
 
+/// The product of the stiffnesses of all joints but two.
+Rational stiffness_but(const Exact& chain, std::size_t i, std::size_t j) {
+  Rational product = 1;
+  for (std::size_t l = 0; l < chain.size(); ++l)
+    if (l != i && l != j) product *= chain.stiffness()[l];
+  return product;
+}
+
 std::size_t sign_changes(const std::vector<Rational>& values) {
   std::size_t changes = 0;
   int last = 0;
@@ -100,8 +108,9 @@ std::size_t sign_changes(const std::vector<Rational>& values) {
   return changes;
 }
 
-/// Bounds of critical force m = 1, 2, …, 2^-250 of the sum of all apart: forces over nine decades of random data are
-/// then known to 40 digits or more, enough for the sign of a joint angle that is tiny beside the others.
+/// Bounds of critical force m = 1, 2, …, 2^-250 of the sum of all apart: forces over nine decades of random
+/// data are then known to 40 digits or more, enough for the sign of a joint angle that is tiny beside the
+/// others.
 std::pair<Rational, Rational> bounds_of(const Exact& chain, std::size_t m) {
   Rational low = 0, high = sum_of_forces(chain) * 2;
   for (int step = 0; step < 250; ++step) {
@@ -122,6 +131,22 @@ TEST_CASE("Closed form: the corollary on the sum of the forces") {
     for (std::size_t i = 1; i < chain.size(); ++i) sum += k[i] * (1 / L[i - 1] + 1 / L[i]);
     RC_ASSERT(sum_of_forces(chain) == sum);
     RC_ASSERT(sum_of_forces(with_length(chain, 0, L[0] * 2)) != sum);
+  });
+}
+
+TEST_CASE("Closed form: the corollaries on the product of the forces and the sum of their inverses") {
+  check_property("product and sum of inverses", [] {
+    const auto chain = random_chain(Passive::any_one, 2, 8);
+    const auto z = distance_to_end(chain);
+    Rational E1 = 0, E2 = 0, En = z[0];
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      E1 += z[i] * z[i] * stiffness_but(chain, i, i);
+      for (std::size_t j = i + 1; j < z.size(); ++j)
+        E2 += z[i] * z[j] * (z[i] - z[j]) * stiffness_but(chain, i, j);
+      En *= chain.length()[i];
+    }
+    RC_ASSERT(product_of_forces(chain) == E1 / En);
+    RC_ASSERT(sum_of_inverse_forces(chain) == E2 / E1);
   });
 }
 

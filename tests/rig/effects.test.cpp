@@ -6,7 +6,7 @@
 #include "diagnose/measurement.hpp"
 #include "diagnose/read_experiment.hpp"
 #include "rig/write_experiment.hpp"
-#include "tests/diagnose/folder.hpp"
+#include "tests/folder.hpp"
 
 namespace {
 

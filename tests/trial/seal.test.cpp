@@ -5,7 +5,7 @@
 #include <plumbline/error.hpp>
 
 #include "files/sha256.hpp"
-#include "tests/diagnose/folder.hpp"
+#include "tests/folder.hpp"
 
 using namespace plumbline::trial;
 

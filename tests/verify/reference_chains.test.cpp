@@ -5,6 +5,7 @@
 #include <map>
 
 #include "proofs/certified_modes.hpp"
+#include "proofs/exactly.hpp"
 #include "proofs/working_precision.hpp"
 #include "tests/property.hpp"
 
@@ -49,8 +50,7 @@ TEST_CASE("uniform chains with a passive base have the closed form 4 sin^2(m pi 
          enclose_critical_forces(c.chain, std::min<std::size_t>(c.modes, 9), 50)) {
       const Mpfr pi = boost::math::constants::pi<Mpfr>();
       const Mpfr s = sin(Mpfr(Mpfr(static_cast<unsigned>(force.index)) * pi / Mpfr(2 * c.chain.size())));
-      Rational closed_form;
-      mpfr_get_q(closed_form.backend().data(), Mpfr(4 * s * s).backend().data());
+      const Rational closed_form = exactly(Mpfr(4 * s * s));
       CHECK(force.low < closed_form);
       CHECK(closed_form < force.high);
     }

@@ -1,0 +1,12 @@
+#pragma once
+/// \file
+/// A temporary folder that a test fills.
+
+#include <fstream>
+
+#include "files/temporary_folder.hpp"
+
+class Folder : public plumbline::TemporaryFolder {
+ public:
+  void write(const std::string& name, const std::string& text) const { std::ofstream(*this / name) << text; }
+};
