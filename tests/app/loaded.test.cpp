@@ -120,8 +120,8 @@ TEST_CASE("path: what is proved of it, and the exit status") {
   const Workplace here;
   const Outcome text = here.plumbline("path --to 1.5 --certify");
   CHECK(text.status == 0);
-  CHECK(has(text.out, "one smooth branch"));
-  CHECK(has(text.out, "load from 0 to 1.5: stable"));
+  CHECK(contains(text.out, "one smooth branch"));
+  CHECK(contains(text.out, "load from 0 to 1.5: stable"));
   // by hand its critical force is 1/2, see tests/proofs/census.test.cpp
   here.write("straight.toml", "lengths = [1, 1]\nstiffness = [1.5, 1]\n");
   const Outcome all = here.plumbline("path straight.toml --force -1,0 --branches all --certify --json");
@@ -142,8 +142,8 @@ TEST_CASE("path: what is proved of it, and the exit status") {
   // less than a point's width: nothing is shown, and nothing proved
   const Outcome open = here.plumbline("path --to 1e-10 --certify");
   CHECK(open.status == 1);
-  CHECK(has(open.out, "NOT proved"));
-  CHECK_FALSE(has(here.plumbline("path --to 0.1 --json").out, "certificates"));
+  CHECK(contains(open.out, "NOT proved"));
+  CHECK_FALSE(contains(here.plumbline("path --to 0.1 --json").out, "certificates"));
 }
 
 TEST_CASE("figure: two links are drawn, with a sentence") {
