@@ -80,7 +80,8 @@ Panel shapes_at(const Chain<double>& chain, double x) {
 }
 
 std::vector<Panel> force_curves(const Chain<double>& chain) {
-  const PathReport slow = follow_slowly(compressed(chain, 3.8, 1.5));
+  const PathTask task = compressed(chain, 3.8, 1.5);
+  const PathReport slow = follow_slowly(task);
   Panel along{"F_x, compression positive", "δ_x / L", "-F_x L / k", {}, {}, "", false};
   Panel across{"F_y", "δ_x / L", "F_y L / k", {}, {}, "", false};
   Panel stiffness{"tangent stiffness", "δ_x / L", "dF_x/dx L^2 / k", {}, {}, "set logscale y", false};
@@ -99,7 +100,7 @@ std::vector<Panel> force_curves(const Chain<double>& chain) {
     }
     int colour = 1;
     for (const double at : {0.0, 0.1, 0.4, 0.8, 1.5}) {
-      const BranchPoint<double> p = nearest_on(stretch, at);
+      const BranchPoint<double> p = state_at(task, {&stretch, 1}, at);
       shapes.curves.push_back(
           {outline(chain, p.theta), colour++, false, fmt::format("δ_x = {:.2g} L", p.load), 2.4});
     }
@@ -149,7 +150,9 @@ std::vector<Panel> draw_figure_14() {
 std::vector<Panel> draw_figure_15() {
   const auto chain = four_links({0, 0, 0, 0});
   std::vector<Panel> panels;
-  for (const auto& branch : follow_all(compressed(chain, 4, 0.6)).branches) {
+  const PathTask task = compressed(chain, 4, 0.6);
+  const PathReport all = follow_all(task);
+  for (const auto& branch : all.branches) {
     const std::vector<double> q = joint_angles(branch.points.back().theta);
     const bool same[] = {(q[1] > 0) == (q[2] > 0), (q[2] > 0) == (q[3] > 0)};
     const char* const shape = same[0] && same[1] ? "U" : same[0] ? "ZU" : same[1] ? "?" : "Z";  // Table 3
@@ -163,7 +166,7 @@ std::vector<Panel> draw_figure_15() {
                 true};
     int colour = 1;
     for (const double at : {0.05, 0.2, 0.4, 0.6}) {
-      const BranchPoint<double> p = nearest_on(branch, at);
+      const BranchPoint<double> p = state_at(task, {&branch, 1}, at);
       panel.curves.push_back({outline(chain, p.theta), colour++, p.negative_directions > 0,
                               fmt::format("δ_x = {:.2g} L", p.load), 2.4});
     }

@@ -105,16 +105,6 @@ Panel shapes_panel(const std::string& title, const Chain<double>& chain,
   return panel;
 }
 
-/// The point of a history at about a load.
-BranchPoint<double> nearest_to(const PathReport& history, double load) {
-  BranchPoint<double> nearest = history.branches[0].points[0];
-  for (const auto& stretch : history.branches) {
-    const BranchPoint<double> p = nearest_on(stretch, load);
-    if (std::abs(p.load - load) < std::abs(nearest.load - load)) nearest = p;
-  }
-  return nearest;
-}
-
 }  // namespace
 
 std::vector<Panel> draw_figure_2() {
@@ -163,7 +153,7 @@ std::vector<Panel> draw_figure_6() {
   const PathReport report = follow_all(task);
   for (const auto& branch : report.branches) {
     std::vector<BranchPoint<double>> shapes;
-    for (const double load : {0.05, 0.2, 0.4, 0.6}) shapes.push_back(nearest_on(branch, load));
+    for (const double load : {0.05, 0.2, 0.4, 0.6}) shapes.push_back(state_at(task, {&branch, 1}, load));
     panels.push_back(shapes_panel(branch.points.back().negative_directions == 0 ? "stable" : "unstable",
                                   task.chain, shapes));
   }
@@ -184,7 +174,8 @@ std::vector<Panel> draw_figure_8() {
   task.step = 0.01;
   const PathReport slow = follow_slowly(task), all = follow_all(task);
   std::vector<BranchPoint<double>> shapes;
-  for (const double load : {0.0, 0.0407353, 0.1, 0.256, 0.6}) shapes.push_back(nearest_to(slow, load));
+  for (const double load : {0.0, 0.0407353, 0.1, 0.256, 0.6})
+    shapes.push_back(state_at(task, slow.branches, load));
   return {force_panel("the slowly loaded chain, α = (π/10, -π/10)", slow, ""),
           force_panel("every branch", all, "set yrange [0:4]"), shapes_panel("shapes", task.chain, shapes)};
 }
@@ -196,16 +187,9 @@ std::vector<Panel> draw_figure_9() {
   const PathReport slow = follow_slowly(task);
   std::vector<Panel> panels;
   for (const double load : {0.01, 0.0407353, 0.06, 0.15, 0.3, 0.55}) {
-    const BranchPoint<double> near = nearest_to(slow, load);
-    std::pair<double, double> state{near.theta(0), near.energy};  // first angle and energy
-    if (std::abs(near.load - load) > 1e-6) {                      // else at the bifurcation itself
-      const NominalModel<double> model(task.chain);
-      const auto at = EquilibriumSolver<NominalModel<double>>(model).at_end_point(task.loading.at(load),
-                                                                                  near.theta, near.force);
-      state = {at.theta(0), at.energy};
-    }
+    const BranchPoint<double> state = state_at(task, slow.branches, load);
     const std::string range = fmt::format("set yrange [{:.4f}:{:.4f}]\nset key top center",
-                                          state.second - 0.1 * load, state.second + 0.002 + 1.5 * load);
+                                          state.energy - 0.1 * load, state.energy + 0.002 + 1.5 * load);
     Panel panel{fmt::format("Δ = {:.4g} L, dot: the slowly loaded chain", load),
                 "φ [rad]",
                 "E / k",
@@ -227,7 +211,7 @@ std::vector<Panel> draw_figure_9() {
       }
       panel.curves.push_back(curve);
     }
-    panel.marks.push_back({state.first, state.second, ""});
+    panel.marks.push_back({state.theta(0), state.energy, ""});
     panels.push_back(panel);
   }
   return panels;

@@ -78,4 +78,15 @@ PathReport follow_all(const PathTask& task) {
   return report;
 }
 
+BranchPoint<double> state_at(const PathTask& task, std::span<const Branch<double>> branches, double load) {
+  const BranchPoint<double>* nearest = &branches[0].points[0];
+  for (const auto& branch : branches) {
+    for (const auto& point : branch.points)
+      if (std::abs(point.load - load) < std::abs(nearest->load - load)) nearest = &point;
+  }
+  const Model model(task.chain);
+  Brancher<Model> brancher(model, task.loading, absolute_angles(task.chain.rest()));
+  return brancher.at_load(*nearest, load).value_or(*nearest);
+}
+
 }  // namespace plumbline

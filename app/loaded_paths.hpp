@@ -3,6 +3,7 @@
 /// Paths of the nominal chain in doubles: what a slowly loaded chain does, and every branch.
 
 #include <plumbline/trace.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,5 +35,9 @@ PathReport follow_slowly(const PathTask& task);
 /// passes one of the equilibria of certified censuses at the last, the middle and a small load (up to five
 /// links).
 PathReport follow_all(const PathTask& task);
+
+/// The state at a load on the nearest of some branches; the nearest point itself where they end before it, or
+/// cross there.
+BranchPoint<double> state_at(const PathTask& task, std::span<const Branch<double>> branches, double load);
 
 }  // namespace plumbline

@@ -149,12 +149,6 @@ nlohmann::ordered_json as_json(const PathReport& report) {
           {report.history ? "history" : "branches", branches}};
 }
 
-BranchPoint<double> nearest_on(const Branch<double>& branch, double load) {
-  return *std::min_element(branch.points.begin(), branch.points.end(), [load](const auto& a, const auto& b) {
-    return std::abs(a.load - load) < std::abs(b.load - load);
-  });
-}
-
 std::vector<std::pair<double, double>> outline(const Chain<double>& chain, const Vector<double>& theta) {
   std::vector<std::pair<double, double>> line{{0, 0}};
   for (std::size_t j = 0; j < chain.size(); ++j) {

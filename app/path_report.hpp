@@ -39,9 +39,6 @@ void add_curves(std::vector<Curve>& curves, const Branch<double>& branch, int co
   }
 }
 
-/// The point of a branch at about a load.
-BranchPoint<double> nearest_on(const Branch<double>& branch, double load);
-
 /// The links of a chain as a line from the base to the end point.
 std::vector<std::pair<double, double>> outline(const Chain<double>& chain, const Vector<double>& theta);
 
