@@ -30,7 +30,7 @@ struct TraceLimits {
   Real from, to;                      ///< load window
   Real longest = Real(1) / Real(20);  ///< longest way between points: root mean square turn of the links, in
                                       ///< radians
-  std::size_t points = 100000;
+  std::size_t points = 100000;        ///< no stride is begun with more
 };
 
 /// Follows one branch.
@@ -39,8 +39,7 @@ struct TraceLimits {
 /// taken only where
 /// - the horizons of its two ends meet, so that the equations stay regular in between,
 /// - (-1)^negative_directions · sign(dload/ds) is the same at both ends, for that cannot change along a
-/// branch
-///   without a crossing, and the negative directions differ by one at most.
+///   branch without a crossing, and the negative directions differ by one at most.
 /// So the type of a point in between is that of the end on its side of the fold, if the stride has one.
 template <SmoothModel Model>
 class Tracer {
@@ -85,7 +84,11 @@ class Tracer {
     for (Real h = farthest(Real(1)); h > shortest(); h /= Real(2)) {
       const auto next = brancher_->onto(brancher_->along(series_, h), h);
       const std::size_t events = branch.events.size();
-      if (!next || !sure(*next, h) || !lay(branch, here_.negative_directions, *next, Real(0), h)) continue;
+      if (!next) continue;
+      auto ahead = horizon_if_sure(*next, h);
+      if (!ahead || !lay(branch, here_.negative_directions, *next, Real(0), h)) continue;
+      horizon_ = std::move(*ahead);
+      if (horizon_.distance > Real(4) * tried_) tried_ = std::numeric_limits<Real>::max();
       if (!end_ && !brancher_->force_bounded(*next)) end_ = BranchEnd::unbounded;
       if (branch.events.size() > events) brancher_->refresh(*next);
       return;
@@ -98,15 +101,13 @@ class Tracer {
     return min(Real(share * series_.reach), Real(1) / Real(2));
   }
 
-  /// Whether a stride stays on its branch; the horizon is then that of its end.
-  bool sure(const BranchPoint<Real>& next, const Real& h) {
+  /// The horizon of the end of a stride that stays on its branch for sure.
+  std::optional<Horizon> horizon_if_sure(const BranchPoint<Real>& next, const Real& h) {
     const std::size_t a = here_.negative_directions, b = next.negative_directions;
-    if (orientation(here_) != orientation(next) || (a > b ? a - b : b - a) > 1) return false;
-    const Horizon ahead = brancher_->horizon(next, 4);
-    if (horizon_.distance + ahead.distance < h) return false;
-    horizon_ = ahead;
-    if (horizon_.distance > Real(4) * tried_) tried_ = std::numeric_limits<Real>::max();
-    return true;
+    if (orientation(here_) != orientation(next) || (a > b ? a - b : b - a) > 1) return std::nullopt;
+    Horizon ahead = brancher_->horizon(next, 4);
+    if (horizon_.distance + ahead.distance < h) return std::nullopt;
+    return ahead;
   }
 
   static Variation<Real> chord(const BranchPoint<Real>& a, const BranchPoint<Real>& b) {
@@ -117,7 +118,7 @@ class Tracer {
     using std::abs, std::sqrt;
     const Real s = brancher_->product(chord(here_, point), here_.tangent);
     if (!(abs(s) < farthest(Real(3) / Real(2)))) return std::nullopt;
-    static const Real close = sqrt(sqrt(epsilon<Real>()));
+    const Real close = sqrt(sqrt(epsilon<Real>()));
     if (!(brancher_->length(chord(brancher_->along(series_, s), point)) < close * abs(s)))
       return std::nullopt;
     return s;
