@@ -80,6 +80,20 @@ Chain<Interval> z_shaped_chain() {
   return unit_chain({-2417, 6821, -7958, 5170});
 }
 
+Matrix<Rational> bent_jacobian(std::size_t n) {
+  const auto size = static_cast<Eigen::Index>(n);
+  Matrix<Rational> J(2, size);
+  Rational x = 0, y = 0;
+  for (Eigen::Index i = size; i-- > 0;) {  // the tangent of half the link's orientation is 1 / (i + 2)
+    const Rational t(1, static_cast<int>(i) + 2);
+    x += (1 - t * t) / (1 + t * t);
+    y += 2 * t / (1 + t * t);
+    J(0, i) = -y;
+    J(1, i) = x;
+  }
+  return J;
+}
+
 Interval unloaded_reach(const Chain<Interval>& chain) {
   const Point<Interval> p = end_point(chain, chain.rest());
   return sqrt(sqr(p.x) + sqr(p.y));
@@ -184,6 +198,34 @@ CertifiedEquilibrium reached(const Census& census, const SlowPath& path, const R
     if (same) return one;
   }
   throw Error("census", "no equilibrium of the path", "every state that the chain can have");
+}
+
+const SlowPath& fig7_path() {
+  static const SlowPath instance = compress_slowly(fig7_chain(), unloaded_reach(fig7_chain()), 1.5);
+  return instance;
+}
+const SlowPath& u_path() {
+  static const SlowPath instance = compress_slowly(u_shaped_chain(), table_1_reach(), 1.5);
+  return instance;
+}
+const SlowPath& z_path() {
+  static const SlowPath instance = compress_slowly(z_shaped_chain(), table_1_reach(), 1.5);
+  return instance;
+}
+
+std::vector<CertifiedEquilibrium> states(const SlowPath& path, const std::vector<Rational>& deflections) {
+  std::vector<CertifiedEquilibrium> found;
+  for (const Rational& d : deflections)
+    found.push_back(reached(held_at(path.enclosed, path.reach - Interval(d)), path, d));
+  return found;
+}
+
+std::vector<Interval> mean_stiffnesses(const SlowPath& path, const std::vector<Rational>& deflections) {
+  const std::vector<CertifiedEquilibrium> at = states(path, deflections);
+  std::vector<Interval> slopes;
+  for (std::size_t i = 1; i < at.size(); ++i)
+    slopes.push_back((at[i - 1].fx - at[i].fx) / Interval(deflections[i] - deflections[i - 1]));
+  return slopes;
 }
 
 Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& from, const Rational& to) {
