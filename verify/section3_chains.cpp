@@ -237,6 +237,24 @@ Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& 
   return (a + b) / 2;
 }
 
+Branch<double> branch_through(const Chain<Interval>& chain, const Interval& reach,
+                              const CertifiedEquilibrium& one, double deflection, int direction,
+                              const TraceLimits<double>& limits) {
+  using Model = NominalModel<double>;
+  const Model model(convert<double>(chain, rounded));
+  Brancher<Model> brancher(model, inwards(rounded(reach)), absolute_angles(model.chain().rest()));
+  std::vector<double> q;
+  for (const Interval& angle : one.q) q.push_back(rounded(angle));
+  auto start = brancher.start(deflection, absolute_angles(q), {rounded(one.fx), rounded(one.fy)});
+  if (start.tangent.load * direction < 0) Brancher<Model>::scale(start.tangent, -1);
+  return Tracer<Model>(brancher, limits).run(start);
+}
+
+PathCertificate prove_branch(const Chain<Interval>& chain, const Interval& reach,
+                             const Branch<double>& branch) {
+  return certify(chain, inwards(reach), branch);
+}
+
 std::vector<PathCertificate> leaving(const SlowPath& path, const BranchEvent<Located>& bifurcation,
                                      double to) {
   using Model = NominalModel<double>;

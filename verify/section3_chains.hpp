@@ -91,6 +91,16 @@ std::vector<Interval> mean_stiffnesses(const SlowPath& path, const std::vector<R
 /// where it has different signs.
 Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& from, const Rational& to);
 
+/// The branch through an equilibrium of a census at a deflection, followed in double precision to growing or
+/// falling deflection as far as the limits.
+Branch<double> branch_through(const Chain<Interval>& chain, const Interval& reach,
+                              const CertifiedEquilibrium& one, double deflection, int direction,
+                              const TraceLimits<double>& limits);
+
+/// Proof of such a branch.
+PathCertificate prove_branch(const Chain<Interval>& chain, const Interval& reach,
+                             const Branch<double>& branch);
+
 /// Proofs that stable shapes leave a bifurcation for growing deflection: to each side, from next to it up to
 /// another deflection.
 std::vector<PathCertificate> leaving(const SlowPath& path, const BranchEvent<Located>& bifurcation,

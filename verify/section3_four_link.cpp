@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "proofs/census.hpp"
 #include "proofs/decimal.hpp"
@@ -199,45 +200,38 @@ Judgement u_stiffness(const Printed& printed, int) {
 
 /// The end of the branch on which two equilibria of the Z-chain are born as the compression grows.
 BranchEvent<Located> birth() {
-  const Chain<Interval> chain = z_shaped_chain();
-  const auto rounded = [](const Interval& x) { return static_cast<double>(x.middle()); };
-  const Rational d(2, 5);
-  const Census census = at_deflection(chain, d);
-  const NominalModel<double> model(convert<double>(chain, rounded));
-  Brancher<NominalModel<double>> brancher(model, {Control::end_point, {3.8, 0}, {-1, 0}},
-                                          absolute_angles(model.chain().rest()));
-  const CertifiedEquilibrium* saddle = nullptr;
-  for (const auto& one : census.equilibria) {
-    if (one.negative_directions == 1) saddle = &one;
-  }
-  if (saddle == nullptr) throw Error("Fig. 13", "no saddle at 0.4 L", "one");
-  std::vector<double> q;
-  for (const Interval& angle : saddle->q) q.push_back(rounded(angle));
-  auto start = brancher.start(0.4, absolute_angles(q), {rounded(saddle->fx), rounded(saddle->fy)});
-  Brancher<NominalModel<double>>::scale(start.tangent, start.tangent.load > 0 ? -1 : 1);
-  const Branch<double> branch = Tracer<NominalModel<double>>(brancher, {0, 0.5}).run(start);
+  const Census census = at_deflection(z_shaped_chain(), Rational(2, 5));
+  const auto saddle = std::find_if(census.equilibria.begin(), census.equilibria.end(),
+                                   [](const auto& one) { return one.negative_directions == 1; });
+  if (saddle == census.equilibria.end()) throw Error("Fig. 13", "no saddle at 0.4 L", "one");
+  const Branch<double> branch = branch_through(z_shaped_chain(), table_1_reach(), *saddle, 0.4, -1, {0, 0.5});
   for (auto& event : locate_events(z_path().chain, z_path().loading, branch)) {
     if (event.kind == EventKind::fold) return event;
   }
   throw Error("Fig. 13", "no fold on the saddle's branch", "one");
 }
 
+/// On the sheet q_4 > 0 that the figures show.
 Judgement singular_surface(const Printed& printed, int digits) {
   const BranchEvent<Located> fold = birth();
   const Interval at(fold.point.load, fold.point.load), off(Rational(1, 100000));
-  const Census before = held_at(z_shaped_chain(), table_1_reach() - at + off),
-               after = held_at(z_shaped_chain(), table_1_reach() - at - off);
-  const Census u1 = at_deflection(u_shaped_chain(), Rational(1, 20)),
-               u2 = at_deflection(u_shaped_chain(), Rational(7, 10));
-  const bool z = extrema(before) != extrema(after), u = extrema(u1) != extrema(u2);
+  const std::string before = extrema(held_at(z_shaped_chain(), table_1_reach() - at + off), 1),
+                    after = extrema(held_at(z_shaped_chain(), table_1_reach() - at - off), 1);
+  const Census early = at_deflection(u_shaped_chain(), Rational(1, 20)),
+               middle = at_deflection(u_shaped_chain(), Rational(7, 10)),
+               late = at_deflection(u_shaped_chain(), Rational(7, 5));
+  const std::string u = extrema(early, 1);
+  const bool regular = extrema(middle, 1) == u && extrema(late, 1) == u;
   const std::string found =
-      std::string(z ? "Z singular" : "Z regular") + (u ? ", U singular" : ", U regular");
+      std::string(before != after ? "Z singular" : "Z regular") + (regular ? ", U regular" : ", U singular");
   Judgement result = judge_word(
       printed.at(0), found, {printed.at(0), found}, found,
-      {{EvidenceKind::interval, fmt::format("certified censuses of the Z-chain 1e-5 L before ({}) and after "
-                                            "({}) the value; of the U-chain at "
-                                            "0.05 L ({}) and 0.7 L ({})",
-                                            extrema(before), extrema(after), extrema(u1), extrema(u2))},
+      {{EvidenceKind::interval,
+        fmt::format(
+            "certified censuses, q_4 > 0: the Z-chain 1e-5 L before ({}) and after ({}) the value; the "
+            "U-chain at 0.05, 0.7 and 1.4 L ({}; on both sheets together {} equilibria at 0.7 L, {} at 1.4 "
+            "L)",
+            before, after, u, middle.equilibria.size(), late.equilibria.size())},
        {EvidenceKind::mp50,
         "birth of a minimum and a saddle, a fold, located by Newton's method in 64 digits"}});
   result.value = located(fold.point.load, digits);

@@ -164,11 +164,17 @@ Judgement begins(const Printed& printed, int) {
 
 Judgement critical_angle(const Printed& printed, int digits) {
   const Located angle = buckling().point.theta(0);
-  Judgement result =
-      judge_word(printed.at(0), abs(angle) < Located("1e-40") ? "0" : "negative", {"0", "negative"},
-                 "at the critical force the first angle is still " + angle.str(8) +
-                     "; it passes zero later, and nothing happens to the stiffness there",
-                 {{EvidenceKind::mp50, "theta_1 at the located bifurcation"}});
+  const Rational at = exactly(buckling().point.load), off(1, 1000000);
+  bool negative = true;
+  for (const auto& one : states(path(), {Rational(at - off), Rational(at + off)}))
+    negative = negative && certainly_less(one.q[0], Interval(Rational(-1, 10)));
+  Judgement result = judge_word(
+      printed.at(0), negative ? "negative" : "0", {"0", "negative"},
+      "at the critical force the first angle is still " + angle.str(8) +
+          "; it passes zero later, and nothing happens to the stiffness there",
+      {{EvidenceKind::interval,
+        "certified censuses 1e-6 L before and after the bifurcation: the first angle is below -0.1"},
+       {EvidenceKind::mp50, "theta_1 at the located bifurcation"}});
   result.value = located(angle, digits);
   return result;
 }

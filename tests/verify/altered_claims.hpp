@@ -279,6 +279,7 @@ inline std::multimap<std::string, plumbline::Printed> corrected_claims() {
       {"eq-8-torques", {"q-q0"}},
       {"given-force-equations", {"2"}},
       {"single-point", {"2"}},
+      {"given-force", {"the same equilibria, stable less often"}},
       {"fig-16-sheets", {"3 for q4 > 0, 3 for q4 < 0"}},
       {"fig-11-continuity", {"does not prove"}},
       {"fig-14-smooth", {"smooth"}},
