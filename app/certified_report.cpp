@@ -6,14 +6,18 @@ namespace plumbline {
 
 namespace {
 
-std::string text(const Span& load) {
-  return fmt::format("[{:.9g}, {:.9g}]", load.low, load.high);
-}
+constexpr int digits = 12;
 
 std::string text(const CertifiedRun& run) {
   return fmt::format(
       "  load from {:.9g} to {:.9g}: {}\n", run.from, run.to,
       run.negative_directions == 0 ? "stable" : fmt::format("unstable ({})", run.negative_directions));
+}
+
+std::string_view title(const PathCertificate& one) {
+  return !one.certified()   ? "proved in part"
+         : one.gaps.empty() ? "one smooth branch"
+                            : "smooth but for the gaps";
 }
 
 nlohmann::ordered_json pairs(const std::vector<Span>& loads) {
@@ -42,12 +46,13 @@ std::string as_text(const CertifiedReport& report) {
     const PathCertificate& one = report[b];
     all +=
         fmt::format("part {}: {} in {} segments; the points are within {:.1e} rad of it, the chords {:.1e}\n",
-                    b + 1, one.gaps.empty() ? "one smooth branch" : "smooth but for the gaps", one.segments,
-                    one.distance, one.tube);
+                    b + 1, title(one), one.segments, one.distance, one.tube);
     for (const CertifiedRun& run : one.runs) all += text(run);
-    for (const Span& fold : one.folds) all += "  the load turns once in " + text(fold) + "\n";
-    for (const Span& gap : one.gaps) all += "  not covered, around a bifurcation: " + text(gap) + "\n";
-    if (one.failed_at) all += fmt::format("  NOT proved from {} on: {}\n", text(*one.failed_at), one.failure);
+    for (const Span& fold : one.folds) all += "  the load turns once in " + text(fold, digits) + "\n";
+    for (const Span& gap : one.gaps)
+      all += "  not covered, around a bifurcation: " + text(gap, digits) + "\n";
+    if (one.failed_at)
+      all += fmt::format("  NOT proved from {} on: {}\n", text(*one.failed_at, digits), one.failure);
   }
   return all;
 }

@@ -84,6 +84,7 @@ Answer certified(const Options& options, const Load& load) {
   }
   for (const auto& box : census.undecided) {
     std::vector<std::string> q;
+    q.reserve(box.size());
     for (const Interval& angle : box) q.push_back(angle.text(8));
     answer.undecided.push_back(std::move(q));
   }

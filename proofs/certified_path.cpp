@@ -1,5 +1,6 @@
 #include "proofs/certified_path.hpp"
 
+#include "proofs/regular_pieces.hpp"
 #include "proofs/regular_tube.hpp"
 
 namespace plumbline {
@@ -9,8 +10,9 @@ namespace {
 using Model = NominalModel<double>;
 using Points = std::vector<BranchPoint<double>>;
 
-constexpr double shortest = 1e-9;  ///< of a segment, in radians
-constexpr double fine = 1e-5;     ///< a longer segment is halved where only the sign of the stiffness is open
+constexpr const char *turn_open = "whether the load turns stays open",
+                     *type_open = "the type of the equilibria stays open";
+constexpr double fine = 1e-5;  ///< a longer segment is halved around a fold, and where its stiffness is open
 constexpr double nearest = 1e-6;  ///< farther from the curve a point is none of it
 
 double middle_of(const Interval& x) {
@@ -22,10 +24,6 @@ Point<double> middle_of(const Point<Interval>& p) {
 
 int sign(const Span& x) {
   return certainly_positive(x) ? 1 : certainly_negative(x) ? -1 : 0;
-}
-
-Variation<double> chord(const BranchPoint<double>& a, const BranchPoint<double>& b) {
-  return {b.theta - a.theta, {b.force.x - a.force.x, b.force.y - a.force.y}, b.load - a.load};
 }
 
 /// A tube and which way the load goes in it.
@@ -49,14 +47,16 @@ class Prover {
   PathCertificate run(const Branch<double>& branch, double gap);
 
  private:
-  void pass_last_fold(Points& points, const Branch<double>& branch);
-  std::vector<Points> pieces(const Branch<double>& branch, double gap);
   bool prove(Points points, bool closed);
   std::optional<Segment> segment(const BranchPoint<double>& a, const BranchPoint<double>& b);
   bool join(const BranchPoint<double>& at, const Segment& before, const Segment& after);
   bool account(const Segment& segment, const BranchPoint<double>& a);
   bool settle(int way, double load);
   std::optional<BranchPoint<double>> between(const BranchPoint<double>& a, const BranchPoint<double>& b);
+  /// Whether shorter segments would show more.
+  [[nodiscard]] bool open(const Segment& segment) const {
+    return segment.way == 0 || (result_.stiff && segment.stiffness == 0);
+  }
   bool fail(const Span& load, const char* why) {
     result_.failed_at = load;
     result_.failure = why;
@@ -82,7 +82,7 @@ class Prover {
 std::optional<BranchPoint<double>> Prover::between(const BranchPoint<double>& a,
                                                    const BranchPoint<double>& b) {
   const double length = brancher_.length(chord(a, b));
-  if (!(length > 4 * shortest)) return std::nullopt;  // neither part is too short
+  if (!(length > 4 * same_point)) return std::nullopt;  // neither part is too short
   for (const bool forwards : {true, false}) {
     const BranchPoint<double>&from = forwards ? a : b, &to = forwards ? b : a;
     const auto middle = brancher_.step(from, brancher_.product(chord(from, to), from.tangent) / 2);
@@ -112,7 +112,7 @@ std::optional<Segment> Prover::segment(const BranchPoint<double>& a, const Branc
   found.way = sign(equations_.load(pace));
   found.bend = found.way == 0 ? sign(equations_.load(bend(equations_, *tube, everywhere, pace))) : 0;
   if (found.way == 0 && found.bend == 0) {
-    obstacle_ = "whether the load turns stays open";
+    obstacle_ = turn_open;
     return std::nullopt;
   }
   found.stiffness = sign(equations_.answer(everywhere, pace)) * found.way;
@@ -150,10 +150,10 @@ bool Prover::join(const BranchPoint<double>& at, const Segment& before, const Se
 bool Prover::settle(int way, double load) {
   if (way != way_) {
     if (way_ != 0) {
-      if (!typed_) return fail(load, "the type of the equilibria stays open");
-      result_.folds.push_back(bend_->load);
+      if (!typed_) return fail(load, type_open);
+      result_.folds.push_back(bend_.value().load);
     } else if (bend_) {
-      return fail(bend_->load, "whether the load turns stays open");
+      return fail(bend_->load, turn_open);
     }
     result_.runs.push_back({load, load, 0});
     typed_ = false;
@@ -169,7 +169,7 @@ bool Prover::account(const Segment& segment, const BranchPoint<double>& a) {
   result_.stiff = result_.stiff && segment.stiffness > 0;
   result_.tube = std::max(result_.tube, segment.tube.image.head(a.theta.size()).maxCoeff());
   if (segment.way != 0) return settle(segment.way, a.load);
-  if (bend_ && bend_->sign != segment.bend) return fail(segment.load, "whether the load turns stays open");
+  if (bend_ && bend_->sign != segment.bend) return fail(segment.load, turn_open);
   bend_ = Bend{segment.bend, bend_ ? hull(bend_->load, segment.load) : segment.load};
   return true;
 }
@@ -185,12 +185,12 @@ bool Prover::prove(Points points, bool closed) {
   std::optional<Segment> first, last;
   while (!points.empty()) {
     const BranchPoint<double>& there = points.back();
-    if (!(brancher_.length(chord(here, there)) > shortest)) {  // the same point again
+    if (!(brancher_.length(chord(here, there)) > same_point)) {  // the same point again
       points.pop_back();
       continue;
     }
     auto next = segment(here, there);
-    if (next && next->stiffness == 0 && brancher_.length(chord(here, there)) > fine) {
+    if (next && open(*next) && brancher_.length(chord(here, there)) > fine) {
       if (auto middle = between(here, there)) {
         points.push_back(std::move(*middle));
         continue;
@@ -212,72 +212,21 @@ bool Prover::prove(Points points, bool closed) {
   if (!last) return true;
   if (!join(here, *last, closed ? *first : *last))
     return result_.certified() ? fail(here.load, obstacle_) : false;
-  if (bend_) return fail(bend_->load, "whether the load turns stays open");
-  if (!typed_) return fail(here.load, "the type of the equilibria stays open");
+  if (bend_) return fail(bend_->load, turn_open);
+  if (!typed_) return fail(here.load, type_open);
   result_.runs.back().to = here.load;
   return true;
 }
 
-/// A stretch that ends in a fold is followed beyond it: that proves the fold.
-void Prover::pass_last_fold(Points& points, const Branch<double>& branch) {
-  if (points.size() < 2 || branch.events.empty() || branch.events.back().kind != EventKind::fold) return;
-  const BranchPoint<double>& fold = branch.events.back().point;
-  if (brancher_.length(chord(points.back(), fold)) > shortest) return;
-  const Variation<double> way = chord(points[points.size() - 2], fold);
-  for (double h = brancher_.product(way, fold.tangent); std::abs(h) > shortest; h /= 2) {
-    auto beyond = brancher_.step(fold, h);
-    if (!beyond) continue;
-    points.back() = std::move(*beyond);
-    return;
-  }
-}
-
-/// The points of a branch, cut where another one crosses: there the equations are singular.
-std::vector<Points> Prover::pieces(const Branch<double>& branch, double gap) {
-  Points points = branch.points;
-  pass_last_fold(points, branch);
-  if (branch.end == BranchEnd::closed) points.push_back(points.front());
-  std::vector<Points> result{{}};
-  auto next = points.begin();
-  for (const auto& event : branch.events) {
-    if (event.kind != EventKind::bifurcation) continue;
-    const BranchPoint<double>& crossing = event.point;
-    const auto close = [&](const BranchPoint<double>& p) {
-      return brancher_.length(chord(p, crossing)) < 2 * gap;
-    };
-    auto before = points.begin() + static_cast<std::ptrdiff_t>(std::min(event.before + 1, points.size()));
-    auto after = before;
-    while (before != next && close(*(before - 1))) --before;
-    while (after != points.end() && close(*after)) ++after;
-    Points& piece = result.back();
-    piece.insert(piece.end(), next, before);
-    const Variation<double> way = after != points.end() ? chord(crossing, *after)
-                                  : !piece.empty()      ? chord(piece.back(), crossing)
-                                                        : crossing.tangent;
-    const double ahead = brancher_.product(way, crossing.tangent) < 0 ? -gap : gap;
-    if (auto last = brancher_.step(crossing, -ahead); last && !piece.empty())
-      piece.push_back(std::move(*last));
-    Points further;
-    if (auto first = brancher_.step(crossing, ahead); first && after != points.end())
-      further.push_back(std::move(*first));
-    Span left_out(crossing.load);
-    if (!piece.empty()) left_out = hull(left_out, Span(piece.back().load));
-    if (after != points.end())
-      left_out = hull(left_out, Span(further.empty() ? after->load : further.back().load));
-    result_.gaps.push_back(left_out);
-    result.push_back(std::move(further));
-    next = after;
-  }
-  result.back().insert(result.back().end(), next, points.end());
-  return result;
-}
-
 PathCertificate Prover::run(const Branch<double>& branch, double gap) {
-  const std::vector<Points> all = pieces(branch, gap);
-  const bool closed = branch.end == BranchEnd::closed && all.size() == 1;
-  for (const Points& piece : all) {
-    if (!piece.empty() && !prove(piece, closed)) break;
+  RegularPieces pieces = regular_pieces(brancher_, branch, gap);
+  const bool closed = branch.end == BranchEnd::closed && pieces.gaps.empty();
+  result_.gaps = std::move(pieces.gaps);
+  for (Points& piece : pieces.points) {
+    if (!piece.empty() && !prove(std::move(piece), closed)) break;
   }
+  if (result_.certified() && result_.segments == 0)
+    fail(branch.points.at(0).load, "a single point shows no branch");
   return std::move(result_);
 }
 

@@ -15,11 +15,10 @@
 /// second derivative has one sign, and with the signs on both sides it decides between no turn and exactly
 /// one (a fold).
 
+#include <plumbline/trace.hpp>
 #include <string>
 
 #include "proofs/span.hpp"
-
-#include <plumbline/trace.hpp>
 
 namespace plumbline {
 
@@ -46,7 +45,7 @@ struct PathCertificate {
   [[nodiscard]] bool regular() const;
 };
 
-/// Proves what it can of a branch.
+/// Proves what it can of a branch. O(n^3) a segment.
 /// \param chain, loading  what the branch was followed with, enclosed
 /// \param gap  distance from a bifurcation on either side, in radians (root mean square turn of the links),
 ///             that is left out

@@ -259,7 +259,9 @@ std::optional<Midpoint> EquilibriumBox::root_near(const Box& z) const {
 }
 
 std::optional<Box> EquilibriumBox::isolate(const Midpoint& root) const {
-  for (double radius = 0.4; radius > 1e-12; radius *= 0.5) {
+  constexpr int halvings = 38;  // down to 1e-12
+  for (int h = 0; h <= halvings; ++h) {
+    const double radius = std::ldexp(0.4, -h);
     Box z;
     for (std::size_t j = 0; j < size_; ++j) {
       const double r = j < n_ ? radius : radius / force_weight_;

@@ -68,6 +68,11 @@ struct Span {
   }
 };
 
+/// `[low, high]`, each end to so many digits and rounded outwards.
+inline std::string text(const Span& x, int digits) {
+  return hull(Interval::from_double(x.low), Interval::from_double(x.high)).text(digits);
+}
+
 /// Cosine and sine of every angle in a span.
 struct Circle {
   Span cosine, sine;

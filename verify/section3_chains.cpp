@@ -33,19 +33,19 @@ double rounded(const Interval& x) {
 }
 
 std::string in_words(const PathCertificate& proved) {
-  std::string text =
-      fmt::format("one smooth branch, proved by {} interval Newton segments: ", proved.segments);
+  std::string words =
+      fmt::format("{}, proved by {} interval Newton segments: ",
+                  proved.gaps.empty() ? "one smooth branch" : "smooth but for a gap", proved.segments);
+  std::string_view before;
   for (const CertifiedRun& run : proved.runs) {
-    text += fmt::format("{}{} from deflection {:.6g} to {:.6g}", &run == proved.runs.data() ? "" : ", then ",
-                        run.negative_directions == 0 ? "stable" : "unstable", run.from, run.to);
+    words += fmt::format("{}{} from deflection {:.6g} to {:.6g}", before,
+                         run.negative_directions == 0 ? "stable" : "unstable", run.from, run.to);
+    before = ", then ";
   }
-  for (const Span& fold : proved.folds)
-    text += fmt::format("; the deflection turns exactly once in [{:.9g}, {:.9g}]", fold.low, fold.high);
-  for (const Span& gap : proved.gaps)
-    text += fmt::format("; not covered: [{:.6g}, {:.6g}] around a bifurcation", gap.low, gap.high);
-  if (proved.failed_at)
-    text += fmt::format("; not proved from {:.6g} on: {}", proved.failed_at->low, proved.failure);
-  return text + (proved.stiff ? "; the force grows all along" : "");
+  for (const Span& fold : proved.folds) words += "; the deflection turns exactly once in " + text(fold, 12);
+  for (const Span& gap : proved.gaps) words += "; not covered, around a bifurcation: " + text(gap, 8);
+  if (proved.failed_at) words += "; not proved from " + text(*proved.failed_at, 8) + " on: " + proved.failure;
+  return words + (proved.stiff ? "; the force grows all along" : "");
 }
 
 /// The chain turned so that its unloaded end point lies on the x axis; possible with a passive base.

@@ -12,18 +12,19 @@ template <SmoothModel Model>
 bool lies_on(Brancher<Model>& brancher, const Branch<typename Model::Real>& branch,
              const BranchPoint<typename Model::Real>& point) {
   using Real = typename Model::Real;
-  using std::abs, std::sqrt;
+  using std::sqrt;
   static const Real same = sqrt(epsilon<Real>());
   for (std::size_t i = 1; i < branch.points.size(); ++i) {
     const BranchPoint<Real>&a = branch.points[i - 1], &b = branch.points[i];
-    if ((point.load - a.load) * (point.load - b.load) > Real(0) && point.load != a.load) continue;
     const Variation<Real> gap{point.theta - a.theta, {Real(0), Real(0)}, point.load - a.load};
     const Variation<Real> step{b.theta - a.theta, {Real(0), Real(0)}, b.load - a.load};
     if (brancher.length(gap) > Real(2) * brancher.length(step) + same) continue;
     const Real ahead = brancher.product(gap, a.tangent);
     if (ahead < -same || ahead > brancher.product(step, a.tangent) + same) continue;
-    const auto there = brancher.step(a, ahead);
-    if (there && (there->theta - point.theta).cwiseAbs().maxCoeff() < Real(1000) * same) return true;
+    const Variation<Real> back{point.theta - b.theta, {Real(0), Real(0)}, point.load - b.load};
+    for (const auto& there : {brancher.step(a, ahead), brancher.step(b, brancher.product(back, b.tangent))}) {
+      if (there && (there->theta - point.theta).cwiseAbs().maxCoeff() < Real(1000) * same) return true;
+    }
   }
   return false;
 }
@@ -69,7 +70,9 @@ std::vector<Branch<typename Model::Real>> branch_tree(Brancher<Model>& brancher,
       for (const int side : {1, -1}) {
         BranchPoint<Real> at = event.point;
         at.tangent = event.crossing;
-        const auto off = brancher.step(at, Real(side) / Real(200));
+        std::optional<BranchPoint<Real>> off;
+        for (Real h = Real(1) / Real(200); !off && h > Real(1) / Real(20000); h /= Real(4))
+          off = brancher.step(at, Real(side) * h);
         if (off && off->load >= limits.from && off->load <= limits.to) starts.push_back(*off);
       }
     }

@@ -57,14 +57,13 @@ class Tracer {
     brancher_->refresh(branch.points.back());
     horizon_ = brancher_->horizon(branch.points.back(), 8);
     tried_ = std::numeric_limits<Real>::max();
-    std::optional<BranchEnd> end;
-    while (!end && branch.points.size() < limits_.points) {
-      const BranchPoint<Real> here = branch.points.back();
-      brancher_->expand(here, series_);
-      if (cross(branch, here)) continue;
-      end = stride(branch, here);
+    end_.reset();
+    while (!end_ && branch.points.size() < limits_.points) {
+      here_ = branch.points.back();
+      brancher_->expand(here_, series_);
+      if (!cross(branch)) stride(branch);
     }
-    if (end) branch.end = *end;
+    if (end_) branch.end = *end_;
     return branch;
   }
 
@@ -81,25 +80,17 @@ class Tracer {
     return (p.negative_directions % 2 == 0) == (p.tangent.load > Real(0));
   }
 
-  /// As far as is sure, with the points and events on the way. Says why the branch ends, where it does.
-  std::optional<BranchEnd> stride(Branch<Real>& branch, const BranchPoint<Real>& here) {
+  /// As far as is sure, with the points and events on the way.
+  void stride(Branch<Real>& branch) {
     for (Real h = farthest(Real(1)); h > shortest(); h /= Real(2)) {
       const auto next = brancher_->onto(brancher_->along(series_, h), h);
-      if (!next || !sure(here, *next, h)) continue;
-      const BranchPoint<Real> first = branch.points.front();
-      const Real back = brancher_->product(chord(here, first), here.tangent);
-      const bool closes = branch.points.size() > 1 && back > Real(0) && back <= h && meets(back, first);
       const std::size_t events = branch.events.size();
-      const Laid laid =
-          lay(branch, here.negative_directions, closes ? first : *next, Real(0), closes ? back : h);
-      if (laid == Laid::unsure) continue;
-      if (laid == Laid::left) return BranchEnd::load;
-      if (closes) return BranchEnd::closed;
-      if (!brancher_->force_bounded(*next)) return BranchEnd::unbounded;
+      if (!next || !sure(*next, h) || !lay(branch, here_.negative_directions, *next, Real(0), h)) continue;
+      if (!end_ && !brancher_->force_bounded(*next)) end_ = BranchEnd::unbounded;
       if (branch.events.size() > events) brancher_->refresh(*next);
-      return std::nullopt;
+      return;
     }
-    return BranchEnd::degenerate;
+    end_ = BranchEnd::degenerate;
   }
   /// \param share  of the reach of the series
   Real farthest(const Real& share) const {
@@ -108,9 +99,9 @@ class Tracer {
   }
 
   /// Whether a stride stays on its branch; the horizon is then that of its end.
-  bool sure(const BranchPoint<Real>& here, const BranchPoint<Real>& next, const Real& h) {
-    const std::size_t a = here.negative_directions, b = next.negative_directions;
-    if (orientation(here) != orientation(next) || (a > b ? a - b : b - a) > 1) return false;
+  bool sure(const BranchPoint<Real>& next, const Real& h) {
+    const std::size_t a = here_.negative_directions, b = next.negative_directions;
+    if (orientation(here_) != orientation(next) || (a > b ? a - b : b - a) > 1) return false;
     const Horizon ahead = brancher_->horizon(next, 4);
     if (horizon_.distance + ahead.distance < h) return false;
     horizon_ = ahead;
@@ -121,56 +112,78 @@ class Tracer {
   static Variation<Real> chord(const BranchPoint<Real>& a, const BranchPoint<Real>& b) {
     return {b.theta - a.theta, {b.force.x - a.force.x, b.force.y - a.force.y}, b.load - a.load};
   }
-  /// Whether the series passes a point, beside the way to there.
-  bool meets(const Real& s, const BranchPoint<Real>& point) {
-    using std::sqrt;
-    return brancher_->length(chord(brancher_->along(series_, s), point)) < sqrt(sqrt(epsilon<Real>())) * s;
+  /// Whether the series passes a point, and where.
+  std::optional<Real> passes(const BranchPoint<Real>& point) {
+    using std::abs, std::sqrt;
+    const Real s = brancher_->product(chord(here_, point), here_.tangent);
+    if (!(abs(s) < farthest(Real(3) / Real(2)))) return std::nullopt;
+    static const Real close = sqrt(sqrt(epsilon<Real>()));
+    if (!(brancher_->length(chord(brancher_->along(series_, s), point)) < close * abs(s)))
+      return std::nullopt;
+    return s;
   }
 
   /// Over a simple bifurcation ahead, if there is one and it is on this branch.
-  bool cross(Branch<Real>& branch, const BranchPoint<Real>& here) {
-    using std::abs, std::min;
-    const Real guess = horizon_.ahead, straight = Real(99) / Real(100);
-    if (!(guess > Real(0) && guess < farthest(Real(2)) && guess < tried_ / Real(2))) return false;
+  bool cross(Branch<Real>& branch) {
+    const Real guess = horizon_.ahead;
+    if (!(guess > Real(0) && guess < farthest(Real(3) / Real(2)) && guess < tried_ / Real(2))) return false;
     tried_ = guess;
     auto found =
         BifurcationSolver<Model>(*brancher_).near(brancher_->along(series_, guess), horizon_.direction);
-    if (!found || !found->simple()) return false;
-    const Real s = brancher_->product(chord(here, found->point), here.tangent);
-    if (!(s > Real(0) && s < farthest(Real(2)) && meets(s, found->point)) || outside(found->point.load))
-      return false;
+    if (!found || !found->simple() || outside(found->point.load)) return false;
+    const auto s = passes(found->point);
+    if (!s || !(*s > Real(0))) return false;
+    const auto crossing = take_tangent(*found, *s);
+    const auto beyond = crossing ? hop(found->point, *s) : std::nullopt;
+    if (!beyond) return false;
+    crossing_ = *s;
+    const bool laid = lay(branch, here_.negative_directions, found->point, Real(0), *s);
+    crossing_.reset();
+    if (!laid) return false;
+    if (end_) return true;
+    branch.events.push_back({EventKind::bifurcation, branch.points.size() - 2, found->point, *crossing});
+    here_ = *beyond;
+    std::swap(series_, ahead_);
+    brancher_->refresh(here_);
+    horizon_ = brancher_->horizon(here_, 8);
+    tried_ = std::numeric_limits<Real>::max();
+    crossing_ = brancher_->product(chord(here_, found->point), here_.tangent);
+    lay(branch, here_.negative_directions, here_, *crossing_, Real(0));
+    crossing_.reset();
+    brancher_->refresh(here_);
+    return true;
+  }
+
+  /// Describes a bifurcation as a point of this branch. \return the tangent of the other; nothing if neither
+  /// goes this way
+  std::optional<Variation<Real>> take_tangent(Bifurcation<Real>& found, const Real& s) {
+    using std::abs;
     const Variation<Real> along = brancher_->along(series_, s).tangent;
     const auto agrees = [&](const Variation<Real>& t) { return brancher_->product(along, t); };
-    const std::size_t mine = abs(agrees(found->tangents[0])) > abs(agrees(found->tangents[1])) ? 0 : 1;
-    Variation<Real> tangent = found->tangents[mine];
+    const std::size_t mine = abs(agrees(found.tangents[0])) > abs(agrees(found.tangents[1])) ? 0 : 1;
+    Variation<Real> tangent = found.tangents[mine];
     if (agrees(tangent) < Real(0)) Brancher<Model>::scale(tangent, Real(-1));
-    if (!(agrees(tangent) > straight)) return false;
-    brancher_->describe_singular(found->point, tangent);
-    found->point.stiffness = series_.stiffness(s);
-    found->point.negative_directions = here.negative_directions;  // in between, rounding alone would decide
-    std::optional<BranchPoint<Real>> beyond;
-    for (Real hop = Real(1) / Real(20); !beyond && hop > min(s, Real(1) / Real(20)) / Real(16);
-         hop /= Real(4)) {
-      beyond = brancher_->step(found->point, hop);
-      if (beyond && orientation(*beyond) == orientation(here)) beyond.reset();
+    if (!(agrees(tangent) > Real(99) / Real(100))) return std::nullopt;
+    const auto beside = brancher_->onto(brancher_->along(series_, s * Real(63) / Real(64)), s);
+    if (!beside) return std::nullopt;
+    brancher_->describe_singular(found.point, tangent);
+    found.point.stiffness = series_.stiffness(s);
+    found.point.negative_directions = beside->negative_directions;  // at the crossing rounding would decide
+    return found.tangents[1 - mine];
+  }
+
+  /// A point of the same branch beyond a bifurcation that is s ahead, whose own series reaches back to it.
+  std::optional<BranchPoint<Real>> hop(const BranchPoint<Real>& over, const Real& s) {
+    using std::min;
+    const Real longest = Real(1) / Real(20), least = min(s, longest) / Real(64);
+    for (Real h = longest; h > least; h /= Real(2)) {
+      auto beyond = brancher_->step(over, h);
+      if (!beyond || orientation(*beyond) == orientation(here_)) continue;
+      brancher_->refresh(*beyond);
+      brancher_->expand(*beyond, ahead_);
+      if (h < Real(3) / Real(2) * ahead_.reach) return beyond;
     }
-    if (!beyond) return false;
-    crossing_ = s;
-    const Laid laid = lay(branch, here.negative_directions, found->point, Real(0), s);
-    crossing_.reset();
-    if (laid != Laid::whole) return false;
-    branch.events.push_back(
-        {EventKind::bifurcation, branch.points.size() - 2, found->point, found->tangents[1 - mine]});
-    brancher_->refresh(*beyond);
-    horizon_ = brancher_->horizon(*beyond, 8);
-    tried_ = std::numeric_limits<Real>::max();
-    brancher_->expand(*beyond, series_);
-    const Real from = brancher_->product(chord(*beyond, found->point), beyond->tangent);
-    crossing_ = from;
-    lay(branch, beyond->negative_directions, *beyond, from, Real(0));
-    crossing_.reset();
-    brancher_->refresh(*beyond);
-    return true;
+    return std::nullopt;
   }
 
   /// A place in a stride, with what shows an event.
@@ -188,39 +201,54 @@ class Tracer {
     return {s, series_.value(Series::load), series_.slope(Series::load), series_.value(Series::bend)};
   }
 
-  enum class Laid : std::uint8_t {
-    whole,
-    left,   ///< the branch leaves the load window; it ends at the edge
-    unsure  ///< the load turns twice, or a point is not found: nothing was laid
-  };
-
-  /// The points of a stride over (from, to], evenly spaced, the last one given, with the events between them.
+  /// The points of a stride over (from, to], evenly spaced, the last one given, with the events between them;
+  /// fewer where the branch ends on the way. False, and nothing is laid, where the load turns twice or a
+  /// point is not found.
   /// \param type  negative directions up to a fold; behind, those of the last point
-  Laid lay(Branch<Real>& branch, std::size_t type, const BranchPoint<Real>& last, const Real& from,
-           const Real& to) {
+  bool lay(Branch<Real>& branch, std::size_t type, BranchPoint<Real> last, const Real& from, Real to) {
     using std::ceil;
     const std::size_t points = branch.points.size(), events = branch.events.size();
+    const auto start = points > 1 ? passes(branch.points.front()) : std::nullopt;
+    const bool closes = start && *start > from && *start <= to;
+    if (closes) {
+      last = branch.points.front();
+      to = *start;
+    }
     const auto count = static_cast<int>(ceil((to - from) / limits_.longest));
     bool turned = false;
-    Place before = place(from);
+    const Real inset = crossing_ ? beside_crossing((to - from) / Real(count)) : Real(0);
+    Place before = place(crossing_ && *crossing_ == from ? Real(from + inset) : from);
     for (int i = 1; i <= count; ++i) {
       const Real s = i < count ? Real(from + (to - from) * Real(i) / Real(count)) : to;
       std::optional<BranchPoint<Real>> point = i < count ? point_at(s) : last;
-      const Place here = i < count ? place_at_hand(s) : place(s);
+      const bool crosses = crossing_ && *crossing_ == s;
+      const Place here = i < count ? place_at_hand(s) : place(crosses ? Real(s - inset) : s);
       const bool turns = (before.turn > Real(0)) != (here.turn > Real(0));
       if (!point || (turns && turned)) {
         branch.points.resize(points);
         branch.events.resize(events);
-        return Laid::unsure;
+        return false;
       }
-      if (outside(point->load)) return leave(branch, before, here);
+      if (outside(point->load)) {
+        leave(branch, before, here);
+        return true;
+      }
       note_event(branch, before, here);
       turned = turned || turns;
       if (i < count) point->negative_directions = turned ? last.negative_directions : type;
       branch.points.push_back(std::move(*point));
       before = here;
     }
-    return Laid::whole;
+    if (closes) end_ = BranchEnd::closed;
+    return true;
+  }
+
+  /// How far from a crossing the turn of the load is looked at: it may vanish there without a fold, and near
+  /// it rounding blurs the turn.
+  static Real beside_crossing(const Real& interval) {
+    using std::max, std::min, std::sqrt;
+    static const Real blur = Real(64) * sqrt(epsilon<Real>());
+    return min(max(blur, Real(interval / Real(1000))), Real(interval / Real(2)));
   }
 
   std::optional<BranchPoint<Real>> point_at(const Real& s) {
@@ -231,10 +259,8 @@ class Tracer {
   }
 
   void note_event(Branch<Real>& branch, const Place& a, const Place& b) {
-    using std::abs;
     if ((a.turn > Real(0)) != (b.turn > Real(0))) {
       const Real s = zero([this](const Real& at) { return place(at).turn; }, a.s, b.s);
-      if (crossing_ && abs(s - *crossing_) < (b.s - a.s) / Real(1000)) return;
       auto found = located(branch, EventKind::fold, s);
       if (!found) throw Error("branch", "a fold that cannot be located", "a regular branch around it");
       branch.events.push_back({EventKind::fold, branch.points.size() - 1, std::move(*found), {}});
@@ -253,15 +279,14 @@ class Tracer {
   }
 
   /// The last point, at the edge of the load window.
-  Laid leave(Branch<Real>& branch, const Place& inside, const Place& beyond) {
+  void leave(Branch<Real>& branch, const Place& inside, const Place& beyond) {
+    end_ = BranchEnd::load;
     const Real& edge = beyond.load > limits_.to ? limits_.to : limits_.from;
-    if (!outside(inside.load) && inside.load != edge) {
-      const Real s = zero([&](const Real& at) { return Real(place(at).load - edge); }, inside.s, beyond.s);
-      auto last = brancher_->at_load(brancher_->along(series_, s), edge);
-      note_event(branch, inside, place(s));
-      if (last) branch.points.push_back(std::move(*last));
-    }
-    return Laid::left;
+    if (outside(inside.load) || inside.load == edge) return;
+    const Real s = zero([&](const Real& at) { return Real(place(at).load - edge); }, inside.s, beyond.s);
+    auto last = brancher_->at_load(brancher_->along(series_, s), edge);
+    note_event(branch, inside, place(s));
+    if (last) branch.points.push_back(std::move(*last));
   }
 
   template <class Quantity>
@@ -277,10 +302,13 @@ class Tracer {
 
   Brancher<Model>* brancher_;
   TraceLimits<Real> limits_;
+  BranchPoint<Real> here_;  ///< where the series is expanded
   Series series_;
+  Series ahead_;  ///< beyond a crossing
+  std::optional<BranchEnd> end_;
   Horizon horizon_;
   Real tried_;  ///< the nearest crossing that was looked for and not found: to look again only when nearer
-  std::optional<Real> crossing_;  ///< a bifurcation on the stride: the load may turn there, without a fold
+  std::optional<Real> crossing_;  ///< a bifurcation at an end of the stride
 };
 
 }  // namespace plumbline

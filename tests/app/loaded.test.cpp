@@ -116,6 +116,36 @@ TEST_CASE("path: events to fifty digits begin with those of double precision") {
   CHECK(here.plumbline("path --digits 51").status == 2);
 }
 
+TEST_CASE("path: what is proved of it, and the exit status") {
+  const Workplace here;
+  const Outcome text = here.plumbline("path --to 1.5 --certify");
+  CHECK(text.status == 0);
+  CHECK(contains(text.out, "one smooth branch"));
+  CHECK(contains(text.out, "load from 0 to 1.5: stable"));
+  // by hand its critical force is 1/2, see tests/proofs/census.test.cpp
+  here.write("straight.toml", "lengths = [1, 1]\nstiffness = [1.5, 1]\n");
+  const Outcome all = here.plumbline("path straight.toml --force -1,0 --branches all --certify --json");
+  CHECK(all.status == 0);
+  const auto json = nlohmann::json::parse(all.out);
+  REQUIRE(json["certificates"].size() == json["branches"].size());
+  for (std::size_t i = 0; i < json["branches"].size(); ++i) {
+    const auto &branch = json["branches"][i], &proved = json["certificates"][i];
+    CHECK(proved["certified"] == true);
+    CHECK(proved["failure"] == nullptr);
+    REQUIRE(proved["gaps"].size() == 1);
+    CHECK(proved["gaps"][0][0].get<double>() <= 0.5 + 1e-15);
+    CHECK(proved["gaps"][0][1].get<double>() >= 0.5 - 1e-15);
+    const auto& last = branch["points"].back();
+    CHECK(proved["runs"].back()["to"] == last["load"]);
+    CHECK(proved["runs"].back()["negative_directions"] == last["negative_directions"]);
+  }
+  // less than a point's width: nothing is shown, and nothing proved
+  const Outcome open = here.plumbline("path --to 1e-10 --certify");
+  CHECK(open.status == 1);
+  CHECK(contains(open.out, "NOT proved"));
+  CHECK_FALSE(contains(here.plumbline("path --to 0.1 --json").out, "certificates"));
+}
+
 TEST_CASE("figure: two links are drawn, with a sentence") {
   const Workplace here;
   const Outcome outcome = here.plumbline("figure 2");

@@ -1,7 +1,7 @@
-#include <doctest/doctest.h>
-
 #include <plumbline/branch_tree.hpp>
 #include <plumbline/straight_start.hpp>
+
+#include "tests/property.hpp"
 
 using namespace plumbline;
 
@@ -54,4 +54,43 @@ TEST_CASE("branches switch at a bifurcation: a symmetric zigzag and the two arch
   CHECK(arches.points.back().load == 0.5);
   CHECK(arches.points.front().theta(0) * arches.points.back().theta(0) < 0);
   for (const auto& point : arches.points) CHECK(point.negative_directions == 0);
+}
+
+TEST_CASE("every crossing is met on both branches, and a closed branch closes") {
+  check_property("branch trees of chains that look the same from both ends", [] {
+    const auto share = [](int low, int high) { return *rc::gen::inRange(low * 100, high * 100) / 100.0; };
+    const auto n = static_cast<std::size_t>(*rc::gen::inRange(3, 7));
+    std::vector<double> length(n), theta(n), stiffness(n, 0.0), rest(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t twin = n - 1 - i;
+      length[i] = twin < i ? length[twin] : share(0, 1) + 0.5;
+      theta[i] = twin < i ? theta[twin] : 0.8 * share(-1, 1) + 0.004;
+      if (i > 0) stiffness[i] = n - i < i ? stiffness[n - i] : share(0, 2) + 0.5;
+      rest[i] = theta[i] - (i > 0 ? theta[i - 1] : 0);
+    }
+    const auto p = end_point(Chain<double>(length, stiffness, rest), rest);
+    const double reach = std::hypot(p.x, p.y);
+    double longest = 0;
+    for (const double L : length) longest += L;
+    RC_PRE(reach > 0.3 && reach < 0.999 * longest);  // neither folded up nor straight
+    rest[0] -= std::atan2(p.y, p.x);
+    const Nominal model(Chain<double>(length, stiffness, rest));
+    const auto shape = absolute_angles(rest);
+    Brancher<Nominal> brancher(model, {Control::end_point, {reach, 0}, {-1, 0}}, shape);
+    const auto tree = branch_tree(brancher, {brancher.start(0, shape)}, {0, 0.8 * reach});
+    std::vector<const BranchEvent<double>*> crossings;
+    for (const auto& branch : tree) {
+      RC_ASSERT(branch.end == BranchEnd::load || branch.end == BranchEnd::closed ||
+                branch.end == BranchEnd::unbounded);
+      for (const auto& event : branch.events) {
+        if (event.kind == EventKind::bifurcation) crossings.push_back(&event);
+      }
+    }
+    for (const auto* one : crossings) {
+      const auto same = std::count_if(crossings.begin(), crossings.end(), [&](const auto* other) {
+        return (one->point.theta - other->point.theta).cwiseAbs().maxCoeff() < 1e-6;
+      });
+      RC_ASSERT(same == 2);
+    }
+  });
 }

@@ -165,6 +165,10 @@ TEST_CASE("paths without an event are one smooth stable branch") {
     CHECK(proved.runs.at(0).to == to);
     CHECK(proved.segments + 1 >= branch.points.size());
     CHECK(proved.distance < 1e-10);
+    // the sign of the stiffness is that of every point, in double precision
+    const bool stiff = std::all_of(branch.points.begin(), branch.points.end(),
+                                   [](const BranchPoint<double>& p) { return p.stiffness > 0; });
+    CHECK(proved.stiff == stiff);
   };
   regular(z_chain(), 1.5);
   regular(zigzag(1e-3), 1);
@@ -200,6 +204,7 @@ TEST_CASE("a fold is enclosed, with the types on both sides") {
   CHECK(proved.folds[0].contains(load));
   CHECK(proved.folds[1].contains(-load));
   CHECK_FALSE(proved.regular());
+  CHECK_FALSE(proved.stiff);
 
   // a stretch of the slowly loaded chain ends in the fold: that it is one is proved, too
   const auto history = load_slowly(link.brancher, link.brancher.start(0, link.shape), {-2, 2});
@@ -264,6 +269,13 @@ TEST_CASE("points of two branches are not one") {
   moved = near.brancher.start(moved.load, mirrored, moved.force);
   REQUIRE((moved.theta - mirrored).cwiseAbs().maxCoeff() < 1e-3);
   CHECK_FALSE(near.certificate(jumping).certified());
+}
+
+TEST_CASE("a point alone shows no branch") {
+  Loaded z = z_chain();
+  Branch<double> branch = z.follow(1);
+  branch.points.resize(1);
+  CHECK_FALSE(z.certificate(branch).certified());
 }
 
 TEST_CASE("a point that was moved is found") {

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// The parts of a branch on which its equilibria are regular.
+
+#include <plumbline/trace.hpp>
+
+#include "proofs/span.hpp"
+
+namespace plumbline {
+
+struct RegularPieces {
+  std::vector<std::vector<BranchPoint<double>>> points;  ///< of each piece
+  std::vector<Span> gaps;                                ///< loads between two pieces: around a bifurcation
+};
+
+/// Cuts a branch where another one crosses; each piece ends at a distance `gap` from there, in radians (root
+/// mean square turn of the links). A stretch that ends in a fold is continued beyond it: that shows the fold.
+RegularPieces regular_pieces(Brancher<NominalModel<double>>& brancher, const Branch<double>& branch,
+                             double gap);
+
+/// From a to b.
+Variation<double> chord(const BranchPoint<double>& a, const BranchPoint<double>& b);
+
+/// Points nearer to each other than this are one, in radians.
+inline constexpr double same_point = 1e-9;
+
+}  // namespace plumbline
