@@ -42,6 +42,18 @@ Bench random_bench() {
           reach};
 }
 
+/// What follows the branches of a bench, and where they start: unloaded.
+struct Start {
+  Bench bench = random_bench();
+  Nominal<double> model{bench.chain};
+  Brancher<Nominal<double>> brancher{model, bench.loading, absolute_angles(bench.chain.rest())};
+  BranchPoint<double> point = brancher.start(0, absolute_angles(bench.chain.rest()));
+
+  Branch<double> follow(double longest) {
+    return Tracer<Nominal<double>>(brancher, {0, bench.last, longest, 100000}).run(point);
+  }
+};
+
 /// Torque and place out of balance, beside the terms that they are sums of.
 template <class Real>
 Real imbalance(const Nominal<Real>& model, const Loading<Real>& loading, const BranchPoint<Real>& point,
@@ -62,14 +74,11 @@ Real imbalance(const Nominal<Real>& model, const Loading<Real>& loading, const B
 
 TEST_CASE("a series is the branch: within its reach every place is an equilibrium to rounding") {
   check_property("imbalance, energy and stiffness along a series", [] {
-    const Bench bench = random_bench();
-    const Nominal<double> model(bench.chain);
-    const auto shape = absolute_angles(bench.chain.rest());
-    Brancher<Nominal<double>> brancher(model, bench.loading, shape);
-    const auto start = brancher.start(0, shape);
-    brancher.refresh(start);
+    Start start;
+    auto& [bench, model, brancher, at] = start;
+    brancher.refresh(at);
     BranchSeries<double> series;
-    brancher.expand(start, series);
+    brancher.expand(at, series);
     const double s = std::min(series.reach, 0.5) * share(-1, 1);
     const auto point = brancher.along(series, s);
     // order + 1 terms a quantity, each rounded once, twice over by Horner's scheme, and the truncation
@@ -85,17 +94,14 @@ TEST_CASE("a series is the branch: within its reach every place is an equilibriu
 
 TEST_CASE("the type of a point inside a stride is that of its own matrix") {
   check_property("negative directions along a branch", [] {
-    const Bench bench = random_bench();
-    const Nominal<double> model(bench.chain);
-    const auto shape = absolute_angles(bench.chain.rest());
-    Brancher<Nominal<double>> brancher(model, bench.loading, shape);
-    const auto branch =
-        Tracer<Nominal<double>>(brancher, {0, bench.last, 0.02, 3000}).run(brancher.start(0, shape));
+    Start start;
+    const auto branch = start.follow(0.02);
     RC_ASSERT(branch.end != BranchEnd::degenerate);
     for (const auto& point : branch.points) {
-      const auto alone = brancher.onto(point, 1e-6);
+      const auto alone = start.brancher.onto(point, 1e-6);
       RC_ASSERT(alone.has_value());
-      const bool at_fold = std::abs(point.tangent.load) < 1e-6 * brancher.load_scale();  // rounding decides
+      const bool at_fold =
+          std::abs(point.tangent.load) < 1e-6 * start.brancher.load_scale();  // rounding decides
       RC_ASSERT(at_fold || alone->negative_directions == point.negative_directions);
     }
   });
@@ -103,20 +109,13 @@ TEST_CASE("the type of a point inside a stride is that of its own matrix") {
 
 TEST_CASE("what happens on a branch does not depend on the spacing of its points") {
   check_property("events with points 0.05 and 0.003 apart", [] {
-    const Bench bench = random_bench();
-    const Nominal<double> model(bench.chain);
-    const auto shape = absolute_angles(bench.chain.rest());
-    Brancher<Nominal<double>> brancher(model, bench.loading, shape);
-    const auto start = brancher.start(0, shape);
-    const auto follow = [&](double longest) {
-      return Tracer<Nominal<double>>(brancher, {0, bench.last, longest, 100000}).run(start);
-    };
-    const auto wide = follow(0.05), fine = follow(0.003);
+    Start start;
+    const auto wide = start.follow(0.05), fine = start.follow(0.003);
     RC_ASSERT(wide.end == fine.end);
     RC_ASSERT(wide.events.size() == fine.events.size());
     for (std::size_t i = 0; i < wide.events.size(); ++i) {
       RC_ASSERT(wide.events[i].kind == fine.events[i].kind);
-      RC_ASSERT(std::abs(wide.events[i].point.load - fine.events[i].point.load) < 1e-9 * bench.reach);
+      RC_ASSERT(std::abs(wide.events[i].point.load - fine.events[i].point.load) < 1e-9 * start.bench.reach);
     }
   });
 }
