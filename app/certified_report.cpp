@@ -20,6 +20,13 @@ std::string_view title(const PathCertificate& one) {
                             : "smooth but for the gaps";
 }
 
+std::string stiffness_elsewhere(const PathCertificate& one) {
+  if (!one.counted) return "  how often the tangent stiffness is least stays open\n";
+  if (!one.softest.empty()) return "";
+  return one.softens ? "  the tangent stiffness falls all along\n"
+                     : "  the tangent stiffness has no minimum\n";
+}
+
 nlohmann::ordered_json pairs(const std::vector<Span>& loads) {
   auto list = nlohmann::ordered_json::array();
   for (const Span& load : loads) list.push_back({load.low, load.high});
@@ -49,6 +56,9 @@ std::string as_text(const CertifiedReport& report) {
                     b + 1, title(one), one.segments, one.distance, one.tube);
     for (const CertifiedRun& run : one.runs) all += text(run);
     for (const Span& fold : one.folds) all += "  the load turns once in " + text(fold, digits) + "\n";
+    for (const Span& least : one.softest)
+      all += "  the tangent stiffness is least once in " + text(least, digits) + "\n";
+    if (one.certified()) all += stiffness_elsewhere(one);
     for (const Span& gap : one.gaps)
       all += "  not covered, around a bifurcation: " + text(gap, digits) + "\n";
     if (one.failed_at)
@@ -72,6 +82,8 @@ nlohmann::ordered_json as_json(const CertifiedReport& report) {
                     {"farthest_point", one.distance},
                     {"runs", runs},
                     {"folds", pairs(one.folds)},
+                    {"least_stiffness", pairs(one.softest)},
+                    {"least_stiffness_counted", one.certified() && one.counted},
                     {"gaps", pairs(one.gaps)},
                     {"failure", failure}});
   }

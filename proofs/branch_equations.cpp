@@ -74,25 +74,53 @@ Variation<Span> BranchEquations::variation(const Vector<Span>& v) const {
   return {v.head(n_), held_ ? Point<Span>{v(n_), v(n_ + 1)} : Point<Span>{load * d.x, load * d.y}, load};
 }
 
-Vector<Span> BranchEquations::curvature(const Vector<Span>& u, const Vector<Span>& v) {
+Vector<Span> BranchEquations::second(const Vector<Span>& u, const Vector<Span>& v, const Vector<Span>& w) {
   expand(u);
-  const Variation<Span> change = variation(v);
   Vector<Span> moment;
   Point<Span> place;
-  model_.second_derivative(at_, force_, change, change, moment, place);
-  Vector<Span> second = Vector<Span>::Constant(size_, Span(0));
-  second.head(n_) = moment;
-  if (held_) second(n_) = place.x, second(n_ + 1) = place.y;
-  return second;
+  model_.second_derivative(at_, force_, variation(v), variation(w), moment, place);
+  Vector<Span> result = Vector<Span>::Constant(size_, Span(0));
+  result.head(n_) = moment;
+  if (held_) result(n_) = place.x, result(n_ + 1) = place.y;
+  return result;
 }
 
-Span BranchEquations::answer(const Vector<Span>& u, const Vector<Span>& tangent) {
-  const Point<Span>& d = loading_.direction;
-  if (held_) return d.x * tangent(n_) + d.y * tangent(n_ + 1);
+/// Of y Fx - x Fy and of the sums of x and y, with x = L cos theta, y = L sin theta; the rest is linear.
+Vector<Span> BranchEquations::third(const Vector<Span>& u, const Vector<Span>& v) {
   expand(u);
-  Span way(0);
-  for (Eigen::Index i = 0; i < n_; ++i)
-    way += tangent(i) * (at_.end_point_gradient(i, 0) * d.x + at_.end_point_gradient(i, 1) * d.y);
+  const Point<Span> change = variation(v).force;
+  Vector<Span> result = Vector<Span>::Constant(size_, Span(0));
+  for (Eigen::Index i = 0; i < n_; ++i) {
+    const Span x = at_.end_point_gradient(i, 1), y = -at_.end_point_gradient(i, 0), turn = v(i);
+    const Span square = turn * turn, cube = square * turn;
+    result(i) = -cube * (x * force_.x + y * force_.y) - Span(3) * square * (y * change.x - x * change.y);
+    if (held_) result(n_) += y * cube, result(n_ + 1) -= x * cube;
+  }
+  return result;
+}
+
+StiffnessChange BranchEquations::stiffness(const Vector<Span>& u, const std::array<Vector<Span>, 3>& rates) {
+  std::array<Span, 3> push, way;
+  for (std::size_t k = 0; k < 3; ++k) {
+    push[k] = held_ ? along(variation(rates[k]).force) : load(rates[k]);
+    way[k] = load(rates[k]);
+  }
+  if (!held_) way = way_of_end_point(u, rates);
+  return {push[0] * way[0], push[1] * way[0] - push[0] * way[1], push[2] * way[0] - push[0] * way[2]};
+}
+
+std::array<Span, 3> BranchEquations::way_of_end_point(const Vector<Span>& u,
+                                                      const std::array<Vector<Span>, 3>& rates) {
+  expand(u);
+  std::array<Span, 3> way{Span(0), Span(0), Span(0)};
+  for (Eigen::Index i = 0; i < n_; ++i) {
+    const Span x = at_.end_point_gradient(i, 1), y = -at_.end_point_gradient(i, 0);
+    const Span first = along({-y, x}), second = along({-x, -y});
+    const Span &a = rates[0](i), &b = rates[1](i), &c = rates[2](i);
+    way[0] += first * a;
+    way[1] += first * b + second * a * a;
+    way[2] += first * c + Span(3) * second * a * b - first * a * a * a;
+  }
   return way;
 }
 

@@ -2,11 +2,19 @@
 /// \file
 /// The equations of a branch of equilibria over boxes, in spans.
 
+#include <array>
 #include <plumbline/branch.hpp>
 
 #include "proofs/span.hpp"
 
 namespace plumbline {
+
+/// With push and way, force and way along the loading's direction, the tangent stiffness is push'/way'.
+struct StiffnessChange {
+  Span value;  ///< has its sign: push' way'
+  Span slope;  ///< has the sign of its derivative: push'' way' - push' way''
+  Span bend;   ///< derivative of the slope
+};
 
 /// E(u) = 0 under a loading. Unknowns u are theta_1 … theta_n, then Fx and Fy where the end point is held,
 /// last the load. There is one equation fewer than unknowns: the solutions are curves. Evaluated at a box,
@@ -24,11 +32,12 @@ class BranchEquations {
   [[nodiscard]] Vector<Span> value(const Vector<Span>& u);
   /// E'(u), bordered by the normal of a plane as last row.
   [[nodiscard]] Matrix<Span> derivative(const Vector<Span>& u, const Vector<Span>& normal);
-  /// E''(u) v v, and a zero for the plane.
-  [[nodiscard]] Vector<Span> curvature(const Vector<Span>& u, const Vector<Span>& v);
-  /// What answers the load along a tangent at u: how fast the force grows in the loading's direction where
-  /// the end point is held, how fast the end point moves in it under a force.
-  [[nodiscard]] Span answer(const Vector<Span>& u, const Vector<Span>& tangent);
+  /// E''(u) v w, and a zero for the plane.
+  [[nodiscard]] Vector<Span> second(const Vector<Span>& u, const Vector<Span>& v, const Vector<Span>& w);
+  /// E'''(u) v v v, and a zero for the plane.
+  [[nodiscard]] Vector<Span> third(const Vector<Span>& u, const Vector<Span>& v);
+  /// How the tangent stiffness goes along a curve with the given first, second and third derivatives at u.
+  [[nodiscard]] StiffnessChange stiffness(const Vector<Span>& u, const std::array<Vector<Span>, 3>& rates);
   /// Negative directions of the energy's Hessian in the sense of the control; nothing where that is open.
   [[nodiscard]] std::optional<std::size_t> negative_directions(const Vector<Span>& u);
 
@@ -36,6 +45,12 @@ class BranchEquations {
   using Model = NominalModel<Span>;
   void expand(const Vector<Span>& u);
   [[nodiscard]] Variation<Span> variation(const Vector<Span>& v) const;
+  /// Derivatives along a curve of the end point's way in the loading's direction.
+  [[nodiscard]] std::array<Span, 3> way_of_end_point(const Vector<Span>& u,
+                                                     const std::array<Vector<Span>, 3>& rates);
+  [[nodiscard]] Span along(const Point<Span>& p) const {
+    return loading_.direction.x * p.x + loading_.direction.y * p.y;
+  }
 
   Model model_;
   Loading<Span> loading_;

@@ -31,9 +31,11 @@ struct Segment {
   Vector<Span> normal;
   Tube tube;
   Span load;
-  int way;        ///< sign of the load's change, 0 where it may vanish
-  int bend;       ///< then: sign of its second derivative
-  int stiffness;  ///< sign of the tangent stiffness along the load, 0 where it is open
+  int way;           ///< sign of the load's change, 0 where it may vanish
+  int bend;          ///< then: sign of its second derivative
+  int stiffness;     ///< sign of the tangent stiffness along the load, 0 where it is open
+  int slope;         ///< sign of its derivative along the path, 0 where it may vanish
+  int slope_change;  ///< then: sign of the second one, as it counts where the first vanishes
 };
 
 class Prover {
@@ -52,10 +54,12 @@ class Prover {
   bool join(const BranchPoint<double>& at, const Segment& before, const Segment& after);
   bool account(const Segment& segment, const BranchPoint<double>& a);
   bool settle(int way, double load);
+  void count(const Segment& segment);
   std::optional<BranchPoint<double>> between(const BranchPoint<double>& a, const BranchPoint<double>& b);
   /// Whether shorter segments would show more.
   [[nodiscard]] bool open(const Segment& segment) const {
-    return segment.way == 0 || (result_.stiff && segment.stiffness == 0);
+    return segment.way == 0 || (result_.stiff && segment.stiffness == 0) ||
+           (result_.counted && segment.slope == 0 && segment.slope_change == 0);
   }
   bool fail(const Span& load, const char* why) {
     result_.failed_at = load;
@@ -77,6 +81,8 @@ class Prover {
     Span load;
   };
   std::optional<Bend> bend_;
+  int slope_ = 0;              ///< of the stiffness, as it was known last
+  std::optional<Bend> least_;  ///< where it may since have vanished, once
 };
 
 std::optional<BranchPoint<double>> Prover::between(const BranchPoint<double>& a,
@@ -107,15 +113,19 @@ std::optional<Segment> Prover::segment(const BranchPoint<double>& a, const Branc
     obstacle_ = "no tube that holds one regular branch: another may touch or cross it";
     return std::nullopt;
   }
-  const Vector<Span> everywhere = widened(hull(from, to), tube->image), pace = tangent(*tube);
+  const Vector<Span> everywhere = widened(hull(from, to), tube->image);
+  const auto derivative = rates(equations_, *tube, everywhere);
   found.load = equations_.load(everywhere);
-  found.way = sign(equations_.load(pace));
-  found.bend = found.way == 0 ? sign(equations_.load(bend(equations_, *tube, everywhere, pace))) : 0;
+  found.way = sign(equations_.load(derivative[0]));
+  found.bend = found.way == 0 ? sign(equations_.load(derivative[1])) : 0;
   if (found.way == 0 && found.bend == 0) {
     obstacle_ = turn_open;
     return std::nullopt;
   }
-  found.stiffness = sign(equations_.answer(everywhere, pace)) * found.way;
+  const StiffnessChange change = equations_.stiffness(everywhere, derivative);
+  found.stiffness = sign(change.value);
+  found.slope = sign(change.slope);
+  found.slope_change = found.slope == 0 ? sign(change.bend) : 0;
   found.tube = std::move(*tube);
   return found;
 }
@@ -167,6 +177,8 @@ bool Prover::settle(int way, double load) {
 bool Prover::account(const Segment& segment, const BranchPoint<double>& a) {
   ++result_.segments;
   result_.stiff = result_.stiff && segment.stiffness > 0;
+  result_.softens = result_.softens && segment.slope < 0;
+  count(segment);
   result_.tube = std::max(result_.tube, segment.tube.image.head(a.theta.size()).maxCoeff());
   if (segment.way != 0) return settle(segment.way, a.load);
   if (bend_ && bend_->sign != segment.bend) return fail(segment.load, turn_open);
@@ -174,11 +186,26 @@ bool Prover::account(const Segment& segment, const BranchPoint<double>& a) {
   return true;
 }
 
+/// Minima of the tangent stiffness: where its slope may vanish it only rises, or only falls, through zero.
+void Prover::count(const Segment& segment) {
+  if (segment.slope == 0) {
+    if (segment.slope_change == 0 || slope_ == 0 || (least_ && least_->sign != segment.slope_change))
+      result_.counted = false;
+    least_ = Bend{segment.slope_change, least_ ? hull(least_->load, segment.load) : segment.load};
+    return;
+  }
+  if (least_ && slope_ < 0 && segment.slope > 0) result_.softest.push_back(least_->load);
+  slope_ = segment.slope;
+  least_.reset();
+}
+
 /// One curve through all the points.
 bool Prover::prove(Points points, bool closed) {
   way_ = 0;
   typed_ = false;
   bend_.reset();
+  slope_ = 0;
+  least_.reset();
   std::reverse(points.begin(), points.end());
   BranchPoint<double> here = points.back();
   points.pop_back();
@@ -215,6 +242,7 @@ bool Prover::prove(Points points, bool closed) {
   if (bend_) return fail(bend_->load, turn_open);
   if (!typed_) return fail(here.load, type_open);
   result_.runs.back().to = here.load;
+  if (least_) result_.counted = false;
   return true;
 }
 

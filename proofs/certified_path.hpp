@@ -35,6 +35,9 @@ struct PathCertificate {
   std::optional<Span> failed_at;  ///< loads where the first tube, or its type, is not proved
   std::string failure;            ///< why not
   bool stiff = true;              ///< the tangent stiffness along the load is positive all along
+  bool softens = true;            ///< it falls all along the path
+  std::vector<Span> softest;      ///< loads: in each it has exactly one minimum along the path
+  bool counted = true;            ///< these are all its minima, but for the gaps
   std::size_t segments = 0;       ///< tubes
   double tube = 0;                ///< widest, in radians: so far from the chord a link may point
   double distance = 0;            ///< in radians: so near are the points to the curve

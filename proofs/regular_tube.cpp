@@ -82,7 +82,7 @@ Vector<Span> widened(const Vector<Span>& centre, const Vector<double>& radius) {
 std::optional<Tube> tube_along(BranchEquations& equations, const Vector<Span>& a, const Vector<Span>& b,
                                const Vector<Span>& normal) {
   const Vector<Span> chord = hull(a, b), first = equations.value(a), last = equations.value(b);
-  const Vector<Span> second = equations.curvature(chord, b - a);
+  const Vector<Span> second = equations.second(chord, b - a, b - a);
   const Span share(0, 0.125);  // s (1 - s) / 2
   return inflate(equations, chord, normal, 4, [&](const Eigen::MatrixXd& Y) -> Vector<double> {
     const Vector<Span> ends = hull(product(Y, first), product(Y, last)), between = product(Y, second);
@@ -119,9 +119,15 @@ Vector<Span> tangent(const Tube& tube) {
   return solve(tube, tube.inverse.rightCols<1>().cast<Span>());
 }
 
-Vector<Span> bend(BranchEquations& equations, const Tube& tube, const Vector<Span>& everywhere,
-                  const Vector<Span>& tangent) {
-  return solve(tube, -product(tube.inverse, equations.curvature(everywhere, tangent)));
+std::array<Vector<Span>, 3> rates(BranchEquations& equations, const Tube& tube,
+                                  const Vector<Span>& everywhere) {
+  // 0 = E' u' = E' u'' + E'' u' u' = E' u''' + 3 E'' u' u'' + E''' u' u' u'
+  const auto answer = [&tube](const Vector<Span>& right) -> Vector<Span> {
+    return solve(tube, -product(tube.inverse, right));
+  };
+  const Vector<Span> first = tangent(tube), second = answer(equations.second(everywhere, first, first));
+  const Vector<Span> bent = equations.second(everywhere, first, second);
+  return {first, second, answer(equations.third(everywhere, first) + Span(3) * bent)};
 }
 
 }  // namespace plumbline

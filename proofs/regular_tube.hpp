@@ -38,11 +38,11 @@ std::optional<Tube> tube_at(BranchEquations& equations, const Vector<Span>& poin
 /// The solution of M x = y for every M in the tube, from an enclosure of Y y.
 Vector<Span> solve(const Tube& tube, const Vector<Span>& preconditioned);
 
-/// The tangent all over the tube, by its plane's measure t · tangent = 1.
+/// First, second and third derivative of the curve all over the tube, by its plane's measure t · u.
+std::array<Vector<Span>, 3> rates(BranchEquations& equations, const Tube& tube,
+                                  const Vector<Span>& everywhere);
+/// The first alone.
 Vector<Span> tangent(const Tube& tube);
-/// The second derivative along the curve, t · u being its parameter.
-Vector<Span> bend(BranchEquations& equations, const Tube& tube, const Vector<Span>& everywhere,
-                  const Vector<Span>& tangent);
 
 /// Y x
 Vector<Span> product(const Eigen::MatrixXd& Y, const Vector<Span>& x);

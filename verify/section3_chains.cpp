@@ -43,6 +43,12 @@ std::string in_words(const PathCertificate& proved) {
     before = ", then ";
   }
   for (const Span& fold : proved.folds) words += "; the deflection turns exactly once in " + text(fold, 12);
+  for (const Span& least : proved.softest)
+    words += "; the tangent stiffness is least exactly once in " + text(least, 8);
+  if (proved.certified() && proved.counted)
+    words += proved.softens           ? "; the tangent stiffness falls all along"
+             : proved.softest.empty() ? "; the tangent stiffness has no minimum"
+                                      : ", and nowhere else";
   for (const Span& gap : proved.gaps) words += "; not covered, around a bifurcation: " + text(gap, 8);
   if (proved.failed_at) words += "; not proved from " + text(*proved.failed_at, 8) + " on: " + proved.failure;
   return words + (proved.stiff ? "; the force grows all along" : "");
@@ -155,6 +161,12 @@ std::string SlowPath::continuity() const {
 
 bool SlowPath::stiff() const {
   return regular() && proved[0].stiff;
+}
+
+std::size_t SlowPath::softest() const {
+  if (!regular() || !proved[0].counted)
+    throw Error("path", "an open number of minima of its stiffness", "a proved one");
+  return proved[0].softest.size();
 }
 
 Evidence SlowPath::evidence() const {

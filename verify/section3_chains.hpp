@@ -65,6 +65,8 @@ struct SlowPath {
   [[nodiscard]] std::string continuity() const;
   /// Proved: regular, and the force grows all along.
   [[nodiscard]] bool stiff() const;
+  /// How many minima the tangent stiffness has along a regular path, proved. \throws Error where that is open
+  [[nodiscard]] std::size_t softest() const;
   /// What is proved of the stretches, in words.
   [[nodiscard]] Evidence evidence() const;
   /// The state at a deflection, to 64 digits.

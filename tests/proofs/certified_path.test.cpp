@@ -291,6 +291,99 @@ TEST_CASE("a point that was moved is found") {
   }
 }
 
+TEST_CASE("three derivatives of a branch enclose those of its power series") {
+  std::mt19937 random(29);
+  const auto tenths = [&](std::size_t n, int low, int high) {
+    std::uniform_int_distribution<int> any(low, high);
+    std::vector<Interval> values;
+    for (std::size_t i = 0; i < n; ++i) values.push_back(decimal(any(random), 10));
+    return values;
+  };
+  std::size_t narrow = 0;
+  for (const Control control : {Control::end_point, Control::force}) {
+    for (std::size_t n = 2; n < 7; ++n) {
+      const Chain<Interval> chain(tenths(n, 5, 20), tenths(n, 5, 20), tenths(n, 1, 9));
+      const Point<Interval> start =
+          control == Control::end_point ? end_point(chain, chain.rest()) : Point<Interval>{0, 0};
+      Loaded loaded(chain, {control, start, {decimal(-3, 5), decimal(4, 5)}}, rest_of(chain));
+      auto& brancher = loaded.brancher;
+      const BranchPoint<double> point = loaded.follow(0.2).points.back();
+      brancher.refresh(point);
+      BranchSeries<double> series(3);
+      brancher.expand(point, series);
+
+      BranchEquations equations(chain, loaded.loading);
+      const Vector<Span> at = equations.at(point);
+      Vector<Span> normal = Vector<Span>::Constant(equations.unknowns(), Span(0));
+      normal.head(point.theta.size()) = brancher.weighted(point.tangent.theta).cast<Span>();
+      normal(normal.size() - 1) = brancher.load_weight() * point.tangent.load;
+      const auto tube = tube_at(equations, at, normal);
+      REQUIRE(tube);
+      const auto enclosed = rates(equations, *tube, widened(at, tube->image));
+      double factorial = 1;
+      for (Eigen::Index k = 1; k <= 3; ++k) {
+        factorial *= static_cast<double>(k);
+        const double expected = factorial * series.coefficient(BranchSeries<double>::load, k);
+        const Span& load = equations.load(enclosed[static_cast<std::size_t>(k - 1)]);
+        CAPTURE(k);
+        // doubles beside an enclosure around a point that is as good as doubles: the condition of two solves
+        const double rounding = 1e-10 * (1 + std::abs(expected));
+        CHECK(load.low <= expected + rounding);
+        CHECK(load.high >= expected - rounding);
+        narrow += load.high - load.low < rounding ? 1 : 0;
+      }
+      const StiffnessChange change = equations.stiffness(widened(at, tube->image), enclosed);
+      series.go_to(0);
+      const double slope = series.value(BranchSeries<double>::bend);
+      CHECK(change.slope.low <= slope + 1e-9 * (1 + std::abs(slope)));
+      CHECK(change.slope.high >= slope - 1e-9 * (1 + std::abs(slope)));
+      const double bend = series.slope(BranchSeries<double>::bend);
+      CHECK(change.bend.low <= bend + 1e-9 * (1 + std::abs(bend)));
+      CHECK(change.bend.high >= bend - 1e-9 * (1 + std::abs(bend)));
+    }
+  }
+  CHECK(narrow > 25);  // of 30: a chain that is pulled nearly straight is the exception
+}
+
+TEST_CASE("minima of the tangent stiffness are counted") {
+  const PathCertificate z = z_chain().certificate(z_chain().follow(1.5));
+  REQUIRE(z.certified());
+  CHECK(z.counted);
+  REQUIRE(z.softest.size() == 1);
+  CHECK(z.softest[0].low < 0.5854925646072256);  // the one of fifty digits, tests/verify
+  CHECK(z.softest[0].high > 0.5854925646072257);
+  CHECK_FALSE(z.softens);
+  // before it the stiffness only falls
+  const PathCertificate before = z_chain().certificate(z_chain().follow(0.4));
+  CHECK(before.softens);
+  CHECK(before.softest.empty());
+
+  std::mt19937 random(5);
+  const auto tenths = [&](std::size_t n, int low, int high) {
+    std::uniform_int_distribution<int> any(low, high);
+    std::vector<Interval> values;
+    for (std::size_t i = 0; i < n; ++i) values.push_back(decimal(any(random), 10));
+    return values;
+  };
+  std::size_t counted = 0, minima = 0;
+  for (std::size_t trial = 0; trial < 40; ++trial) {
+    const std::size_t n = 2 + trial % 4;
+    Loaded loaded = compressed(Chain<Interval>(tenths(n, 5, 15), tenths(n, 5, 20), tenths(n, 1, 9)));
+    const Branch<double> branch = loaded.follow(0.8);
+    const PathCertificate proved = loaded.certificate(branch);
+    REQUIRE(proved.certified());
+    if (!proved.counted || !proved.gaps.empty()) continue;
+    const auto found = std::count_if(branch.events.begin(), branch.events.end(), [](const auto& event) {
+      return event.kind == EventKind::quasi_buckling;
+    });
+    CHECK(proved.softest.size() == static_cast<std::size_t>(found));
+    ++counted;
+    minima += proved.softest.size();
+  }
+  CHECK(counted > 30);
+  CHECK(minima > 5);
+}
+
 TEST_CASE("where a certified path ends the census has the same equilibrium, of the same type") {
   std::mt19937 random(17);
   const auto thousandths = [&](std::size_t n, int low, int high) {
