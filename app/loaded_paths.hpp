@@ -12,9 +12,9 @@ namespace plumbline {
 struct PathTask {
   Chain<double> chain;
   Loading<double> loading;
-  double last;         ///< the load grows from 0 to here
-  double step = 0.05;  ///< longest step: root mean square turn of the links, in radians
-  int side = 1;        ///< where a symmetric chain buckles: the side it leaves to, 1 or -1
+  double last;   ///< the load grows from 0 to here
+  double step;   ///< longest way between points: root mean square turn of the links, in radians
+  int side = 1;  ///< where a symmetric chain buckles: the side it leaves to, 1 or -1
 };
 
 /// What was followed: the stable history stretch by stretch, or every branch.

@@ -14,7 +14,7 @@ namespace {
 
 struct Options {
   LoadedChain chain;
-  double to = 0, dy = 0, step = 0.05;
+  double to = 0, dy = 0, step = 0.005;
   std::vector<double> force;
   std::string branches = "stable", csv, json, svg;
   int side = 1, digits = 0;
@@ -112,7 +112,8 @@ void add_path(CLI::App& app) {
   verb->add_option("--side", options->side, "Where a symmetric chain buckles: 1 or -1, the side it leaves to")
       ->check(CLI::IsMember({1, -1}))
       ->capture_default_str();
-  verb->add_option("--step", options->step, "Longest step: root mean square turn of the links, in radians")
+  verb->add_option("--step", options->step,
+                   "Longest way between points: root mean square turn of the links, in radians")
       ->check(CLI::Range(1e-4, 0.5))
       ->capture_default_str();
   verb->add_option("--digits", options->digits,

@@ -14,9 +14,10 @@ namespace plumbline {
 std::vector<Claim> all_claims() {
   std::vector<Claim> claims;
   for (const auto& section :
-       {two_link_claims, three_link_model_claims, first_figures_claims, loaded_three_link_claims,
-        zigzag_claims, loaded_four_link_claims, three_link_claims, linearised_model_claims, eigenvalue_claims,
-        energy_claims, four_link_claims, energy_surface_claims, discussion_claims}) {
+       {two_link_claims, three_link_model_claims, symbol_claims, first_figures_claims,
+        loaded_three_link_claims, zigzag_claims, loaded_four_link_claims, quasi_buckling_claims,
+        three_link_claims, linearised_model_claims, eigenvalue_claims, energy_claims, four_link_claims,
+        energy_surface_claims, discussion_claims}) {
     const std::vector<Claim> part = section();
     claims.insert(claims.end(), part.begin(), part.end());
   }

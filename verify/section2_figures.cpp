@@ -3,7 +3,10 @@
 
 #include <fmt/core.h>
 
+#include <plumbline/linearised.hpp>
+
 #include "proofs/census.hpp"
+#include "proofs/symbolic_statics.hpp"
 #include "verify/claims.hpp"
 #include "verify/judging.hpp"
 #include "verify/post_buckling.hpp"
@@ -196,7 +199,7 @@ Judgement which_side(const Printed& printed, int) {
 Judgement only_stable(const Printed& printed, int) {
   const Chain<Interval> chain = three_link_chain_at(Rational(-1, 60), Rational(-1, 60));
   const Interval reach = unloaded_reach(chain);
-  const std::string small = types(held_at(chain, reach - Interval(Rational(1, 1000)))),
+  const std::string small = types(held_at(chain, reach - Interval(Rational(1, 100)))),
                     large = types(held_at(chain, reach - Interval(Rational(3, 10))));
   const std::string found = large == "1 stable, 3 unstable" ? "the only stable" : "one of two stable";
   const std::string observed = side(-1);
@@ -204,7 +207,7 @@ Judgement only_stable(const Printed& printed, int) {
       Verdict::confirmed,
       "",
       {{EvidenceKind::interval,
-        fmt::format("alpha_1 = alpha_2 = -pi/60: certified censuses at 0.001 L ({}) and 0.3 L ({}); "
+        fmt::format("alpha_1 = alpha_2 = -pi/60: certified censuses at 0.01 L ({}) and 0.3 L ({}); "
                     "the slowly compressed chain is {}",
                     small, large, observed)}},
       ""};
@@ -213,6 +216,86 @@ Judgement only_stable(const Printed& printed, int) {
   result.truth = fmt::format("slow compression leads to {}; it is {}, and the other is reached by a push",
                              observed, found);
   return result;
+}
+
+/// The name of the chain with the rest angles (epsilon, epsilon): the paper gives it to the signs of both.
+Judgement quasi_straight_name(const Printed& printed, int) {
+  const auto name = [](int sign) {
+    CertifiedEquilibrium rest;
+    rest.q = three_link_chain_at(Rational(sign, 60), Rational(sign, 60)).rest();
+    return letter(rest);
+  };
+  const std::string negative = name(-1), positive = name(1),
+                    found = fmt::format("{} for epsilon < 0, {} for epsilon > 0", negative, positive);
+  const Verdict verdict = printed.at(0) == found                                   ? Verdict::confirmed
+                          : printed.at(0) == negative || printed.at(0) == positive ? Verdict::convention
+                                                                                   : Verdict::refuted;
+  return {
+      verdict,
+      verdict == Verdict::confirmed ? "" : "by the definition in 3.1 (U+ has negative angles) it is " + found,
+      {{EvidenceKind::interval, "signs of the rest angles (epsilon, epsilon), epsilon = -pi/60 and pi/60"}},
+      ""};
+}
+
+/// Which sine the joints of a buckled shape lie on, of those that vanish at both ends.
+std::string sine(const Rational& force, const std::vector<Rational>& q) {
+  const Chain<Rational> chain({1, 1, 1}, {0, 1, 1});
+  Vector<Rational> v(4);
+  v << q[0], q[1], q[2], Rational(0);
+  const Matrix<Rational> pencil = matrix_A(chain) * force + matrix_B(chain);
+  if (Vector<Rational>(pencil * v) != Vector<Rational>(Vector<Rational>::Zero(4)))
+    throw Error("three links", "no mode", "a solution of (32)");
+  const Rational first = q[0], second = first + q[0] + q[1];  // heights of joints 2 and 3
+  for (const int halves : {1, 2}) {
+    // sin(2 a) / sin a = 2 cos a
+    const GiNaC::ex ratio = 2 * cos(GiNaC::Pi * halves / 3);
+    if (second * static_cast<int>(GiNaC::ex_to<GiNaC::numeric>(ratio.denom()).to_int()) ==
+        first * GiNaC::ex_to<GiNaC::numeric>(ratio.numer()).to_int())
+      return halves == 1 ? "half sine" : "full sine";
+  }
+  return "no sine";
+}
+
+Judgement sines(const Printed& printed, int) {
+  const std::string u = sine(1, {1, -1, -1}), z = sine(3, {1, -3, 3});
+  const bool right = printed.at(0) == u && printed.at(1) == z;
+  return {
+      right ? Verdict::confirmed : Verdict::refuted,
+      right ? "" : fmt::format("U is a {}, Z a {}", u, z),
+      {{EvidenceKind::exact,
+        fmt::format("the modes (1, -1, -1) at k/L and (1, -3, 3) at 3k/L solve (32) in rationals; heights of "
+                    "joints 2 and 3 as sin(m pi/3), sin(2 m pi/3): U a {} (m = 1), Z a {} (m = 2)",
+                    u, z)}},
+      ""};
+}
+
+/// The straight chain beyond its critical force: force and deflection of the U-shape (phi, -phi, -phi).
+Judgement beyond(const Printed& printed, int) {
+  const Formulas formulas({"L", "k", "phi"});
+  const GiNaC::ex L = formulas.symbol("L"), k = formulas.symbol("k"), phi = formulas.symbol("phi");
+  const SymbolicShape shape{{L, L, L}, {0, k, k}, {phi, -phi, -phi}};
+  const GiNaC::ex force = k * phi / (L * sin(phi)), deflection = 3 * L - end_point(shape)(0, 0);
+  const GiNaC::matrix torques = torque_balance(shape, force, 0);
+  bool balanced = identical(deflection, 2 * L * (1 - cos(phi)));
+  for (unsigned i = 0; i < 3; ++i) balanced = balanced && identical(torques(i, 0), 0);
+  if (!balanced) throw Error("U-shape", "no equilibrium", "(15)");
+  const Interval from(Rational(1, 8)), to(Rational(209, 100));
+  const auto grows = certain_sign([](const Interval&x) { return sin(x) - x * cos(x); }, from, to),
+             deflects = certain_sign([](const Interval&x) { return sin(x); }, from, to);
+  const GiNaC::ex slope = sin(phi) - phi * cos(phi), start = limit_at_zero(deflection / L, phi),
+                  leading = series_coefficient(slope, phi, leading_order(slope, phi, 8));
+  const bool continuous =
+      grows == 1 && deflects == 1 && start.is_zero() && leading.info(GiNaC::info_flags::positive);
+  return judge_word(
+      printed.at(0), continuous ? "continuously" : "with a jump", {"continuously", "with a jump"},
+      "the shape jumps again",
+      {{EvidenceKind::theorem,
+        "F = k phi/(L sin phi) and Delta = 2L(1 - cos phi) are analytic and strictly increasing for 0 < phi "
+        "< "
+        "2 pi/3: N = sin phi - phi cos phi has N(0) = 0, N' = phi sin phi > 0"},
+       {EvidenceKind::symbolic, "(phi, -phi, -phi) satisfies (6) with that force; Delta/L -> " + text(start) +
+                                    " for phi -> 0, so that the shape does not jump at F_c either"},
+       {EvidenceKind::interval, "N > 0 on [1/8, 2.09] by subdivision; stable there: u-curve-stable"}});
 }
 
 /// Letters without their side, sorted: the shapes of the equilibria.
@@ -266,6 +349,21 @@ std::vector<Claim> first_figures_claims() {
        "for (epsilon, epsilon) the initial U+ is the only stable shape that can be observed",
        {"U+", "the only stable"},
        only_stable},
+      {"fig-5b-name",
+       "2, Fig. 5b",
+       "the chain with (alpha1, alpha2) = (epsilon, epsilon) is initially U+",
+       {"U+"},
+       quasi_straight_name},
+      {"fig-5-sines",
+       "2, Fig. 5",
+       "U- and Z-shapes correspond to the half sine and the sine of the column",
+       {"half sine", "full sine"},
+       sines},
+      {"three-link-beyond",
+       "2, last paragraph",
+       "once it has buckled the shape changes continuously while the load grows",
+       {"continuously"},
+       beyond},
       {"fig-6-shapes", "2, Fig. 6", "after buckling there are U- and Z-shapes", {"UZ"}, shapes},
   };
 }

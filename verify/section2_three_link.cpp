@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "proofs/census.hpp"
@@ -65,18 +67,27 @@ Judgement jacobian_entries(const Printed& printed, int) {
           ""};
 }
 
+/// The entries of (7), in the paper's abbreviations.
+const Printed printed_jacobian{"-S0-S01-S012", "-S01-S012", "-S012", "C0+C01+C012", "C01+C012", "C012"};
+
 Judgement abbreviations(const Printed& printed, int) {
   const std::set<std::string> defined(printed.begin(), printed.end());
-  std::vector<std::string> missing;
-  for (const char* used : {"S0", "S01", "S012", "C0", "C01", "C012"}) {
-    if (!defined.contains(used)) missing.emplace_back(used);
+  std::set<std::string> used;
+  for (const std::string& entry : printed_jacobian) {
+    for (std::size_t at = 0, end; (at = entry.find_first_of("SC", at)) != std::string::npos; at = end) {
+      end = std::min(entry.find_first_of("+-", at), entry.size());
+      used.insert(entry.substr(at, end - at));
+    }
   }
+  std::vector<std::string> missing;
+  std::set_difference(used.begin(), used.end(), defined.begin(), defined.end(), std::back_inserter(missing));
   return {missing.empty() ? Verdict::confirmed : Verdict::refuted,
           missing.empty() ? ""
                           : fmt::format("(7) uses {}, which the text does not define; what it defines under "
                                         "another name is meant",
                                         fmt::join(missing, " and ")),
-          {{EvidenceKind::exact, "names in (7) against names that are defined after it"}},
+          {{EvidenceKind::exact,
+            fmt::format("names in (7), {}, against names that are defined after it", fmt::join(used, ", "))}},
           ""};
 }
 
@@ -227,11 +238,7 @@ std::vector<Claim> three_link_model_claims() {
        {"L*cos(phi)+L*cos(phi+alpha1+q1)+L*cos(phi+alpha1+q1+alpha2+q2)",
         "L*sin(phi)+L*sin(phi+alpha1+q1)+L*sin(phi+alpha1+q1+alpha2+q2)"},
        loaded_place},
-      {"eq-7",
-       "2, (7)",
-       "Jacobian of three links",
-       {"-S0-S01-S012", "-S01-S012", "-S012", "C0+C01+C012", "C01+C012", "C012"},
-       jacobian_entries},
+      {"eq-7", "2, (7)", "Jacobian of three links", printed_jacobian, jacobian_entries},
       {"eq-7-names",
        "2, after (7)",
        "the abbreviations of (7) are S0, C0, S01, C01, S02, C02",

@@ -120,13 +120,16 @@ Judgement curved_monotonic(const Printed& printed, int) {
   const Interval alpha = Interval::pi() / Interval(6);  // the paper's Fig. 3
   const auto sign = certain_sign([&](const Interval& q) { return force_slope(q, alpha); },
                                  Interval(Rational(-52, 100)), Interval(Rational(26, 10)));
-  const std::string found = !sign ? "not monotonic" : "monotonic";
+  const auto deflects = certain_sign([&](const Interval& q) { return sin(alpha + q); },
+                                     Interval(Rational(-52, 100)), Interval(Rational(26, 10)));
+  const std::string found = sign == 1 && deflects == 1 ? "monotonic" : "not monotonic";
   return judge_word(printed.at(0), found, {"monotonic", "not monotonic"},
                     "dF/dq has the sign of sin(alpha+q) - q cos(alpha+q), which is positive",
                     {{EvidenceKind::theorem,
                       "N(q) = sin(alpha+q) - q cos(alpha+q) has N' = q sin(alpha+q), so its least "
-                      "value on 0 < alpha + q < pi is N(0) = sin alpha > 0"},
-                     {EvidenceKind::interval, "alpha = pi/6: N > 0 for q in [-0.52, 2.6] by subdivision"}});
+                      "value on 0 < alpha + q < pi is N(0) = sin alpha > 0; dDelta/dq = 2L sin(alpha+q) > 0"},
+                     {EvidenceKind::interval,
+                      "alpha = pi/6: N > 0 and sin(alpha+q) > 0 for q in [-0.52, 2.6] by subdivision"}});
 }
 
 /// The minima of V over -pi < alpha + q < pi at a force F, k = L = 1.

@@ -80,6 +80,20 @@ Chain<Interval> z_shaped_chain() {
   return unit_chain({-2417, 6821, -7958, 5170});
 }
 
+Matrix<Rational> bent_jacobian(std::size_t n) {
+  const auto size = static_cast<Eigen::Index>(n);
+  Matrix<Rational> J(2, size);
+  Rational x = 0, y = 0;
+  for (Eigen::Index i = size; i-- > 0;) {  // the tangent of half the link's orientation is 1 / (i + 2)
+    const Rational t(1, static_cast<int>(i) + 2);
+    x += (1 - t * t) / (1 + t * t);
+    y += 2 * t / (1 + t * t);
+    J(0, i) = -y;
+    J(1, i) = x;
+  }
+  return J;
+}
+
 Interval unloaded_reach(const Chain<Interval>& chain) {
   const Point<Interval> p = end_point(chain, chain.rest());
   return sqrt(sqr(p.x) + sqr(p.y));
@@ -186,6 +200,34 @@ CertifiedEquilibrium reached(const Census& census, const SlowPath& path, const R
   throw Error("census", "no equilibrium of the path", "every state that the chain can have");
 }
 
+const SlowPath& fig7_path() {
+  static const SlowPath instance = compress_slowly(fig7_chain(), unloaded_reach(fig7_chain()), 1.5);
+  return instance;
+}
+const SlowPath& u_path() {
+  static const SlowPath instance = compress_slowly(u_shaped_chain(), table_1_reach(), 1.5);
+  return instance;
+}
+const SlowPath& z_path() {
+  static const SlowPath instance = compress_slowly(z_shaped_chain(), table_1_reach(), 1.5);
+  return instance;
+}
+
+std::vector<CertifiedEquilibrium> states(const SlowPath& path, const std::vector<Rational>& deflections) {
+  std::vector<CertifiedEquilibrium> found;
+  for (const Rational& d : deflections)
+    found.push_back(reached(held_at(path.enclosed, path.reach - Interval(d)), path, d));
+  return found;
+}
+
+std::vector<Interval> mean_stiffnesses(const SlowPath& path, const std::vector<Rational>& deflections) {
+  const std::vector<CertifiedEquilibrium> at = states(path, deflections);
+  std::vector<Interval> slopes;
+  for (std::size_t i = 1; i < at.size(); ++i)
+    slopes.push_back((at[i - 1].fx - at[i].fx) / Interval(deflections[i] - deflections[i - 1]));
+  return slopes;
+}
+
 Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& from, const Rational& to) {
   const auto angle = [&](const Located& load) { return joint_angles(path.at(exactly(load)).theta)[joint]; };
   const auto low = from_rational<Located>(from), high = from_rational<Located>(to);
@@ -193,6 +235,24 @@ Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& 
   const auto close = [](const Located& a, const Located& b) { return abs(b - a) < Located("1e-58"); };
   const auto [a, b] = boost::math::tools::toms748_solve(angle, low, high, close, evaluations);
   return (a + b) / 2;
+}
+
+Branch<double> branch_through(const Chain<Interval>& chain, const Interval& reach,
+                              const CertifiedEquilibrium& one, double deflection, int direction,
+                              const TraceLimits<double>& limits) {
+  using Model = NominalModel<double>;
+  const Model model(convert<double>(chain, rounded));
+  Brancher<Model> brancher(model, inwards(rounded(reach)), absolute_angles(model.chain().rest()));
+  std::vector<double> q;
+  for (const Interval& angle : one.q) q.push_back(rounded(angle));
+  auto start = brancher.start(deflection, absolute_angles(q), {rounded(one.fx), rounded(one.fy)});
+  if (start.tangent.load * direction < 0) Brancher<Model>::scale(start.tangent, -1);
+  return Tracer<Model>(brancher, limits).run(start);
+}
+
+PathCertificate prove_branch(const Chain<Interval>& chain, const Interval& reach,
+                             const Branch<double>& branch) {
+  return certify(chain, inwards(reach), branch);
 }
 
 std::vector<PathCertificate> leaving(const SlowPath& path, const BranchEvent<Located>& bifurcation,

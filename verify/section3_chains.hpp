@@ -23,6 +23,9 @@ Chain<Interval> fig8_chain();
 Chain<Interval> u_shaped_chain();
 Chain<Interval> z_shaped_chain();
 
+/// Jacobian of a bent chain of n unit links, in rationals: rank 2.
+Matrix<Rational> bent_jacobian(std::size_t n);
+
 /// Distance of the unloaded end point from the base.
 Interval unloaded_reach(const Chain<Interval>& chain);
 /// Where the end point of the chains of Table 1 stands without load, as the paper has it: 3.8.
@@ -69,12 +72,34 @@ struct SlowPath {
 };
 SlowPath compress_slowly(const Chain<Interval>& chain, const Interval& reach, double last, int side = 1);
 
+/// The chain of Fig. 7 and those of Table 1, slowly compressed up to 1.5 L; each computed once.
+const SlowPath& fig7_path();
+const SlowPath& u_path();
+const SlowPath& z_path();
+
 /// The equilibrium of a census that a path has at that deflection. \throws Error where there is none
 CertifiedEquilibrium reached(const Census& census, const SlowPath& path, const Rational& deflection);
+
+/// The states of a path at some deflections, each in a certified census.
+std::vector<CertifiedEquilibrium> states(const SlowPath& path, const std::vector<Rational>& deflections);
+
+/// Mean stiffness of a path between neighbouring deflections, certified: somewhere between them the tangent
+/// stiffness has that value.
+std::vector<Interval> mean_stiffnesses(const SlowPath& path, const std::vector<Rational>& deflections);
 
 /// The deflection at which a joint angle of the slowly compressed chain passes zero, between two deflections
 /// where it has different signs.
 Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& from, const Rational& to);
+
+/// The branch through an equilibrium of a census at a deflection, followed in double precision to growing or
+/// falling deflection as far as the limits.
+Branch<double> branch_through(const Chain<Interval>& chain, const Interval& reach,
+                              const CertifiedEquilibrium& one, double deflection, int direction,
+                              const TraceLimits<double>& limits);
+
+/// Proof of such a branch.
+PathCertificate prove_branch(const Chain<Interval>& chain, const Interval& reach,
+                             const Branch<double>& branch);
 
 /// Proofs that stable shapes leave a bifurcation for growing deflection: to each side, from next to it up to
 /// another deflection.

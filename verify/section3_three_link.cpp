@@ -2,6 +2,7 @@
 /// Section 3.1: three links with a passive base, bent at rest; the U-chain of Fig. 7.
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/LU>
 #include <set>
@@ -10,6 +11,7 @@
 #include "proofs/symbolic_statics.hpp"
 #include "verify/claims.hpp"
 #include "verify/judging.hpp"
+#include "verify/post_buckling.hpp"
 #include "verify/section3_chains.hpp"
 
 namespace plumbline {
@@ -55,10 +57,15 @@ Chain<Interval> snapping_chain() {
   return Chain<Interval>({1, 1, 1, 1}, {5, 5, 5, 6}, {angle, Interval(-2) * angle, angle, 0});
 }
 
+const SlowPath& snapping_path() {
+  static const SlowPath instance = compress_slowly(snapping_chain(), unloaded_reach(snapping_chain()), 1.5);
+  return instance;
+}
+
 Judgement always_continuous(const Printed& printed, int digits) {
   const Chain<Interval> chain = snapping_chain();
   const Interval reach = unloaded_reach(chain);
-  const SlowPath path = compress_slowly(chain, reach, 1.5);
+  const SlowPath& path = snapping_path();
   const auto folds = path.of_kind(EventKind::fold);
   if (folds.size() != 1) throw Error("snapping chain", std::to_string(folds.size()) + " folds", "one");
   const Rational before(1140, 1000), after(1145, 1000);
@@ -95,13 +102,18 @@ Judgement always_continuous(const Printed& printed, int digits) {
 }
 
 Judgement stiffness_amplitude(const Printed& printed, int) {
-  const SlowPath path = compress_slowly(fig7_chain(), unloaded_reach(fig7_chain()), 1);
-  const Located first = path.at(0).stiffness, last = path.at(Rational(1, 2)).stiffness;
-  const bool depends = abs(first - last) > Located("0.01") * first;
+  const Located first = fig7_path().at(0).stiffness, last = fig7_path().at(Rational(1, 2)).stiffness;
+  const std::vector<Interval> means =
+      mean_stiffnesses(fig7_path(), {Rational(1, 50), Rational(1, 10), Rational(3, 5)});
+  const bool depends = certainly_less(means[1] * Interval(Rational(101, 100)), means[0]);
   return judge_word(
       printed.at(0), depends ? "depends" : "constant", {"depends", "constant"},
       "the stiffness does not change by a percent",
-      {{EvidenceKind::mp50, fmt::format("chain of Fig. 7: dF/dDelta is {} k/L^2 without load, {} at "
+      {{EvidenceKind::interval,
+        fmt::format(
+            "chain of Fig. 7, certified censuses at 0.02, 0.1 and 0.6 L: mean stiffness {} and {} k/L^2",
+            certified_decimal(means[0], 5), certified_decimal(means[1], 5))},
+       {EvidenceKind::mp50, fmt::format("dF/dDelta is {} k/L^2 without load, {} at "
                                         "0.5 L",
                                         first.str(8), last.str(8))}});
 }
@@ -127,18 +139,67 @@ Judgement four_equations(const Printed& printed, int) {
         "Unknown are phi, q_1, q_2, and F where Delta is given or Delta where F is"}});
 }
 
+/// What is unknown where Delta is the independent variable.
+Judgement unknowns(const Printed& printed, int) {
+  const std::vector<std::string> all{"L", "k", "alpha1", "alpha2", "x0", "Delta", "phi", "q1", "q2", "F"};
+  const Formulas names(all);
+  const auto s = [&](const char* name) { return names.symbol(name); };
+  const SymbolicShape shape{{s("L"), s("L"), s("L")},
+                            {0, s("k"), s("k")},
+                            {s("phi"), s("alpha1") + s("q1"), s("alpha2") + s("q2")}};
+  const GiNaC::matrix J = jacobian(shape), p = end_point(shape);
+  const GiNaC::lst equations{J(0, 0) * s("F"), J(0, 1) * s("F") + s("k") * s("q1"),
+                             J(0, 2) * s("F") + s("k") * s("q2"), p(0, 0) - s("x0") + s("Delta"), p(1, 0)};
+  const std::set<std::string> given{"L", "k", "alpha1", "alpha2", "x0", "Delta"};
+  std::set<std::string> found;
+  for (const std::string& name : all) {
+    if (!given.contains(name) && equations.has(names.symbol(name))) found.insert(name);
+  }
+  const bool right = std::set<std::string>(printed.begin(), printed.end()) == found;
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : fmt::format("unknown are {}: Delta is given", fmt::join(found, ", ")),
+          {{EvidenceKind::symbolic,
+            "symbols of (5) and (6) with (F_x, F_y) = (F, 0), less the chain's own, x_0 and the "
+            "independent variable Delta"}},
+          ""};
+}
+
+/// The curves through the equilibria at 0.1 L, each proved from 0 to 1.2 L: "2 stable, 2 unstable".
+std::string curves() {
+  std::size_t stable = 0, unstable = 0;
+  for (const auto& one : at_deflection(Rational(1, 10)).equilibria) {
+    bool whole = true;
+    for (const int direction : {1, -1}) {
+      const Branch<double> branch =
+          branch_through(fig7_chain(), unloaded_reach(fig7_chain()), one, 0.1, direction, {0, 1.2});
+      const PathCertificate proved = prove_branch(fig7_chain(), unloaded_reach(fig7_chain()), branch);
+      whole = whole && branch.end == BranchEnd::load && proved.certified() && proved.gaps.empty() &&
+              proved.runs.size() == 1 && proved.runs[0].negative_directions == one.negative_directions;
+    }
+    if (whole) ++(one.negative_directions == 0 ? stable : unstable);
+  }
+  return fmt::format("{} stable, {} unstable", stable, unstable);
+}
+
 Judgement count(const Printed& printed, int) {
-  std::string found;
+  std::string found = curves();
   std::size_t boxes = 0;
   for (const Rational& d : {Rational(1, 50), Rational(1, 20), Rational(1, 10)}) {
     const Census census = at_deflection(d);
-    found = found.empty() || found == types(census) ? types(census) : "another";
+    if (found != types(census)) found = "another";
     boxes += census.boxes;
   }
+  const std::string end = certified_decimal(unloaded_reach(fig7_chain()) - Interval(1), 5);
   return judge_word(
-      printed.at(0), found, {"2 stable, 2 unstable", "1 stable, 3 unstable", found},
-      "at 0.02, 0.05 and 0.1 L there are " + found,
-      {{EvidenceKind::interval, fmt::format("certified census at three deflections, {} boxes", boxes)}});
+      printed.at(0), found, {"2 stable, 2 unstable", "1 stable, 3 unstable", found}, "the count changes",
+      {{EvidenceKind::interval,
+        fmt::format("certified censuses at 0.02, 0.05 and 0.1 L, {} boxes: {}", boxes, found)},
+       {EvidenceKind::interval,
+        fmt::format(
+            "the curves through these equilibria, each proved by interval Newton segments from 0 to 1.2 L, "
+            "without a fold and of one type all along: {} (at {} L the end point is one link off the base, "
+            "and Z-shapes fold into one line)",
+            found, end)}});
 }
 
 Judgement letters(const Printed& printed, int) {
@@ -153,6 +214,63 @@ Judgement letters(const Printed& printed, int) {
           claimed == found ? "" : "the equilibria are " + list,
           {{EvidenceKind::interval, "certified census at 0.1 L: " + list}},
           ""};
+}
+
+/// Which shapes are feasible, as section 2 has the word: stable.
+Judgement feasible(const Printed& printed, int) {
+  std::set<std::string> found;
+  for (const auto& one : at_deflection(Rational(1, 10)).equilibria) {
+    if (one.negative_directions == 0) found.insert(letter(one));
+  }
+  const std::string list = fmt::format("{}", fmt::join(found, " and "));
+  const bool right = std::set<std::string>(printed.begin(), printed.end()) == found;
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : "feasible, which section 2 says of the stable ones, are " + list,
+          {{EvidenceKind::interval, "certified census at 0.1 L: stable are " + list}},
+          ""};
+}
+
+/// Whether a slowly compressed chain is always in the lowest of the energy's minima.
+Judgement always_lowest(const Printed& printed, int) {
+  const Rational d(1140, 1000);
+  const Census census = held_at(snapping_chain(), unloaded_reach(snapping_chain()) - Interval(d));
+  const CertifiedEquilibrium here = reached(census, snapping_path(), d);
+  const CertifiedEquilibrium& lowest = census.equilibria.front();
+  const bool local = here.negative_directions == 0 && lowest.negative_directions == 0 &&
+                     certainly_less(lowest.energy, here.energy);
+  return judge_word(
+      printed.at(0), local ? "a local minimum" : "the global minimum",
+      {"a local minimum", "the global minimum"},
+      "a chain stays in its minimum as long as that exists, also where another is lower",
+      {{EvidenceKind::interval,
+        fmt::format(
+            "four links, k = (5, 5, 5, 6), rest angles (0.6, -1.2, 0.6, 0), certified census at 1.14 L: the "
+            "slowly compressed chain has E = {} k, the lowest minimum {} k",
+            certified_decimal(here.energy, 5), certified_decimal(lowest.energy, 5))}});
+}
+
+/// The shape of the chain of Fig. 7 at rest.
+Judgement rest_shape(const Printed& printed, int) {
+  CertifiedEquilibrium rest;
+  rest.q = fig7_chain().rest();
+  const std::string found = letter(rest);
+  return judge_word(
+      printed.at(0), found, {printed.at(0), found},
+      "the chain of Fig. 7 is " + found + ", as the text before it says: its angles are negative",
+      {{EvidenceKind::interval, "signs of the rest angles -pi/4 and -pi/3"}});
+}
+
+/// How the straight chain leaves its shape where it buckles.
+Judgement straight_jump(const Printed& printed, int) {
+  const Rational curvature = post_buckling_curvature<Rational>(Chain<Rational>({1, 1, 1}, {0, 1, 1}),
+                                                               {Rational(1), {1, -1, -1}, Rational(0)});
+  return judge_word(printed.at(0), curvature > 0 ? "continuous" : "jump", {"continuous", "jump"},
+                    "like Euler's column, the straight three-link chain bends continuously from F_c on: F = "
+                    "F_c + F_2 a^2 with "
+                    "F_2 > 0. What jumps is the stiffness",
+                    {{EvidenceKind::theorem,
+                      "Supercritical: bent shapes exist above the critical force only, and begin at it"},
+                     {EvidenceKind::exact, fmt::format("F_2 of the U-shape = {} k/L", curvature.str())}});
 }
 
 Judgement least_force(const Printed& printed, int) {
@@ -172,12 +290,11 @@ Judgement least_force(const Printed& printed, int) {
 }
 
 Judgement observed(const Printed& printed, int) {
-  const SlowPath path = compress_slowly(fig7_chain(), unloaded_reach(fig7_chain()), 1);
   bool lowest = true;
   std::string shape;
   for (const Rational& d : {Rational(1, 10), Rational(3, 10), Rational(6, 10), Rational(9, 10)}) {
     const Census census = at_deflection(d);
-    const CertifiedEquilibrium one = reached(census, path, d);
+    const CertifiedEquilibrium one = reached(census, fig7_path(), d);
     lowest = lowest && !certainly_less(census.equilibria.front().energy, one.energy);
     shape = shape.empty() || shape == letter(one) ? letter(one) : "changing";
   }
@@ -192,9 +309,8 @@ Judgement observed(const Printed& printed, int) {
 }
 
 Judgement continuous(const Printed& printed, int) {
-  const SlowPath path = compress_slowly(fig7_chain(), unloaded_reach(fig7_chain()), 1.5);
-  return judge_word(printed.at(0), path.continuity(), {"continuous", "a jump", "open"},
-                    "stability is lost on the way", {path.evidence()});
+  return judge_word(printed.at(0), fig7_path().continuity(), {"continuous", "a jump", "open"},
+                    "stability is lost on the way", {fig7_path().evidence()});
 }
 
 }  // namespace
@@ -221,6 +337,21 @@ std::vector<Claim> loaded_three_link_claims() {
        "four equations for four variables, with (Fx, Fy) = (F, 0)",
        {"4 equations, 4 unknowns"},
        four_equations},
+      {"four-unknowns",
+       "3.1, first paragraph",
+       "with Delta as the independent variable the unknowns are Delta, phi, q1, q2",
+       {"Delta", "phi", "q1", "q2"},
+       unknowns},
+      {"observed-global",
+       "3.1, before Fig. 7",
+       "in practice the equilibrium is that of the global minimum of the energy",
+       {"the global minimum"},
+       always_lowest},
+      {"fig-7-feasible",
+       "3.1, Fig. 7",
+       "U+ is the feasible shape; U-, Z+ and Z- are unfeasible",
+       {"U+"},
+       feasible},
       {"fig-7-count",
        "3.1, Fig. 7",
        "the U-chain has two stable and two unstable equilibria",
@@ -246,6 +377,16 @@ std::vector<Claim> loaded_three_link_claims() {
        "the shape of the U-chain changes continuously, without a jump",
        {"continuous"},
        continuous},
+      {"fig-7-rest",
+       "3.1, after Fig. 8",
+       "the case before the Z-chain is that of the initial U--configuration",
+       {"U-"},
+       rest_shape},
+      {"straight-jump",
+       "3.1, last paragraph",
+       "a straight chain under compression suddenly jumps to a curved shape, like the column",
+       {"jump"},
+       straight_jump},
   };
 }
 

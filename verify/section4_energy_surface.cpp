@@ -12,6 +12,7 @@
 #include "verify/claims.hpp"
 #include "verify/judging.hpp"
 #include "verify/section3_chains.hpp"
+#include "verify/sign.hpp"
 
 namespace plumbline {
 namespace {
@@ -90,6 +91,20 @@ Judgement totals(const Printed& printed, int) {
   return of_census(printed.at(0), found, found);
 }
 
+/// Equilibria on each of the two sheets of E(q1, q2).
+Judgement sheets(const Printed& printed, int) {
+  std::map<char, std::size_t> count;
+  for (const auto& one : census().equilibria) ++count[sign_character(sin(one.q[3]))];
+  const std::string total = std::to_string(census().equilibria.size()),
+                    found = fmt::format("{} for q4 > 0, {} for q4 < 0", count['+'], count['-']);
+  Judgement result =
+      of_census(printed.at(0), found,
+                "q1 and q2 leave the sign of q4 open: E(q1, q2) has two sheets, and of the equilibria " +
+                    found + " (Figures 11 and 13 show the sheet q4 > 0 alone)");
+  if (printed.at(0) == total) result.verdict = Verdict::imprecise;
+  return result;
+}
+
 /// Whether the two minima, and the two maxima, have equal energy: all are global.
 Judgement global(const Printed& printed, int) {
   std::map<std::string, std::vector<Interval>> energy;
@@ -151,6 +166,7 @@ std::vector<Claim> energy_surface_claims() {
        "at 0.5 L there are six equilibria, two stable and four unstable",
        {"6: 2 stable, 4 unstable"},
        totals},
+      {"fig-16-sheets", "4.2, Fig. 16", "the function E(q1, q2) has all six equilibria", {"6"}, sheets},
       {"fig-16-shapes",
        "4.2, before Fig. 16",
        "the stable ones have the U-shape, the unstable ones Z- and ZU-shapes",
