@@ -15,6 +15,7 @@ namespace {
 
 Chain<Interval> unit_chain(const std::vector<int>& ten_thousandths) {
   std::vector<Interval> rest;
+  rest.reserve(ten_thousandths.size());
   for (const int angle : ten_thousandths) rest.emplace_back(Rational(angle, 10000));
   return Chain<Interval>({1, 1, 1, 1}, {1, 1, 1, 1}, rest);
 }
@@ -227,6 +228,7 @@ const SlowPath& z_path() {
 
 std::vector<CertifiedEquilibrium> states(const SlowPath& path, const std::vector<Rational>& deflections) {
   std::vector<CertifiedEquilibrium> found;
+  found.reserve(deflections.size());
   for (const Rational& d : deflections)
     found.push_back(reached(held_at(path.enclosed, path.reach - Interval(d)), path, d));
   return found;

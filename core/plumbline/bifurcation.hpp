@@ -64,7 +64,6 @@ class BifurcationSolver {
 
  private:
   static constexpr int bandwidth = Model::bandwidth;
-  using Rows = Matrix<Real>;
 
   bool assemble(const BranchPoint<Real>& point) {
     brancher_->model().expand(point.theta, point.force, at_);

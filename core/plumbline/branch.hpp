@@ -297,14 +297,14 @@ class Brancher {
 
   /// Tangent, inertia and stiffness from the factors at hand.
   bool finish(BranchPoint<Real>& point, const Variation<Real>& towards) {
+    using std::abs;
     const Real along = product(tangent_solution(), towards), size = length(solved_);
     if (!is_finite(size) || !(size > Real(0))) return false;
     point.tangent = solved_;
     scale(point.tangent, (along < Real(0) ? Real(-1) : Real(1)) / size);
     describe(point);
-    return abs_value(along) > Real(4) / Real(5) * size * length(towards);
+    return abs(along) > Real(4) / Real(5) * size * length(towards);
   }
-  static Real abs_value(const Real& x) { return x < Real(0) ? Real(-x) : x; }
 
   bool settle_on(BranchPoint<Real>& point, const Row& plane) {
     if (!assemble(point, plane)) return false;

@@ -71,9 +71,11 @@ std::vector<Branch<typename Model::Real>> branch_tree(Brancher<Model>& brancher,
         BranchPoint<Real> at = event.point;
         at.tangent = event.crossing;
         std::optional<BranchPoint<Real>> off;
-        for (Real h = Real(1) / Real(200); !off && h > Real(1) / Real(20000); h /= Real(4))
+        for (Real h = Real(1) / Real(200); !off && h > Real(1) / Real(20000); h /= Real(4)) {
           off = brancher.step(at, Real(side) * h);
-        if (off && off->load >= limits.from && off->load <= limits.to) starts.push_back(*off);
+          if (off && (off->load < limits.from || off->load > limits.to)) off.reset();
+        }
+        if (off) starts.push_back(*off);
       }
     }
     tree.push_back(std::move(branch));

@@ -81,19 +81,25 @@ class Tracer {
 
   /// As far as is sure, with the points and events on the way.
   void stride(Branch<Real>& branch) {
-    for (Real h = farthest(Real(1)); h > shortest(); h /= Real(2)) {
-      const auto next = brancher_->onto(brancher_->along(series_, h), h);
-      const std::size_t events = branch.events.size();
-      if (!next) continue;
-      auto ahead = horizon_if_sure(*next, h);
-      if (!ahead || !lay(branch, here_.negative_directions, *next, Real(0), h)) continue;
-      horizon_ = std::move(*ahead);
-      if (horizon_.distance > Real(4) * tried_) tried_ = std::numeric_limits<Real>::max();
-      if (!end_ && !brancher_->force_bounded(*next)) end_ = BranchEnd::unbounded;
-      if (branch.events.size() > events) brancher_->refresh(*next);
-      return;
+    Real h = farthest(Real(1));
+    while (h > shortest()) {
+      if (stride(branch, h)) return;
+      h /= Real(2);
     }
     end_ = BranchEnd::degenerate;
+  }
+  /// By h, if that is sure; else nothing.
+  bool stride(Branch<Real>& branch, const Real& h) {
+    const auto next = brancher_->onto(brancher_->along(series_, h), h);
+    if (!next) return false;
+    const std::size_t events = branch.events.size();
+    auto ahead = horizon_if_sure(*next, h);
+    if (!ahead || !lay(branch, here_.negative_directions, *next, Real(0), h)) return false;
+    horizon_ = std::move(*ahead);
+    if (horizon_.distance > Real(4) * tried_) tried_ = std::numeric_limits<Real>::max();
+    if (!end_ && !brancher_->force_bounded(*next)) end_ = BranchEnd::unbounded;
+    if (branch.events.size() > events) brancher_->refresh(*next);
+    return true;
   }
   /// \param share  of the reach of the series
   Real farthest(const Real& share) const {
@@ -177,12 +183,15 @@ class Tracer {
   std::optional<BranchPoint<Real>> hop(const BranchPoint<Real>& over, const Real& s) {
     using std::min;
     const Real longest = Real(1) / Real(20), least = min(s, longest) / Real(64);
-    for (Real h = longest; h > least; h /= Real(2)) {
+    Real h = longest;
+    while (h > least) {
       auto beyond = brancher_->step(over, h);
-      if (!beyond || orientation(*beyond) == orientation(here_)) continue;
-      brancher_->refresh(*beyond);
-      brancher_->expand(*beyond, ahead_);
-      if (h < Real(3) / Real(2) * ahead_.reach) return beyond;
+      if (beyond && orientation(*beyond) != orientation(here_)) {
+        brancher_->refresh(*beyond);
+        brancher_->expand(*beyond, ahead_);
+        if (h < Real(3) / Real(2) * ahead_.reach) return beyond;
+      }
+      h /= Real(2);
     }
     return std::nullopt;
   }
@@ -286,8 +295,9 @@ class Tracer {
     if (outside(inside.load) || inside.load == edge) return;
     const Real s = zero([&](const Real& at) { return Real(place(at).load - edge); }, inside.s, beyond.s);
     auto last = brancher_->at_load(brancher_->along(series_, s), edge);
+    if (!last) return;  // no event either: one lies between two points
     note_event(branch, inside, place(s));
-    if (last) branch.points.push_back(std::move(*last));
+    branch.points.push_back(std::move(*last));
   }
 
   template <class Quantity>

@@ -54,6 +54,10 @@ TEST_CASE("branches switch at a bifurcation: a symmetric zigzag and the two arch
   CHECK(arches.points.back().load == 0.5);
   CHECK(arches.points.front().theta(0) * arches.points.back().theta(0) < 0);
   for (const auto& point : arches.points) CHECK(point.negative_directions == 0);
+
+  REQUIRE(tree[0].events[0].kind == EventKind::bifurcation);
+  const double edge = tree[0].events[0].point.load + 1e-6;  // the arches are soon beyond it
+  CHECK(branch_tree(brancher, {brancher.start(0, shape)}, {0, edge}).size() == 2);
 }
 
 TEST_CASE("every crossing is met on both branches, and a closed branch closes") {
