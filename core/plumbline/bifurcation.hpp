@@ -67,19 +67,9 @@ class BifurcationSolver {
 
   bool assemble(const BranchPoint<Real>& point) {
     brancher_->model().expand(point.theta, point.force, at_);
-    const Loading<Real>& loading = brancher_->loading();
-    const bool held = loading.control == Control::end_point;
     Matrix<Real> C = Matrix<Real>::Constant(n_, 4, Real(0)), R = C, D = Matrix<Real>::Constant(4, 4, Real(0));
-    C.template leftCols<2>() = at_.force_gradient;
+    brancher_->fill_borders(at_, C, R, D);
     C.col(3) = psi0_;
-    if (held) {
-      R.template leftCols<2>() = at_.end_point_gradient;
-      D.template topLeftCorner<2, 2>() = -at_.compliance;
-    } else {
-      D(0, 0) = D(1, 1) = Real(1);
-    }
-    D(0, 2) = held ? Real(-loading.direction.x) : loading.direction.x;
-    D(1, 2) = held ? Real(-loading.direction.y) : loading.direction.y;
     for (Eigen::Index j = 0; j < 2; ++j) {
       R.col(2 + j) = brancher_->weighted(T_[j].theta);
       D(2 + j, 2) = brancher_->load_weight() * T_[j].load;
@@ -174,7 +164,8 @@ class BifurcationSolver {
   /// The two directions c with c^T Q c = 0, of unit length; none where Q is definite: an isolated point.
   [[nodiscard]] std::vector<Variation<Real>> tangents(const Eigen::Matrix<Real, 2, 2>& Q) const {
     using std::abs, std::sqrt;
-    const Real a = Q(0, 0), b = (Q(0, 1) + Q(1, 0)) / Real(2), c = Q(1, 1), square = b * b - a * c;
+    const Real &a = Q(0, 0), &c = Q(1, 1);
+    const Real b = (Q(0, 1) + Q(1, 0)) / Real(2), square = b * b - a * c;
     if (!(square > Real(0))) return {};
     const Real root =
         b < Real(0) ? Real(b - sqrt(square)) : Real(b + sqrt(square));  // a x^2 + 2 b x y + c y^2

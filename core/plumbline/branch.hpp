@@ -200,6 +200,22 @@ class Brancher {
            abs(point.force.x) + abs(point.force.y) < Real(1000000) * force_scale_;
   }
 
+  /// The borders of the Hessian in the derivative of the equations: force and load, in the first two rows
+  /// (columns of R) and the first three columns.
+  void fill_borders(const Expansion<Real, bandwidth>& at, Matrix<Real>& C, Matrix<Real>& R,
+                    Matrix<Real>& D) const {
+    C.template leftCols<2>() = at.force_gradient;
+    const bool held = loading_.control == Control::end_point;
+    if (held) {
+      R.template leftCols<2>() = at.end_point_gradient;
+      D.template topLeftCorner<2, 2>() = -at.compliance;
+    } else {
+      D(0, 0) = D(1, 1) = Real(1);
+    }
+    D(0, 2) = held ? Real(-loading_.direction.x) : loading_.direction.x;
+    D(1, 2) = held ? Real(-loading_.direction.y) : loading_.direction.y;
+  }
+
   static void move(BranchPoint<Real>& point, const Variation<Real>& along, const Real& h) {
     point.theta += h * along.theta;
     point.force.x += h * along.force.x;
@@ -234,16 +250,7 @@ class Brancher {
   bool assemble(const BranchPoint<Real>& point, const Row& last) {
     model_->expand(point.theta, point.force, at_);
     matrix_.factor(at_.hessian);
-    C_.template leftCols<2>() = at_.force_gradient;
-    const bool held = loading_.control == Control::end_point;
-    if (held) {
-      R_.template leftCols<2>() = at_.end_point_gradient;
-      D_.template topLeftCorner<2, 2>() = -at_.compliance;
-    } else {
-      D_(0, 0) = D_(1, 1) = Real(1);
-    }
-    D_(0, 2) = held ? Real(-loading_.direction.x) : loading_.direction.x;
-    D_(1, 2) = held ? Real(-loading_.direction.y) : loading_.direction.y;
+    fill_borders(at_, C_, R_, D_);
     R_.col(2) = last.theta;
     D_(2, 2) = last.load;
     return matrix_.border(C_, R_, D_);

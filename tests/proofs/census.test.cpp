@@ -231,7 +231,7 @@ TEST_CASE(
     try {
       at_place = census_at_end_point(chain, place);
     } catch (const Error& error) {
-      MESSAGE("chain ", i, " of ", n, " links: ", error.what());
+      MESSAGE("chain ", i, " of ", n, " links: ", std::string(error.what()));
       ++given_up;
       continue;
     }
