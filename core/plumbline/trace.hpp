@@ -269,9 +269,12 @@ class Tracer {
   }
 
   void note_event(Branch<Real>& branch, const Place& a, const Place& b) {
+    using std::abs;
     if ((a.turn > Real(0)) != (b.turn > Real(0))) {
       const Real s = zero([this](const Real& at) { return place(at).turn; }, a.s, b.s);
       auto found = located(branch, EventKind::fold, s);
+      // beside a crossing the turn may be all rounding, and its sign means nothing
+      if (!found && crossing_ && abs(s - *crossing_) < (b.s - a.s) / Real(100)) return;
       if (!found) throw Error("branch", "a fold that cannot be located", "a regular branch around it");
       branch.events.push_back({EventKind::fold, branch.points.size() - 1, std::move(*found), {}});
     } else if (a.bend < Real(0) && b.bend > Real(0)) {
