@@ -43,7 +43,7 @@ struct Census {
 
 struct CensusLimits {
   double smallest = 1e-6;        ///< width of a box, in radians, that is not halved any more
-  std::size_t boxes = 20000000;  ///< after so many the search gives up
+  std::size_t boxes = 60000000;  ///< after so many, about a minute, the search gives up
 };
 
 /// All equilibria with the end point held at a place.

@@ -14,6 +14,7 @@
 /// tangents.
 
 #include <plumbline/branch.hpp>
+#include <tuple>
 
 namespace plumbline {
 

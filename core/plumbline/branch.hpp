@@ -8,6 +8,7 @@
 /// few steps of power iteration bound that distance, the *horizon*. Where another branch comes near, or
 /// crosses, A is nearly singular and the horizon closes in.
 
+#include <cstdint>
 #include <optional>
 #include <plumbline/branch_series.hpp>
 #include <plumbline/equilibrium.hpp>

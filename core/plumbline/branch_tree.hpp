@@ -3,6 +3,7 @@
 /// All branches that hang together with some equilibria: followed both ways, and switched at every
 /// bifurcation.
 
+#include <algorithm>
 #include <plumbline/trace.hpp>
 
 namespace plumbline {
@@ -29,7 +30,8 @@ bool lies_on(Brancher<Model>& brancher, const Branch<typename Model::Real>& bran
   return false;
 }
 
-/// A branch through a point, followed backwards and forwards.
+/// A branch through a point, followed backwards and forwards. Its end is the edge of the load window only if
+/// both ends are.
 template <SmoothModel Model>
 Branch<typename Model::Real> both_ways(Tracer<Model>& tracer, BranchPoint<typename Model::Real> start) {
   using Real = typename Model::Real;
@@ -47,7 +49,7 @@ Branch<typename Model::Real> both_ways(Tracer<Model>& tracer, BranchPoint<typena
     event.before += shift;
     behind.events.push_back(std::move(event));
   }
-  behind.end = ahead.end;
+  if (ahead.end != BranchEnd::load) behind.end = ahead.end;
   return behind;
 }
 

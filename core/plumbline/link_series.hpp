@@ -3,6 +3,7 @@
 /// The links of a chain along a branch, as power series.
 
 #include <plumbline/number.hpp>
+#include <utility>
 
 namespace plumbline {
 

@@ -155,7 +155,7 @@ class Tracer {
     horizon_ = brancher_->horizon(here_, 8);
     tried_ = std::numeric_limits<Real>::max();
     crossing_ = brancher_->product(chord(here_, found->point), here_.tangent);
-    lay(branch, here_.negative_directions, here_, *crossing_, Real(0));
+    if (!lay(branch, here_.negative_directions, here_, *crossing_, Real(0))) branch.points.push_back(here_);
     crossing_.reset();
     brancher_->refresh(here_);
     return true;
@@ -240,7 +240,7 @@ class Tracer {
         return false;
       }
       if (outside(point->load)) {
-        leave(branch, before, here);
+        leave(branch, place(i > 1 ? before.s : from), place(s));
         return true;
       }
       note_event(branch, before, here);
