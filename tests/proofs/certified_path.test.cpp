@@ -24,6 +24,13 @@ Interval decimal(int digits, int unit) {
   return Interval(Rational(digits, unit));
 }
 
+std::vector<Interval> random_decimals(std::mt19937& random, std::size_t n, int low, int high, int unit) {
+  std::uniform_int_distribution<int> any(low, high);
+  std::vector<Interval> values;
+  for (std::size_t i = 0; i < n; ++i) values.push_back(decimal(any(random), unit));
+  return values;
+}
+
 /// A chain under a loading, enclosed and in double precision.
 struct Loaded {
   Chain<Interval> chain;
@@ -294,10 +301,7 @@ TEST_CASE("a point that was moved is found") {
 TEST_CASE("three derivatives of a branch enclose those of its power series") {
   std::mt19937 random(29);
   const auto tenths = [&](std::size_t n, int low, int high) {
-    std::uniform_int_distribution<int> any(low, high);
-    std::vector<Interval> values;
-    for (std::size_t i = 0; i < n; ++i) values.push_back(decimal(any(random), 10));
-    return values;
+    return random_decimals(random, n, low, high, 10);
   };
   std::size_t narrow = 0;
   for (const Control control : {Control::end_point, Control::force}) {
@@ -360,10 +364,7 @@ TEST_CASE("minima of the tangent stiffness are counted") {
 
   std::mt19937 random(5);
   const auto tenths = [&](std::size_t n, int low, int high) {
-    std::uniform_int_distribution<int> any(low, high);
-    std::vector<Interval> values;
-    for (std::size_t i = 0; i < n; ++i) values.push_back(decimal(any(random), 10));
-    return values;
+    return random_decimals(random, n, low, high, 10);
   };
   std::size_t counted = 0, minima = 0;
   for (std::size_t trial = 0; trial < 40; ++trial) {
@@ -387,10 +388,7 @@ TEST_CASE("minima of the tangent stiffness are counted") {
 TEST_CASE("where a certified path ends the census has the same equilibrium, of the same type") {
   std::mt19937 random(17);
   const auto thousandths = [&](std::size_t n, int low, int high) {
-    std::uniform_int_distribution<int> any(low, high);
-    std::vector<Interval> values;
-    for (std::size_t i = 0; i < n; ++i) values.push_back(decimal(any(random), 1000));
-    return values;
+    return random_decimals(random, n, low, high, 1000);
   };
   std::size_t ends = 0;
   for (std::size_t trial = 0; trial < 16; ++trial) {
