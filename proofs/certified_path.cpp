@@ -189,12 +189,12 @@ bool Prover::account(const Segment& segment, const BranchPoint<double>& a) {
 /// Minima of the tangent stiffness: where its slope may vanish it only rises, or only falls, through zero.
 void Prover::count(const Segment& segment) {
   if (segment.slope == 0) {
-    if (segment.slope_change == 0 || slope_ == 0 || (least_ && least_->sign != segment.slope_change))
-      result_.counted = false;
-    least_ = Bend{segment.slope_change, least_ ? hull(least_->load, segment.load) : segment.load};
+    const bool same = !least_ || least_->sign == segment.slope_change;
+    if (segment.slope_change == 0 || slope_ == 0 || !same) result_.counted = false;
+    least_ = Bend{same ? segment.slope_change : 0, least_ ? hull(least_->load, segment.load) : segment.load};
     return;
   }
-  if (least_ && slope_ < 0 && segment.slope > 0) result_.softest.push_back(least_->load);
+  if (least_ && least_->sign > 0 && slope_ < 0 && segment.slope > 0) result_.softest.push_back(least_->load);
   slope_ = segment.slope;
   least_.reset();
 }
