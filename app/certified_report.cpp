@@ -2,64 +2,65 @@
 
 #include <fmt/core.h>
 
-namespace plumbline {
+namespace plumbline::app {
 
 namespace {
 
 constexpr int digits = 12;
 
-std::string text(const CertifiedRun& run) {
+std::string text(const proofs::CertifiedRun& run) {
   return fmt::format(
       "  load from {:.9g} to {:.9g}: {}\n", run.from, run.to,
       run.negative_directions == 0 ? "stable" : fmt::format("unstable ({})", run.negative_directions));
 }
 
-std::string_view title(const PathCertificate& one) {
+std::string_view title(const proofs::PathCertificate& one) {
   return !one.certified()   ? "proved in part"
          : one.gaps.empty() ? "one smooth branch"
                             : "smooth but for the gaps";
 }
 
-std::string stiffness_elsewhere(const PathCertificate& one) {
+std::string stiffness_elsewhere(const proofs::PathCertificate& one) {
   if (!one.counted) return "  how often the tangent stiffness is least stays open\n";
   if (!one.softest.empty()) return "";
   return one.softens ? "  the tangent stiffness falls all along\n"
                      : "  the tangent stiffness has no minimum\n";
 }
 
-nlohmann::ordered_json pairs(const std::vector<Span>& loads) {
+nlohmann::ordered_json pairs(const std::vector<proofs::Span>& loads) {
   auto list = nlohmann::ordered_json::array();
-  for (const Span& load : loads) list.push_back({load.low, load.high});
+  for (const proofs::Span& load : loads) list.push_back({load.low, load.high});
   return list;
 }
 
 }  // namespace
 
-CertifiedReport certify(const PathReport& report, const Chain<Interval>& chain,
+CertifiedReport certify(const proofs::PathReport& report, const Chain<Interval>& chain,
                         const Loading<Interval>& loading) {
   CertifiedReport certified;
-  for (const Branch<double>& branch : report.branches) certified.push_back(certify(chain, loading, branch));
+  for (const Branch<double>& branch : report.branches)
+    certified.push_back(proofs::certify(chain, loading, branch));
   return certified;
 }
 
 bool complete(const CertifiedReport& report) {
   return std::all_of(report.begin(), report.end(),
-                     [](const PathCertificate& one) { return one.certified(); });
+                     [](const proofs::PathCertificate& one) { return one.certified(); });
 }
 
 std::string as_text(const CertifiedReport& report) {
   std::string all = "\nProved by interval arithmetic, the chain's numbers as exact decimals\n";
   for (std::size_t b = 0; b < report.size(); ++b) {
-    const PathCertificate& one = report[b];
+    const proofs::PathCertificate& one = report[b];
     all +=
         fmt::format("part {}: {} in {} segments; the points are within {:.1e} rad of it, the chords {:.1e}\n",
                     b + 1, title(one), one.segments, one.distance, one.tube);
-    for (const CertifiedRun& run : one.runs) all += text(run);
-    for (const Span& fold : one.folds) all += "  the load turns once in " + text(fold, digits) + "\n";
-    for (const Span& least : one.softest)
+    for (const proofs::CertifiedRun& run : one.runs) all += text(run);
+    for (const proofs::Span& fold : one.folds) all += "  the load turns once in " + text(fold, digits) + "\n";
+    for (const proofs::Span& least : one.softest)
       all += "  the tangent stiffness is least once in " + text(least, digits) + "\n";
     if (one.certified()) all += stiffness_elsewhere(one);
-    for (const Span& gap : one.gaps)
+    for (const proofs::Span& gap : one.gaps)
       all += "  not covered, around a bifurcation: " + text(gap, digits) + "\n";
     if (one.failed_at)
       all += fmt::format("  NOT proved from {} on: {}\n", text(*one.failed_at, digits), one.failure);
@@ -69,9 +70,9 @@ std::string as_text(const CertifiedReport& report) {
 
 nlohmann::ordered_json as_json(const CertifiedReport& report) {
   auto list = nlohmann::ordered_json::array();
-  for (const PathCertificate& one : report) {
+  for (const proofs::PathCertificate& one : report) {
     auto runs = nlohmann::ordered_json::array();
-    for (const CertifiedRun& run : one.runs)
+    for (const proofs::CertifiedRun& run : one.runs)
       runs.push_back({{"from", run.from}, {"to", run.to}, {"negative_directions", run.negative_directions}});
     nlohmann::ordered_json failure;
     if (one.failed_at)
@@ -90,4 +91,4 @@ nlohmann::ordered_json as_json(const CertifiedReport& report) {
   return list;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

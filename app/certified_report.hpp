@@ -4,15 +4,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/loaded_paths.hpp"
 #include "proofs/certified_path.hpp"
+#include "proofs/followed_path.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 
 /// One certificate a branch.
-using CertifiedReport = std::vector<PathCertificate>;
+using CertifiedReport = std::vector<proofs::PathCertificate>;
 
-CertifiedReport certify(const PathReport& report, const Chain<Interval>& chain,
+CertifiedReport certify(const proofs::PathReport& report, const Chain<Interval>& chain,
                         const Loading<Interval>& loading);
 
 /// Whether everything is proved but what lies in the gaps around bifurcations.
@@ -21,4 +21,4 @@ bool complete(const CertifiedReport& report);
 std::string as_text(const CertifiedReport& report);
 nlohmann::ordered_json as_json(const CertifiedReport& report);
 
-}  // namespace plumbline
+}  // namespace plumbline::app

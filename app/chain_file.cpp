@@ -9,11 +9,11 @@
 #include "files/toml_file.hpp"
 #include "proofs/decimal.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 namespace {
 
 Rational parse_number(const std::string& text, const std::string& list, std::size_t i) {
-  if (const auto value = parse_decimal(text)) return *value;
+  if (const auto value = proofs::parse_decimal(text)) return *value;
   throw Error(list + ", entry " + std::to_string(i + 1), text.empty() ? "nothing" : text, "a decimal number");
 }
 
@@ -37,7 +37,7 @@ std::string quote_decimals(const std::string& text) {
     const std::string token = text.substr(at, end - at);
     std::string digits = token;
     std::erase(digits, '_');  // TOML groups digits with it
-    result += parse_decimal(digits) ? '"' + digits + '"' : token;
+    result += proofs::parse_decimal(digits) ? '"' + digits + '"' : token;
     at = end;
   }
   return result;
@@ -47,7 +47,7 @@ std::vector<Rational> number_list(const toml::table& table, const std::string& k
                                   const std::string& source) {
   const toml::node* node = table.get(key);
   if (node == nullptr) throw Error(source, "no key " + key, "lengths and stiffness, a list each");
-  const std::string where = place(*node, source) + ": " + key;
+  const std::string where = files::place(*node, source) + ": " + key;
   const toml::array* list = node->as_array();
   if (list == nullptr) throw Error(where, "a single value", "a list of numbers in brackets");
   std::vector<Rational> values;
@@ -71,8 +71,8 @@ std::vector<Rational> joined_numbers(const std::string& field, const std::string
   return values;
 }
 
-NamedChain parse_row(const CsvRow& row, const std::vector<std::size_t>& column, const std::string& where,
-                     std::set<std::string>& names) {
+NamedChain parse_row(const files::CsvRow& row, const std::vector<std::size_t>& column,
+                     const std::string& where, std::set<std::string>& names) {
   if (row.fields.size() != column.size()) {
     throw Error(where, std::to_string(row.fields.size()) + " fields", std::to_string(column.size()));
   }
@@ -90,7 +90,7 @@ NamedChain parse_row(const CsvRow& row, const std::vector<std::size_t>& column, 
 }
 
 /// Where the columns `chain`, `lengths`, `stiffness` stand.
-std::vector<std::size_t> find_columns(const CsvRow& header, const std::string& source) {
+std::vector<std::size_t> find_columns(const files::CsvRow& header, const std::string& source) {
   std::vector<std::size_t> column;
   for (const std::string name : {"chain", "lengths", "stiffness"}) {
     const auto found = std::find(header.fields.begin(), header.fields.end(), name);
@@ -108,8 +108,8 @@ std::vector<std::size_t> find_columns(const CsvRow& header, const std::string& s
 }  // namespace
 
 Chain<Rational> parse_chain(const std::string& text, const std::string& source) {
-  const toml::table table = parse_toml(quote_decimals(text), source);
-  refuse_unknown_keys(table, {"lengths", "stiffness", "rest"}, source);
+  const toml::table table = files::parse_toml(quote_decimals(text), source);
+  files::refuse_unknown_keys(table, {"lengths", "stiffness", "rest"}, source);
   const auto lengths = number_list(table, "lengths", source);
   const auto stiffness = number_list(table, "stiffness", source);
   const auto rest = table.contains("rest") ? number_list(table, "rest", source) : std::vector<Rational>();
@@ -121,7 +121,7 @@ Chain<Rational> parse_chain(const std::string& text, const std::string& source) 
 }
 
 ChainTable parse_chain_table(const std::string& text, const std::string& source) {
-  const std::vector<CsvRow> rows = parse_csv(text, source);
+  const std::vector<files::CsvRow> rows = files::parse_csv(text, source);
   const std::vector<std::size_t> column = find_columns(rows.at(0), source);
   if (rows.size() == 1) throw Error(source, "a header and no chain", "a row for each chain");
   ChainTable table;
@@ -136,4 +136,4 @@ ChainTable parse_chain_table(const std::string& text, const std::string& source)
   return table;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

@@ -3,11 +3,11 @@
 /// Chains as users write them. Every number is taken as the exact decimal that stands there.
 
 #include <filesystem>
-#include <plumbline/chain.hpp>
+#include <plumbline/chain/chain.hpp>
 #include <string>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::app {
 
 /// A chain from TOML text: lists `lengths`, `stiffness` and (optional) `rest`, of numbers or of decimals in
 /// quotes. \throws Error that names the source and the line or key
@@ -30,4 +30,4 @@ struct ChainTable {
 /// follows
 ChainTable parse_chain_table(const std::string& text, const std::string& source);
 
-}  // namespace plumbline
+}  // namespace plumbline::app

@@ -13,10 +13,10 @@
 #include "files/csv_file.hpp"
 #include "files/text_file.hpp"
 #include "proofs/decimal.hpp"
-#include "verify/agreement.hpp"
-#include "verify/reference_chains.hpp"
+#include "verify/reference/agreement.hpp"
+#include "verify/reference/chains.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 namespace {
 
 struct Options {
@@ -24,23 +24,24 @@ struct Options {
 };
 
 using Chains = std::map<std::string, Chain<Rational>>;
-using Submitted = std::map<std::string, std::vector<SubmittedForce>>;
+using Submitted = std::map<std::string, std::vector<verify::SubmittedForce>>;
 
 /// The chains that values may be about: of a table, or of the reference set.
 Chains read_chains(const std::string& path) {
   Chains chains;
   if (path.empty()) {
-    for (const auto& reference : reference_chains(ReferenceSize::full, reference_seed))
+    for (const auto& reference :
+         verify::reference_chains(verify::ReferenceSize::full, verify::reference_seed))
       chains.emplace(reference.name, reference.chain);
     return chains;
   }
-  const ChainTable table = parse_chain_table(read_text(path), path);
+  const ChainTable table = parse_chain_table(files::read_text(path), path);
   if (!table.errors.empty()) throw Error(table.errors.front());
   for (const NamedChain& entry : table.chains) chains.emplace(entry.name, entry.chain);
   return chains;
 }
 
-std::size_t column(const CsvRow& header, const std::string& name, const std::string& path) {
+std::size_t column(const files::CsvRow& header, const std::string& name, const std::string& path) {
   const auto found = std::find(header.fields.begin(), header.fields.end(), name);
   if (found == header.fields.end())
     throw Error(fmt::format("{}:{}", path, header.line), fmt::format("no column {}", name),
@@ -54,19 +55,19 @@ bool not_a_number(std::string text) {
   return names.count(text) > 0;
 }
 
-SubmittedForce parse_force(const CsvRow& row, const std::string& place, const std::string& mode,
-                           const std::string& force, std::size_t modes) {
-  SubmittedForce result{row.line, 0, force};
+verify::SubmittedForce parse_force(const files::CsvRow& row, const std::string& place,
+                                   const std::string& mode, const std::string& force, std::size_t modes) {
+  verify::SubmittedForce result{row.line, 0, force};
   const auto [end, error] = std::from_chars(mode.data(), mode.data() + mode.size(), result.mode);
   if (error != std::errc() || end != mode.data() + mode.size() || result.mode < 1 || result.mode > modes)
     throw Error(place, fmt::format("mode \"{}\"", mode), fmt::format("a mode from 1 to {}", modes));
-  if (!parse_decimal(force) && !not_a_number(force))
+  if (!proofs::parse_decimal(force) && !not_a_number(force))
     throw Error(place, fmt::format("force \"{}\"", force), "a decimal number");
   return result;
 }
 
 Submitted read_values(const std::string& path, const Chains& chains) {
-  const std::vector<CsvRow> rows = parse_csv(read_text(path), path);
+  const std::vector<files::CsvRow> rows = files::parse_csv(files::read_text(path), path);
   const std::size_t chain_column = column(rows.front(), "chain", path),
                     mode_column = column(rows.front(), "mode", path),
                     force_column = column(rows.front(), "force", path);
@@ -92,24 +93,24 @@ Submitted read_values(const std::string& path, const Chains& chains) {
   return submitted;
 }
 
-std::vector<ForceAgreement> compare_all(const Submitted& submitted, const Chains& chains) {
-  std::vector<ForceAgreement> result;
+std::vector<verify::ForceAgreement> compare_all(const Submitted& submitted, const Chains& chains) {
+  std::vector<verify::ForceAgreement> result;
   Progress progress("chains", submitted.size());
   for (const auto& [name, forces] : submitted) {
-    const auto compared = compare(name, chains.at(name), forces);
+    const auto compared = verify::compare(name, chains.at(name), forces);
     result.insert(result.end(), compared.begin(), compared.end());
     progress.advance();
   }
-  sort_worst_first(result);
+  verify::sort_worst_first(result);
   return result;
 }
 
-std::size_t disagreeing(const std::vector<ForceAgreement>& values) {
-  return static_cast<std::size_t>(
-      std::count_if(values.begin(), values.end(), [](const ForceAgreement& v) { return !v.agrees(); }));
+std::size_t disagreeing(const std::vector<verify::ForceAgreement>& values) {
+  return static_cast<std::size_t>(std::count_if(values.begin(), values.end(),
+                                                [](const verify::ForceAgreement& v) { return !v.agrees(); }));
 }
 
-std::string as_text(const std::vector<ForceAgreement>& values, std::size_t chains) {
+std::string as_text(const std::vector<verify::ForceAgreement>& values, std::size_t chains) {
   constexpr std::size_t most = 20;
   const std::size_t wrong = disagreeing(values);
   std::string text =
@@ -118,7 +119,7 @@ std::string as_text(const std::vector<ForceAgreement>& values, std::size_t chain
   text += fmt::format("\n{:<26}{:>4}  {:>6} {:>9}  {}\n", "worst first", "mode", "digits", "permitted",
                       "finding");
   for (std::size_t i = 0; i < std::min(values.size(), wrong == 0 ? std::size_t{5} : most); ++i) {
-    const ForceAgreement& v = values[i];
+    const verify::ForceAgreement& v = values[i];
     text += fmt::format("{:<26}{:>4}  {:6.1f} {:9.1f}  {}\n", v.chain, v.submitted.mode, v.digits,
                         v.permitted, v.agrees() ? "agrees" : v.finding);
     if (!v.agrees())
@@ -126,15 +127,15 @@ std::string as_text(const std::vector<ForceAgreement>& values, std::size_t chain
                           v.reference);
   }
   if (wrong > most) text += fmt::format("... and {} more (--json has all)\n", wrong - most);
-  const auto places = where_to_look(values);
+  const auto places = verify::where_to_look(values);
   if (!places.empty()) text += "\nWhere to look\n";
   for (const std::string& place : places) text += fmt::format("  {}\n", place);
   return text;
 }
 
-nlohmann::json as_json(const std::vector<ForceAgreement>& values, std::size_t chains) {
+nlohmann::json as_json(const std::vector<verify::ForceAgreement>& values, std::size_t chains) {
   nlohmann::json list = nlohmann::json::array();
-  for (const ForceAgreement& v : values) {
+  for (const verify::ForceAgreement& v : values) {
     list.push_back({{"chain", v.chain},
                     {"mode", v.submitted.mode},
                     {"line", v.submitted.line},
@@ -149,15 +150,15 @@ nlohmann::json as_json(const std::vector<ForceAgreement>& values, std::size_t ch
   return {{"chains", chains},
           {"agree", values.size() - disagreeing(values)},
           {"disagree", disagreeing(values)},
-          {"where_to_look", where_to_look(values)},
+          {"where_to_look", verify::where_to_look(values)},
           {"values", std::move(list)}};
 }
 
 void run(const Options& options) {
   const Chains chains = read_chains(options.chains);
   const Submitted submitted = read_values(options.values, chains);
-  std::unique_ptr<OutputFile> json;
-  if (!options.json.empty()) json = std::make_unique<OutputFile>(options.json);
+  std::unique_ptr<files::OutputFile> json;
+  if (!options.json.empty()) json = std::make_unique<files::OutputFile>(options.json);
   const auto values = compare_all(submitted, chains);
   if (json) {
     json->write(as_json(values, submitted.size()).dump(2) + "\n");
@@ -190,4 +191,4 @@ void add_check(CLI::App& app) {
   verb->callback([options] { run(*options); });
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

@@ -13,7 +13,7 @@
 #include "files/text_file.hpp"
 #include "proofs/certificate.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -38,11 +38,11 @@ ChainTable read(const std::string& path) {
   if (path.empty())
     return {{{"four-link", example_chain_name, parse_chain(example_chain, example_chain_name)}}, {}};
   const std::string extension = fs::path(path).extension();
-  if (extension == ".csv") return parse_chain_table(read_text(path), path);
+  if (extension == ".csv") return parse_chain_table(files::read_text(path), path);
   if (extension != ".toml" && !fs::is_directory(path))
     throw Error(path, "a name that ends in \"" + extension + "\"",
                 ".toml (a chain) or .csv (a table of chains)");
-  return {{{fs::path(path).stem(), path, parse_chain(read_text(path), path)}}, {}};
+  return {{{fs::path(path).stem(), path, parse_chain(files::read_text(path), path)}}, {}};
 }
 
 void require_straight(const Chain<Rational>& chain) {
@@ -66,11 +66,11 @@ Results compute(ChainTable& table, const Options& options) {
     try {
       require_straight(entry.chain);
       results.chains.push_back(
-          {entry.name, entry.chain, modes_in_decimals(entry.chain, wanted(options), options.digits)});
+          {entry.name, entry.chain, proofs::modes_in_decimals(entry.chain, wanted(options), options.digits)});
       if (!options.certify.empty()) {
         const std::size_t shapes = options.digits > 1 ? wanted(options) : 0;
-        results.certificates.push_back(certificate(
-            entry.name, entry.chain, certify(entry.chain, wanted(options), shapes, options.digits)));
+        results.certificates.push_back(proofs::certificate(
+            entry.name, entry.chain, proofs::certify(entry.chain, wanted(options), shapes, options.digits)));
       }
     } catch (const Error& error) {
       table.errors.push_back(entry.place + ": " + error.what());
@@ -81,13 +81,13 @@ Results compute(ChainTable& table, const Options& options) {
 }
 
 std::string certificates(const Results& results, const Options& options) {
-  const Provenance provenance{
+  const proofs::Provenance provenance{
       .command = fmt::format("plumbline critical{} --digits {}{} --certify {}",
                              options.input.empty() ? "" : " " + options.input, options.digits,
                              options.all ? " --all" : "", options.certify),
       .program = "plumbline " PLUMBLINE_VERSION,
       .seed = ""};
-  return certificate_file(provenance, results.certificates).dump(1, ' ', true) + "\n";
+  return proofs::certificate_file(provenance, results.certificates).dump(1, ' ', true) + "\n";
 }
 
 /// `critical --csv CHAINS.csv` means that file as the chain, not as the output.
@@ -109,13 +109,13 @@ void run(Options options) {
   sort_out_files(options);
   ChainTable table = read(options.input);
   const auto open = [](const std::string& path) {
-    return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
+    return path.empty() ? nullptr : std::make_unique<files::OutputFile>(path);
   };
   const auto csv = open(options.csv), json = open(options.json), certify = open(options.certify);
 
   const Results results = compute(table, options);
   for (const std::string& error : table.errors) fmt::print(stderr, "plumbline: {}\n", error);
-  const auto finish = [](OutputFile& file, const std::string& text) {
+  const auto finish = [](files::OutputFile& file, const std::string& text) {
     file.write(text);
     file.commit();
   };
@@ -165,4 +165,4 @@ void add_critical(CLI::App& app) {
   verb->callback([options] { run(*options); });
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

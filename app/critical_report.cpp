@@ -5,12 +5,12 @@
 #include "files/csv_file.hpp"
 #include "proofs/decimal.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 namespace {
 
 /// The decimal as short as it can be written with 15 digits.
 std::string brief(const Rational& x) {
-  std::string text = to_decimal(x, 15);
+  std::string text = proofs::to_decimal(x, 15);
   const std::size_t exponent = std::min(text.find('e'), text.size());
   if (text.find('.') < exponent) {
     const std::size_t last = text.find_last_not_of('0', exponent - 1);
@@ -42,21 +42,21 @@ std::string brief_signs(const std::string& signs) {
 }
 
 /// Rows of right-aligned angles with so many to a line.
-std::string angles(std::size_t number, const CriticalMode& mode) {
+std::string angles(std::size_t number, const proofs::CriticalMode& mode) {
   constexpr std::size_t to_a_line = 8;
   std::string text = fmt::format("{:4}", number);
   for (std::size_t i = 0; i < mode.q.size(); ++i) {
     if (i > 0 && i % to_a_line == 0) text += "\n    ";
     text += fmt::format(" {:8.4f}", mode.q[i]);
   }
-  return text + fmt::format("   Fy {}\n", to_decimal(mode.fy, 4));
+  return text + fmt::format("   Fy {}\n", proofs::to_decimal(mode.fy, 4));
 }
 
 }  // namespace
 
 std::string as_text(const CriticalModes& result) {
   std::size_t wide = 14, shape = 7;
-  for (const CriticalMode& mode : result.modes) {
+  for (const proofs::CriticalMode& mode : result.modes) {
     wide = std::max(wide, mode.force.size() + 2);
     shape = std::max(shape, shape_name(mode.signs).size() + 2);
   }
@@ -68,7 +68,7 @@ std::string as_text(const CriticalModes& result) {
   text +=
       fmt::format("mode  {:<{}}{:<22}{:<{}}{}\n", "force", wide, "energy factor", "shape", shape, "signs");
   for (std::size_t m = 0; m < result.modes.size(); ++m) {
-    const CriticalMode& mode = result.modes[m];
+    const proofs::CriticalMode& mode = result.modes[m];
     text += fmt::format("{:4}  {:<{}}{:<22}{:<{}}{}\n", m + 1, mode.force, wide, mode.energy_factor,
                         shape_name(mode.signs), shape, brief_signs(mode.signs));
   }
@@ -83,7 +83,7 @@ std::string as_text(const std::vector<CriticalModes>& results) {
   std::size_t name = 5, force = 5;
   for (const CriticalModes& result : results) {
     name = std::max(name, result.chain.size());
-    for (const CriticalMode& mode : result.modes) force = std::max(force, mode.force.size());
+    for (const proofs::CriticalMode& mode : result.modes) force = std::max(force, mode.force.size());
   }
   std::string text = fmt::format("{:<{}}  links  mode  {:<{}}  shape\n", "chain", name, "force", force);
   for (const CriticalModes& result : results) {
@@ -99,7 +99,7 @@ std::string as_csv(const std::vector<CriticalModes>& results) {
   std::string text = "chain,mode,force\n";
   for (const CriticalModes& result : results) {
     for (std::size_t m = 0; m < result.modes.size(); ++m)
-      text += fmt::format("{},{},{}\n", csv_field(result.chain), m + 1, result.modes[m].force);
+      text += fmt::format("{},{},{}\n", files::csv_field(result.chain), m + 1, result.modes[m].force);
   }
   return text;
 }
@@ -110,14 +110,14 @@ nlohmann::ordered_json as_json(const std::vector<CriticalModes>& results,
   for (const CriticalModes& result : results) {
     nlohmann::ordered_json modes = nlohmann::ordered_json::array();
     for (std::size_t m = 0; m < result.modes.size(); ++m) {
-      const CriticalMode& mode = result.modes[m];
+      const proofs::CriticalMode& mode = result.modes[m];
       modes.push_back({{"mode", m + 1},
                        {"force", mode.force},
                        {"energy_factor", mode.energy_factor},
                        {"shape", shape_name(mode.signs)},
                        {"signs", mode.signs},
                        {"q", mode.q},
-                       {"fy", to_decimal(mode.fy, 15)}});
+                       {"fy", proofs::to_decimal(mode.fy, 15)}});
     }
     chains.push_back(
         {{"chain", result.chain}, {"links", result.data.size()}, {"digits", digits}, {"modes", modes}});
@@ -125,4 +125,4 @@ nlohmann::ordered_json as_json(const std::vector<CriticalModes>& results,
   return {{"chains", chains}, {"errors", errors}};
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "app/critical_modes.hpp"
+#include "proofs/critical_modes.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 
 struct CriticalModes {
   std::string chain;  ///< name
   Chain<Rational> data;
-  std::vector<CriticalMode> modes;  ///< ascending by force
+  std::vector<proofs::CriticalMode> modes;  ///< ascending by force
 };
 
 /// Everything about one chain, in 80 columns where its size permits.
@@ -25,4 +25,4 @@ std::string as_csv(const std::vector<CriticalModes>& results);
 nlohmann::ordered_json as_json(const std::vector<CriticalModes>& results,
                                const std::vector<std::string>& errors, int digits);
 
-}  // namespace plumbline
+}  // namespace plumbline::app

@@ -5,11 +5,11 @@
 #include "app/example_experiment.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "diagnose/read_experiment.hpp"
-#include "diagnose/report.hpp"
+#include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/report/report.hpp"
 #include "files/text_file.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 namespace {
 
 struct Options {
@@ -17,25 +17,25 @@ struct Options {
   bool next = false;
 };
 
-Diagnosis diagnosis_of(const Experiment& experiment, bool next) {
+diagnose::Diagnosis diagnosis_of(const diagnose::Experiment& experiment, bool next) {
   constexpr std::size_t steps = 100;
   Progress progress("diagnosis", steps);
   std::size_t shown = 0;
   const auto show = [&](double share) {
     for (; shown < static_cast<std::size_t>(share * steps); ++shown) progress.advance();
   };
-  return diagnose(experiment, show, next);
+  return diagnose::diagnose(experiment, show, next);
 }
 
 void run(const Options& options) {
-  const Experiment experiment =
-      options.experiment.empty() ? example_experiment() : read_experiment(options.experiment);
-  std::unique_ptr<OutputFile> json, html;
-  if (!options.json.empty()) json = std::make_unique<OutputFile>(options.json);
-  if (!options.html.empty()) html = std::make_unique<OutputFile>(options.html);
-  const Diagnosis diagnosis = diagnosis_of(experiment, options.next);
+  const diagnose::Experiment experiment =
+      options.experiment.empty() ? example_experiment() : diagnose::read_experiment(options.experiment);
+  std::unique_ptr<files::OutputFile> json, html;
+  if (!options.json.empty()) json = std::make_unique<files::OutputFile>(options.json);
+  if (!options.html.empty()) html = std::make_unique<files::OutputFile>(options.html);
+  const diagnose::Diagnosis diagnosis = diagnosis_of(experiment, options.next);
   if (json) json->write(as_json(diagnosis).dump(2) + "\n");
-  if (html) html->write(as_html(experiment, diagnosis));
+  if (html) html->write(diagnose::as_html(experiment, diagnosis));
   if (json) json->commit();
   if (html) html->commit();
   if (options.json != "-" && options.html != "-") fmt::print("{}", as_text(diagnosis));
@@ -65,4 +65,4 @@ void add_diagnose(CLI::App& app) {
   verb->callback([options] { run(*options); });
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

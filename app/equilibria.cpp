@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <plumbline/equilibrium.hpp>
+#include <plumbline/loaded/equilibrium.hpp>
 #include <random>
 
 #include "app/loaded_input.hpp"
@@ -12,7 +12,7 @@
 #include "proofs/census.hpp"
 #include "proofs/decimal.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 namespace {
 
 struct Options {
@@ -42,7 +42,7 @@ struct Answer {
 };
 
 Interval exact(const std::string& text, const char* option) {
-  const auto value = parse_decimal(text);
+  const auto value = proofs::parse_decimal(text);
   if (!value) throw Error(option, text, "two decimal numbers joined by a comma");
   return Interval(*value);
 }
@@ -67,11 +67,12 @@ std::string type_name(std::optional<std::size_t> negative) {
 
 Answer certified(const Options& options, const Load& load) {
   const auto chain = from_rational<Interval>(options.chain.exact);
-  const Census census = load.control == Control::force ? census_under_force(chain, load.value)
-                                                       : census_at_end_point(chain, load.value);
+  const proofs::Census census = load.control == Control::force
+                                    ? proofs::census_under_force(chain, load.value)
+                                    : proofs::census_at_end_point(chain, load.value);
   const auto text = [&](const Interval& x) { return x.middle().str(options.digits); };
   Answer answer;
-  for (const CertifiedEquilibrium& one : census.equilibria) {
+  for (const proofs::CertifiedEquilibrium& one : census.equilibria) {
     Entry entry{{},
                 text(one.x),
                 text(one.y),
@@ -191,7 +192,7 @@ void run(Options options) {
   if (options.json.empty()) {
     fmt::print("{}", as_text(answer, options, load));
   } else {
-    OutputFile file(options.json);
+    files::OutputFile file(options.json);
     file.write(as_json(answer, options, load).dump(2) + "\n");
     file.commit();
   }
@@ -235,4 +236,4 @@ void add_equilibria(CLI::App& app) {
   verb->callback([options] { run(*options); });
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

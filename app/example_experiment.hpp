@@ -2,10 +2,10 @@
 /// \file
 /// The experiment in examples/experiment, which the verb diagnose works on when it is given none.
 
-#include "diagnose/experiment.hpp"
+#include "diagnose/bench/experiment.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 
-Experiment example_experiment();
+diagnose::Experiment example_experiment();
 
-}  // namespace plumbline
+}  // namespace plumbline::app

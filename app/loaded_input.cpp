@@ -5,7 +5,7 @@
 #include "app/chain_file.hpp"
 #include "files/text_file.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 
 namespace {
 
@@ -29,7 +29,7 @@ void LoadedChain::read() {
   }
   if (std::filesystem::path(path).extension() != ".toml" && !std::filesystem::is_directory(path))
     throw Error(path, "a name that does not end in .toml", "CHAIN.toml");
-  exact = parse_chain(read_text(path), path);
+  exact = parse_chain(files::read_text(path), path);
   name = std::filesystem::path(path).stem();
 }
 
@@ -38,4 +38,4 @@ void LoadedChain::refuse_as_output(const std::string& output) const {
     throw Error(output, "the input itself", "another file for the output");
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

@@ -3,10 +3,10 @@
 /// The chain that a verb about loaded chains works on.
 
 #include <CLI/CLI.hpp>
-#include <plumbline/chain.hpp>
+#include <plumbline/chain/chain.hpp>
 #include <string>
 
-namespace plumbline {
+namespace plumbline::app {
 
 struct LoadedChain {
   std::string path;  ///< as the user wrote it; empty: the four-link Z-chain of the paper's Table 1
@@ -20,4 +20,4 @@ struct LoadedChain {
   void refuse_as_output(const std::string& output) const;
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::app

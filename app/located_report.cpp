@@ -4,13 +4,13 @@
 
 #include "app/path_report.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 
-LocatedReport locate(const PathReport& report, const Chain<Rational>& chain,
-                     const Loading<Located>& loading) {
+LocatedReport locate(const proofs::PathReport& report, const Chain<Rational>& chain,
+                     const Loading<proofs::Located>& loading) {
   LocatedReport located;
   for (const Branch<double>& branch : report.branches)
-    located.push_back(locate_events(from_rational<Located>(chain), loading, branch));
+    located.push_back(proofs::locate_events(from_rational<proofs::Located>(chain), loading, branch));
   return located;
 }
 
@@ -21,7 +21,7 @@ std::string as_text(const LocatedReport& report, int digits) {
       text += fmt::format("{} on part {}\n  load  {}\n  force {}, {}\n  q    ", name(event.kind), b + 1,
                           event.point.load.str(digits), event.point.force.x.str(digits),
                           event.point.force.y.str(digits));
-      for (const Located& q : joint_angles(event.point.theta)) text += " " + q.str(digits);
+      for (const proofs::Located& q : joint_angles(event.point.theta)) text += " " + q.str(digits);
       text += "\n";
     }
   }
@@ -33,7 +33,7 @@ nlohmann::ordered_json as_json(const LocatedReport& report, int digits) {
   for (std::size_t b = 0; b < report.size(); ++b) {
     for (const auto& event : report[b]) {
       std::vector<std::string> q;
-      for (const Located& angle : joint_angles(event.point.theta)) q.push_back(angle.str(digits));
+      for (const proofs::Located& angle : joint_angles(event.point.theta)) q.push_back(angle.str(digits));
       events.push_back({{"kind", name(event.kind)},
                         {"part", b + 1},
                         {"load", event.point.load.str(digits)},
@@ -45,4 +45,4 @@ nlohmann::ordered_json as_json(const LocatedReport& report, int digits) {
   return events;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

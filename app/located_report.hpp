@@ -6,17 +6,18 @@
 #include <string>
 #include <vector>
 
-#include "app/loaded_paths.hpp"
+#include "proofs/followed_path.hpp"
 #include "proofs/located_event.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 
 /// Events branch by branch, located.
-using LocatedReport = std::vector<std::vector<BranchEvent<Located>>>;
+using LocatedReport = std::vector<std::vector<BranchEvent<proofs::Located>>>;
 
-LocatedReport locate(const PathReport& report, const Chain<Rational>& chain, const Loading<Located>& loading);
+LocatedReport locate(const proofs::PathReport& report, const Chain<Rational>& chain,
+                     const Loading<proofs::Located>& loading);
 
 std::string as_text(const LocatedReport& report, int digits);
 nlohmann::ordered_json as_json(const LocatedReport& report, int digits);
 
-}  // namespace plumbline
+}  // namespace plumbline::app

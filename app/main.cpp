@@ -1,5 +1,5 @@
 #include <iostream>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
 #include "app/verbs.hpp"
 
@@ -30,14 +30,14 @@ int main(int argc, char** argv) {
   CLI::App app("What is true of elastic serial chains under load.", "plumbline");
   app.require_subcommand(0, 1);
   app.footer("Exit status: 0 done, 1 a claim or a check failed, 2 bad input.");
-  plumbline::add_verify(app);
-  plumbline::add_critical(app);
-  plumbline::add_path(app);
-  plumbline::add_equilibria(app);
-  plumbline::add_figure(app);
-  plumbline::add_reference(app);
-  plumbline::add_check(app);
-  plumbline::add_diagnose(app);
-  plumbline::add_trial(app);
+  plumbline::app::add_verify(app);
+  plumbline::app::add_critical(app);
+  plumbline::app::add_path(app);
+  plumbline::app::add_equilibria(app);
+  plumbline::app::add_figure(app);
+  plumbline::app::add_reference(app);
+  plumbline::app::add_check(app);
+  plumbline::app::add_diagnose(app);
+  plumbline::app::add_trial(app);
   return run(app, argc, argv);
 }

@@ -9,7 +9,7 @@
 #include "app/verbs.hpp"
 #include "files/text_file.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 namespace {
 
 struct Options {
@@ -50,12 +50,13 @@ void run(Options options) {
   const auto [loading, last] = loading_of(options, chain);
   if (!(last > 0) || !is_finite(last)) throw Error("load", "nothing to do", "a finite load that is not zero");
   if (loading.control == Control::end_point) NominalModel<double>(chain).require_reach(loading.at(last));
-  const PathTask task{chain, loading, last, options.step, options.side};
-  PathReport report = options.branches == "stable" ? follow_slowly(task) : follow_all(task);
+  const proofs::PathTask task{chain, loading, last, options.step, options.side};
+  proofs::PathReport report =
+      options.branches == "stable" ? proofs::follow_slowly(task) : proofs::follow_all(task);
   report.chain = options.chain.name;
   LocatedReport located;
   if (options.digits > 0) {
-    const auto exact = from_rational<Located>(options.chain.exact);
+    const auto exact = from_rational<proofs::Located>(options.chain.exact);
     located = locate(report, options.chain.exact, loading_of(options, exact).first);
   }
   CertifiedReport certified;
@@ -65,11 +66,11 @@ void run(Options options) {
   }
   for (const std::string& warning : report.warnings) fmt::print(stderr, "plumbline: warning: {}\n", warning);
   const auto write = [](const std::string& path, const std::string& text) {
-    OutputFile file(path);
+    files::OutputFile file(path);
     file.write(text);
     file.commit();
   };
-  const std::string svg = options.svg.empty() ? "" : as_svg(as_drawing(report, chain), 2);
+  const std::string svg = options.svg.empty() ? "" : page::as_svg(as_drawing(report, chain), 2);
   if (!options.csv.empty()) write(options.csv, as_csv(report));
   if (!options.json.empty()) {
     auto json = as_json(report);
@@ -118,7 +119,7 @@ void add_path(CLI::App& app) {
       ->capture_default_str();
   verb->add_option("--digits", options->digits,
                    "Locate every event anew to so many digits, and list them (text and JSON)")
-      ->check(CLI::Range(1, located_digits));
+      ->check(CLI::Range(1, proofs::located_digits));
   verb->add_flag(
       "--certify", options->certify,
       "Prove by interval arithmetic what the points only suggest: that each part is one smooth "
@@ -138,4 +139,4 @@ void add_path(CLI::App& app) {
   });
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

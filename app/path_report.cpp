@@ -6,12 +6,12 @@
 
 #include "files/csv_file.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 namespace {
 
 std::string csv_line(const std::vector<std::string>& fields) {
   std::string line;
-  for (const std::string& field : fields) line += (line.empty() ? "" : ",") + csv_field(field);
+  for (const std::string& field : fields) line += (line.empty() ? "" : ",") + files::csv_field(field);
   return line + "\n";
 }
 
@@ -86,7 +86,7 @@ std::string_view name(BranchEnd end) {
   return "limit of points";
 }
 
-std::string as_text(const PathReport& report) {
+std::string as_text(const proofs::PathReport& report) {
   const auto& l = report.loading;
   const Point<double> to = l.at(report.last);
   std::string text = fmt::format("{}: {} from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g})\n", report.chain,
@@ -109,7 +109,7 @@ std::string as_text(const PathReport& report) {
   return text;
 }
 
-std::string as_csv(const PathReport& report) {
+std::string as_csv(const proofs::PathReport& report) {
   std::vector<std::string> header{
       "branch", "point", "load", "x", "y", "Fx", "Fy", "energy", "stiffness", "negative_directions", "event"};
   const auto n = static_cast<std::size_t>(report.branches.at(0).points.at(0).theta.size());
@@ -129,7 +129,7 @@ std::string as_csv(const PathReport& report) {
   return text;
 }
 
-nlohmann::ordered_json as_json(const PathReport& report) {
+nlohmann::ordered_json as_json(const proofs::PathReport& report) {
   nlohmann::ordered_json branches = nlohmann::ordered_json::array();
   for (const Branch<double>& branch : report.branches) {
     nlohmann::ordered_json points = nlohmann::ordered_json::array(), events = points;
@@ -149,27 +149,17 @@ nlohmann::ordered_json as_json(const PathReport& report) {
           {report.history ? "history" : "branches", branches}};
 }
 
-std::vector<std::pair<double, double>> outline(const Chain<double>& chain, const Vector<double>& theta) {
-  std::vector<std::pair<double, double>> line{{0, 0}};
-  for (std::size_t j = 0; j < chain.size(); ++j) {
-    const double t = theta(static_cast<Eigen::Index>(j));
-    line.emplace_back(line.back().first + chain.length()[j] * std::cos(t),
-                      line.back().second + chain.length()[j] * std::sin(t));
-  }
-  return line;
-}
-
-std::vector<Panel> as_drawing(const PathReport& report, const Chain<double>& chain) {
+std::vector<page::Panel> as_drawing(const proofs::PathReport& report, const Chain<double>& chain) {
   const auto& l = report.loading;
   const bool held = l.control == Control::end_point;
-  Panel curve{report.chain + ": force over deflection",
-              "deflection along the load [length]",
-              "force along the load [force]",
-              {},
-              {},
-              "",
-              false};
-  Panel shapes{"shapes", "x [length]", "y [length]", {}, {}, "set key off", true};
+  page::Panel curve{report.chain + ": force over deflection",
+                    "deflection along the load [length]",
+                    "force along the load [force]",
+                    {},
+                    {},
+                    "",
+                    false};
+  page::Panel shapes{"shapes", "x [length]", "y [length]", {}, {}, "set key off", true};
   const auto deflection = [&](const BranchPoint<double>& p) {
     if (held) return p.load;
     const Point<double>& start = report.branches[0].points[0].end_point;
@@ -181,15 +171,15 @@ std::vector<Panel> as_drawing(const PathReport& report, const Chain<double>& cha
   for (std::size_t b = 0; b < report.branches.size(); ++b) {
     const Branch<double>& branch = report.branches[b];
     const int colour = static_cast<int>(b % 7) + 1;
-    add_curves(curve.curves, branch, colour, deflection, force,
-               fmt::format("{} {}", report.history ? "stretch" : "branch", b + 1));
+    verify::add_curves(curve.curves, branch, colour, deflection, force,
+                       fmt::format("{} {}", report.history ? "stretch" : "branch", b + 1));
     for (const auto& event : branch.events)
       curve.marks.push_back({deflection(event.point), force(event.point), std::string(name(event.kind))});
     for (const std::size_t i : {std::size_t{0}, branch.points.size() / 2, branch.points.size() - 1})
-      shapes.curves.push_back({outline(chain, branch.points[i].theta), colour,
+      shapes.curves.push_back({verify::outline(chain, branch.points[i].theta), colour,
                                branch.points[i].negative_directions > 0, "", 2.2});
   }
   return {curve, shapes};
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

@@ -5,7 +5,7 @@
 
 #include <utility>
 
-namespace plumbline {
+namespace plumbline::app {
 
 Progress::Progress(std::string what, std::size_t total)
     : what_(std::move(what)), total_(total), terminal_(isatty(STDERR_FILENO) != 0) {}
@@ -31,4 +31,4 @@ void Progress::draw() const {
   std::fflush(stderr);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

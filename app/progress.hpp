@@ -7,7 +7,7 @@
 #include <mutex>
 #include <string>
 
-namespace plumbline {
+namespace plumbline::app {
 
 /// Shows on standard error how much of the work is done: only when that is a terminal, and only after a
 /// second. Gone when it is destroyed. Any thread may report.
@@ -34,4 +34,4 @@ class Progress {
   bool terminal_, shown_ = false;
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::app

@@ -5,10 +5,10 @@
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "files/text_file.hpp"
-#include "verify/reference_loaded.hpp"
-#include "verify/reference_set.hpp"
+#include "verify/reference/loaded.hpp"
+#include "verify/reference/set.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -16,40 +16,40 @@ namespace fs = std::filesystem;
 struct Options {
   fs::path out;
   bool compact = false;
-  std::uint64_t seed = reference_seed;
+  std::uint64_t seed = verify::reference_seed;
 };
 
-std::vector<NamedText> compute(const Options& options) {
-  const auto chains =
-      reference_chains(options.compact ? ReferenceSize::compact : ReferenceSize::full, options.seed);
-  const auto cases =
-      loaded_cases(options.compact ? ReferenceSize::compact : ReferenceSize::full, options.seed);
-  std::vector<ReferenceEntry> entries;
-  LoadedEntries loaded;
+std::vector<verify::NamedText> compute(const Options& options) {
+  const auto chains = verify::reference_chains(
+      options.compact ? verify::ReferenceSize::compact : verify::ReferenceSize::full, options.seed);
+  const auto cases = verify::loaded_cases(
+      options.compact ? verify::ReferenceSize::compact : verify::ReferenceSize::full, options.seed);
+  std::vector<verify::ReferenceEntry> entries;
+  verify::LoadedEntries loaded;
   Progress progress("chains", chains.size() + cases.size());
-  for (const ReferenceChain& chain : chains) {
-    entries.push_back(reference_entry(chain));
+  for (const verify::ReferenceChain& chain : chains) {
+    entries.push_back(verify::reference_entry(chain));
     progress.advance();
   }
-  for (const LoadedCase& one : cases) {
-    if (auto entry = equilibria_entry(one)) loaded.equilibria.push_back(*std::move(entry));
+  for (const verify::LoadedCase& one : cases) {
+    if (auto entry = verify::equilibria_entry(one)) loaded.equilibria.push_back(*std::move(entry));
     if (one.window > 0) {
-      if (auto entry = events_entry(one)) loaded.events.push_back(*std::move(entry));
+      if (auto entry = verify::events_entry(one)) loaded.events.push_back(*std::move(entry));
     }
     progress.advance();
   }
   const std::string command = fmt::format("plumbline reference{} --seed {} --out DIR",
                                           options.compact ? " --compact" : "", options.seed);
-  return reference_files(entries, loaded,
-                         {command, "plumbline " PLUMBLINE_VERSION, std::to_string(options.seed)});
+  return verify::reference_files(entries, loaded,
+                                 {command, "plumbline " PLUMBLINE_VERSION, std::to_string(options.seed)});
 }
 
 void run(const Options& options) {
-  make_folder(options.out);
+  files::make_folder(options.out);
   const auto files = compute(options);
-  std::vector<std::unique_ptr<OutputFile>> written;
-  for (const NamedText& file : files) {
-    written.push_back(std::make_unique<OutputFile>(options.out / file.name));
+  std::vector<std::unique_ptr<files::OutputFile>> written;
+  for (const verify::NamedText& file : files) {
+    written.push_back(std::make_unique<files::OutputFile>(options.out / file.name));
     written.back()->write(file.text);
   }
   for (const auto& file : written) file->commit();
@@ -68,4 +68,4 @@ void add_reference(CLI::App& app) {
   verb->callback([options] { run(*options); });
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

@@ -4,28 +4,28 @@
 
 #include <cmath>
 #include <mutex>
-#include <plumbline/error.hpp>
-#include <plumbline/parallel.hpp>
+#include <plumbline/base/error.hpp>
+#include <plumbline/base/parallel.hpp>
 
 #include "files/text_file.hpp"
-#ifdef PLUMBLINE_RIG
-#include "rig/write_experiment.hpp"
+#ifdef PLUMBLINE_SIMULATOR
+#include "simulator/write_experiment.hpp"
 #endif
 
-namespace plumbline {
+namespace plumbline::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-#ifdef PLUMBLINE_RIG
+#ifdef PLUMBLINE_SIMULATOR
 SecretExperiments made(std::size_t trials, std::uint64_t seed, const fs::path& folder, unsigned threads,
                        const std::function<void()>& advance) {
   SecretExperiments secret;
   std::mutex writing;
   in_parallel(trials, threads, [&](std::size_t i) {
     const std::string name = fmt::format("trial-{:03}", i + 1);
-    const rig::Experiment experiment = rig::make_experiment(seed, i + 1, name);
-    rig::write_experiment(experiment, folder / name);
+    const simulator::Experiment experiment = simulator::make_experiment(seed, i + 1, name);
+    simulator::write_experiment(experiment, folder / name);
     const std::scoped_lock lock(writing);
     secret.envelopes[name] = trial::envelope(experiment.label);
     if (!std::isnan(experiment.nominal_error)) secret.nominal_errors.push_back(experiment.nominal_error);
@@ -36,7 +36,7 @@ SecretExperiments made(std::size_t trials, std::uint64_t seed, const fs::path& f
 #else
 SecretExperiments made(std::size_t, std::uint64_t, const fs::path&, unsigned, const std::function<void()>&) {
   throw Error("trial --trials", "a program built without the rig",
-              "one built with -DPLUMBLINE_RIG=ON, or --experiments DIR");
+              "one built with -DPLUMBLINE_SIMULATOR=ON, or --experiments DIR");
 }
 #endif
 
@@ -47,14 +47,14 @@ SecretExperiments make_experiments(std::size_t trials, std::uint64_t seed, const
   SecretExperiments secret = made(trials, seed, folder, threads, advance);
   trial::Seals seals;
   for (const auto& [name, envelope] : secret.envelopes) seals[name] = trial::seal(envelope);
-  write_text(folder / "seals.json", trial::seals_text(seals));
+  files::write_text(folder / "seals.json", trial::seals_text(seals));
   return secret;
 }
 
 void publish(const SecretExperiments& secret, const fs::path& folder) {
   fs::create_directories(folder / "labels");
   for (const auto& [name, envelope] : secret.envelopes)
-    write_text(folder / "labels" / (name + ".json"), trial::envelope_text(envelope));
+    files::write_text(folder / "labels" / (name + ".json"), trial::envelope_text(envelope));
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

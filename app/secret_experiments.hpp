@@ -9,7 +9,7 @@
 
 #include "trial/seal.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 
 struct SecretExperiments {
   std::map<std::string, trial::Envelope> envelopes;  ///< by the name of the experiment
@@ -25,4 +25,4 @@ SecretExperiments make_experiments(std::size_t trials, std::uint64_t seed,
 /// Writes labels/NAME.json for every envelope: the seals are open from then on.
 void publish(const SecretExperiments& secret, const std::filesystem::path& folder);
 
-}  // namespace plumbline
+}  // namespace plumbline::app

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 #include <thread>
 
 #include "app/progress.hpp"
@@ -15,7 +15,7 @@
 #include "trial/report.hpp"
 #include "trial/run_trial.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,12 +37,12 @@ class Place {
     } else if (fs::exists(wanted) && !fs::is_empty(wanted)) {
       throw Error(wanted.string(), "something there already", "a new or an empty folder");
     }
-    make_folder(folder_);
+    files::make_folder(folder_);
   }
   [[nodiscard]] const fs::path& folder() const { return folder_; }
 
  private:
-  std::optional<TemporaryFolder> temporary_;
+  std::optional<files::TemporaryFolder> temporary_;
   fs::path folder_;
 };
 
@@ -80,11 +80,11 @@ trial::Circumstances circumstances(const Options& options, const trial::SealedFo
   return all;
 }
 
-std::unique_ptr<OutputFile> opened(const std::string& path) {
-  return path.empty() ? nullptr : std::make_unique<OutputFile>(path);
+std::unique_ptr<files::OutputFile> opened(const std::string& path) {
+  return path.empty() ? nullptr : std::make_unique<files::OutputFile>(path);
 }
 
-void write(const std::unique_ptr<OutputFile>& file, const std::string& text) {
+void write(const std::unique_ptr<files::OutputFile>& file, const std::string& text) {
   if (!file) return;
   file->write(text);
   file->commit();
@@ -147,4 +147,4 @@ void add_trial(CLI::App& app) {
   verb->callback([options] { run(*options); });
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace plumbline {
+namespace plumbline::app {
 
 void add_check(CLI::App& app);
 void add_critical(CLI::App& app);
@@ -19,4 +19,4 @@ void add_diagnose(CLI::App& app);
 void add_trial(CLI::App& app);
 void add_verify(CLI::App& app);
 
-}  // namespace plumbline
+}  // namespace plumbline::app

@@ -5,15 +5,15 @@
 #include <cstdlib>
 #include <memory>
 
-#include "app/figures.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "files/text_file.hpp"
-#include "verify/claims.hpp"
-#include "verify/report.hpp"
-#include "verify/sampled.hpp"
+#include "verify/claims/claims.hpp"
+#include "verify/figures/figures.hpp"
+#include "verify/report/report.hpp"
+#include "verify/sampled/sampled.hpp"
 
-namespace plumbline {
+namespace plumbline::app {
 namespace {
 
 struct Options {
@@ -28,36 +28,39 @@ bool with_colour() {
 }
 
 /// The whole paper's, for the page.
-std::vector<DrawnFigure> draw_figures(const std::vector<Judged>& judged) {
-  std::vector<DrawnFigure> drawn;
-  Progress progress("figures", figures().size());
-  for (const Figure& figure : figures()) {
-    drawn.push_back(
-        {figure.number, figure.title, sentence(figure, judged), as_svg(figure.draw(), figure.columns)});
+std::vector<verify::DrawnFigure> draw_figures(const std::vector<verify::Judged>& judged) {
+  std::vector<verify::DrawnFigure> drawn;
+  Progress progress("figures", verify::figures().size());
+  for (const verify::Figure& figure : verify::figures()) {
+    drawn.push_back({figure.number, figure.title, verify::sentence(figure, judged),
+                     page::as_svg(figure.draw(), figure.columns)});
     progress.advance();
   }
   return drawn;
 }
 
 void run(const Options& options) {
-  const std::vector<Claim> claims = in_section(all_claims(), options.section);
+  const std::vector<verify::Claim> claims = verify::in_section(verify::all_claims(), options.section);
   const bool one = !options.claim.empty();
-  std::vector<Judged> judged = judge(one ? with_id(claims, options.claim) : claims, options.precision);
+  std::vector<verify::Judged> judged =
+      verify::judge(one ? verify::with_id(claims, options.claim) : claims, options.precision);
   if (options.chains > 0) {
     Progress progress("random chains", options.chains);
-    const SampledChains sampled =
-        check_random_chains(options.chains, options.seed, [&] { progress.advance(); });
-    const std::vector<Judged> properties = judge_sampled(sampled, options.seed);
+    const verify::SampledChains sampled =
+        verify::check_random_chains(options.chains, options.seed, [&] { progress.advance(); });
+    const std::vector<verify::Judged> properties = verify::judge_sampled(sampled, options.seed);
     judged.insert(judged.end(), properties.begin(), properties.end());
   }
-  if (!options.json.empty()) write_text(options.json, as_json(judged).dump(2) + "\n");
+  if (!options.json.empty()) files::write_text(options.json, as_json(judged).dump(2) + "\n");
   if (!options.html.empty()) {
     const bool whole = !one && options.section.empty();
-    write_text(options.html, as_html(judged, whole ? draw_figures(judged) : std::vector<DrawnFigure>{}));
+    files::write_text(options.html, verify::as_html(judged, whole ? draw_figures(judged)
+                                                                  : std::vector<verify::DrawnFigure>{}));
   }
   if (options.json.empty() && options.html.empty())
-    fmt::print("{}", one ? as_detail(judged.front(), with_colour()) : as_table(judged, with_colour()));
-  if (std::any_of(judged.begin(), judged.end(), [](const Judged& j) { return !j.judgement; })) {
+    fmt::print("{}", one ? verify::as_detail(judged.front(), with_colour())
+                         : verify::as_table(judged, with_colour()));
+  if (std::any_of(judged.begin(), judged.end(), [](const verify::Judged& j) { return !j.judgement; })) {
     throw CLI::RuntimeError(1);
   }
 }
@@ -94,4 +97,4 @@ void add_verify(CLI::App& app) {
   verb->callback([options] { run(*options); });
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::app

@@ -2,7 +2,7 @@
 #include <Spectra/SymEigsShiftSolver.h>
 
 #include <Eigen/Eigenvalues>
-#include <plumbline/algorithm1.hpp>
+#include <plumbline/straight/algorithm1.hpp>
 
 #include "bench/peers.hpp"
 

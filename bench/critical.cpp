@@ -7,7 +7,7 @@
 #include <chrono>
 #include <fstream>
 #include <iostream>
-#include <plumbline/critical_force_batch.hpp>
+#include <plumbline/straight/critical_force_batch.hpp>
 #include <random>
 #include <sstream>
 

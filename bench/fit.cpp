@@ -11,7 +11,7 @@
 #include <random>
 
 #include "bench/race.hpp"
-#include "diagnose/fit.hpp"
+#include "diagnose/inference/fit.hpp"
 #include "files/temporary_folder.hpp"
 
 namespace plumbline::bench {

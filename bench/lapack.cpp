@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <plumbline/error.hpp>
-#include <plumbline/linearised.hpp>
+#include <plumbline/base/error.hpp>
+#include <plumbline/chain/linearised.hpp>
 
 #include "bench/peers.hpp"
 

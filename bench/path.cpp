@@ -11,8 +11,8 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <plumbline/error.hpp>
-#include <plumbline/trace.hpp>
+#include <plumbline/base/error.hpp>
+#include <plumbline/branch/trace.hpp>
 
 #include "bench/race.hpp"
 

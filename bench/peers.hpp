@@ -3,7 +3,7 @@
 /// Other ways to critical forces: LAPACK and Spectra on the string's form of the problem, which this project
 /// found (bead_string.hpp), and general solvers on the paper's form.
 
-#include <plumbline/bead_string.hpp>
+#include <plumbline/straight/bead_string.hpp>
 #include <vector>
 
 namespace plumbline::bench {

@@ -16,8 +16,8 @@
 #include <random>
 
 #include "bench/write_labelled.hpp"
-#include "diagnose/forward_model.hpp"
-#include "diagnose/measurement.hpp"
+#include "diagnose/model/history.hpp"
+#include "diagnose/model/measurement.hpp"
 
 namespace plumbline::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "diagnose/experiment.hpp"
+#include "diagnose/bench/experiment.hpp"
 
 namespace plumbline::bench {
 

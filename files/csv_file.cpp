@@ -3,9 +3,9 @@
 #include <csv.h>
 
 #include <memory>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
-namespace plumbline {
+namespace plumbline::files {
 namespace {
 
 struct Rows {
@@ -57,4 +57,4 @@ std::string csv_field(const std::string& value) {
   return quoted;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::files

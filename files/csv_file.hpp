@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::files {
 
 struct CsvRow {
   std::size_t line;  ///< counted from 1
@@ -20,4 +20,4 @@ std::vector<CsvRow> parse_csv(const std::string& text, const std::string& source
 /// A field, quoted where it has to be.
 std::string csv_field(const std::string& value);
 
-}  // namespace plumbline
+}  // namespace plumbline::files

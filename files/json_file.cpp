@@ -1,8 +1,8 @@
 #include "files/json_file.hpp"
 
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
-namespace plumbline {
+namespace plumbline::files {
 
 nlohmann::json parse_json(const std::string& text, const std::string& source) {
   try {
@@ -12,4 +12,4 @@ nlohmann::json parse_json(const std::string& text, const std::string& source) {
   }
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::files

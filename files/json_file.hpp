@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace plumbline {
+namespace plumbline::files {
 
 /// \throws Error that names the source
 nlohmann::json parse_json(const std::string& text, const std::string& source);
 
-}  // namespace plumbline
+}  // namespace plumbline::files

@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace plumbline {
+namespace plumbline::files {
 
 std::string sha256(const std::string& text) {
   std::array<unsigned char, SHA256_DIGEST_LENGTH> digest{};
@@ -13,4 +13,4 @@ std::string sha256(const std::string& text) {
   return fmt::format("{:02x}", fmt::join(digest, ""));
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::files

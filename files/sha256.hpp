@@ -4,9 +4,9 @@
 
 #include <string>
 
-namespace plumbline {
+namespace plumbline::files {
 
 /// SHA-256 of a text as 64 hexadecimal digits.
 std::string sha256(const std::string& text);
 
-}  // namespace plumbline
+}  // namespace plumbline::files

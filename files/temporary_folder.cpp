@@ -3,9 +3,9 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
-namespace plumbline {
+namespace plumbline::files {
 namespace fs = std::filesystem;
 
 TemporaryFolder::TemporaryFolder() {
@@ -19,4 +19,4 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(path_, ignored);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::files

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace plumbline {
+namespace plumbline::files {
 
 /// A new, empty folder of our own that goes, with all that is in it, when its owner goes.
 class TemporaryFolder {
@@ -23,4 +23,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::files

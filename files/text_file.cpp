@@ -5,10 +5,10 @@
 #include <cerrno>
 #include <cstring>
 #include <iostream>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 #include <sstream>
 
-namespace plumbline {
+namespace plumbline::files {
 namespace fs = std::filesystem;
 
 std::string read_text(const fs::path& path) {
@@ -77,4 +77,4 @@ void write_text(const fs::path& path, const std::string& text) {
   file.commit();
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::files

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-namespace plumbline {
+namespace plumbline::files {
 
 /// The content of a file.
 /// \throws Error that names the file: missing, a directory, not readable, or empty
@@ -43,4 +43,4 @@ class OutputFile {
 /// A whole file at once. \throws Error as OutputFile does
 void write_text(const std::filesystem::path& path, const std::string& text);
 
-}  // namespace plumbline
+}  // namespace plumbline::files

@@ -1,9 +1,9 @@
 #include "files/toml_file.hpp"
 
 #include <algorithm>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
-namespace plumbline {
+namespace plumbline::files {
 namespace {
 
 std::string place_of(const toml::source_region& region, const std::string& source) {
@@ -37,4 +37,4 @@ void refuse_unknown_keys(const toml::table& table, const std::vector<std::string
   }
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::files

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::files {
 
 /// \throws Error that names the source and the line
 toml::table parse_toml(const std::string& text, const std::string& source);
@@ -19,4 +19,4 @@ std::string place(const toml::node& node, const std::string& source);
 void refuse_unknown_keys(const toml::table& table, const std::vector<std::string_view>& known,
                          const std::string& source);
 
-}  // namespace plumbline
+}  // namespace plumbline::files

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plumbline {
+namespace plumbline::page {
 namespace {
 
 /// The power of ten times 1, 2 or 5 that divides the extent into about four.
@@ -59,4 +59,4 @@ std::vector<Axis::Tick> Axis::ticks() const {
   return result;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::page

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::page {
 
 /// Maps a range of values to a range of pixels.
 class Axis {
@@ -29,4 +29,4 @@ class Axis {
   bool signed_log_;
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::page

@@ -9,7 +9,7 @@
 #include "page/axis.hpp"
 #include "page/markup.hpp"
 
-namespace plumbline {
+namespace plumbline::page {
 namespace {
 
 constexpr double width = 360, height = 240;
@@ -199,4 +199,4 @@ std::string drawn(const Chart& chart) {
   return svg + labels(chart, frame) + "</svg>\n";
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::page

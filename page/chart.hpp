@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::page {
 
 /// In the units of the axes; a NaN interrupts a line.
 struct ChartPoint {
@@ -49,4 +49,4 @@ struct Chart {
 /// \returns an <svg> element. Of a curve with thousands of points those are drawn that show its envelope.
 std::string drawn(const Chart& chart);
 
-}  // namespace plumbline
+}  // namespace plumbline::page

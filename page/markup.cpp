@@ -4,11 +4,11 @@
 
 #include <cmath>
 #include <kainjow/mustache.hpp>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
 #include "page/frame_texts.hpp"
 
-namespace plumbline {
+namespace plumbline::page {
 namespace {
 
 namespace mustache = kainjow::mustache;
@@ -115,4 +115,4 @@ std::string document(const std::string& title, const std::string& description, c
                 {{"title", title}, {"description", description}, {"style", style_sheet}, {"body", body}});
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::page

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace plumbline {
+namespace plumbline::page {
 
 /// Text that stands for itself between tags and in attributes.
 std::string escaped(std::string_view text);
@@ -42,4 +42,4 @@ std::string filled(const std::string& mustache, const nlohmann::ordered_json& vi
 /// \param body  markup
 std::string document(const std::string& title, const std::string& description, const std::string& body);
 
-}  // namespace plumbline
+}  // namespace plumbline::page

@@ -2,7 +2,7 @@
 
 #include "proofs/inertia.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 namespace {
 
@@ -138,4 +138,4 @@ std::optional<std::size_t> BranchEquations::negative_directions(const Vector<Spa
   return *negative - static_cast<std::size_t>(borders);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

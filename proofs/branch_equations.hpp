@@ -3,11 +3,11 @@
 /// The equations of a branch of equilibria over boxes, in spans.
 
 #include <array>
-#include <plumbline/branch.hpp>
+#include <plumbline/branch/branch.hpp>
 
 #include "proofs/span.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// With push and way, force and way along the loading's direction, the tangent stiffness is push'/way'.
 struct StiffnessChange {
@@ -60,4 +60,4 @@ class BranchEquations {
   Point<Span> force_;
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -3,7 +3,7 @@
 #include "proofs/equilibrium_box.hpp"
 #include "proofs/equilibrium_enclosure.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 namespace {
 
@@ -162,4 +162,4 @@ Census census_under_force(const Chain<Interval>& chain, const Point<Interval>& f
   return take(chain, Control::force, force, limits);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -15,11 +15,11 @@
 /// is proved to hold exactly one (Krawczyk), and what lies in it is dropped. What can be neither dropped nor
 /// proved at the smallest size is reported as undecided: there equilibria are degenerate, or nearly.
 
-#include <plumbline/equilibrium.hpp>
+#include <plumbline/loaded/equilibrium.hpp>
 #include <string>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// One equilibrium, enclosed: exactly one lies in the box.
 struct CertifiedEquilibrium {
@@ -57,4 +57,4 @@ Census census_at_end_point(const Chain<Interval>& chain, const Point<Interval>& 
 Census census_under_force(const Chain<Interval>& chain, const Point<Interval>& force,
                           const CensusLimits& limits = {});
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

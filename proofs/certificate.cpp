@@ -2,11 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "files/sha256.hpp"
 #include "proofs/decimal.hpp"
 #include "proofs/exact_chain.hpp"
-#include "files/sha256.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 namespace {
 
 using nlohmann::json;
@@ -79,8 +79,8 @@ json certificate_file(const Provenance& provenance, std::vector<json> certificat
             {"certificates", std::move(certificates)},
             {"sha256", ""}};
   // The digest is that of the compact text with keys in order and an empty digest: no other choice of ours.
-  file["sha256"] = sha256(file.dump(-1, ' ', true));
+  file["sha256"] = files::sha256(file.dump(-1, ' ', true));
   return file;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -8,7 +8,7 @@
 
 #include "proofs/certified_modes.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// The entry of one chain and its certified modes.
 nlohmann::json certificate(const std::string& name, const Chain<Rational>& chain,
@@ -30,4 +30,4 @@ nlohmann::json to_json(const Provenance& provenance);
 /// A file of certificates: licence CC0-1.0, closed by its own digest.
 nlohmann::json certificate_file(const Provenance& provenance, std::vector<nlohmann::json> certificates);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -4,7 +4,7 @@
 
 #include "proofs/decimal.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 namespace {
 
 std::vector<Tie> ties_among(const Chain<Rational>& chain, const std::vector<ForceEnclosure>& forces) {
@@ -71,4 +71,4 @@ std::string certified_force(const CertifiedModes& modes, std::size_t mode) {
   return to_decimal(Rational((force.low + force.high) / 2), modes.digits);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -6,7 +6,7 @@
 #include "proofs/shape_enclosure.hpp"
 #include "proofs/tie.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 struct CertifiedModes {
   int digits;
@@ -24,4 +24,4 @@ CertifiedModes certify(const Chain<Rational>& chain, std::size_t forces, std::si
 /// The critical force of a mode, from 1, rounded to the digits that are certified.
 std::string certified_force(const CertifiedModes& modes, std::size_t mode);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -3,7 +3,7 @@
 #include "proofs/regular_pieces.hpp"
 #include "proofs/regular_tube.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 namespace {
 
@@ -270,4 +270,4 @@ PathCertificate certify(const Chain<Interval>& chain, const Loading<Interval>& l
   return Prover(chain, loading).run(branch, gap);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

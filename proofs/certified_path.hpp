@@ -15,12 +15,12 @@
 /// second derivative has one sign, and with the signs on both sides it decides between no turn and exactly
 /// one (a fold).
 
-#include <plumbline/trace.hpp>
+#include <plumbline/branch/trace.hpp>
 #include <string>
 
 #include "proofs/span.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// Part of the curve over which the load only grows, or only falls, from the one to the other.
 struct CertifiedRun {
@@ -55,4 +55,4 @@ struct PathCertificate {
 PathCertificate certify(const Chain<Interval>& chain, const Loading<Interval>& loading,
                         const Branch<double>& branch, double gap = 1e-5);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

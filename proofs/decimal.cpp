@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-namespace plumbline {
+namespace plumbline::proofs {
 namespace {
 
 bool is_digit(char c) {
@@ -103,4 +103,4 @@ std::string to_decimal(const Rational& x, int digits) {
   return (x < 0 ? "-" : "") + text + "e" + (e < 0 ? "-" : "+") + std::to_string(e < 0 ? -e : e);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -3,11 +3,11 @@
 /// Decimal text and exact fractions, both ways.
 
 #include <optional>
-#include <plumbline/number.hpp>
+#include <plumbline/base/number.hpp>
 #include <string>
 #include <string_view>
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// The exact value of a decimal such as "-1.25e-3" (sign, digits, point and exponent optional; nothing else,
 /// no surrounding space). Nothing for other text, or for an exponent beyond ±100000.
@@ -29,4 +29,4 @@ std::string to_exact(const Rational& x);
 /// x rounded to nearest (ties away from zero) at so many places behind the point, as printed tables do.
 std::string to_fixed(const Rational& x, int places);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -1,14 +1,14 @@
 #include "proofs/enclosure.hpp"
 
 #include <algorithm>
-#include <plumbline/critical_force.hpp>
+#include <plumbline/straight/critical_force.hpp>
 #include <string>
 
 #include "proofs/decimal.hpp"
 #include "proofs/exact_count.hpp"
 #include "proofs/working_precision.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 namespace {
 
 /// Two units on either side of x in the digit after `kept` + `guard` significant ones, and whether the two
@@ -82,4 +82,4 @@ std::vector<ForceEnclosure> enclose_critical_forces(const Chain<Rational>& chain
   return result;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

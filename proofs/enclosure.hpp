@@ -2,10 +2,10 @@
 /// \file
 /// Critical forces of an exact chain between two fractions, proved by exact counts.
 
-#include <plumbline/chain.hpp>
+#include <plumbline/chain/chain.hpp>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// low <= F_index < high: the number of critical forces below `low` is less than `index`, that below `high`
 /// is not. Anyone can count again: proofs/certificate-format.md. Where two critical forces are equal, or
@@ -25,4 +25,4 @@ struct ForceEnclosure {
 std::vector<ForceEnclosure> enclose_critical_forces(const Chain<Rational>& chain, std::size_t lowest,
                                                     int digits);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 namespace {
 
@@ -286,4 +286,4 @@ std::size_t EquilibriumBox::widest(const Box& z) const {
   return best;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

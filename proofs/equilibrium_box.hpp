@@ -5,14 +5,14 @@
 
 #include <array>
 #include <optional>
-#include <plumbline/chain.hpp>
-#include <plumbline/equilibrium.hpp>
-#include <plumbline/kinematics.hpp>
+#include <plumbline/chain/chain.hpp>
+#include <plumbline/chain/kinematics.hpp>
+#include <plumbline/loaded/equilibrium.hpp>
 #include <vector>
 
 #include "proofs/span.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 constexpr std::size_t most_links = 16;
 
@@ -74,4 +74,4 @@ class EquilibriumBox {
   double force_limit_ = 0, force_weight_ = 1;
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -4,7 +4,7 @@
 
 #include "proofs/inertia.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 namespace {
 
@@ -145,4 +145,4 @@ CertifiedEquilibrium enclose(const Chain<Interval>& chain, Control control, cons
   return found;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

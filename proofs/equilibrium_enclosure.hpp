@@ -6,10 +6,10 @@
 #include "proofs/census.hpp"
 #include "proofs/equilibrium_box.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// \param isolated  a box that holds exactly one root; the root near its middle is enclosed
 CertifiedEquilibrium enclose(const Chain<Interval>& chain, Control control, const Point<Interval>& load,
                              const Box& isolated);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -1,10 +1,10 @@
 #include "proofs/exact_chain.hpp"
 
-#include <plumbline/algorithm1.hpp>
+#include <plumbline/straight/algorithm1.hpp>
 
 #include "proofs/exact_matrix.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 namespace {
 
 /// sum += factor x^power p
@@ -108,4 +108,4 @@ Rational product_of_forces(const Chain<Rational>& chain) {
   return mode_count(chain) % 2 == 0 ? Rational(D[0] / D.back()) : Rational(-D[0] / D.back());
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -7,11 +7,11 @@
 /// two passive joints (det B = 0).
 
 #include <cstddef>
-#include <plumbline/chain.hpp>
+#include <plumbline/chain/chain.hpp>
 
 #include "proofs/polynomial.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// D(F) = det(A F + B) from the determinant itself. Its n - 1 roots are the critical forces.
 Polynomial bordered_determinant(const Chain<Rational>& chain);
@@ -45,4 +45,4 @@ Rational sum_of_inverse_forces(const Chain<Rational>& chain);
 /// F_1 … F_{n-1}.
 Rational product_of_forces(const Chain<Rational>& chain);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -2,7 +2,7 @@
 
 #include "proofs/working_precision.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 namespace {
 
 mpz_ptr raw(Integer& x) {
@@ -46,7 +46,7 @@ std::vector<ChainPart> parts(const Chain<Rational>& chain) {
   return {{0, last}};
 }
 
-ExactCount::ExactCount(const Chain<Rational>& chain) : parts_(plumbline::parts(chain)) {
+ExactCount::ExactCount(const Chain<Rational>& chain) : parts_(plumbline::proofs::parts(chain)) {
   const Rational per_length = clear_denominators(chain.length(), length_);
   per_force_ = clear_denominators(chain.stiffness(), stiffness_) / per_length;
   distance_.assign(length_.size(), Integer(0));
@@ -116,4 +116,4 @@ std::size_t ExactCount::exactly_below(const Rational& scaled, const ChainPart& p
   return count;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -12,10 +12,10 @@
 /// intervals first, which count just as certainly where no interval contains zero.
 
 #include <optional>
-#include <plumbline/chain.hpp>
+#include <plumbline/chain/chain.hpp>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// A stretch of the chain, joints `first` to `last` from 0, that buckles on its own. A passive joint between
 /// two elastic ones divides a chain in two: the stretch before it, where the rest stays straight and turns
@@ -50,4 +50,4 @@ class ExactCount {
   Rational per_force_;  ///< force of the chain of integers over the force of the given one
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::proofs {
 namespace {
 
 using IntegerRows = std::vector<std::vector<Integer>>;
@@ -70,4 +70,4 @@ Polynomial pencil_determinant(const Matrix<Rational>& P, const Matrix<Rational>&
   return interpolate(values);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -4,11 +4,11 @@
 /// and every intermediate number is a minor of the matrix.
 
 #include <cstddef>
-#include <plumbline/number.hpp>
+#include <plumbline/base/number.hpp>
 
 #include "proofs/polynomial.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// The determinant of a square matrix.
 Rational determinant(const Matrix<Rational>& matrix);
@@ -18,4 +18,4 @@ std::size_t rank(const Matrix<Rational>& matrix);
 /// det(P + x Q) as a polynomial in x, for square P and Q of one size.
 Polynomial pencil_determinant(const Matrix<Rational>& P, const Matrix<Rational>& Q);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -2,9 +2,9 @@
 /// \file
 /// A floating-point number is a fraction.
 
-#include <plumbline/number.hpp>
+#include <plumbline/base/number.hpp>
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// The value, which must be finite, of a number of MPFR.
 template <class Real>
@@ -14,4 +14,4 @@ Rational exactly(const Real& x) {
   return result;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

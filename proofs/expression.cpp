@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <functional>
 #include <map>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::proofs {
 namespace {
 
 using GiNaC::ex;
@@ -191,4 +191,4 @@ std::string text(const ex& e) {
   return out.str();
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// A set of named symbols in which printed formulas are read.
 class Formulas {
@@ -52,4 +52,4 @@ int leading_order(const GiNaC::ex& e, const GiNaC::ex& x, int none = 16);
 /// GiNaC is another one at every run.
 std::string text(const GiNaC::ex& e);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -2,7 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 Eigen::MatrixXd middle(const Matrix<Span>& A) {
   return A.unaryExpr([](const Span& x) { return x.middle(); });
@@ -37,4 +37,4 @@ std::optional<std::size_t> negative_eigenvalues(const Matrix<Span>& K) {
   return negative;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -6,7 +6,7 @@
 
 #include "proofs/span.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// The middles of all entries.
 Eigen::MatrixXd middle(const Matrix<Span>& A);
@@ -16,4 +16,4 @@ Eigen::MatrixXd middle(const Matrix<Span>& A);
 /// diagonally dominant, which proves X and K regular and shows the signs.
 std::optional<std::size_t> negative_eigenvalues(const Matrix<Span>& K);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

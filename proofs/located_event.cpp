@@ -1,8 +1,8 @@
 #include "proofs/located_event.hpp"
 
-#include <plumbline/sharpen.hpp>
+#include <plumbline/branch/sharpen.hpp>
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 namespace {
 
@@ -27,4 +27,4 @@ BranchPoint<Located> locate_at(const Chain<Located>& chain, const Loading<Locate
   return brancher.start(load, guess.theta, guess.force);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -2,13 +2,13 @@
 /// \file
 /// Where the events of a branch lie, to fifty digits and more.
 
-#include <plumbline/interval.hpp>
-#include <plumbline/trace.hpp>
+#include <plumbline/base/interval.hpp>
+#include <plumbline/branch/trace.hpp>
 
 template <>
 struct Eigen::NumTraits<plumbline::Interval::End> : plumbline::EigenScalar<plumbline::Interval::End> {};
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// 64 digits: enough to say 50 of a point that Newton's method has located.
 using Located = Interval::End;
@@ -26,4 +26,4 @@ std::vector<BranchEvent<Located>> locate_events(const Chain<Located>& chain, con
 BranchPoint<Located> locate_at(const Chain<Located>& chain, const Loading<Located>& loading,
                                const BranchPoint<double>& near, const Located& load);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -1,9 +1,9 @@
 #include "proofs/polynomial.hpp"
 
 #include <algorithm>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
-namespace plumbline {
+namespace plumbline::proofs {
 namespace {
 
 Polynomial derivative(const Polynomial& p) {
@@ -108,4 +108,4 @@ std::size_t distinct_positive_roots(const Polynomial& p) {
   return distinct_negative_roots(mirrored);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -3,10 +3,10 @@
 /// Polynomials in one variable with exact rational coefficients, as far as the chain needs them.
 
 #include <cstddef>
-#include <plumbline/number.hpp>
+#include <plumbline/base/number.hpp>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// Coefficients in ascending powers, without zeros at the end; the zero polynomial is empty.
 using Polynomial = std::vector<Rational>;
@@ -29,4 +29,4 @@ std::size_t distinct_negative_roots(const Polynomial& p);
 /// The same for x > 0.
 std::size_t distinct_positive_roots(const Polynomial& p);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

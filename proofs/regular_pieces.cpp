@@ -1,6 +1,6 @@
 #include "proofs/regular_pieces.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 namespace {
 
@@ -89,4 +89,4 @@ RegularPieces regular_pieces(Brancher<NominalModel<double>>& brancher, const Bra
   return cutter.result();
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

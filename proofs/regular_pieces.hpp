@@ -2,11 +2,11 @@
 /// \file
 /// The parts of a branch on which its equilibria are regular.
 
-#include <plumbline/trace.hpp>
+#include <plumbline/branch/trace.hpp>
 
 #include "proofs/span.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 struct RegularPieces {
   std::vector<std::vector<BranchPoint<double>>> points;  ///< of each piece
@@ -24,4 +24,4 @@ Variation<double> chord(const BranchPoint<double>& a, const BranchPoint<double>&
 /// Points nearer to each other than this are one, in radians.
 inline constexpr double same_point = 1e-9;
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

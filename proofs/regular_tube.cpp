@@ -4,7 +4,7 @@
 
 #include "proofs/inertia.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 namespace {
 
@@ -130,4 +130,4 @@ std::array<Vector<Span>, 3> rates(BranchEquations& equations, const Tube& tube,
   return {first, second, answer(equations.third(everywhere, first) + Span(3) * bent)};
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

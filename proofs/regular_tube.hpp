@@ -17,7 +17,7 @@
 
 #include "proofs/branch_equations.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 struct Tube {
   Vector<double> radius;            ///< m
@@ -51,4 +51,4 @@ Vector<Span> hull(const Vector<Span>& a, const Vector<Span>& b);
 /// A box around the values of another.
 Vector<Span> widened(const Vector<Span>& centre, const Vector<double>& radius);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -3,7 +3,7 @@
 #include "proofs/decimal.hpp"
 #include "proofs/working_precision.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 namespace {
 
 MpfrInterval between(const Rational& low, const Rational& high) {
@@ -87,4 +87,4 @@ std::optional<ShapeEnclosure> enclose_shape(const Chain<Rational>& chain, const 
   return shape;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -8,7 +8,7 @@
 #include "proofs/enclosure.hpp"
 #include "proofs/exact_count.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// A buckling mode as decimals, one a joint: each is within one unit in its last digit of the true angle, a
 /// "0" within one unit in that place behind the point. The largest angle is 1 by normalisation and written
@@ -25,4 +25,4 @@ struct ShapeEnclosure {
 std::optional<ShapeEnclosure> enclose_shape(const Chain<Rational>& chain, const ChainPart& part,
                                             const Rational& low, const Rational& high, int digits);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <plumbline/interval.hpp>
+#include <plumbline/base/interval.hpp>
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 struct Span {
   double low = 0, high = 0;
@@ -114,7 +114,7 @@ inline Span sin(const Span& x) {
   return circle(x).sine;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs
 
 template <>
-struct Eigen::NumTraits<plumbline::Span> : plumbline::EigenScalar<plumbline::Span> {};
+struct Eigen::NumTraits<plumbline::proofs::Span> : plumbline::EigenScalar<plumbline::proofs::Span> {};

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <numeric>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 #include <stdexcept>
 #include <string>
 
-namespace plumbline {
+namespace plumbline::proofs {
 namespace {
 
 using GiNaC::ex;
@@ -183,4 +183,4 @@ ex energy_factor_of_mode(std::size_t n, const ex& F) {
   return quotient;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// Lengths L_1 … L_n and joint stiffnesses k_1 … k_n, each a symbol, a number or any other expression.
 struct SymbolicChain {
@@ -78,4 +78,4 @@ GiNaC::ex energy_factor(const SymbolicChain& chain, const std::vector<GiNaC::ex>
 /// F a symbol \throws Error where the elimination leaves no polynomial in F and the free variables
 GiNaC::ex energy_factor_of_mode(std::size_t n, const GiNaC::ex& F);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -1,6 +1,6 @@
 #include "proofs/symbolic_statics.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 namespace {
 
 using GiNaC::ex;
@@ -75,4 +75,4 @@ GiNaC::matrix hessian(const SymbolicShape& shape, const ex& Fx, const ex& Fy) {
   return H;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

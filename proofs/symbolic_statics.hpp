@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// A chain in a given shape; any entry may be an expression.
 struct SymbolicShape {
@@ -29,4 +29,4 @@ GiNaC::matrix torque_balance(const SymbolicShape& shape, const GiNaC::ex& Fx, co
 /// that keep the end point it decides stability under an imposed end point.
 GiNaC::matrix hessian(const SymbolicShape& shape, const GiNaC::ex& Fx, const GiNaC::ex& Fy);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

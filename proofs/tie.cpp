@@ -2,7 +2,7 @@
 
 #include "proofs/exact_count.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 namespace {
 
 /// p + c q, and p + c x q.
@@ -62,4 +62,4 @@ std::optional<Tie> find_tie(const Chain<Rational>& chain, const ForceEnclosure& 
   return tie;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

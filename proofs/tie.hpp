@@ -7,7 +7,7 @@
 #include "proofs/enclosure.hpp"
 #include "proofs/polynomial.hpp"
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// A proof that critical forces `index` and `index + 1` are equal: the polynomials in F of the two parts of
 /// the chain (exact_count.hpp) have a common factor, which changes sign between the bounds.
@@ -23,4 +23,4 @@ struct Tie {
 /// differ, or there is one only. Exact; O(n^2) operations on long fractions.
 std::optional<Tie> find_tie(const Chain<Rational>& chain, const ForceEnclosure& bounds);
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

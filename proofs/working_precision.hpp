@@ -3,9 +3,9 @@
 /// The precision of the number types that choose it at run time, for a while.
 
 #include <boost/multiprecision/mpfi.hpp>
-#include <plumbline/number.hpp>
+#include <plumbline/base/number.hpp>
 
-namespace plumbline {
+namespace plumbline::proofs {
 
 /// Intervals at run-time precision; Interval of the core has the 64 digits that 50 certified ones take.
 using MpfrInterval = mp::number<mp::mpfi_float_backend<0>, mp::et_off>;
@@ -28,4 +28,4 @@ class WorkingPrecision {
   unsigned before_;
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::proofs

@@ -6,7 +6,7 @@
 
 #include "files/temporary_folder.hpp"
 
-class Folder : public plumbline::TemporaryFolder {
+class Folder : public plumbline::files::TemporaryFolder {
  public:
   void write(const std::string& name, const std::string& text) const { std::ofstream(*this / name) << text; }
 };

@@ -10,7 +10,7 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 #include <thread>
 
 #include "files/temporary_folder.hpp"
@@ -66,7 +66,7 @@ std::string wait_for(pid_t process, std::chrono::duration<double> patience) {
 
 Diagnosed diagnose_alone(const fs::path& executable, const fs::path& experiment, const fs::path& report,
                          std::chrono::duration<double> patience) {
-  const TemporaryFolder chamber;
+  const files::TemporaryFolder chamber;
   copy_experiment(experiment, chamber / "experiment");
   const auto begin = Clock::now();
   const pid_t process = start(executable, chamber / "experiment", report, chamber / "complaints");

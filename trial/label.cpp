@@ -1,6 +1,6 @@
 #include "trial/label.hpp"
 
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
 namespace plumbline::trial {
 namespace {

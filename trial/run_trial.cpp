@@ -1,6 +1,6 @@
 #include "trial/run_trial.hpp"
 
-#include <plumbline/parallel.hpp>
+#include <plumbline/base/parallel.hpp>
 
 #include "files/json_file.hpp"
 #include "files/text_file.hpp"
@@ -14,7 +14,7 @@ Judgement judgement_of(const Label& label, const std::filesystem::path& report, 
   if (!diagnosed.failure.empty()) return none;
   const std::string name = report.filename().string();
   try {
-    return judge(label, report_from(parse_json(read_text(report), name), name));
+    return judge(label, report_from(files::parse_json(files::read_text(report), name), name));
   } catch (const std::exception& error) {  // no JSON, or not that of a report
     none.said = error.what();
     return none;

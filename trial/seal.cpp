@@ -4,7 +4,7 @@
 #include <openssl/rand.h>
 
 #include <array>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
 #include "files/json_file.hpp"
 #include "files/sha256.hpp"
@@ -16,7 +16,7 @@ namespace {
 constexpr const char* format = "experiment-seals/1";
 
 nlohmann::json json_in(const std::filesystem::path& path) {
-  return parse_json(read_text(path), path.string());
+  return files::parse_json(files::read_text(path), path.string());
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ Envelope envelope(const Label& label) {
 }
 
 std::string seal(const Envelope& envelope) {
-  return sha256(envelope.salt + "\n" + envelope.label);
+  return files::sha256(envelope.salt + "\n" + envelope.label);
 }
 
 std::string seals_text(const Seals& seals) {

@@ -1,7 +1,7 @@
 #include "trial/sealed_folder.hpp"
 
 #include <algorithm>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
 #include "files/json_file.hpp"
 #include "files/sha256.hpp"
@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Label label_in(const std::string& text, const fs::path& file) {
-  return label_from(parse_json(text, file.string()), file.string());
+  return label_from(files::parse_json(text, file.string()), file.string());
 }
 
 }  // namespace
@@ -26,7 +26,7 @@ SealedFolder::SealedFolder(fs::path folder) : folder_(std::move(folder)) {
   if (names_.empty()) throw Error(folder_.string(), "no experiment", "subfolders with experiment.toml");
   if (const fs::path file = folder_ / "seals.json"; fs::exists(file)) {
     seals_ = read_seals(file);
-    digest_ = sha256(read_text(file));
+    digest_ = files::sha256(files::read_text(file));
   }
   for (const std::string& name : names_) {
     if (!seals_.contains(name) && !fs::exists(folder_ / name / "label.json"))
@@ -40,7 +40,7 @@ Case SealedFolder::open(const std::string& name) const {
   const fs::path file =
       sealed == seals_.end() ? folder_ / name / "label.json" : folder_ / "labels" / (name + ".json");
   if (sealed == seals_.end()) {
-    result.label = label_in(read_text(file), file);
+    result.label = label_in(files::read_text(file), file);
   } else {
     const Envelope opened = read_envelope(file);
     result.seal_holds = seal(opened) == sealed->second;

@@ -73,7 +73,7 @@ TEST_CASE("without experiments, without labels, or in a folder in use: one line 
   CHECK(here.plumbline("trial --experiments mine --out mine").status == 2);
 }
 
-#ifdef PLUMBLINE_RIG
+#ifdef PLUMBLINE_SIMULATOR
 TEST_CASE("a small blind trial: seals hold, every diagnosis reports, most causes are found") {
   const Workplace here;
   const Outcome outcome = here.plumbline("trial --trials 12 --seed 12 --out kept --json result.json");
@@ -97,6 +97,6 @@ TEST_CASE("a program without the rig says how to get one that has it") {
   const Workplace here;
   const Outcome outcome = here.plumbline("trial --trials 3");
   CHECK(outcome.status == 2);
-  CHECK(contains(outcome.err, "PLUMBLINE_RIG"));
+  CHECK(contains(outcome.err, "PLUMBLINE_SIMULATOR"));
 }
 #endif

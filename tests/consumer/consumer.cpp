@@ -1,6 +1,6 @@
 // The installed core in two number types: the count of critical forces in fractions proves the double.
 #include <cstdio>
-#include <plumbline/critical_force.hpp>
+#include <plumbline/straight/critical_force.hpp>
 
 int main() {
   using namespace plumbline;

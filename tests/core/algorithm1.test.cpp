@@ -1,10 +1,10 @@
-#include <plumbline/algorithm1.hpp>
+#include <plumbline/straight/algorithm1.hpp>
 
 #include <doctest/doctest.h>
 
-#include <plumbline/buckling_mode.hpp>
+#include <plumbline/straight/buckling_mode.hpp>
 
-#include "verify/algorithm1_instances.hpp"
+#include "verify/sampled/algorithm1_instances.hpp"
 
 using namespace plumbline;
 

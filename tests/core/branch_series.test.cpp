@@ -1,5 +1,5 @@
-#include <plumbline/strain_energy.hpp>
-#include <plumbline/trace.hpp>
+#include <plumbline/branch/trace.hpp>
+#include <plumbline/chain/strain_energy.hpp>
 
 #include "tests/property.hpp"
 

@@ -1,5 +1,5 @@
-#include <plumbline/branch_tree.hpp>
-#include <plumbline/straight_start.hpp>
+#include <plumbline/branch/branch_tree.hpp>
+#include <plumbline/branch/straight_start.hpp>
 
 #include "tests/property.hpp"
 

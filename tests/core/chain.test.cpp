@@ -1,9 +1,9 @@
 #include <doctest/doctest.h>
 
-#include <plumbline/chain.hpp>
-#include <plumbline/kinematics.hpp>
-#include <plumbline/linearised.hpp>
-#include <plumbline/strain_energy.hpp>
+#include <plumbline/chain/chain.hpp>
+#include <plumbline/chain/kinematics.hpp>
+#include <plumbline/chain/linearised.hpp>
+#include <plumbline/chain/strain_energy.hpp>
 
 using namespace plumbline;
 

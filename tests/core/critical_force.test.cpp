@@ -2,8 +2,8 @@
 
 #include <boost/math/constants/constants.hpp>
 #include <numbers>
-#include <plumbline/buckling_mode.hpp>
-#include <plumbline/linearised.hpp>
+#include <plumbline/chain/linearised.hpp>
+#include <plumbline/straight/buckling_mode.hpp>
 #include <random>
 
 using namespace plumbline;

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <plumbline/critical_force_batch.hpp>
+#include <plumbline/straight/critical_force_batch.hpp>
 #include <random>
 
 using namespace plumbline;

@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Eigenvalues>
-#include <plumbline/equilibrium.hpp>
-#include <plumbline/strain_energy.hpp>
+#include <plumbline/chain/strain_energy.hpp>
+#include <plumbline/loaded/equilibrium.hpp>
 
 #include "tests/property.hpp"
 

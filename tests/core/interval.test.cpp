@@ -1,4 +1,4 @@
-#include <plumbline/interval.hpp>
+#include <plumbline/base/interval.hpp>
 
 #include "tests/property.hpp"
 

@@ -1,8 +1,8 @@
-#include <plumbline/kinematics.hpp>
+#include <plumbline/chain/kinematics.hpp>
 
 #include <cmath>
-#include <plumbline/linearised.hpp>
-#include <plumbline/strain_energy.hpp>
+#include <plumbline/chain/linearised.hpp>
+#include <plumbline/chain/strain_energy.hpp>
 
 #include "tests/property.hpp"
 

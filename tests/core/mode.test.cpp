@@ -1,4 +1,4 @@
-#include <plumbline/mode.hpp>
+#include <plumbline/chain/mode.hpp>
 
 #include <doctest/doctest.h>
 

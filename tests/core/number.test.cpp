@@ -1,11 +1,11 @@
-#include <plumbline/number.hpp>
+#include <plumbline/base/number.hpp>
 
 #include <doctest/doctest.h>
 
-#include <plumbline/algorithm1.hpp>
-#include <plumbline/critical_force.hpp>
-#include <plumbline/interval.hpp>
-#include <plumbline/kinematics.hpp>
+#include <plumbline/base/interval.hpp>
+#include <plumbline/chain/kinematics.hpp>
+#include <plumbline/straight/algorithm1.hpp>
+#include <plumbline/straight/critical_force.hpp>
 
 using namespace plumbline;
 

@@ -1,4 +1,4 @@
-#include <plumbline/parallel.hpp>
+#include <plumbline/base/parallel.hpp>
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <plumbline/slow_loading.hpp>
+#include <plumbline/branch/slow_loading.hpp>
 
 using namespace plumbline;
 

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "diagnose/forward_model.hpp"
+#include "diagnose/model/history.hpp"
 
 namespace plumbline::test {
 

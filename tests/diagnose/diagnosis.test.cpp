@@ -1,4 +1,4 @@
-#include "diagnose/diagnosis.hpp"
+#include "diagnose/answers/diagnosis.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,9 +8,10 @@
 #include <functional>
 #include <random>
 
-#include "diagnose/report.hpp"
+#include "diagnose/report/report.hpp"
 
 using namespace plumbline;
+using namespace plumbline::diagnose;
 
 namespace {
 

@@ -1,13 +1,14 @@
-#include "diagnose/fit.hpp"
+#include "diagnose/inference/fit.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "diagnose/start.hpp"
+#include "diagnose/inference/start.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
+using namespace plumbline::diagnose;
 using namespace plumbline::test;
 
 TEST_CASE("a fit finds every effect that was put in, within five of its standard deviations") {

@@ -1,4 +1,4 @@
-#include "diagnose/gap.hpp"
+#include "diagnose/inference/gap.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,6 +7,7 @@
 #include "tests/diagnose/simulated_noise.hpp"
 
 using namespace plumbline;
+using namespace plumbline::diagnose;
 
 namespace {
 

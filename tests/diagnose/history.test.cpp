@@ -1,266 +1,346 @@
+#include "diagnose/model/history.hpp"
+
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 
-#include "diagnose/forward_model.hpp"
-#include "diagnose/measurement.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
+using namespace plumbline::diagnose;
 using namespace plumbline::test;
 
 namespace {
 
-double angle(const Trace& trace, Eigen::Index row, std::size_t i) {
-  return trace(row, column_q + static_cast<Eigen::Index>(i));
+using Point = std::array<double, 2>;
+
+double cross(const Point& a, const Point& b) {
+  return a[0] * b[1] - a[1] * b[0];
 }
 
-/// Work of the environment on the end point, by the trapezoidal rule.
-double work(const Trace& trace, Eigen::Index from, Eigen::Index to) {
-  double sum = 0;
-  for (Eigen::Index i = from; i < to; ++i) {
-    for (const auto& [force, place] : {std::pair{column_Fx, column_x}, std::pair{column_Fy, column_y}})
-      sum += (trace(i, force) + trace(i + 1, force)) / 2 * (trace(i + 1, place) - trace(i, place));
+/// One predicted reading, read in relative joint angles: what the statics of the effect catalogue is written
+/// in.
+struct Shape {
+  std::vector<double> q;
+  std::vector<Point> joint;  ///< positions of joints 1 … n and of the end point
+  Point force;
+
+  Shape(const Trace& trace, Eigen::Index row, const std::vector<double>& length)
+      : joint{{0, 0}}, force{trace(row, column_Fx), trace(row, column_Fy)} {
+    double theta = 0;
+    for (std::size_t j = 0; j < length.size(); ++j) {
+      q.push_back(trace(row, column_q + static_cast<Eigen::Index>(j)));
+      theta += q.back();
+      joint.push_back(
+          {joint.back()[0] + length[j] * std::cos(theta), joint.back()[1] + length[j] * std::sin(theta)});
+    }
   }
-  return sum;
+
+  /// [J^T F]_i: moment of a force at a point about joint i.
+  [[nodiscard]] double moment(std::size_t i, const Point& at, const Point& f) const {
+    return cross({at[0] - joint[i][0], at[1] - joint[i][1]}, f);
+  }
+  [[nodiscard]] double moment(std::size_t i) const { return moment(i, joint.back(), force); }
+  [[nodiscard]] Point middle(std::size_t j) const {
+    return {(joint[j][0] + joint[j + 1][0]) / 2, (joint[j][1] + joint[j + 1][1]) / 2};
+  }
+  [[nodiscard]] double orientation(std::size_t j) const {
+    double theta = 0;
+    for (std::size_t i = 0; i <= j; ++i) theta += q[i];
+    return theta;
+  }
+};
+
+/// Calls `check(shape, rest, run, reading)` on every predicted reading.
+template <class Check>
+void each_reading(const Experiment& experiment, const Prediction& predicted, Check check) {
+  REQUIRE(predicted.reached);
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    for (Eigen::Index i = 0; i < predicted.runs[r].rows(); ++i) {
+      check(Shape(predicted.runs[r], i, experiment.link_length), experiment.runs[r].rest, r,
+            static_cast<std::size_t>(i));
+    }
+  }
 }
 
-double elastic_energy(const Experiment& experiment, const Trace& trace, Eigen::Index row) {
-  double sum = 0;
-  for (std::size_t i = 0; i < experiment.joint_stiffness.size(); ++i)
-    sum += experiment.joint_stiffness[i] * std::pow(angle(trace, row, i) - experiment.runs[0].rest[i], 2) / 2;
-  return sum;
+// Newton stops with steps below 1e-7 rad, which leaves errors of their square: what is left is rounding.
+constexpr double exact = 1e-9;
+
+/// A value of each parameter that is clearly felt on the full bench.
+std::vector<double> sizeable(const Experiment& experiment, const EffectAt& at) {
+  if (at.effect == EffectId::joint_stop) return {0.05, 1.0};
+  if (at.effect == EffectId::viscoelasticity) return {0.3, std::log(7.0)};
+  std::vector<double> values;
+  for (const ParameterRange& range : parameter_ranges(experiment, at)) values.push_back(0.5 * range.scale);
+  return values;
 }
 
-/// A press and back in steps so fine that the trapezoidal rule, which errs by the square of the step, is
-/// right to four digits.
-Experiment cycle() {
-  Experiment experiment = three_links();
-  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0.01}, 400, true, 0.1);
-  return experiment;
+/// The same effect with nothing of it.
+std::vector<double> nothing(const EffectAt& at) {
+  switch (at.effect) {
+    case EffectId::joint_stop:
+      return {10, 1.0};
+    case EffectId::viscoelasticity:
+      return {0, std::log(7.0)};
+    case EffectId::base_compliance:
+    case EffectId::force_bias:
+    case EffectId::position_offset:
+    case EffectId::sensor_drift:
+      return {0, 0};
+    case EffectId::link_bending:
+      return {3e-6};  // EI a million times k L: the links bend by a millionth of what the joints do
+    default:
+      return {0};
+  }
+}
+
+double largest_difference(const Prediction& a, const Prediction& b) {
+  double largest = 0;
+  for (std::size_t r = 0; r < a.runs.size(); ++r)
+    largest = std::max(largest, (a.runs[r] - b.runs[r]).abs().maxCoeff());
+  return largest;
 }
 
 }  // namespace
 
-TEST_CASE("without friction the work of the environment is stored") {
-  const Experiment experiment = cycle();
-  const Trace trace = predict(experiment, {}, {}).runs[0];
-  const double stored = elastic_energy(experiment, trace, 400);
-  CHECK(work(trace, 0, 400) == doctest::Approx(stored).epsilon(1e-4));
-  CHECK(work(trace, 0, 800) == doctest::Approx(0).scale(stored).epsilon(1e-6));
-}
-
-TEST_CASE("dry friction dissipates tau_c times the way of every joint, and no joint carries more") {
-  const Experiment experiment = cycle();
-  const double tau_c = 0.03;
-  const Trace trace = predict(experiment, only(EffectId::joint_friction), {tau_c}).runs[0];
-  double way = 0, stuck = 0;
-  for (Eigen::Index row = 1; row < trace.rows(); ++row) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double turn = std::abs(angle(trace, row, i) - angle(trace, row - 1, i));
-      way += turn;
-      stuck += turn < 1e-6;
-    }
-  }
-  const double dissipated = work(trace, 0, 800) - elastic_energy(experiment, trace, 800);
-  CHECK(dissipated ==
-        doctest::Approx(tau_c * way).epsilon(1e-2));  // at the reversals the force jumps within a step
-  CHECK(stuck > 0);
-}
-
-TEST_CASE("one joint under an imposed force sticks until tau_c and lags by it on the way back") {
-  Experiment experiment = three_links();
-  experiment.link_length = {0.5};
-  experiment.joint_stiffness = {2.0};
-  experiment.link_mass = {0};
-  load(experiment, {0.0}, {0, 0}, {0, 0.4}, 40);
-  for (int i = 39; i >= 0; --i) {
-    Reading back = experiment.runs[0].readings[static_cast<std::size_t>(i)];
-    back.t = 80 - i;
-    experiment.runs[0].readings.push_back(back);
-  }
-  const double tau_c = 0.05;
-  const Trace trace = predict(experiment, only(EffectId::joint_friction), {tau_c}).runs[0];
-  for (Eigen::Index row = 0; row < trace.rows(); ++row) {
-    const double q = angle(trace, row, 0);
-    const double moment = 0.5 * std::cos(q) * trace(row, column_Fy);
-    CHECK(std::abs(moment - 2.0 * q) <= tau_c * (1 + 1e-9));
-    if (moment < tau_c) {
-      if (row <= 40) CHECK(std::abs(q) < 1e-6);
-    } else if (row > 0 && row <= 40) {
-      CHECK(moment - 2.0 * q == doctest::Approx(tau_c));
-    }
-  }
-  // Unloaded, the joint is held where its spring carries tau_c.
-  CHECK(2.0 * angle(trace, 80, 0) == doctest::Approx(tau_c).epsilon(1e-6));
-}
-
-TEST_CASE("a joint with play turns freely by b before it carries") {
-  Experiment experiment = three_links();
-  experiment.link_length = {0.5};
-  experiment.joint_stiffness = {2.0};
-  experiment.link_mass = {0};
-  load(experiment, {0.0}, {0, 0.01}, {0, 0.4}, 40);
-  const Trace trace = predict(experiment, only(EffectId::backlash, 1), {0.04}).runs[0];
-  for (Eigen::Index row = 0; row < trace.rows(); ++row) {
-    const double q = angle(trace, row, 0);
-    CHECK(2.0 * (q - 0.04) == doctest::Approx(0.5 * std::cos(q) * trace(row, column_Fy)));
-  }
-}
-
-TEST_CASE("Maxwell arms stiffen a fast press by 1 + m and let a slow one go") {
-  const double m = 0.4, tau = 10;
-  const auto first_force = [&](double interval, double share) {
-    Experiment experiment = three_links();
-    press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 1, false, interval);
-    return predict(experiment, only(EffectId::viscoelasticity), {m * share, std::log(tau)})
-        .runs[0](1, column_Fx);
-  };
-  const double nominal = first_force(1, 0);
-  CHECK(first_force(1e-6, 1) == doctest::Approx((1 + m) * nominal).epsilon(1e-6));
-  // Steady rate over dt >> tau: the arm carries m k tau/dt of the turn.
-  CHECK(first_force(1e4, 1) == doctest::Approx((1 + m * tau / 1e4) * nominal).epsilon(1e-6));
-}
-
-TEST_CASE("a held chain relaxes exponentially from 1 + m to the nominal force") {
-  Experiment experiment = three_links();
-  press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 1, false, 1e-6);
-  Run& run = experiment.runs[0];
-  for (int i = 1; i <= 30; ++i) {
-    run.readings.push_back(run.readings[1]);
-    run.readings.back().t = 1e-6 + 5.0 * i;
-  }
-  const double m = 0.4, tau = 10;
-  const Trace trace = predict(experiment, only(EffectId::viscoelasticity), {m, std::log(tau)}).runs[0];
-  const double nominal = predict(experiment, {}, {}).runs[0](1, column_Fx);
-  // All arms relax alike, so the force scales and the posture stays.
-  for (Eigen::Index row = 1; row < trace.rows(); ++row) {
-    const double held = 5.0 * static_cast<double>(row - 1);
-    CHECK(trace(row, column_Fx) == doctest::Approx((1 + m * std::exp(-held / tau)) * nominal).epsilon(1e-5));
-  }
-}
-
-TEST_CASE("a bending link is a cantilever: F L^3 / 3 EI beside the joint's F L^2 / k") {
-  Experiment experiment = three_links();
-  experiment.link_length = {0.5};
-  experiment.joint_stiffness = {2.0};
-  experiment.link_mass = {0};
-  load(experiment, {0.0}, {0, 0}, {0, 1e-4}, 1);
-  const double rigidity = 0.8;
-  const Trace trace = predict(experiment, only(EffectId::link_bending), {1 / rigidity}).runs[0];
-  const double expected = 1e-4 * (std::pow(0.5, 3) / (3 * rigidity) + 0.5 * 0.5 / 2.0);
-  CHECK(trace(1, column_y) == doctest::Approx(expected).epsilon(1e-6));
-  CHECK(angle(trace, 1, 0) == doctest::Approx(1e-4 * 0.5 / 2.0).epsilon(1e-6));
-}
-
-TEST_CASE("a chain pushed over snaps to the other side and stays in balance") {
-  Experiment experiment = three_links();
-  experiment.link_length = {0.5};
-  experiment.joint_stiffness = {1.0};
-  experiment.link_mass = {0};
-  // Compressed beyond its critical force k/L = 2 it rests on one side; the transverse force turns over.
-  load(experiment, {0.02}, {-3, 0.5}, {-3, -1.5}, 20);
+TEST_CASE("the nominal model balances k_i (q_i - rest_i) = [J^T F]_i and ends where it is told") {
+  const Experiment experiment = full_bench();
   const Prediction predicted = predict(experiment, {}, {});
-  REQUIRE(predicted.reached);
-  CHECK(predicted.snapped);
-  const Trace& trace = predicted.runs[0];
-  CHECK(angle(trace, 0, 0) > 0.5);
-  CHECK(angle(trace, 20, 0) < -0.5);
-  for (Eigen::Index row = 0; row < trace.rows(); ++row) {
-    const double q = angle(trace, row, 0);
-    const double moment = 0.5 * (std::cos(q) * trace(row, column_Fy) - std::sin(q) * trace(row, column_Fx));
-    CHECK(q - 0.02 == doctest::Approx(moment).epsilon(1e-8));
-    CHECK(1 - 0.5 * (-std::sin(q) * trace(row, column_Fy) - std::cos(q) * trace(row, column_Fx)) > 0);
+  each_reading(experiment, predicted, [&](const Shape& shape, const auto& rest, auto run, auto reading) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(experiment.joint_stiffness[i] * (shape.q[i] - rest[i]) ==
+            doctest::Approx(shape.moment(i)).epsilon(exact).scale(1));
+    }
+    if (experiment.runs[run].control == ControlMode::displacement) {
+      CHECK(shape.joint.back()[0] ==
+            doctest::Approx(experiment.runs[run].readings[reading].x).epsilon(exact));
+      CHECK(shape.joint.back()[1] ==
+            doctest::Approx(experiment.runs[run].readings[reading].y).epsilon(exact).scale(1));
+    }
+  });
+}
+
+TEST_CASE("nothing of an effect is the nominal model, some of it is not") {
+  const Experiment experiment = full_bench();
+  const Prediction nominal = predict(experiment, {}, {});
+  const auto possible = possible_effects(experiment);
+  CHECK(possible.size() == effect_count + 5 * 2);  // five effects sit at one of three joints
+  for (const EffectAt& at : possible) {
+    CAPTURE(effect_name(at.effect));
+    CAPTURE(at.joint);
+    const Prediction none = predict(experiment, {{at}}, nothing(at));
+    REQUIRE(none.reached);
+    CHECK(largest_difference(none, nominal) < (at.effect == EffectId::link_bending ? 1e-4 : 1e-7));
+    const Prediction some = predict(experiment, {{at}}, sizeable(experiment, at));
+    REQUIRE(some.reached);
+    CHECK(largest_difference(some, nominal) > 1e-4);
   }
 }
 
-TEST_CASE("a coarse step ends on the branch of the fine ones") {
-  // Nearly straight, so the first millimetres of a press turn the joints most. Each shape has a mirror image
-  // that is as stable and that one long Newton step may fall on.
-  for (const std::vector<double>& rest :
-       {std::vector<double>{0.02, -0.03, 0.02}, {-0.03, 0.01, 0.04}, {0.01, 0.03, -0.05}}) {
-    const auto pressed = [&](int steps) {
-      Experiment experiment = three_links();
-      press(experiment, rest, {-0.02, 0.002}, steps, false);
-      const Prediction predicted = predict(experiment, {}, {});
-      REQUIRE(predicted.reached);
-      CHECK_FALSE(predicted.snapped);
-      return Trace(predicted.runs[0].bottomRows(1));
-    };
-    // Newton stops within 1e-7 rad.
-    CHECK((pressed(1) - pressed(400)).abs().maxCoeff() < 1e-6);
-  }
-}
-
-TEST_CASE("dry joints that all slip at once find who sticks") {
-  Experiment experiment = three_links();
-  experiment.link_length = {0.2313, 0.2632, 0.2143, 0.2747};
-  experiment.joint_stiffness = {0.44, 0.339, 0.262, 0.202};
-  experiment.link_mass = {0, 0, 0, 0};
-  for (const double tau_c : {0.001, 0.003, 0.01, 0.03}) {
-    experiment.runs.clear();
-    press(experiment, {0.3865, -0.7614, -0.0433, 0.7876}, {0, 0.06}, 24, true);
-    const Prediction predicted = predict(experiment, only(EffectId::joint_friction), {tau_c});
+TEST_CASE("sensitivities are the derivatives of the prediction, history included") {
+  const Experiment experiment = full_bench();
+  for (const EffectAt& at : possible_effects(experiment)) {
+    CAPTURE(effect_name(at.effect));
+    CAPTURE(at.joint);
+    const std::vector<double> value = sizeable(experiment, at);
+    const std::vector<ParameterRange> ranges = parameter_ranges(experiment, at);
+    const Prediction predicted = predict(experiment, {{at}}, value, true);
     REQUIRE(predicted.reached);
-    const Trace& trace = predicted.runs[0];
-    for (Eigen::Index row = 1; row < trace.rows(); ++row) {
-      double x = trace(row, column_x), y = trace(row, column_y), theta = 0;
-      for (std::size_t i = 0; i < 4; ++i) {
-        const double moment = x * trace(row, column_Fy) - y * trace(row, column_Fx);
-        const double spring =
-            experiment.joint_stiffness[i] * (angle(trace, row, i) - experiment.runs[0].rest[i]);
-        CHECK(std::abs(moment - spring) <= tau_c * (1 + 1e-6));
-        theta += angle(trace, row, i);
-        x -= experiment.link_length[i] * std::cos(theta);
-        y -= experiment.link_length[i] * std::sin(theta);
+    for (std::size_t p = 0; p < value.size(); ++p) {
+      const double step = 1e-4 * ranges[p].scale;
+      std::vector<double> up = value, down = value;
+      up[p] += step;
+      down[p] -= step;
+      const Prediction above = predict(experiment, {{at}}, up), below = predict(experiment, {{at}}, down);
+      for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+        const Trace quotient = (above.runs[r] - below.runs[r]) / (2 * step);
+        // The forward step of the sensitivities errs by 1e-6 of the curvature over a scale; a kink (a joint
+        // that reaches its play or stop, or sticks, between the two probes) spoils the quotient of single
+        // readings.
+        const double size = quotient.abs().maxCoeff();
+        const auto wrong = ((predicted.sensitivity[p][r] - quotient).abs() > 1e-3 * size + 1e-7).count();
+        CHECK(wrong <= quotient.size() / 50);
       }
     }
   }
 }
 
-TEST_CASE("an end point out of reach is said, not predicted") {
-  Experiment experiment = three_links();
-  press(experiment, {0.3, -0.5, 0.4}, {0.2, 0}, 4, false);
-  press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 4, false);
-  const Prediction predicted = predict(experiment, {}, {}, true);
-  CHECK_FALSE(predicted.reached);
-  REQUIRE(predicted.runs.size() == 2);
-  CHECK(predicted.runs[0].row(4).isNaN().all());
-  CHECK(predicted.runs[1].isNaN().all());
-  const Measurements measurements(experiment);
-  CHECK(measurements.residual(experiment, predicted).size() == measurements.size());
+TEST_CASE("joint effects balance as their definitions say") {
+  const Experiment experiment = full_bench();
+  const std::vector<double>& k = experiment.joint_stiffness;
+  const auto torque = [](double value) { return doctest::Approx(value).epsilon(1e-8).scale(1); };
+
+  each_reading(experiment, predict(experiment, only(EffectId::joint_stiffness, 2), {0.3}),
+               [&](const Shape& shape, const auto& rest, auto, auto) {
+                 CHECK(k[1] * 1.3 * (shape.q[1] - rest[1]) == torque(shape.moment(1)));
+                 CHECK(k[2] * (shape.q[2] - rest[2]) == torque(shape.moment(2)));
+               });
+  each_reading(experiment, predict(experiment, only(EffectId::rest_angle, 3), {0.07}),
+               [&](const Shape& shape, const auto& rest, auto, auto) {
+                 CHECK(k[2] * (shape.q[2] - rest[2] - 0.07) == torque(shape.moment(2)));
+               });
+  each_reading(experiment, predict(experiment, only(EffectId::nonlinear_spring), {1.7}),
+               [&](const Shape& shape, const auto& rest, auto, auto) {
+                 for (std::size_t i = 0; i < 3; ++i) {
+                   const double d = shape.q[i] - rest[i];
+                   CHECK(k[i] * d * (1 + 1.7 * d * d) == torque(shape.moment(i)));
+                 }
+               });
+  each_reading(experiment, predict(experiment, only(EffectId::backlash, 1), {0.05}),
+               [&](const Shape& shape, const auto& rest, auto, auto) {
+                 const double d = shape.q[0] - rest[0];
+                 const double engaged = std::max(0.0, std::abs(d) - 0.05);
+                 CHECK(std::copysign(k[0] * engaged, d) == torque(shape.moment(0)));
+               });
+  each_reading(experiment, predict(experiment, only(EffectId::joint_stop, 2), {0.1, 4.0}),
+               [&](const Shape& shape, const auto& rest, auto, auto) {
+                 const double d = shape.q[1] - rest[1];
+                 const double excess = std::max(0.0, std::abs(d) - 0.1);
+                 CHECK(k[1] * d + std::copysign(4.0 * excess, d) == torque(shape.moment(1)));
+               });
+  each_reading(experiment, predict(experiment, only(EffectId::joint_coupling), {0.4}),
+               [&](const Shape& shape, const auto& rest, auto, auto) {
+                 const auto d = [&](std::size_t i) { return shape.q[i] - rest[i]; };
+                 CHECK(k[0] * d(0) - 0.4 * d(1) == torque(shape.moment(0)));
+                 CHECK(k[1] * d(1) - 0.4 * (d(0) + d(2)) == torque(shape.moment(1)));
+                 CHECK(k[2] * d(2) - 0.4 * d(1) == torque(shape.moment(2)));
+               });
 }
 
-TEST_CASE("effects act together: friction, play, weight, compliance and a load cell in one balance") {
-  Experiment experiment = three_links();
-  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0.01}, 20, true);
-  const Candidate all{{{EffectId::joint_friction},
-                       {EffectId::backlash, 2},
-                       {EffectId::tip_payload},
-                       {EffectId::axial_compliance},
-                       {EffectId::force_bias}}};
-  const std::vector<double> value{0.02, 0.03, 0.2, 1e-3, 0.1, -0.1};
-  const Prediction predicted = predict(experiment, all, value);
-  REQUIRE(predicted.reached);
-  const Trace& trace = predicted.runs[0];
-  for (Eigen::Index row = 1; row < trace.rows(); ++row) {
-    const double fx = trace(row, column_Fx) - 0.1, fy = trace(row, column_Fy) + 0.1;
-    std::array<double, 4> x{}, y{};
-    double theta = 0;
+TEST_CASE("weights, an eccentric load and a held tip balance as their definitions say") {
+  const Experiment experiment = full_bench();
+  const std::vector<double>&k = experiment.joint_stiffness, &length = experiment.link_length;
+  const auto torque = [](double value) { return doctest::Approx(value).epsilon(1e-8).scale(1); };
+
+  each_reading(experiment, predict(experiment, only(EffectId::gravity), {0.8}),
+               [&](const Shape& shape, const auto& rest, auto, auto) {
+                 for (std::size_t i = 0; i < 3; ++i) {
+                   double moment = shape.moment(i);
+                   for (std::size_t j = i; j < 3; ++j)
+                     moment += shape.moment(i, shape.middle(j), {0, -0.8 * length[j] * standard_gravity});
+                   CHECK(k[i] * (shape.q[i] - rest[i]) == torque(moment));
+                 }
+               });
+  each_reading(experiment, predict(experiment, only(EffectId::tip_payload), {0.6}),
+               [&](const Shape& shape, const auto& rest, auto, auto) {
+                 for (std::size_t i = 0; i < 3; ++i) {
+                   const double moment = shape.moment(i) + shape.moment(i, shape.joint.back(), {0, -0.6});
+                   CHECK(k[i] * (shape.q[i] - rest[i]) == torque(moment));
+                 }
+               });
+  each_reading(experiment, predict(experiment, only(EffectId::eccentric_load), {0.02}),
+               [&](const Shape& shape, const auto& rest, auto, auto) {
+                 const double theta = shape.orientation(2);
+                 const double extra = 0.02 * cross({-std::sin(theta), std::cos(theta)}, shape.force);
+                 for (std::size_t i = 0; i < 3; ++i)
+                   CHECK(k[i] * (shape.q[i] - rest[i]) == torque(shape.moment(i) + extra));
+               });
+  each_reading(experiment, predict(experiment, only(EffectId::tip_stiffness), {0.5}),
+               [&](const Shape& shape, const auto& rest, auto, auto) {
+                 const double turned = shape.orientation(2) - (rest[0] + rest[1] + rest[2]);
+                 for (std::size_t i = 0; i < 3; ++i)
+                   CHECK(k[i] * (shape.q[i] - rest[i]) == torque(shape.moment(i) - 0.5 * turned));
+               });
+}
+
+TEST_CASE("compliances move the end point as their definitions say") {
+  const Experiment experiment = full_bench();
+  const auto place = [](double value) { return doctest::Approx(value).epsilon(1e-8).scale(0.1); };
+  const auto imposed = [&](std::size_t run) {
+    return experiment.runs[run].control == ControlMode::displacement;
+  };
+
+  each_reading(experiment, predict(experiment, only(EffectId::link_length, 2), {0.02}),
+               [&](const Shape& shape, const auto&, auto run, auto reading) {
+                 if (!imposed(run)) return;
+                 const double extra = 0.02 * experiment.link_length[1];
+                 const double theta = shape.orientation(1);
+                 CHECK(shape.joint.back()[0] + extra * std::cos(theta) ==
+                       place(experiment.runs[run].readings[reading].x));
+               });
+  const Prediction base = predict(experiment, only(EffectId::base_compliance), {1e-3, 2e-3});
+  each_reading(experiment, base, [&](const Shape& shape, const auto&, auto run, auto reading) {
+    const double x = base.runs[run](static_cast<Eigen::Index>(reading), column_x);
+    const double y = base.runs[run](static_cast<Eigen::Index>(reading), column_y);
+    CHECK(shape.joint.back()[0] + 1e-3 * shape.force[0] == place(x));
+    CHECK(shape.joint.back()[1] + 2e-3 * shape.force[1] == place(y));
+  });
+  each_reading(experiment, predict(experiment, only(EffectId::train_compliance), {1e-3}),
+               [&](const Shape& shape, const auto&, auto run, auto reading) {
+                 if (!imposed(run)) return;
+                 CHECK(shape.joint.back()[0] ==
+                       place(experiment.runs[run].readings[reading].x - 1e-3 * shape.force[0]));
+               });
+  const Prediction axial = predict(experiment, only(EffectId::axial_compliance), {2e-3});
+  each_reading(experiment, axial, [&](const Shape& shape, const auto&, auto run, auto reading) {
+    Point end{0, 0};
     for (std::size_t j = 0; j < 3; ++j) {
-      theta += angle(trace, row, j);
-      // The payload pulls on the links as the measured force does.
-      const double tension = std::cos(theta) * fx + std::sin(theta) * (fy - 0.2);
-      const double length = experiment.link_length[j] * (1 + 1e-3 * tension);
-      x[j + 1] = x[j] + length * std::cos(theta);
-      y[j + 1] = y[j] + length * std::sin(theta);
+      const Point u{std::cos(shape.orientation(j)), std::sin(shape.orientation(j))};
+      const double tension = u[0] * shape.force[0] + u[1] * shape.force[1];
+      for (std::size_t a : {0U, 1U}) end[a] += experiment.link_length[j] * (1 + 2e-3 * tension) * u[a];
     }
-    CHECK(x[3] == doctest::Approx(trace(row, column_x)).epsilon(1e-8));
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double d = angle(trace, row, i) - experiment.runs[0].rest[i];
-      const double spring = i == 1 ? std::copysign(std::max(0.0, std::abs(d) - 0.03), d) : d;
-      const double moment = (x[3] - x[i]) * (fy - 0.2) - (y[3] - y[i]) * fx;
-      CHECK(std::abs(moment - experiment.joint_stiffness[i] * spring) <= 0.02 * (1 + 1e-6));
-    }
+    CHECK(end[0] == place(axial.runs[run](static_cast<Eigen::Index>(reading), column_x)));
+    CHECK(end[1] == place(axial.runs[run](static_cast<Eigen::Index>(reading), column_y)));
+  });
+}
+
+TEST_CASE("base and train compliance are one and the same when only x moves and only Fx is let yield") {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
+  const Prediction base = predict(experiment, only(EffectId::base_compliance), {1e-3, 0});
+  const Prediction train = predict(experiment, only(EffectId::train_compliance), {1e-3});
+  CHECK(largest_difference(base, train) < 1e-9);
+}
+
+TEST_CASE("rig and load-cell effects act on what is commanded and on what is read") {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0.01}, 10, true);
+  const Trace nominal = predict(experiment, {}, {}).runs[0];
+  const auto force = [&](EffectId effect, std::vector<double> parameters, Eigen::Index row) {
+    const Trace trace = predict(experiment, only(effect), parameters).runs[0];
+    return Point{trace(row, column_Fx), trace(row, column_Fy)};
+  };
+  const Eigen::Index loading = 4, unloading = 14;
+  const auto fx = [&](Eigen::Index row) { return nominal(row, column_Fx); };
+  const auto fy = [&](Eigen::Index row) { return nominal(row, column_Fy); };
+  CHECK(force(EffectId::force_bias, {0.3, -0.2}, 4)[0] == doctest::Approx(fx(4) + 0.3));
+  CHECK(force(EffectId::force_bias, {0.3, -0.2}, 4)[1] == doctest::Approx(fy(4) - 0.2));
+  CHECK(force(EffectId::force_gain, {0.1}, 7)[0] == doctest::Approx(1.1 * fx(7)));
+  CHECK(force(EffectId::sensor_drift, {0.01, 0.02}, 7)[1] == doctest::Approx(fy(7) + 0.02 * 7));
+  CHECK(force(EffectId::guide_friction, {0.5}, 0)[0] == doctest::Approx(fx(0)).scale(1));
+  CHECK(force(EffectId::guide_friction, {0.5}, loading)[0] == doctest::Approx(fx(loading) - 0.5));
+  CHECK(force(EffectId::guide_friction, {0.5}, unloading)[0] == doctest::Approx(fx(unloading) + 0.5));
+
+  // A rail that is turned: the same chain, pressed along the turned line, its force read in turned axes.
+  const double eps = 0.1;
+  Experiment turned = experiment;
+  for (Reading& reading : turned.runs[0].readings) {
+    const Reading& start = experiment.runs[0].readings.front();
+    const double dx = reading.x - start.x, dy = reading.y - start.y;
+    reading.x = start.x + std::cos(eps) * dx - std::sin(eps) * dy;
+    reading.y = start.y + std::sin(eps) * dx + std::cos(eps) * dy;
   }
+  const Trace along = predict(turned, {}, {}).runs[0];
+  const Point read = force(EffectId::rail_misalignment, {eps}, 6);
+  CHECK(read[0] ==
+        doctest::Approx(std::cos(eps) * along(6, column_Fx) + std::sin(eps) * along(6, column_Fy)));
+  CHECK(read[1] ==
+        doctest::Approx(-std::sin(eps) * along(6, column_Fx) + std::cos(eps) * along(6, column_Fy)));
+
+  Experiment shifted = experiment;
+  for (Reading& reading : shifted.runs[0].readings) {
+    reading.x += 0.002;
+    reading.y -= 0.001;
+  }
+  const Point offset = force(EffectId::position_offset, {0.002, -0.001}, 6);
+  CHECK(offset[0] == doctest::Approx(predict(shifted, {}, {}).runs[0](6, column_Fx)));
+}
+
+TEST_CASE("the guide friction of a run that was brought to its first reading acts there already") {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 10, false);
+  experiment.runs[0].readings.erase(experiment.runs[0].readings.begin());
+  const double with = predict(experiment, only(EffectId::guide_friction), {0.5}).runs[0](0, column_Fx);
+  CHECK(with == doctest::Approx(predict(experiment, {}, {}).runs[0](0, column_Fx) - 0.5));
 }

@@ -1,13 +1,14 @@
-#include "diagnose/next_run.hpp"
+#include "diagnose/answers/next_run.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "diagnose/separation.hpp"
+#include "diagnose/inference/separation.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
+using namespace plumbline::diagnose;
 using namespace plumbline::test;
 
 namespace {

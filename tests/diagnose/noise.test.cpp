@@ -1,4 +1,4 @@
-#include "diagnose/noise.hpp"
+#include "diagnose/inference/noise.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,6 +7,7 @@
 #include "tests/diagnose/simulated_noise.hpp"
 
 using namespace plumbline;
+using namespace plumbline::diagnose;
 
 TEST_CASE("scale and correlation of noise are found again, with outliers among the readings") {
   const Experiment experiment = blank_experiment({60, 90, 80});

@@ -1,15 +1,16 @@
-#include "diagnose/read_experiment.hpp"
+#include "diagnose/bench/read_experiment.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 #include <utility>
 #include <vector>
 
 #include "tests/folder.hpp"
 
 using namespace plumbline;
+using namespace plumbline::diagnose;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "diagnose/screen.hpp"
+#include "diagnose/inference/screen.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,6 +7,7 @@
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
+using namespace plumbline::diagnose;
 using namespace plumbline::test;
 
 TEST_CASE("the screen forecasts what a fit then finds, for an effect so small that it acts linearly") {

@@ -6,11 +6,12 @@
 #include <random>
 #include <vector>
 
-#include "diagnose/measurement.hpp"
+#include "diagnose/model/measurement.hpp"
 
 /// Runs under an imposed end point of which only the layout matters: all readings are zero.
-inline plumbline::Experiment blank_experiment(const std::vector<std::size_t>& readings) {
+inline plumbline::diagnose::Experiment blank_experiment(const std::vector<std::size_t>& readings) {
   using namespace plumbline;
+  using namespace plumbline::diagnose;
   Experiment experiment{"blank",         {0.2, 0.2}, {1, 1},
                         {0, 0},          {0, 0},     {Bench::Plane::unknown, {0, 0}, false},
                         {0, 0, 1, 1, 0}, {}};
@@ -23,11 +24,11 @@ inline plumbline::Experiment blank_experiment(const std::vector<std::size_t>& re
   return experiment;
 }
 
-inline std::vector<double> correlated_noise(const plumbline::Measurements& measurements, double scale,
-                                            double correlation, std::mt19937_64& random) {
+inline std::vector<double> correlated_noise(const plumbline::diagnose::Measurements& measurements,
+                                            double scale, double correlation, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   std::vector<double> noise(measurements.size());
-  for (const plumbline::Series& series : measurements.series()) {
+  for (const plumbline::diagnose::Series& series : measurements.series()) {
     double state = normal(random);
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
       noise[series.first + i] = scale * state;

@@ -2,9 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
 using namespace plumbline;
+using namespace plumbline::files;
 
 TEST_CASE("fields keep what is in quotes, and rows know their line") {
   const auto rows = parse_csv(

@@ -7,6 +7,7 @@
 #include "tests/property.hpp"
 
 using namespace plumbline;
+using namespace plumbline::page;
 
 TEST_CASE("an axis maps its ends to its ends") {
   const Axis axis(-2, 6, 100, 20);

@@ -7,6 +7,7 @@
 #include <limits>
 
 using namespace plumbline;
+using namespace plumbline::page;
 
 namespace {
 

@@ -2,9 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
 using namespace plumbline;
+using namespace plumbline::page;
 
 TEST_CASE("numbers are written for readers") {
   CHECK(written(0.035012, NumberStyle::figures) == "0.035");

@@ -5,12 +5,13 @@
 #include <bit>
 #include <cstdlib>
 #include <optional>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 #include <random>
 
 #include "proofs/equilibrium_box.hpp"
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include "tests/property.hpp"
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 using nlohmann::json;
 
 namespace {

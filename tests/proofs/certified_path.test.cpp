@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include <plumbline/branch_tree.hpp>
-#include <plumbline/slow_loading.hpp>
+#include <plumbline/branch/branch_tree.hpp>
+#include <plumbline/branch/slow_loading.hpp>
 #include <random>
 
 #include "proofs/census.hpp"
@@ -12,6 +12,7 @@
 #include "proofs/regular_tube.hpp"
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 
 namespace {
 

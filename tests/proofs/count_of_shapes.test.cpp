@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <plumbline/strain_energy.hpp>
+#include <plumbline/chain/strain_energy.hpp>
 
 using namespace plumbline;
 

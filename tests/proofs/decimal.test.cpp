@@ -5,6 +5,7 @@
 #include "tests/property.hpp"
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 
 TEST_CASE("decimals are read exactly") {
   CHECK(parse_decimal("-1.25e-3") == Rational(-1, 800));

@@ -5,6 +5,7 @@
 #include "tests/proofs/random_chain.hpp"
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 
 namespace {
 

@@ -1,11 +1,12 @@
 #include "proofs/exact_count.hpp"
 
-#include <plumbline/critical_force.hpp>
+#include <plumbline/straight/critical_force.hpp>
 
 #include "proofs/working_precision.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 
 namespace {
 

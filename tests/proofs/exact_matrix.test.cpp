@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 
 namespace {
 

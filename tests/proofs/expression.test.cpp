@@ -2,9 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 
 TEST_CASE("identities in sines, cosines and symbols are decided both ways") {
   const Formulas f({"a", "b", "L"});

@@ -3,11 +3,12 @@
 
 #include <doctest/doctest.h>
 
-#include <plumbline/buckling_mode.hpp>
+#include <plumbline/straight/buckling_mode.hpp>
 
 #include "proofs/symbolic_chain.hpp"
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 using GiNaC::ex;
 using GiNaC::matrix;
 using GiNaC::possymbol;

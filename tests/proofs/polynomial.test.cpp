@@ -2,9 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 
 TEST_CASE("a polynomial is recovered from its values, at any number of points that suffices") {
   const Polynomial p{Rational(1, 3), 0, -2, Rational(5, 7)};

@@ -2,7 +2,7 @@
 /// \file
 /// Random rational chains for property tests; to be called inside a property.
 
-#include <plumbline/chain.hpp>
+#include <plumbline/chain/chain.hpp>
 
 #include "tests/property.hpp"
 

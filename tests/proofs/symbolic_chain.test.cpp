@@ -2,9 +2,10 @@
 
 #include <doctest/doctest.h>
 
-#include <plumbline/linearised.hpp>
+#include <plumbline/chain/linearised.hpp>
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 using GiNaC::ex;
 using GiNaC::matrix;
 using GiNaC::symbol;

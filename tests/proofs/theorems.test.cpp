@@ -3,12 +3,13 @@
 
 #include <doctest/doctest.h>
 
-#include <plumbline/critical_force.hpp>
+#include <plumbline/straight/critical_force.hpp>
 
 #include "proofs/exact_chain.hpp"
 #include "tests/proofs/random_chain.hpp"
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 
 namespace {
 

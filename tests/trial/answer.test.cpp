@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
 using namespace plumbline::trial;
 

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 
 #include "files/sha256.hpp"
 #include "tests/folder.hpp"
@@ -18,7 +18,7 @@ const Label label{"one",  {{"backlash", 2, {{"b", 0.03}}, 9.5}}, {{"joint_stop(2
 
 TEST_CASE("a seal is the SHA-256 of salt, line feed, label") {
   const Envelope envelope{"00ff", "{}"};
-  CHECK(seal(envelope) == plumbline::sha256("00ff\n{}"));
+  CHECK(seal(envelope) == plumbline::files::sha256("00ff\n{}"));
 }
 
 TEST_CASE("whoever changes the label or the salt breaks the seal") {

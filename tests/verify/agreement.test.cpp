@@ -1,13 +1,14 @@
-#include "verify/agreement.hpp"
+#include "verify/reference/agreement.hpp"
 
-#include <plumbline/buckling_mode.hpp>
+#include <plumbline/straight/buckling_mode.hpp>
 
 #include "proofs/decimal.hpp"
 #include "proofs/enclosure.hpp"
 #include "tests/property.hpp"
-#include "verify/condition.hpp"
+#include "verify/reference/condition.hpp"
 
 using namespace plumbline;
+using namespace plumbline::verify;
 
 namespace {
 

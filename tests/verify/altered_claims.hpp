@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "verify/claim.hpp"
+#include "verify/judging/claim.hpp"
 
 /// For every claim an altered print, or several. The value is the whole printed list.
-inline std::multimap<std::string, plumbline::Printed> altered_claims() {
+inline std::multimap<std::string, plumbline::verify::Printed> altered_claims() {
   return {
       {"two-link-equilibrium", {"F*L*sin(alpha+q)", "k*q"}},
       {"eq-1-force", {"k*q/(L*sin(alpha+q))"}},
@@ -247,7 +247,7 @@ inline std::multimap<std::string, plumbline::Printed> altered_claims() {
 }
 
 /// The true statement for every claim that the paper has wrong: the same check must confirm it.
-inline std::multimap<std::string, plumbline::Printed> corrected_claims() {
+inline std::multimap<std::string, plumbline::verify::Printed> corrected_claims() {
   return {
       {"eq-1-force", {"2*k*q/(L*sin(alpha+q))"}},
       {"energy-extrema", {"minimum", "stable"}},

@@ -1,10 +1,11 @@
-#include "verify/chain_properties.hpp"
+#include "verify/sampled/chain_properties.hpp"
 
-#include <plumbline/critical_force.hpp>
+#include <plumbline/straight/critical_force.hpp>
 
 #include "tests/property.hpp"
 
 using namespace plumbline;
+using namespace plumbline::verify;
 
 namespace {
 

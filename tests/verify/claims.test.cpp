@@ -1,15 +1,16 @@
-#include "verify/claims.hpp"
+#include "verify/claims/claims.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 #include <set>
 
 #include "tests/verify/altered_claims.hpp"
-#include "verify/judge.hpp"
+#include "verify/judging/judge.hpp"
 
 using namespace plumbline;
+using namespace plumbline::verify;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "verify/reference_chains.hpp"
+#include "verify/reference/chains.hpp"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -10,6 +10,7 @@
 #include "tests/property.hpp"
 
 using namespace plumbline;
+using namespace plumbline::verify;
 
 TEST_CASE("the compact set is part of the full one, and names are unique") {
   std::map<std::string, Chain<Rational>> full;

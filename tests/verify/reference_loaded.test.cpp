@@ -1,10 +1,11 @@
-#include "verify/reference_loaded.hpp"
+#include "verify/reference/loaded.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
 using namespace plumbline;
+using namespace plumbline::verify;
 
 namespace {
 

@@ -1,10 +1,11 @@
-#include "verify/sampled.hpp"
+#include "verify/sampled/sampled.hpp"
 
 #include <doctest/doctest.h>
 
 #include <atomic>
 
 using namespace plumbline;
+using namespace plumbline::verify;
 
 TEST_CASE("random chains are reproducible, differ between seeds, and are of every kind") {
   CHECK(random_chain(7, 3).length() == random_chain(7, 3).length());

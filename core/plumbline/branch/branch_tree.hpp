@@ -1,0 +1,88 @@
+#pragma once
+/// \file
+/// All branches that hang together with some equilibria: followed both ways, and switched at every
+/// bifurcation.
+
+#include <algorithm>
+#include <plumbline/branch/trace.hpp>
+
+namespace plumbline {
+
+/// Whether a point lies on a branch.
+template <SmoothModel Model>
+bool lies_on(Brancher<Model>& brancher, const Branch<typename Model::Real>& branch,
+             const BranchPoint<typename Model::Real>& point) {
+  using Real = typename Model::Real;
+  using std::sqrt;
+  static const Real same = sqrt(epsilon<Real>());
+  for (std::size_t i = 1; i < branch.points.size(); ++i) {
+    const BranchPoint<Real>&a = branch.points[i - 1], &b = branch.points[i];
+    const Variation<Real> gap{point.theta - a.theta, {Real(0), Real(0)}, point.load - a.load};
+    const Variation<Real> step{b.theta - a.theta, {Real(0), Real(0)}, b.load - a.load};
+    if (brancher.length(gap) > Real(2) * brancher.length(step) + same) continue;
+    const Real ahead = brancher.product(gap, a.tangent);
+    if (ahead < -same || ahead > brancher.product(step, a.tangent) + same) continue;
+    const Variation<Real> back{point.theta - b.theta, {Real(0), Real(0)}, point.load - b.load};
+    for (const auto& there : {brancher.step(a, ahead), brancher.step(b, brancher.product(back, b.tangent))}) {
+      if (there && (there->theta - point.theta).cwiseAbs().maxCoeff() < Real(1000) * same) return true;
+    }
+  }
+  return false;
+}
+
+/// A branch through a point, followed backwards and forwards. Its end is the edge of the load window only if
+/// both ends are.
+template <SmoothModel Model>
+Branch<typename Model::Real> both_ways(Tracer<Model>& tracer, BranchPoint<typename Model::Real> start) {
+  using Real = typename Model::Real;
+  Branch<Real> ahead = tracer.run(start);
+  if (ahead.end == BranchEnd::closed) return ahead;
+  Brancher<Model>::scale(start.tangent, Real(-1));
+  Branch<Real> behind = tracer.run(start);
+  const std::size_t shift = behind.points.size() - 1;
+  std::reverse(behind.points.begin(), behind.points.end());
+  for (BranchPoint<Real>& point : behind.points) Brancher<Model>::scale(point.tangent, Real(-1));
+  std::reverse(behind.events.begin(), behind.events.end());
+  for (BranchEvent<Real>& event : behind.events) event.before = shift - 1 - event.before;
+  behind.points.insert(behind.points.end(), ahead.points.begin() + 1, ahead.points.end());
+  for (BranchEvent<Real>& event : ahead.events) {
+    event.before += shift;
+    behind.events.push_back(std::move(event));
+  }
+  if (ahead.end != BranchEnd::load) behind.end = ahead.end;
+  return behind;
+}
+
+/// Every branch through the starts, and every branch that crosses one of those at a simple bifurcation,
+/// within the load window. A branch runs through its start from end to end.
+template <SmoothModel Model>
+std::vector<Branch<typename Model::Real>> branch_tree(Brancher<Model>& brancher,
+                                                      std::vector<BranchPoint<typename Model::Real>> starts,
+                                                      const TraceLimits<typename Model::Real>& limits) {
+  using Real = typename Model::Real;
+  std::vector<Branch<Real>> tree;
+  Tracer<Model> tracer(brancher, limits);
+  for (std::size_t next = 0; next < starts.size(); ++next) {
+    const BranchPoint<Real> start = starts[next];
+    const auto traced = [&](const Branch<Real>& branch) { return lies_on(brancher, branch, start); };
+    if (std::any_of(tree.begin(), tree.end(), traced)) continue;
+    Branch<Real> branch = both_ways(tracer, start);
+    for (const BranchEvent<Real>& event : branch.events) {
+      if (event.kind != EventKind::bifurcation) continue;
+      for (const int side : {1, -1}) {
+        BranchPoint<Real> at = event.point;
+        at.tangent = event.crossing;
+        std::optional<BranchPoint<Real>> off;
+        for (Real h = Real(1) / Real(200); !off && h > Real(1) / Real(20000); h /= Real(4)) {
+          off = brancher.step(at, Real(side) * h);
+          if (off && (off->load < limits.from || off->load > limits.to)) off.reset();
+        }
+        if (off) starts.push_back(*off);
+      }
+    }
+    tree.push_back(std::move(branch));
+  }
+  return tree;
+}
+
+}  // namespace plumbline

@@ -1,0 +1,56 @@
+#pragma once
+/// \file
+/// Direct kinematics of the planar chain, paper equations (4), (5), (12), (21), (23).
+
+#include <plumbline/chain/chain.hpp>
+
+namespace plumbline {
+
+/// End point in the base frame: x along the straight chain, y to its left.
+template <Number Real>
+struct Point {
+  Real x, y;
+};
+
+/// Absolute link orientations theta_j = q_1 + … + q_j.
+template <Number Real>
+std::vector<Real> orientations(const std::vector<Real>& q) {
+  std::vector<Real> theta(q.size());
+  Real sum(0);
+  for (std::size_t j = 0; j < q.size(); ++j) theta[j] = sum = sum + q[j];
+  return theta;
+}
+
+/// End point (x, y) = sum_j L_j (cos theta_j, sin theta_j) at the joint angles q (n of them).
+/// The deflection of (21) from the straight chain is (sum L - x, y).
+template <Analytic Real>
+Point<Real> end_point(const Chain<Real>& chain, const std::vector<Real>& q) {
+  using std::cos, std::sin;
+  Point<Real> p{Real(0), Real(0)};
+  const std::vector<Real> theta = orientations(q);
+  for (std::size_t j = 0; j < chain.size(); ++j) {
+    p.x = p.x + chain.length()[j] * cos(theta[j]);
+    p.y = p.y + chain.length()[j] * sin(theta[j]);
+  }
+  return p;
+}
+
+/// Jacobian (23), 2 x n: column i holds the derivative of (x, y) with respect to q_i.
+template <Analytic Real>
+Matrix<Real> jacobian(const Chain<Real>& chain, const std::vector<Real>& q) {
+  using std::cos, std::sin;
+  const auto n = static_cast<Eigen::Index>(chain.size());
+  Matrix<Real> J(2, n);
+  const std::vector<Real> theta = orientations(q);
+  Real x(0), y(0);
+  for (Eigen::Index i = n; i-- > 0;) {
+    const auto j = static_cast<std::size_t>(i);
+    x = x + chain.length()[j] * cos(theta[j]);
+    y = y + chain.length()[j] * sin(theta[j]);
+    J(0, i) = -y;
+    J(1, i) = x;
+  }
+  return J;
+}
+
+}  // namespace plumbline

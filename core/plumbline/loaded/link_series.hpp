@@ -1,0 +1,90 @@
+#pragma once
+/// \file
+/// The links of a chain along a branch, as power series.
+
+#include <plumbline/base/number.hpp>
+#include <utility>
+
+namespace plumbline {
+
+/// Coefficients of s^0, s^1, … of the links' x = L cos theta and y = L sin theta. From x' = -y theta' and
+/// y' = x theta', with turn_k = k theta_k,
+///
+///     k x_k = -sum_{j=1}^{k} turn_j y_{k-j} ,   k y_k = sum_{j=1}^{k} turn_j x_{k-j} .
+template <Number Real>
+class LinkSeries {
+ public:
+  /// Order 0, and room up to an order.
+  /// \param gradient  a row (-y, x) a link
+  void begin(const Eigen::Matrix<Real, Eigen::Dynamic, 2>& gradient, Eigen::Index order) {
+    links_ = gradient.rows();
+    const Eigen::Index blocks = (links_ + width - 1) / width;
+    for (Matrix<Real>* one : {&turn_, &x_, &y_}) {
+      if (one->rows() != width * (order + 1) || one->cols() != blocks)
+        *one = Matrix<Real>::Constant(width * (order + 1), blocks, Real(0));
+    }
+    moment_.resize(width * blocks);
+    for (Eigen::Index i = 0; i < links_; ++i) {
+      entry(x_, 0, i) = gradient(i, 1);
+      entry(y_, 0, i) = -gradient(i, 0);
+    }
+  }
+
+  /// What the orders below k contribute to order k.
+  /// \param branch  has the coefficients of the force
+  /// \param moment  of y Fx - x Fy, a link each
+  /// \param x, y    of the sums over all links
+  template <class Branch>
+  void lower_orders(Eigen::Index k, const Branch& branch, Vector<Real>& moment, Real& x, Real& y) {
+    using Links = Eigen::Array<Real, width, 1>;
+    const Real share = Real(1) / Real(static_cast<int>(k));
+    Links sum_x = Links::Constant(Real(0)), sum_y = sum_x;
+    for (Eigen::Index block = 0; block < x_.cols(); ++block) {
+      const auto at = [block](Matrix<Real>& of, Eigen::Index order) {
+        return of.col(block).template segment<width>(width * order).array();
+      };
+      Links fall = Links::Constant(Real(0)), rise = fall, by_fx = fall, by_fy = fall;
+      for (Eigen::Index j = 1; j < k; ++j) {
+        const Links before_x = at(x_, k - j), before_y = at(y_, k - j), turned = at(turn_, j);
+        fall += turned * before_y;
+        rise += turned * before_x;
+        by_fx += before_y * branch.force_x(j);
+        by_fy += before_x * branch.force_y(j);
+      }
+      const Links dx = fall * -share, dy = rise * share;
+      at(x_, k) = dx;
+      at(y_, k) = dy;
+      sum_x += dx;
+      sum_y += dy;
+      moment_.template segment<width>(width * block) =
+          (by_fx + dy * branch.force_x(0)) - (by_fy + dx * branch.force_y(0));
+    }
+    moment = moment_.head(links_);
+    x = y = Real(0);
+    for (Eigen::Index lane = 0; lane < width; ++lane) x += sum_x(lane), y += sum_y(lane);
+  }
+
+  /// Completes order k by the links' own turn of that order, theta_k.
+  /// \return coefficients of the sums of x and y over all links
+  std::pair<Real, Real> turn(Eigen::Index k, const Vector<Real>& theta) {
+    Real x(0), y(0);
+    for (Eigen::Index i = 0; i < links_; ++i) {
+      entry(turn_, k, i) = Real(static_cast<int>(k)) * theta(i);
+      x += entry(x_, k, i) -= entry(y_, 0, i) * theta(i);
+      y += entry(y_, k, i) += entry(x_, 0, i) * theta(i);
+    }
+    return {x, y};
+  }
+
+ private:
+  static constexpr Eigen::Index width = std::same_as<Real, double> ? 4 : 1;
+  static Real& entry(Matrix<Real>& of, Eigen::Index order, Eigen::Index link) {
+    return of(width * order + link % width, link / width);
+  }
+
+  Eigen::Index links_ = 0;
+  Matrix<Real> turn_, x_, y_;  ///< a column for every `width` links: their orders one after the other
+  Vector<Real> moment_;
+};
+
+}  // namespace plumbline

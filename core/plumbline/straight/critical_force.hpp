@@ -1,0 +1,230 @@
+#pragma once
+/// \file
+/// Critical forces of the straight chain to high relative accuracy for any grading, each in O(n): the
+/// frequencies of a string with beads (bead_string.hpp), found by Laguerre's iteration inside brackets that
+/// counts of the critical forces below a force keep safe.
+
+#include <plumbline/chain/mode.hpp>
+#include <plumbline/straight/lowest_force.hpp>
+
+namespace plumbline {
+
+/// The number of critical forces below F, each as often as it occurs.
+/// \throws Error for n = 1 or a mechanism
+template <Ordered Real>
+std::size_t count_below(const Chain<Real>& chain, const Real& F) {
+  const BeadString<Real> string(chain);
+  std::size_t count = 0;
+  for (const auto& piece : string.pieces()) count += count_below(piece, F);
+  return count;
+}
+
+/// Runs along the string at the next points of a few open brackets: one, or as many as there are lanes.
+template <Floating Real>
+void sweep_all(const StringPiece<Real>& string, std::span<const Bracket<Real>> brackets,
+               std::span<Sweep<Real, 3>> found) {
+  if constexpr (std::same_as<Real, double>) {
+    if (brackets.size() > 1) {
+      std::array<Lanes, 2> F;
+      double largest = 0;
+      for (std::size_t i = 0; i < 2 * lane_count; ++i) {
+        const double next = brackets[std::min(i, brackets.size() - 1)].next;
+        F[i / lane_count][i % lane_count] = next;
+        largest = std::max(largest, next);
+      }
+      const auto side_by_side = sweep<3>(string, F, SafeStretch<double>(string, largest));
+      for (std::size_t i = 0; i < brackets.size(); ++i) {
+        const auto& [f, below] = side_by_side[i / lane_count];
+        const std::size_t lane = i % lane_count;
+        for (std::size_t t = 0; t < 4; ++t) found[i].f[t] = f[t][lane];
+        found[i].below = static_cast<std::size_t>(below[lane]);
+      }
+      return;
+    }
+  }
+  for (std::size_t i = 0; i < brackets.size(); ++i) found[i] = sweep<3>(string, brackets[i].next);
+}
+
+/// The two parts of a bracket of several roots on either side of its next point, each with a place to go on.
+template <Floating Real>
+std::array<Bracket<Real>, 2> split(const Bracket<Real>& bracket, const Sweep<Real, 3>& at,
+                                   std::size_t degree) {
+  const Real x = bracket.next;
+  const std::size_t below = std::clamp(at.below, bracket.below, bracket.up_to);  // whatever rounding does
+  std::array<Bracket<Real>, 2> parts{Bracket<Real>{bracket.low, x, bracket.below, below, x},
+                                     Bracket<Real>{x, bracket.high, below, bracket.up_to, x}};
+  for (Bracket<Real>& part : parts) {
+    // A single root may be stepped to; close_in sees to it that the step stays inside.
+    if (!part.single() || at.f[0] == Real(0)) {
+      part.halve();
+    } else if (close_in(part, at, degree)) {
+      part.low = part.high = part.next;
+    }
+  }
+  return parts;
+}
+
+/// The lowest `wanted` roots of a string, ascending, by bisection down to single roots.
+template <Floating Real>
+std::vector<Real> roots_by_brackets(const StringPiece<Real>& string, std::size_t wanted) {
+  if (wanted == 0) return {};
+  constexpr std::size_t at_once = std::same_as<Real, double> ? 2 * lane_count : 1;
+  std::vector<Real> roots(std::min(wanted, string.size()));
+  std::vector<Bracket<Real>> open{all_of(string)};
+  const auto settle = [&](const Bracket<Real>& bracket) {
+    const std::size_t end = std::min(bracket.up_to, roots.size());
+    for (std::size_t i = bracket.below; i < end; ++i) roots[i] = bracket.next;
+  };
+  std::array<Sweep<Real, 3>, at_once> found;
+  while (!open.empty()) {
+    const std::size_t first = open.size() - std::min(open.size(), at_once);
+    const std::vector<Bracket<Real>> now(open.begin() + static_cast<std::ptrdiff_t>(first), open.end());
+    open.resize(first);
+    sweep_all<Real>(string, now, found);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      Bracket<Real> bracket = now[i];
+      if (bracket.single()) {
+        close_in(bracket, found[i], string.size()) ? settle(bracket) : open.push_back(bracket);
+        continue;
+      }
+      for (const auto& part : split(bracket, found[i], string.size())) {
+        if (part.below == part.up_to || part.below >= roots.size()) continue;
+        const bool closed = !(part.low < part.next && part.next < part.high);  // down to the last digit
+        closed ? settle(part) : open.push_back(part);
+      }
+    }
+  }
+  return roots;
+}
+
+/// A chain in a floating-point type with fewer digits; nothing when an entry leaves its range.
+template <std::floating_point To, Floating From>
+std::optional<Chain<To>> narrowed(const Chain<From>& chain) {
+  bool fits = true;
+  const auto all = [&](const std::vector<From>& values) {
+    std::vector<To> result;
+    result.reserve(values.size());
+    for (const From& value : values) {
+      result.push_back(static_cast<To>(value));
+      fits = fits && std::isfinite(result.back()) && (result.back() > To(0)) == (value > From(0));
+    }
+    return result;
+  };
+  auto length = all(chain.length()), stiffness = all(chain.stiffness());
+  if (!fits) return std::nullopt;
+  return Chain<To>(std::move(length), std::move(stiffness));
+}
+
+inline Chain<long double> widened(const Chain<double>& chain) {
+  return convert<long double>(chain, [](double value) { return static_cast<long double>(value); });
+}
+
+/// \throws Error where double has no such number
+inline double force_in_double(long double force) {
+  const auto result = static_cast<double>(force);
+  if (!std::isnormal(result)) {
+    throw Error("critical force", "a value outside the range of double",
+                "lengths and stiffnesses less far apart");
+  }
+  return result;
+}
+
+/// The lowest roots of each piece of a chain's string.
+template <Floating Real>
+using RootsOfPieces = std::vector<std::vector<Real>>;
+
+/// Nothing where a chain leaves the range of double on the way.
+inline std::optional<RootsOfPieces<double>> lowest_roots_in_range(const Chain<double>& chain,
+                                                                  std::size_t wanted) {
+  const BeadString<double> string(chain);
+  if (!string.in_range()) return std::nullopt;
+  RootsOfPieces<double> result;
+  for (const auto& piece : string.pieces()) {
+    result.push_back(wanted == 1 ? std::vector{lowest_force(piece)} : roots_by_brackets(piece, wanted));
+  }
+  return result;
+}
+
+/// The root number `index` from a value that is nearly it. Nothing when it turns out that it is not.
+template <Floating Real>
+std::optional<Real> refined(const StringPiece<Real>& string, std::size_t index, const Real& near) {
+  using std::ldexp;
+  Bracket<Real> bracket{Real(ldexp(near, -30)), Real(ldexp(near, 30)), index, index + 1, near};
+  for (int runs = 0; runs < 8; ++runs) {
+    const auto at = sweep<3>(string, bracket.next);
+    if (at.below < index || at.below > index + 1) return std::nullopt;
+    if (close_in(bracket, at, string.size())) return bracket.next;
+  }
+  return std::nullopt;
+}
+
+/// Digits of double come first, and a wider type takes a step or two more from there.
+template <Floating Real>
+RootsOfPieces<Real> lowest_roots(const Chain<Real>& chain, std::size_t wanted) {
+  RootsOfPieces<double> near;
+  if (const auto narrow = narrowed<double>(chain)) {
+    near = lowest_roots_in_range(*narrow, wanted).value_or(RootsOfPieces<double>());
+  }
+  const BeadString<Real> string(chain);
+  RootsOfPieces<Real> result;
+  for (const auto& piece : string.pieces()) {
+    std::vector<Real> roots;
+    if (const std::size_t p = result.size(); p < near.size()) {
+      for (const double value : near[p]) {
+        const auto root = refined(piece, roots.size(), Real(value));
+        if (!root) break;
+        roots.push_back(*root);
+      }
+    }
+    if (roots.size() < std::min(wanted, piece.size())) roots = roots_by_brackets(piece, wanted);
+    result.push_back(std::move(roots));
+  }
+  return result;
+}
+
+/// Where a chain leaves the range of double, the 15-bit exponents of long double take over.
+template <>
+inline RootsOfPieces<double> lowest_roots(const Chain<double>& chain, std::size_t wanted) {
+  if (auto roots = lowest_roots_in_range(chain, wanted)) return *std::move(roots);
+  RootsOfPieces<double> result;
+  for (const auto& roots : lowest_roots(widened(chain), wanted)) {
+    result.emplace_back();
+    for (const long double root : roots) result.back().push_back(force_in_double(root));
+  }
+  return result;
+}
+
+/// The lowest critical force, as critical_forces() gives it.
+/// \throws Error for n = 1, a mechanism, or a force outside the range of the type
+template <Floating Real>
+Real lowest_critical_force(const Chain<Real>& chain) {
+  if constexpr (std::same_as<Real, double>) {
+    const BeadString<double> string(chain);
+    if (string.in_range()) {
+      const auto pieces = string.pieces();
+      const double first = lowest_force(pieces[0]);
+      return pieces.size() == 1 ? first : std::min(first, lowest_force(pieces[1]));
+    }
+  }
+  const auto roots = lowest_roots(chain, 1);
+  return roots.size() == 1 ? roots[0][0] : std::min(roots[0][0], roots[1][0]);
+}
+
+/// The lowest critical forces, ascending, each as often as it occurs: `lowest` of them, or all n - 1 when
+/// there are not more. The relative error is a few units in the last place, growing no faster than n and in
+/// practice like its square root, whatever the grading.
+/// \throws Error for n = 1, a mechanism, or a force outside the range of the type
+template <Floating Real>
+std::vector<Real> critical_forces(const Chain<Real>& chain, std::size_t lowest) {
+  mode_count(chain);
+  std::vector<Real> forces;
+  for (const auto& roots : lowest_roots(chain, lowest)) {
+    const auto before = static_cast<std::ptrdiff_t>(forces.size());
+    forces.insert(forces.end(), roots.begin(), roots.end());
+    if (before > 0) std::inplace_merge(forces.begin(), forces.begin() + before, forces.end());
+  }
+  forces.resize(std::min(lowest, forces.size()));
+  return forces;
+}
+
+}  // namespace plumbline

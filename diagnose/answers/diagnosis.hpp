@@ -1,0 +1,49 @@
+#pragma once
+/// \file
+/// The whole diagnosis: is there a gap, where, what causes it, how far it shrinks.
+
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "diagnose/answers/next_run.hpp"
+#include "diagnose/answers/shrink.hpp"
+#include "diagnose/answers/unexplained.hpp"
+#include "diagnose/inference/verdict.hpp"
+
+namespace plumbline::diagnose {
+
+struct GapAnswer {
+  bool present;
+  GapTest test;
+  double chi2_per_value;              ///< of the nominal residual, in the noise as it is
+  std::map<std::string, double> rms;  ///< of the nominal residual by channel, in its unit
+};
+
+/// A parameter of the best explanation with its 95 % bounds, in catalogue units.
+struct Estimate {
+  std::string name;
+  double value, low, high;
+  bool at_bound;
+};
+
+struct Diagnosis {
+  std::string experiment;
+  GapAnswer gap;
+  Where where;
+  Cause cause;
+  NoiseModel noise;                              ///< that the best explanation leaves
+  std::vector<std::vector<Estimate>> estimates;  ///< [effect of the best explanation][parameter]
+  std::vector<EffectAt> not_exercised;           ///< effects that these runs could not have shown
+  std::optional<Shrink> shrink;
+  std::optional<Missing> missing;   ///< for `unknown`: what is missing, without a catalogue
+  std::vector<Proposal> proposals;  ///< for `ambiguous`, or on request: what to measure next
+};
+
+/// \param progress  called now and then with the share of the work that is done
+/// \param plan      propose the next run even where the cause is not ambiguous: between the best two
+/// \throws Error where the nominal model cannot follow the experiment
+Diagnosis diagnose(const Experiment& experiment, const std::function<void(double)>& progress = {},
+                   bool plan = false);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// What to measure next: which feasible run would best tell rival explanations apart.
+
+#include <string>
+#include <vector>
+
+#include "diagnose/inference/fit.hpp"
+
+namespace plumbline::diagnose {
+
+/// A run that the lab could make.
+struct Proposal {
+  std::string description;
+  Run run;              ///< what to command; the measured channels are empty
+  bool angles;          ///< whether its joint angles are to be measured
+  bool out_of_gravity;  ///< whether the rig is to be turned until gravity acts across its plane
+  double log_odds;      ///< expected after the run, in favour of whichever rival is right; natural logarithm
+  double log_odds_so_far;  ///< the same without it
+};
+
+/// Rest shapes of the runs so far and their mirror images, pressed along x, along y and between, as far as
+/// before or half as far again, with and without unloading, joint angles measured or not, in gravity and out
+/// of it. Left out is what some rival could not follow, and what would need more than twice the force, or
+/// more than half as much deflection again, as the runs so far. \param rivals    two explanations or more,
+/// fitted to the same readings \returns the most telling runs first, at most `count`
+std::vector<Proposal> next_runs(const Experiment& experiment, const Measurements& measurements,
+                                const std::vector<Fit>& rivals, const NoiseModel& noise, std::size_t count);
+
+}  // namespace plumbline::diagnose

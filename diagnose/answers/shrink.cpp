@@ -1,0 +1,201 @@
+#include "diagnose/answers/shrink.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
+#include <set>
+
+namespace plumbline::diagnose {
+namespace {
+
+/// Whether the commanded path turns back.
+bool turns_back(const Run& run) {
+  const bool displacement = run.control == ControlMode::displacement;
+  double lx = 0, ly = 0;
+  for (std::size_t i = 1; i < run.readings.size(); ++i) {
+    const Reading &a = run.readings[i - 1], &b = run.readings[i];
+    const double dx = displacement ? b.x - a.x : b.Fx - a.Fx, dy = displacement ? b.y - a.y : b.Fy - a.Fy;
+    if (dx * lx + dy * ly < 0) return true;
+    if (dx != 0 || dy != 0) lx = dx, ly = dy;
+  }
+  return false;
+}
+
+/// The last run whose kind another run has too.
+std::optional<std::size_t> spare_run(const Experiment& experiment) {
+  const auto kind = [](const Run& run) { return std::pair(run.control, turns_back(run)); };
+  for (std::size_t r = experiment.runs.size(); r-- > 0;) {
+    for (std::size_t other = 0; other < experiment.runs.size(); ++other)
+      if (other != r && kind(experiment.runs[other]) == kind(experiment.runs[r])) return r;
+  }
+  return std::nullopt;
+}
+
+HeldOut nothing(const Experiment& experiment) {
+  HeldOut none;
+  for (const Run& run : experiment.runs) none.reading.emplace_back(run.readings.size(), false);
+  return none;
+}
+
+/// Flat: which values are held out and no outliers.
+std::vector<std::vector<std::size_t>> judged_values(const Measurements& measurements, const HeldOut& heldout,
+                                                    const std::vector<double>& after) {
+  const std::vector<bool> outlier = outliers(measurements, after);
+  std::vector<std::vector<std::size_t>> by_series;
+  for (const Series& series : measurements.series()) {
+    by_series.emplace_back();
+    for (std::size_t i = 0; i < series.readings.size(); ++i)
+      if (heldout.reading[series.run][series.readings[i]] && !outlier[series.first + i])
+        by_series.back().push_back(series.first + i);
+  }
+  return by_series;
+}
+
+struct Sums {
+  double before = 0, after = 0;
+};
+
+/// Blocks of neighbouring values, with their sums of squares.
+std::vector<Sums> blocks(const std::vector<std::vector<std::size_t>>& values,
+                         const std::vector<double>& before, const std::vector<double>& after) {
+  constexpr std::size_t length = 8;  // longer than correlated noise remembers, 0.7^8 < 0.06
+  std::vector<Sums> result;
+  for (const auto& series : values) {
+    for (std::size_t i = 0; i < series.size(); ++i) {
+      if (i % length == 0) result.emplace_back();
+      result.back().before += before[series[i]] * before[series[i]];
+      result.back().after += after[series[i]] * after[series[i]];
+    }
+  }
+  return result;
+}
+
+/// 95 % bounds of a ratio of root mean squares, by resampling the blocks.
+template <class Ratio>
+void bootstrap(const std::vector<Sums>& blocks, Ratio& shrink) {
+  constexpr int draws = 1000;
+  std::mt19937_64 random(11);
+  std::uniform_int_distribution<std::size_t> pick(0, blocks.size() - 1);
+  std::vector<double> ratios;
+  for (int draw = 0; draw < draws; ++draw) {
+    Sums sum;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const Sums& block = blocks[pick(random)];
+      sum.before += block.before;
+      sum.after += block.after;
+    }
+    ratios.push_back(std::sqrt(sum.after / sum.before));
+  }
+  std::sort(ratios.begin(), ratios.end());
+  shrink.ratio_low = std::min(shrink.ratio, ratios[draws / 40]);
+  shrink.ratio_high = std::max(shrink.ratio, ratios[draws - 1 - draws / 40]);
+}
+
+std::map<std::string, ChannelShrink> by_channel(const Measurements& measurements,
+                                                const std::vector<std::vector<std::size_t>>& values,
+                                                const std::vector<double>& before,
+                                                const std::vector<double>& after, const NoiseModel& noise) {
+  std::map<std::string, std::vector<std::vector<std::size_t>>> parts;
+  std::map<std::string, double> scale;
+  for (std::size_t s = 0; s < values.size(); ++s) {
+    const Channel& channel = measurements.series()[s].channel;
+    parts[channel.label()].push_back(values[s]);
+    scale[channel.label()] = noise.of(channel.sensor());
+  }
+  std::map<std::string, ChannelShrink> result;
+  for (const auto& [channel, part] : parts) {
+    Sums sum;
+    double count = 0;
+    for (const auto& series : part) {
+      count += static_cast<double>(series.size());
+      for (const std::size_t i : series)
+        sum.before += before[i] * before[i], sum.after += after[i] * after[i];
+    }
+    if (!(sum.before > 0)) continue;
+    ChannelShrink& one = result[channel];
+    one.ratio = std::sqrt(sum.after / sum.before);
+    one.noise_floor_ratio = scale[channel] * std::sqrt(count / sum.before);
+    bootstrap(blocks(part, before, after), one);
+  }
+  return result;
+}
+
+}  // namespace
+
+HeldOut choose_heldout(const Experiment& experiment) {
+  HeldOut heldout = nothing(experiment);
+  if (const std::optional<std::size_t> r = spare_run(experiment)) {
+    heldout.reading[*r].assign(heldout.reading[*r].size(), true);
+    heldout.names.push_back(experiment.runs[*r].id);
+    return heldout;
+  }
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    const Run& run = experiment.runs[r];
+    const std::size_t length = run.readings.size() / 8;
+    if (length == 0) continue;
+    for (const std::size_t from : {2 * length, 5 * length}) {
+      std::fill_n(heldout.reading[r].begin() + static_cast<std::ptrdiff_t>(from), length, true);
+      heldout.names.push_back(run.id + "[" + std::to_string(from) + ":" + std::to_string(from + length - 1) +
+                              "]");
+    }
+  }
+  return heldout;
+}
+
+Experiment without(const Experiment& experiment, const HeldOut& heldout) {
+  Experiment rest = experiment;
+  constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t r = 0; r < rest.runs.size(); ++r) {
+    Run& run = rest.runs[r];
+    for (std::size_t i = 0; i < run.readings.size(); ++i) {
+      if (!heldout.reading[r][i]) continue;
+      Reading& reading = run.readings[i];
+      (run.control == ControlMode::displacement ? reading.Fx : reading.x) = unseen;
+      (run.control == ControlMode::displacement ? reading.Fy : reading.y) = unseen;
+      std::fill(reading.q.begin(), reading.q.end(), unseen);
+    }
+  }
+  // A run of which nothing is left would only be walked for nothing.
+  std::erase_if(rest.runs, [&](const Run& run) {
+    const auto r = static_cast<std::size_t>(&run - rest.runs.data());
+    return std::all_of(heldout.reading[r].begin(), heldout.reading[r].end(), [](bool held) { return held; });
+  });
+  return rest;
+}
+
+Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
+                      const std::vector<double>& before, const std::vector<double>& after,
+                      const NoiseModel& noise) {
+  Shrink shrink;
+  const auto values = judged_values(measurements, heldout, after);
+  std::map<std::string, double> count;
+  Sums all;
+  double floor = 0, total = 0;
+  for (std::size_t s = 0; s < values.size(); ++s) {
+    const Series& series = measurements.series()[s];
+    const std::string channel = series.channel.label();
+    for (const std::size_t i : values[s]) {
+      shrink.rms_before[channel] += std::pow(series.sigma * before[i], 2);
+      shrink.rms_after[channel] += std::pow(series.sigma * after[i], 2);
+      count[channel] += 1;
+      all.before += before[i] * before[i];
+      all.after += after[i] * after[i];
+      floor += std::pow(noise.of(series.channel.sensor()), 2);
+      total += 1;
+    }
+  }
+  if (total == 0) return shrink;
+  shrink.heldout = heldout.names;
+  for (auto& [channel, sum] : shrink.rms_before) sum = std::sqrt(sum / count[channel]);
+  for (auto& [channel, sum] : shrink.rms_after) sum = std::sqrt(sum / count[channel]);
+  shrink.ratio = std::sqrt(all.after / all.before);
+  shrink.noise_floor_ratio = std::sqrt(floor / all.before);
+  shrink.chi2_per_value_after = all.after / floor;
+  bootstrap(blocks(values, before, after), shrink);
+  shrink.channels = by_channel(measurements, values, before, after, noise);
+  return shrink;
+}
+
+}  // namespace plumbline::diagnose

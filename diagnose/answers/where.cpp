@@ -1,0 +1,97 @@
+#include "diagnose/answers/where.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/answers/torque_balance.hpp"
+#include "diagnose/model/regime.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// Squared residual beyond noise of each value, in units of the noise; outliers count as noise.
+std::vector<double> excess(const Measurements& measurements, const std::vector<double>& residual,
+                           const NoiseModel& noise) {
+  const std::vector<bool> outlier = outliers(measurements, residual);
+  std::vector<double> result(residual.size(), 0.0);
+  for (const Series& series : measurements.series()) {
+    const double scale = noise.of(series.channel.sensor());
+    for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i)
+      if (!outlier[i]) result[i] = std::pow(residual[i] / scale, 2) - 1;
+  }
+  return result;
+}
+
+std::vector<ChannelShare> by_channel(const Measurements& measurements, const std::vector<double>& excess) {
+  std::vector<ChannelShare> shares;
+  for (const Series& series : measurements.series()) {
+    const std::string label = series.channel.label();
+    auto place =
+        std::find_if(shares.begin(), shares.end(), [&](const auto& one) { return one.channel == label; });
+    if (place == shares.end()) place = shares.insert(shares.end(), {label, 0});
+    for (std::size_t i = 0; i < series.readings.size(); ++i) place->share += excess[series.first + i];
+  }
+  normalise(shares);
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const auto& a, const auto& b) { return a.share > b.share; });
+  return shares;
+}
+
+std::vector<RunShare> by_run(const Experiment& experiment, const Measurements& measurements,
+                             const std::vector<double>& excess) {
+  std::vector<RunShare> shares;
+  for (const Run& run : experiment.runs) shares.push_back({run.id, 0});
+  for (const Series& series : measurements.series())
+    for (std::size_t i = 0; i < series.readings.size(); ++i)
+      shares[series.run].share += excess[series.first + i];
+  normalise(shares);
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const auto& a, const auto& b) { return a.share > b.share; });
+  return shares;
+}
+
+std::vector<PathShare> along_path(const Experiment& experiment, const Measurements& measurements,
+                                  const Prediction& nominal, const std::vector<double>& excess) {
+  std::vector<PathShare> shares;
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    const std::vector<Regime> regime = regimes(experiment.runs[r], nominal.runs[r]);
+    std::vector<double> sum(regime.size(), 0.0);
+    for (const Series& series : measurements.series()) {
+      if (series.run != r) continue;
+      for (std::size_t i = 0; i < series.readings.size(); ++i)
+        sum[series.readings[i]] += excess[series.first + i];
+    }
+    for (std::size_t i = 0; i < regime.size(); ++i) {
+      if (i == 0 || regime[i] != regime[i - 1])
+        shares.push_back({experiment.runs[r].id, i, i, 0, regime_word(regime[i])});
+      shares.back().to = i;
+      shares.back().share += sum[i];
+    }
+  }
+  normalise(shares);
+  return shares;
+}
+
+}  // namespace
+
+std::string joint_evidence_words(JointEvidence evidence) {
+  switch (evidence) {
+    case JointEvidence::measured:
+      return "of the measured missing torque";
+    case JointEvidence::implied_by_fits:
+      return "of the missing torque that the explanation implies";
+    case JointEvidence::implied_by_law:
+      break;
+  }
+  return "chance to be the one place of an unknown torque";
+}
+
+Where locate(const Experiment& experiment, const Measurements& measurements, const Prediction& nominal,
+             const std::vector<double>& residual, const NoiseModel& noise) {
+  const std::vector<double> beyond = excess(measurements, residual, noise);
+  return {by_channel(measurements, beyond), by_run(experiment, measurements, beyond),
+          along_path(experiment, measurements, nominal, beyond), shares_by_missing_torque(experiment, noise),
+          JointEvidence::measured};
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// Where a gap lies: shares of the squared, noise-weighted residual of the nominal model beyond noise.
+
+#include "diagnose/answers/joint_share.hpp"
+#include "diagnose/inference/gap.hpp"
+
+namespace plumbline::diagnose {
+
+struct ChannelShare {
+  std::string channel;
+  double share;
+};
+struct RunShare {
+  std::string run;
+  double share;
+};
+struct PathShare {
+  std::string run;
+  std::size_t from, to;  ///< first and last reading, from 0
+  double share;
+  std::string regime;  ///< "pre-buckling", "near the loss of stiffness", "post-buckling" or "unloading"
+};
+
+/// What the joints' shares stand on: the missing torque that measured joint angles show; the missing torque
+/// that the explanations found would show; or the chance of each joint to be the one place of an unknown
+/// torque.
+enum class JointEvidence { measured, implied_by_fits, implied_by_law };
+
+/// The same in words.
+std::string joint_evidence_words(JointEvidence evidence);
+
+struct Where {
+  std::vector<ChannelShare> channels;
+  std::vector<RunShare> runs;
+  std::vector<PathShare> load_path;
+  std::vector<JointShare> joints;  ///< largest first
+  JointEvidence joint_evidence = JointEvidence::implied_by_law;
+};
+
+/// By joint from measured torque alone; empty where none is measured, or noise alone may give what is
+/// missing. \param residual  of the nominal model, flat, in declared sigmas \param noise     scale of the
+/// noise as it is
+Where locate(const Experiment& experiment, const Measurements& measurements, const Prediction& nominal,
+             const std::vector<double>& residual, const NoiseModel& noise);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,51 @@
+#pragma once
+/// \file
+/// An experiment: what a lab writes down when it presses on a real chain. SI units, radians.
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace plumbline::diagnose {
+
+/// What the rig imposes: the end point, while the force is measured; or the force, while the end point is.
+enum class ControlMode { displacement, force };
+
+/// One reading. A measured value is NaN where its field is empty; the imposed channels hold what was
+/// commanded. (Fx, Fy) is the force that the environment exerts on the end point: compression is Fx < 0.
+struct Reading {
+  double t, x, y, Fx, Fy;
+  std::vector<double> q;  ///< relative joint angles; empty where the run has no such columns
+};
+
+/// One loading history from rest, readings in the order in which they were taken.
+struct Run {
+  std::string id;
+  ControlMode control;
+  std::vector<double> rest;  ///< commanded joint angles: the unloaded shape
+  std::vector<Reading> readings;
+};
+
+/// Declared standard deviation of one reading; 0 for a channel without noise.
+struct Noise {
+  double x, y, Fx, Fy, q;
+};
+
+/// What is known of the rig, whether or not the nominal model uses it.
+struct Bench {
+  enum class Plane { vertical, horizontal, unknown } plane;
+  std::array<double, 2> gravity_direction;  ///< unit vector, meaningful with has_direction
+  bool has_direction;
+};
+
+/// The nominal chain (the simulator whose gap is diagnosed), the rig and the runs.
+struct Experiment {
+  std::string name;
+  std::vector<double> link_length, joint_stiffness, link_mass;
+  std::array<double, 2> gravity;  ///< the in-plane gravity that the nominal model includes
+  Bench bench;
+  Noise noise;
+  std::vector<Run> runs;
+};
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,124 @@
+#include "diagnose/bench/plausible.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <plumbline/base/error.hpp>
+
+namespace plumbline::diagnose {
+namespace {
+
+std::string metres(double value) {
+  return fmt::format("{:.6g} m", value);
+}
+
+std::string place(const Run& run, std::size_t reading) {
+  return "run \"" + run.id + "\", reading " + std::to_string(reading + 1);
+}
+
+/// A commanded end point is exact: beyond the reach by more than its rounding it has no equilibrium. A
+/// measured one carries noise, and lengths and zero are what is in question: only what no tolerance explains
+/// is refused.
+void require_reach(const Run& run, const Reach& limits) {
+  const double slack = (run.control == ControlMode::displacement ? 1e-4 : 0.25) * limits.largest;
+  for (std::size_t r = 0; r < run.readings.size(); ++r) {
+    const double distance = std::hypot(run.readings[r].x, run.readings[r].y);
+    if (distance > limits.largest + slack)
+      throw Error(place(run, r), "an end point " + metres(distance) + " from the base",
+                  "at most the length of the chain, " + metres(limits.largest));
+    if (distance < limits.smallest - slack)
+      throw Error(place(run, r), "an end point " + metres(distance) + " from the base",
+                  "at least " + metres(limits.smallest) + ", what the links reach when folded");
+  }
+}
+
+/// Distance between the end point that the joint angles give and the one that the reading states; NaN where
+/// either is missing.
+double contradiction(const Reading& reading, const std::vector<double>& length) {
+  double theta = 0, x = 0, y = 0;
+  for (std::size_t j = 0; j < reading.q.size(); ++j) {
+    theta += reading.q[j];
+    x += length[j] * std::cos(theta);
+    y += length[j] * std::sin(theta);
+  }
+  return std::hypot(x - reading.x, y - reading.y);
+}
+
+/// Joint angles in degrees, in another order or of another chain. No effect moves the end point of most
+/// readings by a quarter of the chain.
+void require_geometry(const Run& run, const std::vector<double>& length, const Reach& limits) {
+  std::vector<double> gaps;
+  for (const Reading& reading : run.readings) {
+    if (reading.q.empty()) return;
+    const double gap = contradiction(reading, length);
+    if (!std::isnan(gap)) gaps.push_back(gap);
+  }
+  if (gaps.empty()) return;
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+  std::nth_element(gaps.begin(), middle, gaps.end());
+  if (*middle > 0.25 * limits.largest)
+    throw Error("run \"" + run.id + "\"",
+                "joint angles that put the end point " + metres(*middle) + " from where x and y say it is",
+                "joint angles of this chain, relative and in radians");
+}
+
+void require_noise(const Run& run, const Noise& noise) {
+  const bool displacement = run.control == ControlMode::displacement;
+  const auto require = [&](const char* name, double sigma, auto value) {
+    const bool measured = std::any_of(run.readings.begin(), run.readings.end(),
+                                      [&](const Reading& r) { return !std::isnan(value(r)); });
+    if (measured && !(sigma > 0))
+      throw Error(std::string("noise.") + name, "0, or nothing",
+                  "a positive figure: run \"" + run.id + "\" measures it");
+  };
+  require(displacement ? "Fx" : "x", displacement ? noise.Fx : noise.x,
+          [&](const Reading& r) { return displacement ? r.Fx : r.x; });
+  require(displacement ? "Fy" : "y", displacement ? noise.Fy : noise.y,
+          [&](const Reading& r) { return displacement ? r.Fy : r.y; });
+  if (run.readings.front().q.empty()) return;
+  for (std::size_t j = 0; j < run.rest.size(); ++j)
+    require("q", noise.q, [&](const Reading& r) { return r.q[j]; });
+}
+
+std::size_t measured_values(const Run& run) {
+  const bool displacement = run.control == ControlMode::displacement;
+  std::size_t count = 0;
+  for (const Reading& r : run.readings) {
+    count += std::isfinite(displacement ? r.Fx : r.x);
+    count += std::isfinite(displacement ? r.Fy : r.y);
+    count += static_cast<std::size_t>(
+        std::count_if(r.q.begin(), r.q.end(), [](double q) { return std::isfinite(q); }));
+  }
+  return count;
+}
+
+}  // namespace
+
+Reach reach(const std::vector<double>& link_length) {
+  const double sum = std::accumulate(link_length.begin(), link_length.end(), 0.0);
+  const double longest = *std::max_element(link_length.begin(), link_length.end());
+  return {std::max(0.0, 2 * longest - sum), sum};
+}
+
+void require_physical(const Experiment& experiment) {
+  const auto passive = std::count(experiment.joint_stiffness.begin(), experiment.joint_stiffness.end(), 0.0);
+  if (passive > 2)
+    throw Error("nominal.joint_stiffness", std::to_string(passive) + " passive joints",
+                "at most two: with more the chain is a mechanism even with its end point held");
+  const Reach limits = reach(experiment.link_length);
+  std::size_t values = 0;
+  for (const Run& run : experiment.runs) {
+    require_reach(run, limits);
+    require_geometry(run, experiment.link_length, limits);
+    require_noise(run, experiment.noise);
+    values += measured_values(run);
+  }
+  const std::size_t needed = 3;  // one more than the two parameters that a single effect can have
+  if (values < needed)
+    throw Error("experiment \"" + experiment.name + "\"", std::to_string(values) + " measured values",
+                "at least " + std::to_string(needed) + ", more than an effect has parameters");
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,89 @@
+#include "diagnose/inference/evidence.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+
+namespace plumbline::diagnose {
+namespace {
+
+constexpr double outlier_share = 0.02;
+constexpr double outlier_width = 10;
+
+double log_density(double innovation) {
+  const double square = innovation * innovation;
+  const double core = (1 - outlier_share) * std::exp(-square / 2);
+  const double tail = outlier_share / outlier_width * std::exp(-square / (2 * outlier_width * outlier_width));
+  // Far out both vanish, and the tail alone counts.
+  if (core + tail > 0) return std::log(core + tail);
+  return std::log(outlier_share / outlier_width) - square / (2 * outlier_width * outlier_width);
+}
+
+bool has_natural_zero(const ParameterRange& range) {
+  return range.coordinate != Coordinate::logarithm &&
+         (range.low <= 0 || range.coordinate == Coordinate::reciprocal);
+}
+
+/// Width of a parameter's prior.
+double prior_width(const ParameterRange& range) {
+  return has_natural_zero(range) ? range.scale : range.high - range.low;
+}
+
+double log_parameter_prior(const ParameterRange& range, double value) {
+  if (!has_natural_zero(range)) return -std::log(prior_width(range));
+  const double ratio = value / range.scale;
+  const double sides = range.low < 0 ? 1 : 2;
+  return std::log(sides / (std::numbers::pi * range.scale * (1 + ratio * ratio)));
+}
+
+}  // namespace
+
+double log_likelihood(const Measurements& measurements, const std::vector<double>& residual,
+                      const NoiseModel& noise) {
+  double sum = 0;
+  for (const double innovation : whiten(measurements, residual, noise)) sum += log_density(innovation);
+  return sum;
+}
+
+double log_prior(const Experiment& experiment, const Candidate& candidate) {
+  constexpr double share[] = {1.0, 0.75, 0.20, 0.05};
+  const std::size_t count = candidate.effects.size();
+  double log_p = std::log(share[std::min<std::size_t>(count, 3)]);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double places =
+        candidate.effects[i].joint > 0 ? static_cast<double>(experiment.link_length.size()) : 1.0;
+    log_p += std::log(static_cast<double>(i + 1) / (static_cast<double>(effect_count) * places));
+  }
+  return log_p;
+}
+
+double log_evidence(const Experiment& experiment, const Measurements& measurements, const Fit& fit,
+                    const NoiseModel& noise) {
+  double value = log_likelihood(measurements, fit.residual, noise) + log_prior(experiment, fit.candidate);
+  const std::vector<ParameterRange> ranges = parameter_ranges(experiment, fit.candidate);
+  std::vector<Eigen::Index> inside;
+  std::vector<double> width;
+  for (std::size_t p = 0; p < ranges.size(); ++p) {
+    const auto k = static_cast<Eigen::Index>(p);
+    // At a bound, or untouched by the readings, a parameter has used no freedom.
+    if (fit.at_bound[p] || !(fit.covariance(k, k) > 0)) continue;
+    inside.push_back(k);
+    width.push_back(prior_width(ranges[p]));
+    value += log_parameter_prior(ranges[p], fit.parameters[p]) + 0.5 * std::log(2 * std::numbers::pi);
+  }
+  if (inside.empty()) return value;
+  // Posterior variances along the principal axes, the prior's width being one. What the readings do not tell
+  // (a covariance without rank there) keeps the width of the prior: nothing is known worse than before.
+  const Eigen::VectorXd unit =
+      Eigen::Map<const Eigen::VectorXd>(width.data(), static_cast<Eigen::Index>(width.size()));
+  const Eigen::MatrixXd scaled = unit.cwiseInverse().asDiagonal() *
+                                 Eigen::MatrixXd(fit.covariance(inside, inside)) *
+                                 unit.cwiseInverse().asDiagonal();
+  constexpr double no_rank = 1e-13;
+  const Eigen::VectorXd variances = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues();
+  for (const double variance : variances)
+    if (variance > no_rank) value -= 0.5 * std::log1p(1 / variance);
+  return value + unit.array().log().sum();
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// How much an explanation is worth: its likelihood under the noise as it is, and its evidence, which charges
+/// it for its freedom.
+
+#include "diagnose/inference/fit.hpp"
+#include "diagnose/inference/noise.hpp"
+
+namespace plumbline::diagnose {
+
+/// Logarithm of the density of a residual. Its innovations are normal; two in a hundred may be outliers, ten
+/// times as wide.
+double log_likelihood(const Measurements& measurements, const std::vector<double>& residual,
+                      const NoiseModel& noise);
+
+/// Logarithm of the prior probability that these effects act at these places, before any reading: a gap has
+/// one cause in three of four experiments, two in one of five, three in the rest; every effect is as likely
+/// as every other, and equally likely at each of its places.
+double log_prior(const Experiment& experiment, const Candidate& candidate);
+
+/// Logarithm of the evidence, by Laplace's method at the fit: likelihood, times the prior density of the
+/// fitted parameters, times the volume that the readings leave them. The prior of a parameter is a Cauchy
+/// density whose width is what a lab would call a sizeable effect, on the side of zero that is physical; of a
+/// position along an axis that has no natural zero (a stop's angle, a time constant) it is uniform over its
+/// range.
+double log_evidence(const Experiment& experiment, const Measurements& measurements, const Fit& fit,
+                    const NoiseModel& noise);
+
+}  // namespace plumbline::diagnose

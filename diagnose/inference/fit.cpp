@@ -1,0 +1,319 @@
+#include "diagnose/inference/fit.hpp"
+
+#include <ceres/ceres.h>
+#include <glog/logging.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagnose/inference/start.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// A candidate's residuals and their Jacobian at the parameters of the last call.
+class Problem {
+ public:
+  Problem(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
+          const FitSettings& settings)
+      : experiment_(experiment),
+        measurements_(measurements),
+        candidate_(candidate),
+        settings_(settings),
+        ranges_(parameter_ranges(experiment, candidate)) {}
+
+  [[nodiscard]] const std::vector<ParameterRange>& ranges() const { return ranges_; }
+  [[nodiscard]] bool reached() const { return reached_; }
+  [[nodiscard]] const std::vector<double>& residual() const { return residual_; }
+  [[nodiscard]] const Eigen::VectorXd& white() const { return white_; }
+  [[nodiscard]] const RowMatrix& jacobian() const { return jacobian_; }
+  [[nodiscard]] bool visible(Eigen::Index i) const {
+    return settings_.visible.empty() || settings_.visible[static_cast<std::size_t>(i)];
+  }
+
+  /// The cost alone; infinite where the rig cannot follow the experiment.
+  [[nodiscard]] double look(const std::vector<double>& parameters) const {
+    const Prediction predicted = predict(experiment_, candidate_, parameters);
+    if (!predicted.reached) return std::numeric_limits<double>::infinity();
+    const std::vector<double> white =
+        whiten(measurements_, measurements_.residual(experiment_, predicted), settings_.noise);
+    double sum = 0;
+    for (std::size_t i = 0; i < white.size(); ++i)
+      if (visible(static_cast<Eigen::Index>(i))) sum += huber(white[i], settings_.outlier_bound);
+    return sum;
+  }
+
+  /// \returns false where the rig cannot follow the experiment
+  bool evaluate(const std::vector<double>& parameters) {
+    if (known_ && parameters == at_) return reached_;
+    at_ = parameters;
+    known_ = true;
+    const Prediction predicted = predict(experiment_, candidate_, parameters, true);
+    reached_ = predicted.reached;
+    if (!reached_) return false;
+    residual_ = measurements_.residual(experiment_, predicted);
+    white_ = column(whiten(measurements_, residual_, settings_.noise));
+    jacobian_.resize(white_.size(), static_cast<Eigen::Index>(ranges_.size()));
+    for (std::size_t p = 0; p < ranges_.size(); ++p) {
+      const std::vector<double> change = measurements_.in_sigmas(predicted.sensitivity[p]);
+      jacobian_.col(static_cast<Eigen::Index>(p)) = -column(whiten(measurements_, change, settings_.noise));
+    }
+    for (Eigen::Index i = 0; i < white_.size(); ++i) {
+      if (visible(i)) continue;
+      white_(i) = 0;
+      jacobian_.row(i).setZero();
+    }
+    reached_ = white_.allFinite() && jacobian_.allFinite();
+    return reached_;
+  }
+
+  [[nodiscard]] double cost() const {
+    double sum = 0;
+    for (const double z : white_) sum += huber(z, settings_.outlier_bound);
+    return sum;
+  }
+
+ private:
+  static Eigen::VectorXd column(const std::vector<double>& values) {
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  }
+
+  const Experiment& experiment_;
+  const Measurements& measurements_;
+  const Candidate& candidate_;
+  const FitSettings& settings_;
+  std::vector<ParameterRange> ranges_;
+  std::vector<double> at_;
+  bool known_ = false, reached_ = false;
+  std::vector<double> residual_;
+  Eigen::VectorXd white_;
+  RowMatrix jacobian_;
+};
+
+/// The problem as Ceres sees it: parameters in units of their scales, residuals whose squares are the losses.
+/// Parameters that are held fixed are not among its unknowns.
+class Scaled final : public ceres::CostFunction {
+ public:
+  Scaled(Problem& problem, std::vector<double> base, std::vector<std::size_t> free, double bound, int values)
+      : problem_(problem), base_(std::move(base)), free_(std::move(free)), bound_(bound) {
+    set_num_residuals(values);
+    mutable_parameter_block_sizes()->push_back(static_cast<int>(free_.size()));
+  }
+
+  [[nodiscard]] std::vector<double> parameters(const double* scaled) const {
+    std::vector<double> all = base_;
+    for (std::size_t f = 0; f < free_.size(); ++f)
+      all[free_[f]] = scaled[f] * problem_.ranges()[free_[f]].scale;
+    return all;
+  }
+
+  bool Evaluate(double const* const* scaled, double* residuals, double** jacobians) const override {
+    if (!problem_.evaluate(parameters(scaled[0]))) return false;
+    const Eigen::VectorXd& white = problem_.white();
+    const auto columns = static_cast<Eigen::Index>(free_.size());
+    for (Eigen::Index i = 0; i < white.size(); ++i) {
+      const double z = white(i);
+      const double root = std::sqrt(huber(z, bound_));
+      residuals[i] = std::copysign(root, z);
+      if (jacobians == nullptr || jacobians[0] == nullptr) continue;
+      const double slope = std::abs(z) <= bound_ ? 1 : bound_ / root;
+      for (Eigen::Index f = 0; f < columns; ++f) {
+        const std::size_t p = free_[static_cast<std::size_t>(f)];
+        jacobians[0][i * columns + f] =
+            slope * problem_.jacobian()(i, static_cast<Eigen::Index>(p)) * problem_.ranges()[p].scale;
+      }
+    }
+    return true;
+  }
+
+ private:
+  Problem& problem_;
+  std::vector<double> base_;
+  std::vector<std::size_t> free_;
+  double bound_;
+};
+
+/// Minimises over the free parameters, the others held at their start. \returns whether a minimum was found
+bool minimise(Problem& problem, const std::vector<std::size_t>& free, double outlier_bound, int values,
+              std::vector<double>& parameters) {
+  if (!problem.evaluate(parameters) || free.empty()) return problem.reached();
+  std::vector<double> scaled;
+  scaled.reserve(free.size());
+  for (const std::size_t p : free) scaled.push_back(parameters[p] / problem.ranges()[p].scale);
+  auto* cost = new Scaled(problem, parameters, free, outlier_bound, values);  // Ceres takes it over
+  ceres::Problem least_squares;
+  least_squares.AddResidualBlock(cost, nullptr, scaled.data());
+  for (std::size_t f = 0; f < free.size(); ++f) {
+    const ParameterRange& range = problem.ranges()[free[f]];
+    least_squares.SetParameterLowerBound(scaled.data(), static_cast<int>(f), range.low / range.scale);
+    least_squares.SetParameterUpperBound(scaled.data(), static_cast<int>(f), range.high / range.scale);
+  }
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_QR;
+  options.logging_type = ceres::SILENT;
+  // What fails stands in the summary; Ceres's warnings, silent or not, would go to standard error.
+  FLAGS_minloglevel = google::GLOG_FATAL;
+  options.max_num_iterations = 30;
+  options.function_tolerance = 1e-5;
+  options.parameter_tolerance = 1e-7;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &least_squares, &summary);
+  parameters = cost->parameters(scaled.data());
+  return summary.IsSolutionUsable() && problem.evaluate(parameters);
+}
+
+std::vector<std::size_t> all_but(std::size_t count, std::size_t left_out) {
+  std::vector<std::size_t> result;
+  for (std::size_t p = 0; p < count; ++p)
+    if (p != left_out) result.push_back(p);
+  return result;
+}
+
+/// Covariance of the parameters inside their bounds, and what is known of each.
+void judge(Problem& problem, double outlier_bound, Fit& fitted) {
+  const std::vector<ParameterRange>& ranges = problem.ranges();
+  const auto count = static_cast<Eigen::Index>(ranges.size());
+  RowMatrix weighted = problem.jacobian();
+  for (Eigen::Index i = 0; i < weighted.rows(); ++i)
+    if (std::abs(problem.white()(i)) > outlier_bound) weighted.row(i).setZero();
+  fitted.information = weighted.colwise().squaredNorm();
+  fitted.covariance = Eigen::MatrixXd::Zero(count, count);
+  fitted.at_bound.assign(ranges.size(), false);
+  std::vector<Eigen::Index> inside;
+  for (std::size_t p = 0; p < ranges.size(); ++p) {
+    const double margin = 1e-6 * ranges[p].scale;
+    fitted.at_bound[p] =
+        fitted.parameters[p] <= ranges[p].low + margin || fitted.parameters[p] >= ranges[p].high - margin;
+    if (!fitted.at_bound[p]) inside.push_back(static_cast<Eigen::Index>(p));
+  }
+  if (inside.empty()) return;
+  const Eigen::MatrixXd columns = weighted(Eigen::all, inside);
+  const Eigen::VectorXd norm = columns.colwise().norm().cwiseMax(1e-300);
+  const Eigen::MatrixXd unit = columns * norm.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd inverse =
+      Eigen::MatrixXd(unit.transpose() * unit).completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::VectorXd scale = norm.cwiseInverse();
+  fitted.covariance(inside, inside) = scale.asDiagonal() * inverse * scale.asDiagonal();
+}
+
+std::vector<std::vector<double>> best_first(const Problem& problem, std::vector<std::vector<double>> from) {
+  if (from.size() == 1) return from;
+  std::vector<std::pair<double, std::vector<double>>> order;
+  for (std::vector<double>& start : from)
+    if (const double cost = problem.look(start); std::isfinite(cost))
+      order.emplace_back(cost, std::move(start));
+  std::sort(order.begin(), order.end());
+  from.clear();
+  for (auto& [cost, start] : order) from.push_back(std::move(start));
+  return from;
+}
+
+Fit best_of(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
+            const FitSettings& settings, const Starts& known) {
+  const Problem problem(experiment, measurements, candidate, settings);
+  Fit best;
+  best.candidate = candidate;
+  std::vector<std::vector<double>> order = best_first(problem, known.from);
+  if (order.size() > known.basins) order.resize(known.basins);
+  for (const std::vector<double>& start : order) {
+    Fit one = fit_from(experiment, measurements, candidate, settings, start);
+    if (one.converged && (!best.converged || one.cost < best.cost)) best = std::move(one);
+  }
+  return best;
+}
+
+}  // namespace
+
+double huber(double residual, double bound) {
+  const double size = std::abs(residual);
+  return size <= bound ? size * size : bound * (2 * size - bound);
+}
+
+Fit fit_from(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
+             const FitSettings& settings, const std::vector<double>& start) {
+  Problem problem(experiment, measurements, candidate, settings);
+  Fit fitted;
+  fitted.candidate = candidate;
+  fitted.parameters = start;
+  fitted.converged = minimise(problem, all_but(start.size(), start.size()), settings.outlier_bound,
+                              static_cast<int>(measurements.size()), fitted.parameters);
+  if (!fitted.converged) return fitted;
+  fitted.cost = problem.cost();
+  fitted.residual = problem.residual();
+  fitted.whitened = whiten(measurements, fitted.residual, settings.noise);
+  fitted.jacobian = problem.jacobian();
+  judge(problem, settings.outlier_bound, fitted);
+  return fitted;
+}
+
+Fit fit_nominal(const Experiment& experiment, const Measurements& measurements, const FitSettings& settings) {
+  return fit_from(experiment, measurements, {}, settings, {});
+}
+
+Fit fit(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
+        const FitSettings& settings) {
+  return best_of(experiment, measurements, candidate, settings, starts(experiment, candidate));
+}
+
+Fit refit_with(const Experiment& experiment, const Measurements& measurements, const Fit& fitted,
+               const EffectAt& newcomer, const FitSettings& settings) {
+  Candidate candidate = fitted.candidate;
+  candidate.effects.push_back(newcomer);
+  Starts known = starts(experiment, newcomer);
+  for (std::vector<double>& start : known.from)
+    start.insert(start.begin(), fitted.parameters.begin(), fitted.parameters.end());
+  return best_of(experiment, measurements, candidate, settings, known);
+}
+
+Profile profile(const Experiment& experiment, const Measurements& measurements, const Fit& fitted,
+                std::size_t parameter, const FitSettings& settings, double rise) {
+  Problem problem(experiment, measurements, fitted.candidate, settings);
+  const ParameterRange range = problem.ranges().at(parameter);
+  const std::vector<std::size_t> others = all_but(fitted.parameters.size(), parameter);
+  // The fit's own cost may be one in other noise.
+  const double least = problem.evaluate(fitted.parameters) ? problem.cost() : fitted.cost;
+  const auto excess = [&](double value, std::vector<double>& warm) {
+    warm[parameter] = value;
+    const bool found =
+        minimise(problem, others, settings.outlier_bound, static_cast<int>(measurements.size()), warm);
+    return found ? problem.cost() - least - rise : rise * 1e3;
+  };
+  const auto j = static_cast<Eigen::Index>(parameter);
+  const double sigma = std::sqrt(fitted.covariance(j, j));
+  const double first = sigma > 0 && std::isfinite(sigma) ? std::sqrt(rise) * sigma : 0.1 * range.scale;
+  // Regula falsi on the root of the excess, which is nearly a parabola with its vertex at the fit.
+  const auto cross = [&](double direction) {
+    const double limit = direction > 0 ? range.high : range.low;
+    std::vector<double> warm = fitted.parameters;
+    double inner = fitted.parameters[parameter], outer = inner, reach = first;
+    double inner_excess = -rise, outer_excess = -rise;
+    for (int i = 0; i < 40 && outer_excess < 0; ++i) {
+      inner = outer;
+      inner_excess = outer_excess;
+      outer = direction > 0 ? std::min(limit, outer + reach) : std::max(limit, outer - reach);
+      outer_excess = excess(outer, warm);
+      if (outer == limit && outer_excess < 0) return limit;
+      reach *= 1.6;
+    }
+    for (int i = 0; i < 30 && std::abs(outer - inner) > 0.01 * first; ++i) {
+      // Square roots make the parabola a line.
+      const double a = std::sqrt(std::max(0.0, inner_excess + rise)), b = std::sqrt(outer_excess + rise);
+      const double share = std::clamp((std::sqrt(rise) - a) / (b - a), 0.05, 0.95);
+      const double middle = inner + share * (outer - inner);
+      const double value = excess(middle, warm);
+      if (std::abs(value) < 0.01 * rise) return middle;
+      (value < 0 ? inner : outer) = middle;
+      (value < 0 ? inner_excess : outer_excess) = value;
+    }
+    return (inner + outer) / 2;
+  };
+  const double a = catalogue_value(range.coordinate, cross(-1));
+  const double b = catalogue_value(range.coordinate, cross(1));
+  return {std::min(a, b), std::max(a, b)};
+}
+
+}  // namespace plumbline::diagnose

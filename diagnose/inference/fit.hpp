@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// Fitting a candidate's parameters to an experiment: robust weighted least squares within physical bounds.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "diagnose/inference/noise.hpp"
+#include "diagnose/model/history.hpp"
+#include "diagnose/model/measurement.hpp"
+
+namespace plumbline::diagnose {
+
+/// What a fit weighs and which values it may see.
+struct FitSettings {
+  NoiseModel noise;           ///< residuals are whitened by it
+  std::vector<bool> visible;  ///< flat, by measured value; empty: all
+  /// Huber's bound, in standard deviations: a residual beyond it counts by its size, no longer by its square.
+  double outlier_bound = 3;
+};
+
+/// A fitted candidate.
+struct Fit {
+  Candidate candidate;
+  std::vector<double> parameters;  ///< fitted coordinates
+  std::vector<bool> at_bound;      ///< by parameter
+  Eigen::MatrixXd covariance;      ///< of the parameters; zero rows for those at a bound
+  Eigen::MatrixXd jacobian;        ///< of the whitened residual; zero rows where it is not visible
+  /// Information that the visible values hold on each parameter, J_p . J_p in whitened units. Zero: the runs
+  /// never exercised it.
+  Eigen::VectorXd information;
+  double cost = 0;               ///< twice the loss: the chi-square, but for outliers
+  std::vector<double> residual;  ///< (measured - predicted) / declared sigma, flat, all values
+  std::vector<double> whitened;  ///< the same, whitened
+  bool converged = false;        ///< a minimum was found, at which the rig can follow the experiment
+};
+
+/// Fits from the given start, or from the starts that `starts()` names, and returns the best.
+Fit fit(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
+        const FitSettings& settings);
+Fit fit_from(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
+             const FitSettings& settings, const std::vector<double>& start);
+
+/// The fit of nothing: the nominal model.
+Fit fit_nominal(const Experiment& experiment, const Measurements& measurements, const FitSettings& settings);
+
+/// A good fit with one more effect beside: only the newcomer is started afresh.
+Fit refit_with(const Experiment& experiment, const Measurements& measurements, const Fit& fitted,
+               const EffectAt& newcomer, const FitSettings& settings);
+
+/// Bounds of one parameter by profile likelihood: where the cost, minimised over all others, has risen by
+/// `rise` (3.84 for 95 %). A bound that the physical range cuts off is that end of the range.
+/// In catalogue units, low < high.
+struct Profile {
+  double low, high;
+};
+Profile profile(const Experiment& experiment, const Measurements& measurements, const Fit& fitted,
+                std::size_t parameter, const FitSettings& settings, double rise);
+
+/// Huber's loss of one whitened residual, twice: its square up to the bound, then linear.
+double huber(double residual, double bound);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,145 @@
+#include "diagnose/inference/gap.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/gamma.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace plumbline::diagnose {
+namespace {
+
+/// Low-frequency energy of each series in units of what the noise model expects of it, and the number of
+/// components that it is the sum of.
+struct Energy {
+  std::vector<double> value;
+  std::vector<double> components;
+
+  [[nodiscard]] double total() const {
+    double sum = 0;
+    for (const double v : value) sum += v;
+    return sum;
+  }
+};
+
+std::size_t slow_components(std::size_t count) {
+  return std::min<std::size_t>(6, (count + 2) / 3);
+}
+
+/// Orthonormal cosine component k of a series of m values.
+double cosine_component(const double* values, std::size_t m, std::size_t k) {
+  const double angle = std::numbers::pi * static_cast<double>(k) / static_cast<double>(m);
+  double sum = 0;
+  for (std::size_t i = 0; i < m; ++i) sum += values[i] * std::cos(angle * (static_cast<double>(i) + 0.5));
+  return sum * std::sqrt((k == 0 ? 1.0 : 2.0) / static_cast<double>(m));
+}
+
+/// Spectrum of first-order autoregressive noise of unit variance.
+double spectrum(double angle, double phi) {
+  return (1 - phi * phi) / (1 + phi * phi - 2 * phi * std::cos(angle));
+}
+
+Energy slow_energy(const Measurements& measurements, const std::vector<double>& residual,
+                   const NoiseModel& noise) {
+  Energy energy;
+  for (const Series& series : measurements.series()) {
+    const std::size_t m = series.readings.size();
+    const double scale = noise.of(series.channel.sensor());
+    double sum = 0;
+    for (std::size_t k = 0; k < slow_components(m); ++k) {
+      const double angle = std::numbers::pi * static_cast<double>(k) / static_cast<double>(m);
+      const double component = cosine_component(residual.data() + series.first, m, k) / scale;
+      sum += component * component / spectrum(angle, noise.correlation);
+    }
+    energy.value.push_back(sum);
+    energy.components.push_back(static_cast<double>(slow_components(m)));
+  }
+  return energy;
+}
+
+std::vector<double> simulate(const Measurements& measurements, const NoiseModel& noise,
+                             std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  std::vector<double> residual(measurements.size());
+  const double phi = noise.correlation;
+  const double innovation = std::sqrt(1 - phi * phi);
+  for (const Series& series : measurements.series()) {
+    double state = normal(random);
+    for (std::size_t i = 0; i < series.readings.size(); ++i) {
+      if (i > 0) state = phi * state + innovation * normal(random);
+      residual[series.first + i] = noise.of(series.channel.sensor()) * state;
+    }
+  }
+  return residual;
+}
+
+/// Mean and variance of the statistics when the residual is noise.
+struct Null {
+  double mean_total = 0, variance_total = 0;
+  std::vector<double> mean, variance;
+};
+
+Null null_distribution(const Measurements& measurements, const NoiseModel& noise) {
+  constexpr int draws = 150;  // the spread is then known to 6 %
+  std::mt19937_64 random(20221);
+  const std::size_t count = measurements.series().size();
+  Null null;
+  null.mean.assign(count, 0.0);
+  null.variance.assign(count, 0.0);
+  double square_total = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    const std::vector<double> residual = simulate(measurements, noise, random);
+    const Energy energy = slow_energy(measurements, residual, estimate_noise(measurements, residual));
+    null.mean_total += energy.total() / draws;
+    square_total += energy.total() * energy.total() / draws;
+    for (std::size_t s = 0; s < count; ++s) {
+      null.mean[s] += energy.value[s] / draws;
+      null.variance[s] += energy.value[s] * energy.value[s] / draws;
+    }
+  }
+  null.variance_total = square_total - null.mean_total * null.mean_total;
+  for (std::size_t s = 0; s < count; ++s) null.variance[s] -= null.mean[s] * null.mean[s];
+  return null;
+}
+
+/// Upper tail of the gamma distribution with this mean and variance.
+double upper_tail(double value, double mean, double variance) {
+  const boost::math::gamma_distribution<double> gamma(mean * mean / variance, variance / mean);
+  return boost::math::cdf(boost::math::complement(gamma, value));
+}
+
+/// Chance that noise within its limits shows differences as large as these.
+double scale_p_value(const RawNoise& raw) {
+  double p = 1;
+  for (std::size_t s = 0; s < raw.scale.size(); ++s) {
+    if (!(raw.values[s] > 1)) continue;
+    const double z = std::log(raw.scale[s] / largest_scale) * std::sqrt(raw.values[s] / 2);
+    p = std::min(p, 3 * boost::math::cdf(boost::math::complement(boost::math::normal(), z)));
+  }
+  return p;
+}
+
+}  // namespace
+
+GapTest test_gap(const Measurements& measurements, const std::vector<double>& residual) {
+  const std::vector<double> clean = without_outliers(measurements, residual);
+  GapTest test;
+  test.noise = estimate_noise(measurements, clean);
+  const Energy energy = slow_energy(measurements, clean, test.noise);
+  const Null null = null_distribution(measurements, test.noise);
+  test.structure = energy.total() / null.mean_total;
+  const double p_total = upper_tail(energy.total(), null.mean_total, null.variance_total);
+  double p_single = 1;
+  for (std::size_t s = 0; s < energy.value.size(); ++s) {
+    test.series_p_value.push_back(upper_tail(energy.value[s], null.mean[s], null.variance[s]));
+    p_single = std::min(p_single, static_cast<double>(energy.value.size()) * test.series_p_value.back());
+  }
+  // Three looks, so three times the smallest (Bonferroni).
+  test.p_value =
+      std::min(1.0, 3 * std::min({p_total, p_single, scale_p_value(raw_noise(measurements, clean))}));
+  return test;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Is there a gap? A test of a residual against noise whose scale and correlation are themselves uncertain.
+
+#include "diagnose/inference/noise.hpp"
+
+namespace plumbline::diagnose {
+
+/// The answer for one residual.
+struct GapTest {
+  double p_value;    ///< chance of as much structure from noise alone, over all that was looked at
+  double structure;  ///< low-frequency energy over what this noise explains; 1 without a gap
+  std::vector<double> series_p_value;  ///< by series, each alone
+  NoiseModel noise;                    ///< scale and correlation estimated along
+};
+
+/// The level at which a gap is called present: of a hundred experiments without a gap one is called to have
+/// one. Gaps of any use are far beyond it.
+inline constexpr double gap_level = 0.01;
+
+/// Tests whether a residual is noise: of any scale up to a factor of 1.5 from the declared one, correlated by
+/// at most 0.7 between neighbours, with a few isolated outliers. Looks at the energy of the six slowest
+/// cosine components of every series, together and one by one, against the noise that the differences of
+/// neighbours show, and at a scale beyond what a mis-declared sigma explains; the p-value covers all of it.
+/// The null distribution comes from simulated noise of the same layout that runs through the same estimators.
+GapTest test_gap(const Measurements& measurements, const std::vector<double>& residual);
+
+}  // namespace plumbline::diagnose

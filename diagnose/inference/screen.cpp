@@ -1,0 +1,218 @@
+#include "diagnose/inference/screen.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/inference/start.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// Parameters of an effect at nothing of it, and the parameters in which it then grows: by a small step, or
+/// by one as large as the effect may be where little of it acts otherwise than much (which joints stick or
+/// hang in their play at a reversal).
+struct Probe {
+  EffectAt effect;
+  std::vector<double> at;
+  std::vector<std::size_t> growing;
+  double step = 0;  ///< 0: a small one
+};
+
+std::vector<Probe> probes(const Experiment& experiment, const EffectAt& effect) {
+  const Starts known = starts(experiment, effect);
+  std::vector<Probe> result;
+  switch (effect.effect) {
+    case EffectId::joint_stop:
+      for (const auto& start : known.from) result.push_back({effect, {start[0], 0}, {1}});
+      break;
+    case EffectId::viscoelasticity:
+      for (const auto& start : known.from) result.push_back({effect, {0, start[1]}, {0}});
+      break;
+    case EffectId::backlash:
+    case EffectId::joint_friction:
+      for (const auto& start : known.from) result.push_back({effect, {0}, {0}, start[0]});
+      break;
+    case EffectId::link_bending:
+      result.push_back({effect, {0}, {0}, known.from.front()[0]});
+      break;
+    default: {
+      const std::size_t count = known.from.front().size();
+      std::vector<std::size_t> all(count);
+      for (std::size_t p = 0; p < count; ++p) all[p] = p;
+      result.push_back({effect, std::vector<double>(count, 0), all});
+    }
+  }
+  return result;
+}
+
+bool rides_along(const Probe& probe) {
+  return probe.step == 0;
+}
+
+/// Whitened derivatives of the prediction, with the rows that are not visible or count as outliers left out.
+class Weighing {
+ public:
+  Weighing(const Measurements& measurements, const Fit& fitted, const FitSettings& settings)
+      : measurements_(measurements), settings_(settings), used_(measurements.size()) {
+    residual_.resize(static_cast<Eigen::Index>(measurements.size()));
+    own_ = fitted.jacobian;
+    // Beside a large gap nothing is an outlier that is not far out of the gap too.
+    const double size = std::sqrt(fitted.cost / static_cast<double>(std::max<std::size_t>(1, used_.size())));
+    const double bound = settings.outlier_bound * std::max(1.0, 3 * size);
+    for (std::size_t i = 0; i < used_.size(); ++i) {
+      const double z = fitted.whitened[i];
+      const auto row = static_cast<Eigen::Index>(i);
+      used_[i] = settings.visible.empty() || settings.visible[i];
+      // Huber's weight: an outlier pulls as hard as one at the bound, and no harder.
+      weight_.push_back(used_[i] ? std::min(1.0, std::sqrt(bound / std::abs(z))) : 0.0);
+      residual_(row) = weight_.back() * z;
+      own_.row(row) *= weight_.back();
+    }
+    if (own_.cols() > 0)
+      basis_ =
+          own_.colPivHouseholderQr().householderQ() * Eigen::MatrixXd::Identity(own_.rows(), own_.cols());
+    project(residual_);
+  }
+
+  [[nodiscard]] const Eigen::VectorXd& residual() const { return residual_; }
+
+  [[nodiscard]] Eigen::VectorXd column(const std::vector<Trace>& sensitivity) const {
+    const std::vector<double> white =
+        whiten(measurements_, measurements_.in_sigmas(sensitivity), settings_.noise);
+    Eigen::VectorXd result(static_cast<Eigen::Index>(white.size()));
+    for (std::size_t i = 0; i < white.size(); ++i)
+      result(static_cast<Eigen::Index>(i)) = weight_[i] * white[i];
+    project(result);
+    return result;
+  }
+
+ private:
+  /// Takes away what the fit's own parameters explain.
+  void project(Eigen::VectorXd& vector) const {
+    if (basis_.cols() > 0) vector -= basis_ * (basis_.transpose() * vector);
+  }
+
+  const Measurements& measurements_;
+  const FitSettings& settings_;
+  std::vector<bool> used_;
+  std::vector<double> weight_;
+  Eigen::VectorXd residual_;
+  Eigen::MatrixXd own_, basis_;
+};
+
+/// Best step within bounds along the columns, one after the other where a bound is met, and the cost it
+/// saves.
+/// \returns the share of what was left that is left after it
+double best_step(const Weighing& weighing, const std::vector<Eigen::VectorXd>& columns,
+                 const std::vector<ParameterRange>& ranges, const Probe& probe, std::vector<double>& start) {
+  start = probe.at;
+  Eigen::VectorXd left = weighing.residual();
+  const double before = left.squaredNorm();
+  for (int sweep = 0; sweep < (columns.size() > 1 ? 20 : 1); ++sweep) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const std::size_t p = probe.growing[c];
+      const double square = columns[c].squaredNorm();
+      if (!(square * ranges[p].scale * ranges[p].scale > 1e-6)) continue;  // never exercised
+      const double wanted = start[p] + columns[c].dot(left) / square;
+      const double step = std::clamp(wanted, ranges[p].low, ranges[p].high) - start[p];
+      start[p] += step;
+      left -= step * columns[c];
+    }
+  }
+  return before > 0 ? left.squaredNorm() / before : 1;
+}
+
+/// One fit, and all that might act beside it.
+class Screen {
+ public:
+  Screen(const Experiment& experiment, const Fit& fitted)
+      : experiment_(experiment),
+        fitted_(fitted),
+        rig_(rig_with(experiment, fitted.candidate, fitted.parameters)) {
+    const std::vector<EffectAt>& own = fitted.candidate.effects;
+    for (const EffectAt& at : possible_effects(experiment)) {
+      if (std::find(own.begin(), own.end(), at) != own.end()) continue;
+      for (Probe& probe : probes(experiment, at)) probes_.push_back(std::move(probe));
+    }
+    simulate_main();
+  }
+
+  [[nodiscard]] const std::vector<Probe>& all() const { return probes_; }
+
+  /// Derivatives of the prediction by the growing parameters of a probe; none where the rig cannot follow.
+  [[nodiscard]] std::vector<Eigen::VectorXd> columns(std::size_t probe, const Weighing& weighing) const {
+    std::vector<Eigen::VectorXd> result;
+    if (rides_along(probes_[probe])) {
+      for (std::size_t c = 0; c < probes_[probe].growing.size(); ++c)
+        result.push_back(weighing.column(main_.sensitivity[first_[probe] + c]));
+    } else if (const Prediction far = quotient(probes_[probe]); far.reached) {
+      result.push_back(weighing.column(far.runs));
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Rig with(const Probe& probe, std::size_t parameter, double step) const {
+    Candidate candidate = fitted_.candidate;
+    candidate.effects.push_back(probe.effect);
+    std::vector<double> parameters = fitted_.parameters;
+    parameters.insert(parameters.end(), probe.at.begin(), probe.at.end());
+    parameters[fitted_.parameters.size() + parameter] += step;
+    return rig_with(experiment_, candidate, parameters);
+  }
+
+  void simulate_main() {
+    std::vector<RigVariation> beside;
+    for (const Probe& probe : probes_) {
+      first_.push_back(beside.size());
+      if (!rides_along(probe)) continue;
+      const std::vector<ParameterRange> ranges = parameter_ranges(experiment_, probe.effect);
+      for (const std::size_t p : probe.growing) {
+        const double step = variation_share * ranges[p].scale;
+        beside.push_back({with(probe, p, step), step});
+      }
+    }
+    main_ = simulate(experiment_, rig_, beside);
+  }
+
+  [[nodiscard]] Prediction quotient(const Probe& probe) const {
+    Prediction far = simulate(experiment_, with(probe, 0, probe.step), {});
+    for (std::size_t r = 0; far.reached && r < far.runs.size(); ++r)
+      far.runs[r] = (far.runs[r] - main_.runs[r]) / probe.step;
+    return far;
+  }
+
+  const Experiment& experiment_;
+  const Fit& fitted_;
+  Rig rig_;
+  std::vector<Probe> probes_;
+  std::vector<std::size_t> first_;  ///< by probe: its first variation beside the main rig
+  Prediction main_;
+};
+
+}  // namespace
+
+std::vector<Prospect> screen(const Experiment& experiment, const Measurements& measurements,
+                             const Fit& fitted, const FitSettings& settings) {
+  const Screen side(experiment, fitted);
+  const Weighing weighing(measurements, fitted, settings);
+  std::vector<Prospect> prospects;
+  for (std::size_t i = 0; i < side.all().size(); ++i) {
+    const Probe& probe = side.all()[i];
+    Prospect prospect{probe.effect, {}, 0};
+    prospect.cost =
+        fitted.cost * best_step(weighing, side.columns(i, weighing),
+                                parameter_ranges(experiment, probe.effect), probe, prospect.start);
+    if (prospects.empty() || prospects.back().effect != probe.effect) {
+      prospects.push_back(std::move(prospect));
+    } else if (prospect.cost < prospects.back().cost) {
+      prospects.back() = std::move(prospect);
+    }
+  }
+  std::sort(prospects.begin(), prospects.end(),
+            [](const Prospect& a, const Prospect& b) { return a.cost < b.cost; });
+  return prospects;
+}
+
+}  // namespace plumbline::diagnose

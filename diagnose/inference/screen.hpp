@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Which effect to try next: what a linear forecast says that each would explain of what a fit leaves.
+
+#include <vector>
+
+#include "diagnose/inference/fit.hpp"
+
+namespace plumbline::diagnose {
+
+/// An effect that might act beside those of a fit.
+struct Prospect {
+  EffectAt effect;
+  std::vector<double> start;  ///< its parameters, as far as the forecast knows
+  double cost;                ///< forecast of the cost with it, the fit's own parameters readjusted
+};
+
+/// Forecasts every possible effect beside a fit, the most promising first: the score test of each. All of
+/// them ride along with one prediction, so that
+/// the whole screen costs about as much as a few fits. An effect
+/// whose derivative depends on where it acts (a stop's angle, a time constant) is probed at several places.
+std::vector<Prospect> screen(const Experiment& experiment, const Measurements& measurements,
+                             const Fit& fitted, const FitSettings& settings);
+
+}  // namespace plumbline::diagnose

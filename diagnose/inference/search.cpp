@@ -1,0 +1,163 @@
+#include "diagnose/inference/search.hpp"
+
+#include <algorithm>
+
+#include "diagnose/inference/screen.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+bool better(const Fit& a, const Fit& b) {
+  return a.cost < b.cost;
+}
+
+bool same(const Candidate& a, const Candidate& b) {
+  return std::is_permutation(a.effects.begin(), a.effects.end(), b.effects.begin(), b.effects.end());
+}
+
+/// Adds fits, best first; of two of the same candidate the better.
+void add(std::vector<Fit>& fits, std::vector<Fit> more) {
+  for (Fit& one : more) {
+    const auto known = std::find_if(fits.begin(), fits.end(),
+                                    [&](const Fit& other) { return same(other.candidate, one.candidate); });
+    if (known == fits.end()) {
+      fits.push_back(std::move(one));
+    } else if (better(one, *known)) {
+      *known = std::move(one);
+    }
+  }
+  std::sort(fits.begin(), fits.end(), better);
+}
+
+/// How far a search goes. A second effect is looked for beside the twenty best effects alone: of two causes
+/// one is among them unless both hide behind more than a score that mimic their sum. A third is looked for
+/// beside the ten best pairs. The two dozen that promise most are fitted.
+constexpr std::size_t single_seeds = 20, pair_seeds = 10, finalists = 24;
+
+/// Effects that might act together, and where their fit should start.
+struct Combination {
+  Candidate candidate;
+  std::vector<double> start;
+  double cost;  ///< forecast
+};
+
+class Searcher {
+ public:
+  Searcher(const Experiment& experiment, const Measurements& measurements)
+      : experiment_(experiment), measurements_(measurements) {}
+
+  [[nodiscard]] std::vector<Fit> singles() const {
+    std::vector<Fit> fits;
+    for (const EffectAt& at : possible_effects(experiment_))
+      keep(fits, fit(experiment_, measurements_, Candidate{{at}}, {}));
+    std::sort(fits.begin(), fits.end(), better);
+    return fits;
+  }
+
+  /// Adds one more effect to each of the best so far.
+  [[nodiscard]] std::vector<Fit> extended(const std::vector<Fit>& from, std::size_t seeds) const {
+    std::vector<Combination> combinations;
+    for (std::size_t s = 0; s < std::min(seeds, from.size()); ++s) {
+      for (const Prospect& prospect : screen(experiment_, measurements_, from[s], {}))
+        offer(combinations, joined(from[s], prospect));
+    }
+    std::sort(combinations.begin(), combinations.end(),
+              [](const Combination& a, const Combination& b) { return a.cost < b.cost; });
+    std::vector<Fit> fits;
+    for (std::size_t c = 0; c < std::min(finalists, combinations.size()); ++c)
+      keep(fits, fit_from(experiment_, measurements_, combinations[c].candidate, {}, combinations[c].start));
+    std::sort(fits.begin(), fits.end(), better);
+    return fits;
+  }
+
+  /// The best combinations with one effect left out, started where the combination stands: a search that went
+  /// astray alone may have found its place in company.
+  [[nodiscard]] std::vector<Fit> parts(const std::vector<Fit>& combinations) const {
+    constexpr std::size_t examined = 3;
+    std::vector<Fit> fits;
+    for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c)
+      for (const EffectAt& left_out : combinations[c].candidate.effects)
+        keep(fits, without(combinations[c], left_out));
+    return fits;
+  }
+
+ private:
+  [[nodiscard]] Fit without(const Fit& combination, const EffectAt& left_out) const {
+    const Instance rest = part(combination.candidate, combination.parameters,
+                               [&](const EffectAt& at) { return at != left_out; });
+    return fit_from(experiment_, measurements_, rest.candidate, {}, rest.parameters);
+  }
+
+  /// Keeps what converged, unless its parameters are too many for so few readings: three for each.
+  void keep(std::vector<Fit>& fits, Fit one) const {
+    if (one.converged && 3 * one.parameters.size() <= measurements_.size()) fits.push_back(std::move(one));
+  }
+
+  static Combination joined(const Fit& base, const Prospect& prospect) {
+    Combination both{base.candidate, base.parameters, prospect.cost};
+    both.candidate.effects.push_back(prospect.effect);
+    both.start.insert(both.start.end(), prospect.start.begin(), prospect.start.end());
+    return both;
+  }
+
+  /// Keeps the better of two ways to the same combination.
+  static void offer(std::vector<Combination>& combinations, Combination one) {
+    const auto known = std::find_if(combinations.begin(), combinations.end(), [&](const Combination& other) {
+      return same(other.candidate, one.candidate);
+    });
+    if (known == combinations.end()) {
+      combinations.push_back(std::move(one));
+    } else if (one.cost < known->cost) {
+      *known = std::move(one);
+    }
+  }
+
+  const Experiment& experiment_;
+  const Measurements& measurements_;
+};
+
+}  // namespace
+
+void weigh(const Experiment& experiment, const Measurements& measurements, Findings& findings) {
+  auto& hypotheses = findings.hypotheses;
+  if (hypotheses.empty()) return;
+  const auto best = std::min_element(hypotheses.begin(), hypotheses.end(),
+                                     [](const auto& a, const auto& b) { return better(a.fit, b.fit); });
+  findings.noise = estimate_noise(measurements, without_outliers(measurements, best->fit.residual));
+  for (Hypothesis& hypothesis : hypotheses) {
+    hypothesis.log_likelihood = log_likelihood(measurements, hypothesis.fit.residual, findings.noise);
+    hypothesis.log_evidence = log_evidence(experiment, measurements, hypothesis.fit, findings.noise);
+  }
+  std::sort(hypotheses.begin(), hypotheses.end(),
+            [](const Hypothesis& a, const Hypothesis& b) { return a.log_evidence > b.log_evidence; });
+}
+
+Findings search(const Experiment& experiment, const Measurements& measurements,
+                const std::function<void(double)>& progress) {
+  const auto report = [&](double share) {
+    if (progress) progress(share);
+  };
+  const Searcher searcher(experiment, measurements);
+  std::vector<Fit> fits = searcher.singles();
+  const auto p_value = [&] { return test_gap(measurements, fits.front().residual).p_value; };
+  report(0.1);
+  constexpr double look_further = 0.05;  // a search more costs time alone
+  if (!fits.empty() && p_value() < look_further) {
+    const std::vector<Fit> pairs = searcher.extended(fits, single_seeds);
+    add(fits, pairs);
+    add(fits, searcher.parts(pairs));
+    report(0.5);
+    if (p_value() < fit_level) {
+      const std::vector<Fit> threes = searcher.extended(pairs, pair_seeds);
+      add(fits, threes);
+      add(fits, searcher.parts(threes));
+    }
+  }
+  Findings findings;
+  for (Fit& one : fits) findings.hypotheses.push_back({std::move(one), 0, 0, {}});
+  weigh(experiment, measurements, findings);
+  report(1);
+  return findings;
+}
+
+}  // namespace plumbline::diagnose

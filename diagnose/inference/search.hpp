@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// Looking for what explains the readings: every effect alone, then two and three together where one is not
+/// enough.
+
+#include <functional>
+#include <optional>
+
+#include "diagnose/inference/evidence.hpp"
+#include "diagnose/inference/gap.hpp"
+
+namespace plumbline::diagnose {
+
+/// An explanation that was fitted.
+struct Hypothesis {
+  Fit fit;
+  double log_likelihood = 0;
+  double log_evidence = 0;
+  std::optional<double> p_value;  ///< of the test for structure in what it leaves, where it was needed
+};
+
+/// What the search found, best evidence first, and the noise that the best of them leaves.
+struct Findings {
+  std::vector<Hypothesis> hypotheses;
+  NoiseModel noise;
+};
+
+/// Below this p-value an explanation leaves structure, and is none: of a thousand right ones one is refused.
+inline constexpr double fit_level = 0.001;
+
+/// Fits every possible effect; where the best still leaves structure, combinations of two, then of three.
+/// \param experiment  with outliers removed
+/// \param progress    called with the share of the work that is done
+Findings search(const Experiment& experiment, const Measurements& measurements,
+                const std::function<void(double)>& progress = {});
+
+/// Weighs fitted hypotheses against each other, best evidence first, in the noise that the best of them
+/// leaves.
+void weigh(const Experiment& experiment, const Measurements& measurements, Findings& findings);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// How far apart two explanations are: what one predicts and the other, refitted, cannot imitate.
+
+#include "diagnose/inference/fit.hpp"
+
+namespace plumbline::diagnose {
+
+/// Rows of a linear imitation: what one explanation predicts beyond another, in standard deviations, and what
+/// the parameters of the other can do about it.
+struct Imitation {
+  Eigen::VectorXd difference;
+  Eigen::MatrixXd slope;
+};
+
+/// On the readings that both were fitted to, in the same noise.
+Imitation imitation(const Fit& truth, const Fit& imitator);
+
+/// Squared distance that is left when the imitator has done its best. If `truth` is true, its log-likelihood
+/// is expected to lead by half of this, whatever the noise of this experiment happens to favour.
+double separation(const Imitation& rows);
+
+/// The same in as many rows as matter, by its triangular factor.
+Imitation condensed(const Imitation& rows);
+
+/// Both sets of rows under the same parameters.
+Imitation stacked(const Imitation& a, const Imitation& b);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,182 @@
+#include "diagnose/inference/verdict.hpp"
+
+#include <algorithm>
+#include <boost/math/special_functions/gamma.hpp>
+#include <cmath>
+#include <numbers>
+
+namespace plumbline::diagnose {
+namespace {
+
+bool zero_is_nominal(const ParameterRange& range) {
+  return range.coordinate == Coordinate::plain && range.low <= 0;
+}
+
+double chi2_per_dof(const Measurements& measurements, const Fit& fit, const NoiseModel& noise) {
+  double sum = 0;
+  for (const double z : whiten(measurements, without_outliers(measurements, fit.residual), noise))
+    sum += huber(z, FitSettings().outlier_bound);
+  const std::size_t values = measurements.size(), parameters = fit.parameters.size();
+  return sum / static_cast<double>(values > parameters ? values - parameters : 1);
+}
+
+/// Posterior probabilities of the genuine hypotheses; of all where none is genuine.
+std::vector<Ranked> ranked(const Experiment& experiment, const Measurements& measurements,
+                           const Findings& findings) {
+  const auto stands = [&](const Hypothesis& one) { return genuine(experiment, one.fit); };
+  const bool any = std::any_of(findings.hypotheses.begin(), findings.hypotheses.end(), stands);
+  std::vector<Ranked> ranking;
+  double sum = 0;
+  for (const Hypothesis& hypothesis : findings.hypotheses) {
+    if (any && !stands(hypothesis)) continue;
+    const double best = ranking.empty() ? hypothesis.log_evidence : ranking.front().hypothesis.log_evidence;
+    ranking.push_back({hypothesis, std::exp(hypothesis.log_evidence - best),
+                       chi2_per_dof(measurements, hypothesis.fit, findings.noise)});
+    sum += ranking.back().probability;
+  }
+  for (Ranked& one : ranking) one.probability /= sum;
+  return ranking;
+}
+
+}  // namespace
+
+std::string verdict_word(CauseVerdict verdict) {
+  switch (verdict) {
+    case CauseVerdict::none:
+      return "none";
+    case CauseVerdict::identified:
+      return "identified";
+    case CauseVerdict::ambiguous:
+      return "ambiguous";
+    case CauseVerdict::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+bool genuine(const Experiment& experiment, const Fit& fit) {
+  std::size_t p = 0;
+  for (const EffectAt& at : fit.candidate.effects) {
+    bool acts = false;
+    for (const ParameterRange& range : parameter_ranges(experiment, at)) {
+      const bool natural_zero = zero_is_nominal(range);
+      const bool at_zero = fit.at_bound[p] && natural_zero && std::abs(fit.parameters[p]) < range.scale;
+      if (fit.at_bound[p] && !at_zero) return false;
+      acts = acts || (natural_zero && !at_zero) || range.coordinate == Coordinate::reciprocal;
+      ++p;
+    }
+    if (!acts) return false;
+  }
+  return true;
+}
+
+namespace {
+
+/// The first of the ranking with so many effects, or the end.
+std::size_t first_of(const std::vector<Ranked>& ranking, std::size_t effects) {
+  const auto place = std::find_if(ranking.begin(), ranking.end(), [&](const Ranked& one) {
+    return one.hypothesis.fit.candidate.effects.size() == effects;
+  });
+  return static_cast<std::size_t>(place - ranking.begin());
+}
+
+/// The absolute test of a fit: for structure in what it leaves, and for its size beyond what a mis-declared
+/// sigma explains, counting the parameters that it has spent.
+double fit_p_value(const Measurements& measurements, const Fit& fit, const NoiseModel& noise) {
+  if (fit.parameters.size() >= measurements.size()) return 0;
+  NoiseModel widest = noise;
+  widest.scale.fill(largest_scale);
+  const auto free = static_cast<double>(measurements.size() - fit.parameters.size());
+  const double square = free * chi2_per_dof(measurements, fit, widest);
+  const double size = boost::math::gamma_q(free / 2, square / 2);
+  return std::min(size, test_gap(measurements, fit.residual).p_value);
+}
+
+/// Log-likelihood that a fit gains over a simpler one, in the noise that the simpler one leaves: in its own,
+/// what it has fitted of correlated noise would count for it.
+double gain(const Measurements& measurements, const Fit& simpler, const Fit& fuller) {
+  const NoiseModel noise = estimate_noise(measurements, without_outliers(measurements, simpler.residual));
+  return log_likelihood(measurements, fuller.residual, noise) -
+         log_likelihood(measurements, simpler.residual, noise);
+}
+
+/// The simplest explanation that leaves no structure, unless one more effect is significant at all the places
+/// where it could have been found; the end of the ranking when none suffices.
+std::size_t choose(const Experiment& experiment, const Measurements& measurements, const NoiseModel& noise,
+                   std::vector<Ranked>& ranking) {
+  const double significant = told_apart + std::log(static_cast<double>(possible_effects(experiment).size()));
+  std::size_t chosen = ranking.size();
+  for (std::size_t effects = 1; effects <= 3; ++effects) {
+    const std::size_t place = first_of(ranking, effects);
+    if (place == ranking.size()) continue;
+    Hypothesis& one = ranking[place].hypothesis;
+    if (!genuine(experiment, one.fit)) continue;
+    one.p_value = fit_p_value(measurements, one.fit, noise);
+    if (*one.p_value < fit_level) continue;
+    if (chosen == ranking.size()) {
+      chosen = place;
+      continue;
+    }
+    const Fit& simpler = ranking[chosen].hypothesis.fit;
+    const auto more = static_cast<double>(effects - simpler.candidate.effects.size());
+    if (gain(measurements, simpler, one.fit) > more * significant) chosen = place;
+  }
+  return chosen;
+}
+
+/// Probability that the cause is outside the catalogue, from the test of what the best explanation leaves.
+/// The odds are those of Sellke, Bayarri and Berger (2001), 1 / (-e p ln p), for a p-value below 1/e; an
+/// explanation from the catalogue that fits by chance is rarer still, by the factor that simulated
+/// experiments show.
+double probability_of_unknown(double p_value) {
+  constexpr double prior_odds = 0.1 / 0.9, by_chance = 0.1;
+  const double p = std::clamp(p_value, 1e-300, std::exp(-1.0));
+  const double odds = prior_odds * by_chance / (-std::numbers::e * p * std::log(p));
+  return odds / (1 + odds);
+}
+
+/// Whether an explanation of as many effects comes near the best.
+bool near(const Hypothesis& best, const Hypothesis& other) {
+  return other.fit.candidate.effects.size() == best.fit.candidate.effects.size() &&
+         (other.log_likelihood > best.log_likelihood - told_apart ||
+          other.log_evidence > best.log_evidence - told_apart);
+}
+
+}  // namespace
+
+std::size_t best_partial(const Measurements& measurements, const std::vector<const Fit*>& fits) {
+  const double independent = static_cast<double>(measurements.size()) / 8;
+  const auto criterion = [&](const Fit* one) {
+    return independent * std::log(one->cost) +
+           static_cast<double>(one->parameters.size()) * std::log(std::max(independent, 2.0));
+  };
+  const auto place = std::min_element(
+      fits.begin(), fits.end(), [&](const Fit* a, const Fit* b) { return criterion(a) < criterion(b); });
+  return static_cast<std::size_t>(place - fits.begin());
+}
+
+Cause judge(const Experiment& experiment, const Measurements& measurements, const Findings& findings) {
+  Cause cause;
+  cause.ranking = ranked(experiment, measurements, findings);
+  cause.verdict = CauseVerdict::unknown;
+  const std::size_t chosen = choose(experiment, measurements, findings.noise, cause.ranking);
+  double p_value = 0;
+  for (const Ranked& one : cause.ranking) p_value = std::max(p_value, one.hypothesis.p_value.value_or(0));
+  cause.unknown = probability_of_unknown(p_value);
+  for (Ranked& one : cause.ranking) one.probability *= 1 - cause.unknown;
+  if (chosen == cause.ranking.size()) {
+    std::vector<const Fit*> partial;
+    for (const Ranked& one : cause.ranking) partial.push_back(&one.hypothesis.fit);
+    if (!partial.empty()) cause.best = best_partial(measurements, partial);
+    return cause;
+  }
+  cause.best = chosen;
+  const Hypothesis& best = cause.ranking[chosen].hypothesis;
+  for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
+    if (i != chosen && near(best, cause.ranking[i].hypothesis)) cause.equivalent.push_back(i);
+  }
+  cause.verdict = cause.equivalent.empty() ? CauseVerdict::identified : CauseVerdict::ambiguous;
+  return cause;
+}
+
+}  // namespace plumbline::diagnose

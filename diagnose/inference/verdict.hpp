@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// From fitted hypotheses to a verdict: what stands out, what cannot be told apart, what is not explained.
+
+#include "diagnose/inference/search.hpp"
+
+namespace plumbline::diagnose {
+
+enum class CauseVerdict { none, identified, ambiguous, unknown };
+
+/// The word of the report.
+std::string verdict_word(CauseVerdict verdict);
+
+/// A hypothesis with what was concluded of it.
+struct Ranked {
+  Hypothesis hypothesis;
+  double probability;
+  double chi2_per_dof;  ///< in the noise as it is, without outliers
+};
+
+struct Cause {
+  CauseVerdict verdict = CauseVerdict::none;
+  std::vector<Ranked> ranking;          ///< most probable first
+  bool or_unknown = false;              ///< the best did not predict: the cause may be outside the catalogue
+  double unknown = 0;                   ///< probability that the cause is none of the ranking
+  std::size_t best = 0;                 ///< place of the best, for `unknown` of the best partial one
+  std::vector<std::size_t> equivalent;  ///< places in the ranking that cannot be told apart from the best
+};
+
+/// Two explanations whose log-likelihoods, or whose log-evidences, differ by less are not told apart: the
+/// better one would be the wrong one in five of a hundred experiments (odds of twenty to one).
+inline constexpr double told_apart = 3.0;
+
+/// Whether a hypothesis is what it says: none of its effects is switched off by a parameter at zero, and none
+/// has run to the end of a range where it turns into another effect (a stop that always touches is a stiffer
+/// joint, a relaxation slower than the experiment a stiffer spring).
+bool genuine(const Experiment& experiment, const Fit& fit);
+
+/// Place of the explanation that is worth most where none is right: what it leaves is then taken as noise
+/// that eight neighbouring readings share, and parameters are charged by Schwarz's criterion.
+std::size_t best_partial(const Measurements& measurements, const std::vector<const Fit*>& fits);
+
+/// The best hypothesis is identified when it leaves no structure and no other comes near; ambiguous with
+/// those that come near; unknown when it leaves structure.
+Cause judge(const Experiment& experiment, const Measurements& measurements, const Findings& findings);
+
+}  // namespace plumbline::diagnose

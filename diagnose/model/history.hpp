@@ -1,0 +1,50 @@
+#pragma once
+/// \file
+/// What an experiment would have measured if its rig had given effects: the whole loading history of every
+/// run.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "diagnose/bench/experiment.hpp"
+#include "diagnose/model/effect.hpp"
+
+namespace plumbline::diagnose {
+
+/// The channels of a reading, as columns: x, y, Fx, Fy, q_1 … q_n.
+enum ChannelColumn : Eigen::Index { column_x, column_y, column_Fx, column_Fy, column_q };
+
+/// One run as predicted: a row a reading, a column a channel. Imposed channels repeat what was commanded.
+using Trace = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// All runs of an experiment.
+struct Prediction {
+  /// False where the rig cannot follow the experiment: a commanded end point out of reach, or no stable
+  /// posture.
+  bool reached = true;
+  bool snapped = false;                         ///< some run went through a snap
+  std::vector<Trace> runs;                      ///< one a run; NaN where the rig did not get
+  std::vector<std::vector<Trace>> sensitivity;  ///< [parameter][run]: derivative by the fitted coordinate
+};
+
+/// A rig that differs by a small step in one parameter.
+struct RigVariation {
+  Rig rig;
+  double step;
+};
+
+/// Predicts what a rig would give and, beside it, the difference quotients of its variations.
+Prediction simulate(const Experiment& experiment, const Rig& rig,
+                    const std::vector<RigVariation>& variations);
+
+/// The share of a parameter's scale by which sensitivities vary it.
+inline constexpr double variation_share = 1e-6;
+
+/// Predicts every channel of every reading.
+/// \param parameters         fitted coordinates, in the order of the candidate's effects
+/// \param with_sensitivity   also the derivatives by each parameter: one chord step and one back substitution
+///                           each, so about a third of the cost of the prediction itself
+Prediction predict(const Experiment& experiment, const Candidate& candidate,
+                   const std::vector<double>& parameters, bool with_sensitivity = false);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,60 @@
+#pragma once
+/// \file
+/// The rig as it is: the nominal chain and bench, and beside them everything that the effects of the
+/// catalogue can add. A rig whose additions are all zero is the nominal model, so any set of effects can be
+/// active together.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "diagnose/bench/experiment.hpp"
+
+namespace plumbline::diagnose {
+
+using Vector2 = Eigen::Vector2d;
+
+/// Standard gravity as the catalogue counts it, m/s^2.
+inline constexpr double standard_gravity = 9.81;
+
+struct Rig {
+  // The chain, per joint or link.
+  std::vector<double> length;      ///< L_j
+  std::vector<double> stiffness;   ///< k_i
+  std::vector<double> rest_error;  ///< added to the commanded rest angle
+  std::vector<double> backlash;    ///< half the play, b
+  std::vector<double> stop;        ///< deflection at which the stop is reached, s; infinite without a stop
+  std::vector<double> stop_stiffness;  ///< k_s
+  std::vector<Vector2> weight;         ///< dead weight of each link, at its middle, N
+
+  // The chain as a whole.
+  double hardening = 0;      ///< c of k d (1 + c d^2), 1/rad^2
+  double friction = 0;       ///< tau_c of every elastic joint, N m
+  double coupling = 0;       ///< kappa between neighbouring joints, N m/rad
+  double axial = 0;          ///< c_a, strain per newton
+  double flexibility = 0;    ///< 1/EI of every link, 1/(N m^2)
+  double arm_ratio = 0;      ///< m: stiffness of the Maxwell arms over that of their springs
+  double relaxation = 1;     ///< tau of the Maxwell arms, s
+  double tip_stiffness = 0;  ///< k_t, N m/rad
+  double eccentricity = 0;   ///< e, m
+
+  // The bench.
+  Vector2 payload = Vector2::Zero();          ///< weight at the end point, N
+  Vector2 base_compliance = Vector2::Zero();  ///< c_x, c_y, m/N
+  double train_compliance = 0;                ///< c_t, m/N
+  double misalignment = 0;                    ///< eps, rad
+  Vector2 position_offset = Vector2::Zero();  ///< d_x, d_y, m
+
+  // The load cell and the drive.
+  double guide_friction = 0;              ///< f_c, N
+  double force_gain = 0;                  ///< g
+  Vector2 force_bias = Vector2::Zero();   ///< b_x, b_y, N
+  Vector2 force_drift = Vector2::Zero();  ///< r_x, r_y, N/s
+};
+
+/// Where the end point of the nominal chain lies at rest.
+Vector2 unloaded_end(const Experiment& experiment, const std::vector<double>& rest);
+
+/// The rig that the nominal model believes in.
+Rig nominal_rig(const Experiment& experiment);
+
+}  // namespace plumbline::diagnose

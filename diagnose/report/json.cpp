@@ -1,0 +1,165 @@
+#include "diagnose/report/report.hpp"
+
+#include <algorithm>
+
+namespace plumbline::diagnose {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json effect_names(const Candidate& candidate) {
+  Json names = Json::array();
+  for (const EffectAt& at : candidate.effects) names.push_back(label(at));
+  return names;
+}
+
+/// The noise of the sensors that measured something, over the declared.
+Json noise(const NoiseModel& model, const std::map<std::string, double>& by_channel) {
+  const auto measured = [&](const std::string& initials) {
+    return std::any_of(by_channel.begin(), by_channel.end(), [&](const auto& channel) {
+      return initials.find(channel.first[0]) != std::string::npos;
+    });
+  };
+  Json result = Json::object();
+  if (measured("F")) result["force"] = model.of(Sensor::force);
+  if (measured("xy")) result["position"] = model.of(Sensor::position);
+  if (measured("q")) result["angle"] = model.of(Sensor::angle);
+  result["correlation"] = model.correlation;
+  return result;
+}
+
+Json gap(const GapAnswer& answer, const NoiseModel& model) {
+  return {{"present", answer.present},
+          {"p_value", answer.test.p_value},
+          {"chi2_per_dof", answer.chi2_per_value},
+          {"rms", answer.rms},
+          {"noise", noise(model, answer.rms)}};
+}
+
+Json where(const Where& places) {
+  Json channels = Json::array(), runs = Json::array(), path = Json::array(), joints = Json::array();
+  for (const auto& one : places.channels)
+    channels.push_back({{"channel", one.channel}, {"share", one.share}});
+  for (const auto& one : places.runs) runs.push_back({{"run", one.run}, {"share", one.share}});
+  for (const auto& one : places.load_path) {
+    path.push_back(
+        {{"run", one.run}, {"from", one.from}, {"to", one.to}, {"share", one.share}, {"regime", one.regime}});
+  }
+  for (const auto& one : places.joints) joints.push_back({{"joint", one.joint}, {"share", one.share}});
+  return {{"channels", channels},
+          {"runs", runs},
+          {"load_path", path},
+          {"joints", joints},
+          {"joint_evidence", joint_evidence_words(places.joint_evidence)}};
+}
+
+Json effects(const Candidate& candidate, const std::vector<std::vector<Estimate>>& estimates) {
+  Json list = Json::array();
+  for (std::size_t e = 0; e < candidate.effects.size(); ++e) {
+    const EffectAt& at = candidate.effects[e];
+    Json parameters = Json::object();
+    for (const Estimate& one : estimates[e])
+      parameters[one.name] = {
+          {"value", one.value}, {"low", one.low}, {"high", one.high}, {"at_bound", one.at_bound}};
+    list.push_back({{"id", effect_name(at.effect)},
+                    {"joint", at.joint > 0 ? Json(at.joint) : Json(nullptr)},
+                    {"parameters", parameters}});
+  }
+  return list;
+}
+
+Json cause(const Diagnosis& diagnosis) {
+  const Cause& found = diagnosis.cause;
+  Json equivalent = Json::array(), ranking = Json::array(), idle = Json::array();
+  for (const std::size_t place : found.equivalent)
+    equivalent.push_back(effect_names(found.ranking[place].hypothesis.fit.candidate));
+  if (found.or_unknown) equivalent.push_back({"unknown"});
+  constexpr std::size_t shown = 10;
+  for (std::size_t i = 0; i < std::min(shown, found.ranking.size()); ++i) {
+    const Ranked& one = found.ranking[i];
+    ranking.push_back({{"effects", effect_names(one.hypothesis.fit.candidate)},
+                       {"probability", one.probability},
+                       {"chi2_per_dof", one.chi2_per_dof}});
+  }
+  // An unknown cause predicts nothing beyond the nominal model.
+  if (diagnosis.gap.present) {
+    ranking.push_back({{"effects", {"unknown"}},
+                       {"probability", found.unknown},
+                       {"chi2_per_dof", diagnosis.gap.chi2_per_value}});
+  }
+  for (const EffectAt& at : diagnosis.not_exercised) idle.push_back(label(at));
+  const bool explained =
+      found.verdict == CauseVerdict::identified || found.verdict == CauseVerdict::ambiguous;
+  return {
+      {"verdict", verdict_word(found.verdict)},
+      {"effects", explained ? effects(found.ranking[found.best].hypothesis.fit.candidate, diagnosis.estimates)
+                            : Json::array()},
+      {"equivalent", equivalent},
+      {"ranking", ranking},
+      {"not_exercised", idle}};
+}
+
+Json shrink(const Shrink& measured) {
+  Json channels = Json::object();
+  for (const auto& [channel, one] : measured.channels) {
+    channels[channel] = {{"ratio", one.ratio},
+                         {"ratio_low", one.ratio_low},
+                         {"ratio_high", one.ratio_high},
+                         {"noise_floor_ratio", one.noise_floor_ratio}};
+  }
+  return {{"heldout", measured.heldout},
+          {"rms_before", measured.rms_before},
+          {"rms_after", measured.rms_after},
+          {"ratio", measured.ratio},
+          {"ratio_low", measured.ratio_low},
+          {"ratio_high", measured.ratio_high},
+          {"noise_floor_ratio", measured.noise_floor_ratio},
+          {"chi2_per_dof_after", measured.chi2_per_value_after},
+          {"channels", channels}};
+}
+
+Json missing(const Missing& what) {
+  Json points = Json::array();
+  for (const MissingPoint& point : what.points)
+    points.push_back({point.at, point.value, point.t, point.returning});
+  return {{"what", what.what},
+          {"unit", what.unit},
+          {"against", what.against},
+          {"explained",
+           {{"position", what.by_position}, {"direction", what.by_direction}, {"time", what.by_time}}},
+          {"points", points}};
+}
+
+Json next(const std::vector<Proposal>& proposals) {
+  Json list = Json::array();
+  for (const Proposal& one : proposals)
+    list.push_back({{"run", one.description}, {"expected_log_odds", one.log_odds}});
+  return list;
+}
+
+}  // namespace
+
+std::string label(const EffectAt& at) {
+  std::string text(effect_name(at.effect));
+  return at.joint > 0 ? text + "(" + std::to_string(at.joint) + ")" : text;
+}
+
+std::string label(const Candidate& candidate) {
+  std::string text;
+  for (const EffectAt& at : candidate.effects) text += (text.empty() ? "" : " + ") + label(at);
+  return text;
+}
+
+Json as_json(const Diagnosis& diagnosis) {
+  Json places = where(diagnosis.where);
+  if (diagnosis.missing) places["missing"] = missing(*diagnosis.missing);
+  return {{"format", "gap-diagnosis/1"},
+          {"experiment", diagnosis.experiment},
+          {"gap", gap(diagnosis.gap, diagnosis.noise)},
+          {"where", places},
+          {"cause", cause(diagnosis)},
+          {"shrink", diagnosis.shrink ? shrink(*diagnosis.shrink) : Json(nullptr)},
+          {"next", next(diagnosis.proposals)}};
+}
+
+}  // namespace plumbline::diagnose

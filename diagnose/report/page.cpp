@@ -1,0 +1,225 @@
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "diagnose/report/charts.hpp"
+#include "diagnose/report/effect_words.hpp"
+#include "diagnose/report/page_texts.hpp"
+#include "diagnose/report/report.hpp"
+#include "page/markup.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// By the place in the report.
+page::NumberStyle style_of(const std::string& pointer) {
+  const std::string key = pointer.substr(pointer.rfind('/') + 1);
+  if (key == "share") return page::NumberStyle::share;
+  if (key == "p_value") return page::NumberStyle::chance;
+  if (key == "probability" || pointer.find("/explained/") != std::string::npos ||
+      key.find("ratio") != std::string::npos)
+    return page::NumberStyle::percent;
+  if (key == "from" || key == "to" || key == "joint") return page::NumberStyle::count;
+  if (key == "value" || key == "low" || key == "high") return page::NumberStyle::precise;
+  return key == "expected_log_odds" ? page::NumberStyle::odds : page::NumberStyle::figures;
+}
+
+std::string joined(const std::vector<std::string>& parts, const std::string& between,
+                   const std::string& last) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? last : between) + parts[i];
+  return text;
+}
+
+std::string words(const Candidate& candidate) {
+  std::vector<std::string> parts;
+  for (const EffectAt& at : candidate.effects) parts.push_back(in_words(at));
+  return joined(parts, ", ", " and ");
+}
+
+Json section(Json list) {
+  const bool any = !list.empty();
+  return {{"any", any}, {"list", std::move(list)}};
+}
+
+/// Gives each entry of a list the width of its bar.
+void add_bars(Json& list, const Json& report, const char* key) {
+  for (std::size_t i = 0; i < list.size(); ++i)
+    list[i]["bar"] = fmt::format("{:.1f}", 100 * report[i][key].get<double>());
+}
+
+Json charts(const std::vector<PageChart>& drawings, bool angles) {
+  Json list = Json::array();
+  for (const PageChart& one : drawings)
+    if (one.angle == angles) list.push_back({{"caption", one.caption}, {"svg", one.svg}});
+  return list;
+}
+
+/// The channels of a report's object {"Fx": ..., "Fy": ...}, forces first as they come.
+Json gap_channels(const Json& rms) {
+  Json list = Json::array();
+  for (const auto& [channel, value] : rms.items())
+    list.push_back({{"channel", channel}, {"unit", unit_of(channel)}, {"rms", value}, {"last", false}});
+  if (!list.empty()) list.back()["last"] = true;
+  return list;
+}
+
+Json shrink_channels(const Json& shrink) {
+  Json list = Json::array();
+  for (const auto& [channel, value] : shrink["channels"].items()) {
+    Json row = value;
+    row["channel"] = channel;
+    row["unit"] = unit_of(channel);
+    row["before"] = shrink["rms_before"][channel];
+    row["after"] = shrink["rms_after"][channel];
+    list.push_back(row);
+  }
+  return list;
+}
+
+/// The parameters of all effects of the best explanation, one a row.
+Json parameters(const Json& effects, const Candidate& best) {
+  Json rows = Json::array();
+  for (std::size_t e = 0; e < effects.size(); ++e) {
+    const EffectAt& at = best.effects[e];
+    for (const auto& [name, bounds] : effects[e]["parameters"].items()) {
+      Json row = bounds;
+      row["effect"] = effect_name(at.effect);
+      row["place"] = at.joint > 0 ? effects[e]["joint"] : Json("–");
+      row["name"] = name;
+      row["unit"] = unit(at.effect, name);
+      rows.push_back(row);
+    }
+  }
+  return rows;
+}
+
+/// Effects that change nothing that this bench could show.
+std::string out_of_sight(const Experiment& experiment) {
+  const std::vector<EffectAt> possible = possible_effects(experiment);
+  std::vector<std::string> parts;
+  for (std::size_t e = 0; e < effect_count; ++e) {
+    const auto effect = static_cast<EffectId>(e);
+    if (std::none_of(possible.begin(), possible.end(),
+                     [&](const EffectAt& at) { return at.effect == effect; }))
+      parts.emplace_back(effect_name(effect));
+  }
+  return joined(parts, ", ", ", ");
+}
+
+Json not_excluded(const Explained& explained, const Json& ranking) {
+  Json list = Json::array();
+  const Cause& cause = explained.diagnosis.cause;
+  const auto add = [&](const std::string& who, const std::string& why) {
+    if (!who.empty()) list.push_back({{"names", who}, {"why", why}});
+  };
+  for (const std::size_t place : cause.equivalent)
+    add(label(cause.ranking[place].hypothesis.fit.candidate),
+        fmt::format("fits these readings as well as the best: log-likelihood or log-evidence differ by less "
+                    "than {:g}",
+                    told_apart));
+  for (std::size_t i = 0; i < std::min(ranking.size(), cause.ranking.size()); ++i) {
+    const bool listed =
+        i == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), i) > 0;
+    if (!listed && cause.verdict != CauseVerdict::unknown && cause.ranking[i].probability >= 0.01)
+      add(label(cause.ranking[i].hypothesis.fit.candidate),
+          "less probable, yet keeps " + ranking[i]["probability"].get<std::string>());
+  }
+  if (cause.or_unknown) {
+    add("unknown", "fitted without the held-out readings, the explanation does not predict them");
+  } else if (cause.verdict != CauseVerdict::unknown && cause.unknown >= 0.01) {
+    add("unknown", "a cause outside the catalogue keeps " + ranking.back()["probability"].get<std::string>());
+  }
+  std::vector<std::string> idle;
+  for (const EffectAt& at : explained.diagnosis.not_exercised) idle.push_back(label(at));
+  add(joined(idle, ", ", ", "), "never exercised: no reading of these runs depends on it");
+  add(out_of_sight(explained.experiment),
+      "not looked for: on this bench, with these channels, it could change nothing that was measured");
+  return list;
+}
+
+/// Adds what the verdict's sentence says of the cause.
+void add_cause(Json& view, const Json& report, const Explained& explained) {
+  const Cause& cause = explained.diagnosis.cause;
+  view["verdict"] = Json{{verdict_word(cause.verdict), true}};
+  view["best"] = false;
+  if (explained.best != nullptr) {
+    const Candidate& best = explained.best->candidate;
+    view["best"] = {{"names", label(best)}, {"words", words(best)}, {"model", explained.model}};
+    Json rows = parameters(view["cause"]["effects"], best);
+    const bool any = !rows.empty();
+    view["explained"] = {{"any", any}, {"parameters", std::move(rows)}};
+  }
+  std::vector<std::string> alternatives;
+  for (const std::size_t place : cause.equivalent)
+    alternatives.push_back(words(cause.ranking[place].hypothesis.fit.candidate));
+  if (cause.or_unknown) alternatives.emplace_back("a cause outside the catalogue");
+  view["alternatives"] = joined(alternatives, ", ", " or ");
+  Json& ranking = view["cause"]["ranking"];
+  for (Json& one : ranking) {
+    std::string names;
+    for (const Json& effect : one["effects"])
+      names += (names.empty() ? "" : " + ") + effect.get<std::string>();
+    one["names"] = names;
+  }
+  add_bars(ranking, report["cause"]["ranking"], "probability");
+  // Where nothing explains the gap, the unknown leads.
+  if (cause.verdict == CauseVerdict::unknown) std::rotate(ranking.begin(), ranking.end() - 1, ranking.end());
+  view["ranked"] = {{"any", !ranking.empty()}};
+  view["open"] = section(not_excluded(explained, ranking));
+}
+
+void add_where(Json& view, const Json& report, const Explained& explained) {
+  const Where& where = explained.diagnosis.where;
+  for (const char* list : {"channels", "runs", "load_path", "joints"})
+    add_bars(view["where"][list], report["where"][list], "share");
+  view["joint_evidence"] = joint_evidence_words(where.joint_evidence);
+  view["most"] = {
+      {"channel", where.channels.front().channel}, {"run", where.runs.front().run}, {"joint", false}};
+  if (where.joint_evidence == JointEvidence::measured && where.joints.front().share > 0.5)
+    view["most"]["joint"] = std::to_string(where.joints.front().joint);
+  if (!explained.diagnosis.missing) return;
+  const PageChart chart = missing_chart(*explained.diagnosis.missing);
+  view["missing"] = view["where"]["missing"];
+  view["missing"].erase("points");
+  view["missing"]["chart"] = {{"caption", chart.caption}, {"svg", chart.svg}};
+}
+
+void add_charts(Json& view, const Explained& explained) {
+  const std::vector<PageChart> curves = curve_charts(explained), residuals = residual_charts(explained);
+  view["curves"] = charts(curves, false);
+  view["angle_curves"] = section(charts(curves, true));
+  view["residuals"] = charts(residuals, false);
+  view["angle_residuals"] = section(charts(residuals, true));
+  view["shapes"] = charts(shape_charts(explained), false);
+  view["loops"] = section(charts(loop_charts(explained), false));
+}
+
+}  // namespace
+
+std::string as_html(const Experiment& experiment, const Diagnosis& diagnosis) {
+  const Explained explained(experiment, diagnosis);
+  const Json report = as_json(diagnosis);
+  Json view = page::with_marked_numbers(report, style_of);
+  view["gap_level"] = fmt::format("{:g}", gap_level);
+  for (const auto& [sensor, scale] : view["gap"]["noise"].items())
+    if (sensor != "correlation") view["noise"].push_back({{"sensor", sensor}, {"scale", scale}});
+  view["channels_rms"] = gap_channels(view["gap"]["rms"]);
+  add_where(view, report, explained);
+  add_cause(view, report, explained);
+  if (diagnosis.shrink) {
+    view["shrink"]["by_channel"] = shrink_channels(view["shrink"]);
+    const CauseVerdict verdict = diagnosis.cause.verdict;
+    view["shrink"]["explains"] = verdict == CauseVerdict::identified || verdict == CauseVerdict::ambiguous;
+    view["shrink"]["heldout_names"] = joined(diagnosis.shrink->heldout, ", ", ", ");
+  }
+  view["proposals"] = {{"any", !diagnosis.proposals.empty()}};
+  add_charts(view, explained);
+  return page::document("Diagnosis of " + diagnosis.experiment,
+                        "Where the gap between experiment and model lies, what causes it, how far it shrinks",
+                        page::filled(diagnosis_template, view));
+}
+
+}  // namespace plumbline::diagnose

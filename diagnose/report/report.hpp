@@ -1,0 +1,26 @@
+#pragma once
+/// \file
+/// A diagnosis as machines read it (format "gap-diagnosis/1"), as a person reads it in the terminal, and as a
+/// page.
+
+#include <nlohmann/json.hpp>
+
+#include "diagnose/answers/diagnosis.hpp"
+
+namespace plumbline::diagnose {
+
+/// "joint_friction", "backlash(3)".
+std::string label(const EffectAt& at);
+/// "joint_friction + backlash(3)".
+std::string label(const Candidate& candidate);
+
+nlohmann::ordered_json as_json(const Diagnosis& diagnosis);
+
+/// The questions in order: is there a gap; where; what; how far; what next.
+std::string as_text(const Diagnosis& diagnosis);
+
+/// A page for people to look at, whole in one file: the same answers with the curves, the residuals, the
+/// chain and what is missing drawn.
+std::string as_html(const Experiment& experiment, const Diagnosis& diagnosis);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "diagnose/report/charts.hpp"
+#include "page/chart.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+using Kind = page::Layer::Kind;
+
+bool angles_measured(const Run& run) {
+  return std::any_of(run.readings.begin(), run.readings.end(), [](const Reading& reading) {
+    return !reading.q.empty() && std::isfinite(reading.q.front());
+  });
+}
+
+/// Joint positions and the end point.
+std::vector<page::ChartPoint> shape(const std::vector<double>& length, const std::vector<double>& q) {
+  std::vector<page::ChartPoint> points{{0, 0}};
+  double theta = 0;
+  for (std::size_t j = 0; j < length.size(); ++j) {
+    theta += q[j];
+    points.push_back(
+        {points.back().x + length[j] * std::cos(theta), points.back().y + length[j] * std::sin(theta)});
+  }
+  return points;
+}
+
+/// The joint angles of a reading: measured, or of the model.
+std::vector<double> angles(const Explained& explained, std::size_t run, std::size_t reading, bool measured) {
+  if (measured) return explained.experiment.runs[run].readings[reading].q;
+  std::vector<double> q;
+  const Trace& trace = explained.corrected.runs[run];
+  for (std::size_t j = 0; j < explained.experiment.link_length.size(); ++j)
+    q.push_back(trace(static_cast<Eigen::Index>(reading), column_q + static_cast<Eigen::Index>(j)));
+  return q;
+}
+
+/// Two readings on the way and the farthest, which alone of the three must exist.
+std::vector<std::size_t> stations(std::size_t farthest) {
+  const std::set<std::size_t> chosen{farthest / 3, 2 * farthest / 3, farthest};
+  return {chosen.begin(), chosen.end()};
+}
+
+/// The joints of one shape: small rings, and rings whose area is the joint's share.
+void add_joints(page::Chart& chart, const std::vector<page::ChartPoint>& points,
+                const std::vector<JointShare>& shares) {
+  page::Layer joints{Kind::rings, "joint", points, 2.6};
+  for (const JointShare& one : shares) {
+    if (one.share < 0.01) continue;
+    const page::ChartPoint& at = points[one.joint - 1];
+    const double radius = 16 * std::sqrt(one.share);
+    chart.layers.push_back({Kind::rings, "share", {at}, radius});
+    if (one.share >= 0.05)
+      chart.labels.push_back({at, fmt::format("{}: {:.0f} %", one.joint, 100 * one.share), radius + 4});
+  }
+  chart.layers.push_back(joints);
+}
+
+PageChart shape_chart(const Explained& explained, std::size_t r) {
+  const Experiment& experiment = explained.experiment;
+  const Run& run = experiment.runs[r];
+  const bool measured = angles_measured(run);
+  const std::string whose =
+      measured ? "measured shapes" : "shapes of the " + explained.model + ", no angles measured";
+  page::Chart chart{
+      fmt::format("shape-{}", r + 1),
+      "The chain in run " + run.id,
+      "The unloaded chain dashed, two shapes on the way in grey and the farthest in black, from joint 1 at "
+      "the origin; the area of a ring is the joint's share of the gap.",
+      "x, m",
+      "y, m",
+      {{Kind::line, "shape-0", shape(experiment.link_length, run.rest)}}};
+  chart.equal_axes = true;
+  std::vector<page::ChartPoint> last = chart.layers.front().points;
+  const std::vector<std::size_t> readings = stations(command_of(run).farthest);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const std::vector<double> q = angles(explained, r, readings[i], measured);
+    if (!std::all_of(q.begin(), q.end(), [](double angle) { return std::isfinite(angle); })) continue;
+    last = shape(experiment.link_length, q);
+    chart.layers.push_back({Kind::line, fmt::format("shape-{}", i + 1 + 3 - readings.size()), last});
+  }
+  add_joints(chart, last,
+             explained.diagnosis.gap.present ? explained.diagnosis.where.joints : std::vector<JointShare>{});
+  return {run.id + ": " + whose, page::drawn(chart)};
+}
+
+}  // namespace
+
+std::vector<PageChart> shape_charts(const Explained& explained) {
+  std::vector<PageChart> charts;
+  for (std::size_t r = 0; r < explained.experiment.runs.size(); ++r)
+    charts.push_back(shape_chart(explained, r));
+  return charts;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,15 @@
+#pragma once
+/// \file
+/// A small picture in characters of what is missing.
+
+#include <string>
+
+#include "diagnose/answers/unexplained.hpp"
+
+namespace plumbline::diagnose {
+
+/// Value over abscissa: 'o' on the way out, '<' on the way back, '8' where both fall together; the zero line
+/// dotted; scales at the edges. At most 72 columns wide.
+std::string picture(const Missing& missing);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "diagnose/report/report.hpp"
+#include "diagnose/report/sketch.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+std::string percent(double share) {
+  return fmt::format("{:.0f} %", 100 * share);
+}
+
+std::string chance(double p) {
+  return p < 1e-300 ? "p < 1e-300" : fmt::format("p = {:.2g}", p);
+}
+
+std::string by_channel(const std::map<std::string, double>& values) {
+  std::string text;
+  for (const auto& [channel, value] : values)
+    text += fmt::format("{}{} {:.3g} {}", text.empty() ? "" : ", ", channel, value,
+                        channel[0] == 'F'   ? "N"
+                        : channel[0] == 'q' ? "rad"
+                                            : "m");
+  return text;
+}
+
+std::string gap(const Diagnosis& diagnosis) {
+  const GapAnswer& answer = diagnosis.gap;
+  const NoiseModel& noise = diagnosis.noise;
+  std::string text =
+      fmt::format("Is there a gap?  {} ({}; chi-square per value {:.3g}; rms {})\n",
+                  answer.present ? "Yes" : "No, the nominal model explains the readings to the noise",
+                  chance(answer.test.p_value), answer.chi2_per_value, by_channel(answer.rms));
+  text += fmt::format(
+      "  noise over declared: force {:.2f}, position {:.2f}, angle {:.2f}; neighbours correlate by {:.2f}\n",
+      noise.of(Sensor::force), noise.of(Sensor::position), noise.of(Sensor::angle), noise.correlation);
+  return text;
+}
+
+template <class Share, class Name>
+std::string largest(const std::vector<Share>& shares, std::size_t count, Name name) {
+  std::vector<Share> sorted = shares;
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Share& a, const Share& b) { return a.share > b.share; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(count, sorted.size()); ++i)
+    if (i == 0 || sorted[i].share >= 0.01)
+      text += fmt::format("{}{} {}", i > 0 ? ", " : "", name(sorted[i]), percent(sorted[i].share));
+  return text;
+}
+
+std::string where(const Diagnosis& diagnosis) {
+  const Where& places = diagnosis.where;
+  std::string text = "Where?  shares of the squared residual beyond noise\n";
+  text += "  channels: " + largest(places.channels, 4, [](const auto& one) { return one.channel; }) + "\n";
+  text += "  runs:     " + largest(places.runs, 4, [](const auto& one) { return one.run; }) + "\n";
+  text += "  path:     " +
+          largest(places.load_path, 3,
+                  [](const PathShare& one) {
+                    return fmt::format("{} readings {}-{} ({})", one.run, one.from, one.to, one.regime);
+                  }) +
+          "\n";
+  text += "  joints:   " +
+          largest(places.joints, 4, [](const JointShare& one) { return std::to_string(one.joint); }) + " " +
+          joint_evidence_words(places.joint_evidence) + "\n";
+  return text;
+}
+
+std::string parameters(const Diagnosis& diagnosis) {
+  std::string text;
+  const Candidate& candidate = diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate;
+  for (std::size_t e = 0; e < candidate.effects.size(); ++e) {
+    text += "  " + label(candidate.effects[e]) + ":";
+    for (const Estimate& one : diagnosis.estimates[e]) {
+      text += fmt::format(" {} = {:.4g} (95 %: {:.4g} to {:.4g}{})", one.name, one.value, one.low, one.high,
+                          one.at_bound ? "; at its bound" : "");
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::string unexplained(const Diagnosis& diagnosis) {
+  std::string text =
+      "What?  Unknown: nothing in the catalogue, alone or in threes, brings the residual to the noise\n";
+  if (diagnosis.missing) {
+    const Missing& missing = *diagnosis.missing;
+    text += fmt::format("  what is missing, as a function of {}: {}; of direction too: {}; of time too: {}\n",
+                        missing.against, percent(missing.by_position), percent(missing.by_direction),
+                        percent(missing.by_time));
+    text += picture(missing);
+  }
+  if (!diagnosis.cause.ranking.empty()) {
+    const Ranked& partial = diagnosis.cause.ranking[diagnosis.cause.best];
+    text += fmt::format("  best partial explanation: {} (chi-square per degree of freedom {:.3g})\n",
+                        label(partial.hypothesis.fit.candidate), partial.chi2_per_dof);
+  }
+  return text;
+}
+
+std::string what(const Diagnosis& diagnosis) {
+  const Cause& cause = diagnosis.cause;
+  if (cause.verdict == CauseVerdict::unknown) return unexplained(diagnosis);
+  const Ranked& best = cause.ranking[cause.best];
+  std::string text =
+      fmt::format("What?  {}: {} (probability {:.3f}, chi-square per degree of freedom {:.3g})\n",
+                  cause.verdict == CauseVerdict::identified ? "Identified" : "Ambiguous",
+                  label(best.hypothesis.fit.candidate), best.probability, best.chi2_per_dof);
+  text += parameters(diagnosis);
+  text += fmt::format("  outside the catalogue with probability {:.2g}\n", cause.unknown);
+  for (const std::size_t place : cause.equivalent)
+    text += "  cannot be told apart from " + label(cause.ranking[place].hypothesis.fit.candidate) + "\n";
+  if (cause.or_unknown)
+    text +=
+        "  or a cause outside the catalogue: fitted without the held-out readings, it does not predict "
+        "them\n";
+  std::string idle;
+  for (const EffectAt& at : diagnosis.not_exercised) idle += (idle.empty() ? "" : ", ") + label(at);
+  if (!idle.empty())
+    text += "  neither excluded nor blamed, for the runs never exercise them: " + idle + "\n";
+  return text;
+}
+
+std::string how_far(const Diagnosis& diagnosis) {
+  if (!diagnosis.shrink) return "How far?  Too few readings to hold some out\n";
+  const Shrink& shrink = *diagnosis.shrink;
+  std::string held;
+  for (const std::string& name : shrink.heldout) held += (held.empty() ? "" : ", ") + name;
+  return fmt::format(
+      "How far?  On held-out readings ({}) the residual shrinks to {:.3g} of itself (95 %: {:.3g} to {:.3g}; "
+      "noise floor "
+      "{:.3g})\n  rms before: {}\n  rms after:  {}\n",
+      held, shrink.ratio, shrink.ratio_low, shrink.ratio_high, shrink.noise_floor_ratio,
+      by_channel(shrink.rms_before), by_channel(shrink.rms_after));
+}
+
+std::string what_next(const Diagnosis& diagnosis) {
+  if (diagnosis.proposals.empty()) return "";
+  std::string text = "What next?  Runs that would tell the candidates apart, best first\n";
+  for (const Proposal& one : diagnosis.proposals)
+    text += fmt::format(
+        "  {}: expected odds {}\n", one.description,
+        one.log_odds > 14 ? "over a million to one" : fmt::format("{:.3g} to one", std::exp(one.log_odds)));
+  return text;
+}
+
+}  // namespace
+
+std::string as_text(const Diagnosis& diagnosis) {
+  std::string text = diagnosis.experiment + "\n\n" + gap(diagnosis);
+  if (!diagnosis.gap.present) return text;
+  return text + "\n" + where(diagnosis) + "\n" + what(diagnosis) + "\n" + how_far(diagnosis) +
+         (diagnosis.proposals.empty() ? "" : "\n" + what_next(diagnosis));
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,72 @@
+#include "diagnose/report/view.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace plumbline::diagnose {
+namespace {
+
+const Fit* best_explanation(const Cause& cause) {
+  if (cause.ranking.empty()) return nullptr;
+  return &cause.ranking[cause.best].hypothesis.fit;
+}
+
+/// "+x", "−y", or "(0.80, −0.60)".
+std::string words_for(const Vector2& direction) {
+  if (direction.x() > 0.999) return "+x";
+  if (direction.x() < -0.999) return "−x";
+  if (direction.y() > 0.999) return "+y";
+  if (direction.y() < -0.999) return "−y";
+  const auto part = [](double value) {
+    return fmt::format("{}{:.2f}", value < 0 ? "−" : "", std::abs(value));
+  };
+  return "(" + part(direction.x()) + ", " + part(direction.y()) + ")";
+}
+
+}  // namespace
+
+Explained::Explained(const Experiment& measured, const Diagnosis& diagnosed)
+    : experiment(measured),
+      diagnosis(diagnosed),
+      measurements(measured),
+      nominal(predict(measured, {}, {})),
+      corrected(nominal),
+      before(measurements.residual(measured, nominal)),
+      after(before),
+      best(best_explanation(diagnosed.cause)),
+      model("nominal model") {
+  if (best == nullptr) return;
+  model = diagnosed.cause.verdict == CauseVerdict::unknown ? "best partial explanation" : "corrected model";
+  corrected = predict(experiment, best->candidate, best->parameters);
+  after = measurements.residual(experiment, corrected);
+}
+
+Command command_of(const Run& run) {
+  const bool moves = run.control == ControlMode::displacement;
+  std::vector<Vector2> way;
+  Command command{{}, "", 0};
+  Vector2 start(0, 0), farthest(0, 0);
+  for (std::size_t i = 0; i < run.readings.size(); ++i) {
+    const Reading& reading = run.readings[i];
+    const Vector2 point = moves ? Vector2(reading.x, reading.y) : Vector2(reading.Fx, reading.Fy);
+    if (i == 0) start = point;
+    way.push_back(point - start);
+    if (way.back().norm() > farthest.norm()) farthest = way.back(), command.farthest = i;
+  }
+  const Vector2 direction = farthest.norm() > 0 ? Vector2(farthest.normalized()) : Vector2(1, 0);
+  for (const Vector2& point : way) command.along.push_back(point.dot(direction));
+  command.label = (moves ? "end point moved along " : "force added along ") + words_for(direction) +
+                  (moves ? ", m" : ", N");
+  return command;
+}
+
+std::string unit_of(const std::string& channel) {
+  return channel[0] == 'F' ? "N" : channel[0] == 'q' ? "rad" : "m";
+}
+
+std::string with_unit(const Channel& channel) {
+  return channel.label() + ", " + unit_of(channel.label());
+}
+
+}  // namespace plumbline::diagnose

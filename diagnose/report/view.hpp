@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// An experiment beside what its nominal and its corrected model predict: what the page's charts draw.
+
+#include "diagnose/answers/diagnosis.hpp"
+
+namespace plumbline::diagnose {
+
+struct Explained {
+  Explained(const Experiment& measured, const Diagnosis& diagnosed);
+
+  const Experiment& experiment;
+  const Diagnosis& diagnosis;
+  Measurements measurements;
+  Prediction nominal, corrected;      ///< the same where nothing explains anything
+  std::vector<double> before, after;  ///< residuals of both, flat, in declared sigmas
+  const Fit* best = nullptr;          ///< the best explanation, partial where the verdict is unknown
+  std::string model;  ///< what `corrected` is: "corrected model", "best partial explanation", ...
+
+  [[nodiscard]] const Series& series(std::size_t place) const { return measurements.series()[place]; }
+};
+
+/// How far along its path each reading of a run was commanded: its distance from the first reading, in the
+/// direction of the farthest one.
+struct Command {
+  std::vector<double> along;  ///< by reading, m or N
+  std::string label;          ///< "end point moved along −x, m"
+  std::size_t farthest;       ///< reading
+};
+Command command_of(const Run& run);
+
+/// "Fx, N".
+std::string with_unit(const Channel& channel);
+/// "N", "m" or "rad".
+std::string unit_of(const std::string& channel);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,92 @@
+#include "proofs/followed_path.hpp"
+
+#include <fmt/core.h>
+
+#include <plumbline/branch/branch_tree.hpp>
+#include <plumbline/branch/slow_loading.hpp>
+#include <plumbline/branch/straight_start.hpp>
+
+#include "proofs/census.hpp"
+
+namespace plumbline::proofs {
+namespace {
+
+using Model = NominalModel<double>;
+
+constexpr std::size_t most_links_for_census = 5;
+
+/// The states that the paths begin with; the first is where the unloaded chain is, or goes.
+std::vector<BranchPoint<double>> starts_of(Brancher<Model>& brancher, const PathTask& task) {
+  const bool held = task.loading.control == Control::end_point;
+  if (!held || !is_straight(task.chain)) return {brancher.start(0, absolute_angles(task.chain.rest()))};
+  if (!(task.loading.direction.x < 0) || task.loading.direction.y != 0)
+    throw Error("load", "a straight chain that is not pushed along its axis", "compression alone");
+  auto starts = straight_starts(brancher, 1e-4 * task.last);
+  if (task.side < 0) std::swap(starts[0], starts[1]);
+  return starts;
+}
+
+/// Further starts, from branches that may hang together with no other.
+void add_census(std::vector<BranchPoint<double>>& starts, Brancher<Model>& brancher, const PathTask& task,
+                std::vector<std::string>& warnings) {
+  if (task.chain.size() > most_links_for_census) {
+    warnings.push_back(
+        "no census for more than five links: branches apart from the unloaded shape are missing");
+    return;
+  }
+  const auto exact = [](double x) { return Interval::from_double(x); };
+  const auto middle = [](const Interval& x) { return static_cast<double>(x.middle()); };
+  const auto enclosed = convert<Interval>(task.chain, exact);
+  for (const double load : {task.last, 0.50000013 * task.last, 0.02 * task.last}) {
+    const Point<double> at = task.loading.at(load);
+    const Point<Interval> load_exactly{exact(at.x), exact(at.y)};
+    try {
+      const Census census = task.loading.control == Control::end_point
+                                ? census_at_end_point(enclosed, load_exactly)
+                                : census_under_force(enclosed, load_exactly);
+      for (const auto& one : census.equilibria) {
+        std::vector<double> q;
+        for (const Interval& angle : one.q) q.push_back(middle(angle));
+        starts.push_back(brancher.start(load, absolute_angles(q), {middle(one.fx), middle(one.fy)}));
+      }
+    } catch (const Error& error) {
+      warnings.push_back(fmt::format("no census at load {}: {}", load, error.what()));
+    }
+  }
+}
+
+}  // namespace
+
+PathReport follow_slowly(const PathTask& task) {
+  const Model model(task.chain);
+  Brancher<Model> brancher(model, task.loading, absolute_angles(task.chain.rest()));
+  const auto starts = starts_of(brancher, task);
+  PathReport report{"", task.loading, task.last, true, {}, {}};
+  report.branches =
+      load_slowly(brancher, starts[0], {starts[0].load, task.last, task.step, 200000}, task.side);
+  return report;
+}
+
+PathReport follow_all(const PathTask& task) {
+  const Model model(task.chain);
+  Brancher<Model> brancher(model, task.loading, absolute_angles(task.chain.rest()));
+  auto starts = starts_of(brancher, task);
+  PathReport report{"", task.loading, task.last, false, {}, {}};
+  const double first = starts[0].load;
+  add_census(starts, brancher, task, report.warnings);
+  report.branches = branch_tree(brancher, std::move(starts), {first, task.last, task.step, 200000});
+  return report;
+}
+
+BranchPoint<double> state_at(const PathTask& task, std::span<const Branch<double>> branches, double load) {
+  const BranchPoint<double>* nearest = &branches[0].points[0];
+  for (const auto& branch : branches) {
+    for (const auto& point : branch.points)
+      if (std::abs(point.load - load) < std::abs(nearest->load - load)) nearest = &point;
+  }
+  const Model model(task.chain);
+  Brancher<Model> brancher(model, task.loading, absolute_angles(task.chain.rest()));
+  return brancher.at_load(*nearest, load).value_or(*nearest);
+}
+
+}  // namespace plumbline::proofs

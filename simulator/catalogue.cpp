@@ -1,0 +1,367 @@
+// The 23 effects of the catalogue. Each lambda reads: possible at this joint; of this size; adds that.
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/effect.hpp"
+
+namespace plumbline::simulator {
+namespace {
+
+using Place = std::size_t;
+
+bool anywhere(const Scene&, Place) {
+  return true;
+}
+/// A spring sits there and works.
+bool elastic(const Scene& s, Place j) {
+  return s.plan.nominal.stiffness[j] > 0 && s.deflection[j] > 0.04;
+}
+bool in_gravity(const Scene& s, Place) {
+  return s.plan.plane == Plane::vertical;
+}
+bool end_point_imposed(const Scene& s, Place) {
+  return std::any_of(s.plan.runs.begin(), s.plan.runs.end(),
+                     [](const PlannedRun& run) { return !run.force_controlled; });
+}
+/// No reading depends on where a force-controlled carriage is taken to be.
+bool never_force_controlled(const Scene& s, Place) {
+  return std::none_of(s.plan.runs.begin(), s.plan.runs.end(),
+                      [](const PlannedRun& run) { return run.force_controlled; });
+}
+bool unloads(const Scene& s, Place) {
+  return std::any_of(s.plan.runs.begin(), s.plan.runs.end(), [](const PlannedRun& run) {
+    return run.id.find("loading") == std::string::npos || run.id.find("unloading") != std::string::npos;
+  });
+}
+bool along_imposed_and_turned(const Scene& s, Place j) {
+  return end_point_imposed(s, j) && unloads(s, j);
+}
+
+/// Deflection of the end point by a newton, as a scale.
+double compliance(const Scene& s) {
+  return s.plan.reach() * s.plan.reach() / s.plan.typical_stiffness();
+}
+double torque(const Scene& s) {
+  return s.plan.typical_stiffness() * *std::max_element(s.deflection.begin(), s.deflection.end());
+}
+Values both_ways(Random& r, double low, double high) {
+  return {significant(r.sign() * r.log_uniform(low, high), 4)};
+}
+Values one_way(Random& r, double low, double high) {
+  return {significant(r.log_uniform(low, high), 4)};
+}
+/// Two components, of any direction.
+Values in_plane(Random& r, double size) {
+  const double angle = r.uniform(-3.14159, 3.14159);
+  return {significant(size * std::cos(angle), 4), significant(size * std::sin(angle), 4)};
+}
+
+std::vector<Kind> springs() {
+  return {
+      {"joint_stiffness",
+       "",
+       true,
+       {"a"},
+       {true},
+       false,
+       4,
+       elastic,
+       [](const Scene&, Place, Random& r) { return both_ways(r, 0.03, 0.2); },
+       [](Physics& is, const Plan&, Place j, const Values& v) { is.joint[j].stiffness *= 1 + v[0]; }},
+      {"link_length",
+       "",
+       true,
+       {"a"},
+       {true},
+       false,
+       6,
+       anywhere,
+       [](const Scene&, Place, Random& r) { return both_ways(r, 0.003, 0.02); },
+       [](Physics& is, const Plan&, Place j, const Values& v) { is.length[j] *= 1 + v[0]; }},
+      {"rest_angle",
+       "",
+       true,
+       {"a"},
+       {true},
+       false,
+       8,
+       elastic,
+       [](const Scene&, Place, Random& r) { return both_ways(r, 0.01, 0.04); },
+       [](Physics& is, const Plan&, Place j, const Values& v) { is.joint[j].rest_error += v[0]; }},
+      {"nonlinear_spring",
+       "",
+       false,
+       {"c"},
+       {true},
+       false,
+       20,
+       anywhere,
+       [](const Scene&, Place, Random& r) { return both_ways(r, 0.05, 0.4); },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Joint& joint : is.joint) joint.hardening += v[0];
+       }},
+      {"backlash",
+       "",
+       true,
+       {"b"},
+       {true},
+       false,
+       8,
+       elastic,
+       [](const Scene& s, Place j, Random& r) { return one_way(r, 0.005, 0.2 * s.deflection[j]); },
+       [](Physics& is, const Plan&, Place j, const Values& v) { is.joint[j].backlash += v[0]; }},
+      {"joint_friction",
+       "",
+       false,
+       {"tau_c"},
+       {true},
+       false,
+       6,
+       unloads,
+       [](const Scene& s, Place, Random& r) { return one_way(r, 0.004 * torque(s), 0.05 * torque(s)); },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Joint& joint : is.joint)
+           if (joint.stiffness > 0) joint.friction += v[0];
+       }},
+      {"joint_stop",
+       "",
+       true,
+       {"s", "k_s"},
+       {false, true},
+       false,
+       8,
+       [](const Scene& s, Place j) { return elastic(s, j) && s.deflection[j] > 0.15; },
+       [](const Scene& s, Place j, Random& r) {
+         return Values{significant(r.uniform(0.35, 0.75) * s.deflection[j], 4),
+                       significant(r.log_uniform(0.3, 3) * s.plan.nominal.stiffness[j], 4)};
+       },
+       [](Physics& is, const Plan&, Place j, const Values& v) {
+         is.joint[j].stop = v[0];
+         is.joint[j].stop_stiffness = v[1];
+       }},
+      {"joint_coupling",
+       "",
+       false,
+       {"kappa"},
+       {true},
+       false,
+       10,
+       anywhere,
+       [](const Scene& s, Place, Random& r) {
+         return both_ways(r, 0.01 * s.plan.typical_stiffness(), 0.05 * s.plan.typical_stiffness());
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) { is.coupling += v[0]; }},
+      {"viscoelasticity",
+       "",
+       false,
+       {"m", "tau"},
+       {true, false},
+       false,
+       30,
+       anywhere,
+       [](const Scene& s, Place, Random& r) {
+         return Values{significant(r.log_uniform(0.02, 0.3), 4),
+                       significant(r.log_uniform(3 * s.pause, 0.5 * s.duration), 4)};
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         is.arm_ratio += v[0];
+         is.relaxation = v[1];
+       }},
+  };
+}
+
+std::vector<Kind> links_and_loads() {
+  return {
+      {"gravity",
+       "",
+       false,
+       {"rho"},
+       {true},
+       false,
+       20,
+       in_gravity,
+       [](const Scene& s, Place, Random& r) {
+         const double density =
+             s.plan.typical_stiffness() / (standard_gravity * s.plan.reach() * s.plan.reach());
+         return one_way(r, 0.01 * density, 0.1 * density);
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (std::size_t j = 0; j < is.mass.size(); ++j) is.mass[j] += v[0] * is.length[j];
+       }},
+      {"tip_payload",
+       "",
+       false,
+       {"weight"},
+       {true},
+       false,
+       30,
+       in_gravity,
+       [](const Scene& s, Place, Random& r) { return one_way(r, 0.01 * s.force, 0.1 * s.force); },
+       [](Physics& is, const Plan&, Place, const Values& v) { is.tip_mass += v[0] / standard_gravity; }},
+      {"axial_compliance",
+       "",
+       false,
+       {"c_a"},
+       {true},
+       false,
+       20,
+       anywhere,
+       [](const Scene& s, Place, Random& r) { return one_way(r, 0.001 / s.force, 0.01 / s.force); },
+       [](Physics& is, const Plan&, Place, const Values& v) { is.axial += v[0]; }},
+      {"link_bending",
+       "",
+       false,
+       {"EI"},
+       {true},
+       true,
+       6,
+       anywhere,
+       [](const Scene& s, Place, Random& r) {
+         const double rigidity =
+             s.plan.typical_stiffness() * s.plan.reach() / static_cast<double>(s.plan.size());
+         return one_way(r, 3 * rigidity, 30 * rigidity);
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) { is.flexibility += 1 / v[0]; }},
+      {"eccentric_load",
+       "",
+       false,
+       {"e"},
+       {true},
+       false,
+       10,
+       anywhere,
+       [](const Scene& s, Place, Random& r) {
+         const double link = s.plan.reach() / static_cast<double>(s.plan.size());
+         return both_ways(r, 0.01 * link, 0.08 * link);
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) { is.eccentricity += v[0]; }},
+      {"tip_stiffness",
+       "",
+       false,
+       {"k_t"},
+       {true},
+       false,
+       20,
+       anywhere,
+       [](const Scene& s, Place, Random& r) {
+         return one_way(r, 0.01 * s.plan.typical_stiffness(), 0.1 * s.plan.typical_stiffness());
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) { is.tip_stiffness += v[0]; }},
+  };
+}
+
+std::vector<Kind> bench() {
+  return {
+      {"base_compliance",
+       "",
+       false,
+       {"c_x", "c_y"},
+       {true, true},
+       false,
+       20,
+       anywhere,
+       [](const Scene& s, Place, Random& r) {
+         const double size = r.log_uniform(0.001, 0.01) * compliance(s);
+         return Values{significant(size, 4), significant(size * r.log_uniform(0.3, 3), 4)};
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         is.base_compliance = {v[0], v[1]};
+       }},
+      {"rail_misalignment",
+       "",
+       false,
+       {"eps"},
+       {true},
+       false,
+       10,
+       anywhere,
+       [](const Scene&, Place, Random& r) { return both_ways(r, 0.01, 0.06); },
+       [](Physics& is, const Plan&, Place, const Values& v) { is.misalignment += v[0]; }},
+      {"position_offset",
+       "",
+       false,
+       {"d_x", "d_y"},
+       {true, true},
+       false,
+       8,
+       never_force_controlled,
+       [](const Scene& s, Place, Random& r) {
+         return in_plane(r, r.log_uniform(5e-4, 5e-3) * s.plan.reach());
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         is.position_offset = {v[0], v[1]};
+       }},
+      {"train_compliance",
+       "",
+       false,
+       {"c_t"},
+       {true},
+       false,
+       20,
+       never_force_controlled,
+       [](const Scene& s, Place, Random& r) {
+         return one_way(r, 0.001 * compliance(s), 0.01 * compliance(s));
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) { is.train_compliance += v[0]; }},
+      {"guide_friction",
+       "",
+       false,
+       {"f_c"},
+       {true},
+       false,
+       20,
+       along_imposed_and_turned,
+       [](const Scene& s, Place, Random& r) { return one_way(r, 0.005 * s.force, 0.05 * s.force); },
+       [](Physics& is, const Plan&, Place, const Values& v) { is.guide_friction += v[0]; }},
+      {"force_bias",
+       "",
+       false,
+       {"b_x", "b_y"},
+       {true, true},
+       false,
+       20,
+       end_point_imposed,
+       [](const Scene& s, Place, Random& r) { return in_plane(r, r.log_uniform(0.005, 0.05) * s.force); },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         is.bias = {v[0], v[1]};
+       }},
+      {"force_gain",
+       "",
+       false,
+       {"g"},
+       {true},
+       false,
+       8,
+       end_point_imposed,
+       [](const Scene&, Place, Random& r) { return both_ways(r, 0.01, 0.06); },
+       [](Physics& is, const Plan&, Place, const Values& v) { is.gain += v[0]; }},
+      {"sensor_drift",
+       "",
+       false,
+       {"r_x", "r_y"},
+       {true, true},
+       false,
+       20,
+       end_point_imposed,
+       [](const Scene& s, Place, Random& r) {
+         return in_plane(r, r.log_uniform(0.005, 0.05) * s.force / s.duration);
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         is.drift = {v[0], v[1]};
+       }},
+  };
+}
+
+}  // namespace
+
+const std::vector<Kind>& catalogue() {
+  static const std::vector<Kind> all = [] {
+    std::vector<Kind> kinds = springs();
+    for (const auto& more : {links_and_loads(), bench()}) kinds.insert(kinds.end(), more.begin(), more.end());
+    return kinds;
+  }();
+  return all;
+}
+
+}  // namespace plumbline::simulator

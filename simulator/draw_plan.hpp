@@ -1,0 +1,14 @@
+#pragma once
+/// \file
+/// Chains, benches and runs as labs have them, at random.
+
+#include "simulator/plan.hpp"
+#include "simulator/random.hpp"
+
+namespace plumbline::simulator {
+
+/// Two to six links, straight, curved or folded at rest, pressed along or across, by end point or by force.
+/// Everything is rounded as it is written to the files.
+Plan draw_plan(Random& random);
+
+}  // namespace plumbline::simulator

@@ -1,0 +1,109 @@
+#include "simulator/instruments.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace plumbline::simulator {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// The load cell turns with the rail. It feels what the guide takes from the drive.
+Pair load_cell(const Physics& is, const State& state, double direction) {
+  const double c = std::cos(is.misalignment), s = std::sin(is.misalignment);
+  const Pair turned{c * state.force[0] + s * state.force[1], c * state.force[1] - s * state.force[0]};
+  const double warm = std::sin(2 * std::numbers::pi * state.t / is.zero.period);
+  Pair shown;
+  for (std::size_t a = 0; a < 2; ++a)
+    shown[a] = (1 + is.gain) * turned[a] + is.bias[a] + is.drift[a] * state.t + is.zero.amplitude[a] * warm;
+  shown[0] += is.guide_friction * direction;
+  return shown;
+}
+
+/// Noise of one channel along a run.
+class Channel {
+ public:
+  Channel(double sigma, const Scatter& scatter, Random& random)
+      : sigma_(sigma), scatter_(scatter), random_(random), last_(random.normal()) {}
+
+  double operator()(double value) {
+    if (sigma_ == 0 || std::isnan(value)) return value;
+    const double r = scatter_.correlation;
+    last_ = r * last_ + std::sqrt(1 - r * r) * random_.normal();
+    double shown = value + sigma_ * last_;
+    if (random_.chance(scatter_.outliers)) shown += random_.sign() * random_.uniform(8, 25) * sigma_;
+    if (scatter_.resolution > 0) shown = rounded(shown, significant(scatter_.resolution * sigma_, 1));
+    return random_.chance(scatter_.missing) ? nothing : shown;
+  }
+
+ private:
+  double sigma_;
+  const Scatter& scatter_;
+  Random& random_;
+  double last_;
+};
+
+}  // namespace
+
+Readings show(const Plan& plan, const Physics& physics, const PlannedRun& run,
+              const std::vector<State>& states) {
+  Readings readings;
+  double direction = 0;  // of the last motion along x
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const State& state = states[i];
+    const Pair& told = run.commands[i].value;
+    Reading reading{state.t, told, told, {}};
+    if (run.force_controlled) {
+      reading.end_point = state.end_point;
+    } else {
+      const double motion = i > 0 ? told[0] - run.commands[i - 1].value[0] : 0;
+      if (motion != 0) direction = std::copysign(1, motion);
+      reading.force = load_cell(physics, state, direction);
+      if (!plan.cross_force_measured) reading.force[1] = nothing;
+    }
+    if (plan.angles_measured) reading.q = state.q;
+    readings.push_back(std::move(reading));
+  }
+  return readings;
+}
+
+Readings scattered(const PlannedRun& run, Readings readings, const Scatter& scatter, Random& random) {
+  for (std::size_t a = 0; a < 2; ++a) {
+    Channel channel(run.force_controlled ? scatter.sigma.position : scatter.sigma.force, scatter, random);
+    for (Reading& one : readings) {
+      double& value = run.force_controlled ? one.end_point[a] : one.force[a];
+      value = channel(value);
+    }
+  }
+  for (std::size_t j = 0; j < readings.front().q.size(); ++j) {
+    Channel channel(scatter.sigma.angle, scatter, random);
+    for (Reading& one : readings) one.q[j] = channel(one.q[j]);
+  }
+  return readings;
+}
+
+std::vector<Excess> gap(const Plan& plan, const std::vector<Readings>& readings,
+                        const std::vector<Readings>& reference, const Sigma& sigma) {
+  std::vector<Excess> all;
+  const auto add = [&](const std::string& channel, double one, double other, double unit) {
+    if (!std::isnan(one)) all.push_back({channel, (one - other) / unit});
+  };
+  for (std::size_t r = 0; r < readings.size(); ++r) {
+    for (std::size_t i = 0; i < readings[r].size(); ++i) {
+      const Reading &one = readings[r][i], &other = reference[r][i];
+      if (plan.runs[r].force_controlled) {
+        add("x", one.end_point[0], other.end_point[0], sigma.position);
+        add("y", one.end_point[1], other.end_point[1], sigma.position);
+      } else {
+        add("Fx", one.force[0], other.force[0], sigma.force);
+        add("Fy", one.force[1], other.force[1], sigma.force);
+      }
+      for (std::size_t j = 0; j < one.q.size(); ++j)
+        add("q" + std::to_string(j + 1), one.q[j], other.q[j], sigma.angle);
+    }
+  }
+  return all;
+}
+
+}  // namespace plumbline::simulator

@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// What the lab writes down of what is true: load cell, encoders, camera; their errors, noise and resolution.
+
+#include <string>
+
+#include "simulator/random.hpp"
+#include "simulator/simulation.hpp"
+
+namespace plumbline::simulator {
+
+/// One line of a sample file; a value is NaN where the field stays empty.
+struct Reading {
+  double t;
+  Pair end_point, force;
+  std::vector<double> q;  ///< empty where joint angles are not measured
+};
+using Readings = std::vector<Reading>;
+
+/// Standard deviations of a force, a position and an angle.
+struct Sigma {
+  double force = 0, position = 0, angle = 0;
+};
+
+/// How the readings scatter.
+struct Scatter {
+  std::string kind = "declared";  ///< or misdeclared, outliers, ar1
+  Sigma sigma;                    ///< true
+  Sigma declared;
+  double correlation = 0;  ///< of successive readings
+  double outliers = 0;     ///< share of wild readings
+  double missing = 0;      ///< share of empty fields
+  double resolution = 0;   ///< of the instruments, in sigmas
+};
+
+/// What instruments without scatter show.
+Readings show(const Plan& plan, const Physics& physics, const PlannedRun& run,
+              const std::vector<State>& states);
+
+/// The same with scatter.
+Readings scattered(const PlannedRun& run, Readings readings, const Scatter& scatter, Random& random);
+
+/// What one measured value shows beyond a reference, in sigmas.
+struct Excess {
+  std::string channel;
+  double value;
+};
+
+/// Every measured value of `readings` beside that of `reference`.
+std::vector<Excess> gap(const Plan& plan, const std::vector<Readings>& readings,
+                        const std::vector<Readings>& reference, const Sigma& sigma);
+
+}  // namespace plumbline::simulator

@@ -1,0 +1,72 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/model/history.hpp"
+#include "diagnose/model/measurement.hpp"
+#include "simulator/write_experiment.hpp"
+#include "tests/folder.hpp"
+
+namespace {
+
+using plumbline::diagnose::Candidate;
+
+/// The true effects, and their parameters in the coordinates of the forward model.
+struct Truth {
+  Candidate effects;
+  std::vector<double> parameters;
+};
+
+Truth truth_of(const plumbline::trial::Label& label, const plumbline::diagnose::Experiment& experiment) {
+  Truth truth;
+  for (const auto& effect : label.effects) {
+    const plumbline::diagnose::EffectAt at{plumbline::diagnose::effect_id(effect.id), effect.joint};
+    truth.effects.effects.push_back(at);
+    const auto ranges = plumbline::diagnose::parameter_ranges(experiment, at);
+    for (std::size_t p = 0; p < ranges.size(); ++p)
+      truth.parameters.push_back(
+          plumbline::diagnose::fitted_value(ranges[p].coordinate, effect.parameters[p].second));
+  }
+  return truth;
+}
+
+double rms(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+}  // namespace
+
+TEST_CASE("every effect of the catalogue does in the rig what the forward model of the diagnosis predicts") {
+  for (const plumbline::simulator::Kind& kind : plumbline::simulator::catalogue()) {
+    CAPTURE(kind.id);
+    plumbline::simulator::Random random(
+        3, static_cast<std::uint64_t>(&kind - plumbline::simulator::catalogue().data()));
+    const auto made = plumbline::simulator::make_experiment({{&kind}, {15}}, "one", random);
+    const Folder folder;
+    plumbline::simulator::write_experiment(made, folder.path());
+    const plumbline::diagnose::Experiment experiment = plumbline::diagnose::read_experiment(folder.path());
+    const Truth truth = truth_of(made.label, experiment);
+    const plumbline::diagnose::Measurements measured(experiment);
+    const auto left = [&](const Truth& with) {
+      return rms(measured.residual(experiment, predict(experiment, with.effects, with.parameters))) /
+             made.scatter.sigma.force * made.scatter.declared.force;
+    };
+    CHECK(left({}) > 10);
+    // Noise has rms 1, up to 1.03 with the coarsest resolution; outliers of 25 sigma in 2 of 100 readings add
+    // at most 2.5. A dozenth of the gap would show.
+    CHECK(left(truth) < (made.scatter.outliers > 0 ? 3 : 1.25));
+    CHECK(left(truth) > 0.75);
+  }
+}
+
+TEST_CASE("an experiment is the same at every making, and another with another seed") {
+  const auto text = [](std::uint64_t seed) {
+    const auto made = plumbline::simulator::make_experiment(seed, 2, "one");
+    return made.runs.front().back().force[0];
+  };
+  CHECK(text(11) == text(11));
+  CHECK(text(11) != text(12));
+}

@@ -1,0 +1,434 @@
+/// \file
+/// Section 4.2, the eigenvalue problem: equations (34) to (36), the sentences around them, and Algorithm 1.
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <plumbline/chain/strain_energy.hpp>
+#include <plumbline/straight/critical_force.hpp>
+
+#include "proofs/decimal.hpp"
+#include "proofs/enclosure.hpp"
+#include "proofs/exact_chain.hpp"
+#include "proofs/symbolic_chain.hpp"
+#include "verify/claims/claims.hpp"
+#include "verify/claims/post_buckling.hpp"
+#include "verify/claims/straight_chains.hpp"
+#include "verify/judging/comparison.hpp"
+#include "verify/sampled/algorithm1_instances.hpp"
+
+namespace plumbline::verify {
+namespace {
+
+using GiNaC::ex;
+
+Judgement invertible(const Printed& printed, int) {
+  bool nonzero = true;
+  for (std::size_t n = fewest; n <= most; ++n) {
+    const proofs::SymbolicChain chain = proofs::SymbolicChain::generic(n);
+    const ex det = proofs::expanded_determinant(matrix_B(chain));
+    nonzero =
+        nonzero && !det.is_zero() && (det + proofs::closed_form_coefficient(chain, 1)).expand().is_zero();
+  }
+  return judge_word(printed.at(0), nonzero ? "nonzero" : "zero", {"nonzero", "zero"},
+                    "det B = -sum_i z_i^2 prod_{j != i} k_j",
+                    {{EvidenceKind::theorem,
+                      "Definiteness: det B = -sum_i z_i^2 prod_{j != i} k_j, negative unless two joints "
+                      "or more are passive"},
+                     {EvidenceKind::symbolic, "n = 2 … 6: the determinant by minors equals that sum"}});
+}
+
+Judgement determinant_A(const Printed& printed, int) {
+  bool zero = true;
+  for (std::size_t n = fewest; n <= most; ++n) {
+    zero = zero && proofs::expanded_determinant(matrix_A(proofs::SymbolicChain::generic(n))).is_zero();
+  }
+  return judge_word(printed.at(0), zero ? "zero" : "nonzero", {"nonzero", "zero"}, "det A = 0",
+                    {{EvidenceKind::symbolic, "n = 2 … 6: the last row and column of A vanish"}});
+}
+
+std::size_t generic_rank(std::size_t n) {
+  return proofs::rank_of_BinvA(proofs::SymbolicChain::generic(n));
+}
+proofs::ZeroEigenvalue generic_zero(std::size_t n) {
+  return proofs::zero_eigenvalue(proofs::SymbolicChain::generic(n));
+}
+
+Judgement rank(const Printed& printed, int) {
+  Judgement result = judge_count(
+      printed.at(0), generic_rank,
+      "rank(B^-1 A) = n: S1 is invertible, det S1 = (-1)^n L_1 … L_n; the double eigenvalue 0 has "
+      "one eigenvector only",
+      EvidenceKind::symbolic, "symbolic lengths and stiffnesses");
+  return with_evidence(result, EvidenceKind::theorem,
+                       "Two zeros: rank n for every chain with at most one passive joint");
+}
+
+Judgement zeros(const Printed& printed, int) {
+  Judgement result = judge_count(
+      printed.at(0), [](std::size_t n) { return generic_zero(n).algebraic; },
+      "the eigenvalue 0 has multiplicity two", EvidenceKind::symbolic,
+      "order of lambda in the characteristic polynomial");
+  return with_evidence(result, EvidenceKind::theorem, "Two zeros: multiplicity two for every n");
+}
+
+Judgement eigenvectors(const Printed& printed, int) {
+  Judgement result = judge_count(
+      printed.at(0),
+      [](std::size_t n) {
+        return proofs::distinct_critical_forces(unequal_chain(n)) + generic_zero(n).geometric;
+      },
+      "B^-1 A is defective: it has n independent eigenvectors, n - 1 of the modes and (0, …, 0, 1)",
+      EvidenceKind::exact, "distinct non-zero eigenvalues and eigenvectors of the eigenvalue 0");
+  return with_evidence(result, EvidenceKind::theorem,
+                       "Two zeros: one Jordan block of size two at 0; Simple modes");
+}
+
+/// How many vectors of the Jordan chain at zero describe the unbent chain on its axis.
+Judgement straight(const Printed& printed, int) {
+  std::size_t unbent = 0;
+  std::size_t multiplicity = 0;
+  for (std::size_t n = fewest; n <= most; ++n) {
+    const proofs::ZeroEigenvalue zero = generic_zero(n);
+    multiplicity = zero.algebraic;
+    unbent = 0;
+    for (const GiNaC::matrix& v : zero.jordan_chain) {
+      bool is_zero = true;
+      for (std::size_t i = 0; i < n; ++i) is_zero = is_zero && v.op(i).normal().is_zero();
+      unbent += is_zero ? 1 : 0;
+    }
+  }
+  const bool right = printed.at(0) == std::to_string(unbent);
+  return {right                                           ? Verdict::confirmed
+          : printed.at(0) == std::to_string(multiplicity) ? Verdict::imprecise
+                                                          : Verdict::refuted,
+          right ? ""
+                : "one of them: the eigenvector (0, …, 0, 1) is the unbent chain under a lateral force, at "
+                  "infinite F_x = "
+                  "-1/lambda; the second vector of its Jordan chain, (-1, 0, …, 0), turns the whole chain "
+                  "about its base. "
+                  "Neither satisfies (29), (30) at any finite F_x",
+          {{EvidenceKind::symbolic,
+            fmt::format("n = 2 … 6: Jordan chain of length {} at 0, {} of its vectors has q = 0",
+                        multiplicity, unbent)}},
+          ""};
+}
+
+Judgement eigenvalue_of_force(const Printed& printed, int) {
+  const proofs::Formulas formulas({"Fx"});
+  const proofs::SymbolicChain chain = proofs::SymbolicChain::generic(3);
+  const ex lambda = formulas.parse(printed.at(0));
+  const ex Fx = formulas.symbol("Fx");
+  const ex left = proofs::characteristic_numerator(chain, lambda);
+  const ex right = pow(lambda, 4) * proofs::bordered_determinant(chain, Fx);
+  const bool same = proofs::identical(left, right);
+  return {same ? Verdict::confirmed : Verdict::refuted,
+          same ? "" : "lambda = -1/F_x",
+          {{EvidenceKind::symbolic,
+            "n = 3: det(lambda B - A) = lambda^4 det(A F_x + B) identically with the printed lambda"}},
+          ""};
+}
+
+Judgement force_of_eigenvalue(const Printed& printed, int) {
+  const proofs::Formulas formulas({"lambda"});
+  const proofs::SymbolicChain chain = proofs::SymbolicChain::generic(3);
+  const ex lambda = formulas.symbol("lambda");
+  const ex F = formulas.parse(printed.at(0));
+  const bool same = proofs::identical(proofs::characteristic_numerator(chain, lambda),
+                                      pow(lambda, 4) * proofs::bordered_determinant(chain, F));
+  return {same ? Verdict::confirmed : Verdict::refuted,
+          same ? "" : "F_x = -1/lambda",
+          {{EvidenceKind::symbolic,
+            "n = 3: det(lambda B - A) = lambda^4 det(A F_x + B) identically with the printed F_x"}},
+          ""};
+}
+
+/// The mode (1, -2) of the chain L = k = (1, 1) at F = 5/2, scaled as printed, put into (29) and (30).
+Judgement scaled_mode(const Printed& printed, int) {
+  const proofs::Formulas formulas({"mu", "v1", "v2", "v3"});
+  const std::vector<Rational> q{1, -2};
+  const Chain<Rational> exact({1, 1}, {1, 1});
+  const Rational F = energy_factor(exact, q);
+  const Rational Fy = lateral_force(exact, F, q);
+  const GiNaC::exmap values{{formulas.symbol("v1"), 1},
+                            {formulas.symbol("v2"), -2},
+                            {formulas.symbol("v3"), formulas.parse(Fy.str())}};
+  GiNaC::matrix v(3, 1);
+  for (unsigned i = 0; i < 3; ++i) v(i, 0) = formulas.parse(printed.at(i)).subs(values);
+  const proofs::SymbolicChain chain{{1, 1}, {1, 1}};
+  const GiNaC::matrix residual =
+      matrix_A(chain).mul_scalar(formulas.parse(F.str())).add(matrix_B(chain)).mul(v);
+  bool right = !proofs::identical(v(0, 0), 0);
+  for (unsigned i = 0; i < 3; ++i) right = right && proofs::identical(residual(i, 0), 0);
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : "(q, F_y) = mu v",
+          {{EvidenceKind::symbolic,
+            fmt::format("L = k = (1,1), v = (1,-2,{}), F_x = {}: (29) and (30) hold for every mu", Fy.str(),
+                        F.str())}},
+          ""};
+}
+
+Judgement shape_count(const Printed& printed, int) {
+  Judgement result = judge_count(
+      printed.at(0), [](std::size_t n) { return 2 * proofs::distinct_critical_forces(unequal_chain(n)); },
+      "two shapes, of opposite sign, for each of the n - 1 critical forces", EvidenceKind::exact,
+      "distinct roots of det(A F + B), L_i = (3i-1)/i");
+  return with_evidence(result, EvidenceKind::theorem,
+                       "Definiteness and Simple modes: n - 1 distinct critical forces");
+}
+
+/// Negative directions of E - F delta_x on the shapes with delta_y = 0, by exact elimination.
+std::size_t negative_directions(const Chain<Rational>& chain, const Rational& F) {
+  const Vector<Rational> z = matrix_S0(chain);
+  const Eigen::Index free = z.size() - 1;
+  Matrix<Rational> form = F * matrix_S1(chain);
+  for (Eigen::Index i = 0; i < z.size(); ++i) form(i, i) += chain.stiffness()[static_cast<std::size_t>(i)];
+  Matrix<Rational> basis = Matrix<Rational>::Zero(free + 1, free);
+  for (Eigen::Index j = 0; j < free; ++j) {
+    basis(0, j) = -z(j + 1) / z(0);
+    basis(j + 1, j) = 1;
+  }
+  Matrix<Rational> reduced = basis.transpose() * form * basis;
+  std::size_t negative = 0;
+  for (Eigen::Index i = 0; i < free; ++i) {
+    if (reduced(i, i) == 0) throw Error("elimination", "a zero pivot", "a force that makes none");
+    negative += reduced(i, i) < 0 ? 1 : 0;
+    for (Eigen::Index j = i + 1; j < free; ++j) {
+      const Rational factor = reduced(j, i) / reduced(i, i);
+      for (Eigen::Index c = i; c < free; ++c) reduced(j, c) -= factor * reduced(i, c);
+    }
+  }
+  return negative;
+}
+
+Judgement buckles_at(const Printed& printed, int) {
+  const Chain<Rational> chain = four_link_chain();
+  std::string found;
+  bool first = true;
+  // forces between the critical ones 0.92…, 2.30…, 3.51… and beyond them
+  for (const auto& [F, expected] : std::vector<std::pair<Rational, std::size_t>>{
+           {Rational(9, 10), 0}, {Rational(19, 20), 1}, {Rational(12, 5), 2}, {Rational(18, 5), 3}}) {
+    const std::size_t negative = negative_directions(chain, F);
+    if (negative != count_below(chain, F))
+      throw Error("count", "different results of recursion and elimination", "agreement");
+    first = first && negative == expected;
+    found += fmt::format("{}F = {}: {}", found.empty() ? "" : ", ", F.str(), negative);
+  }
+  return judge_word(
+      printed.at(0), first ? "lowest" : "another", {"lowest", "highest", "another"},
+      "the straight shape loses its stability at the lowest critical force",
+      {{EvidenceKind::theorem,
+        "Definiteness: E - F delta_x is positive definite on delta_y = 0 just below the "
+        "lowest critical force, and each further one adds a negative direction"},
+       {EvidenceKind::exact, "unit chain of four links, negative directions by elimination: " + found}});
+}
+
+/// Algorithm 1, run as written in a floating type, against a certified force. \throws Error when they
+/// disagree
+template <Floating Real>
+std::string algorithm1_against(const Chain<Rational>& exact, const Interval& certified) {
+  using std::abs;
+  const Chain<Real> chain = from_rational<Real>(exact);
+  const Real F = algorithm1(chain).front().force;
+  const Matrix<double> B = matrix_B(from_rational<double>(exact));
+  // backward errors of the elimination and of the QR iteration, each bounded by size^3 epsilon times the
+  // condition of B
+  const auto size = static_cast<double>(B.rows());
+  const double condition = B.norm() * B.inverse().norm();
+  const Real bound = Real(size * size * size * condition) * epsilon<Real>();
+  const Real reference(certified.middle());
+  const Real deviation = abs(F - reference) / reference;
+  if (!(deviation < bound))
+    throw Error("Algorithm 1", "number types that disagree", "agreement within rounding");
+  return fmt::format(
+      "Algorithm 1 as written gives 1/max|lambda| within {:.1e} of the certified value, relatively",
+      static_cast<double>(deviation));
+}
+
+/// F_x^0 = sign / max |lambda|, against (35) with the lowest force of the unit chain of four links.
+Judgement critical_force(const Printed& printed, int digits) {
+  const Chain<Rational> chain = four_link_chain();
+  const proofs::Polynomial chi = proofs::characteristic_polynomial(chain);
+  // all coefficients positive: no positive root, so that every non-zero lambda is negative and -1/lambda
+  // positive
+  bool negative_roots = true;
+  for (std::size_t i = 2; i <= chain.size() + 1; ++i) negative_roots = negative_roots && chi.at(i) > 0;
+  const bool right = printed.at(0) == (negative_roots ? "1" : "-1");
+  const proofs::ForceEnclosure lowest = proofs::enclose_critical_forces(chain, 1, 60).front();
+  const Interval F = hull(Interval(lowest.low), Interval(lowest.high));
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? ""
+                : "F_x^0 = +1/max|lambda_i|: every non-zero lambda_i is negative and (35) reads F_x = "
+                  "-1/lambda_i > 0, as "
+                  "Table 3 lists it (0.9240)",
+          {{EvidenceKind::theorem, "Definiteness: all n - 1 forces -1/lambda_i are positive"},
+           {EvidenceKind::exact,
+            fmt::format("unit chain of four links: the coefficients of the characteristic polynomial are "
+                        "all positive: {}",
+                        negative_roots)},
+           {EvidenceKind::interval, "F_x^0 bounded by exact counts: " + F.text(20)},
+           {EvidenceKind::mp50, algorithm1_against<Mpfr50>(chain, F)},
+           {EvidenceKind::real64, algorithm1_against<double>(chain, F)}},
+          certified_decimal(F, digits)};
+}
+
+/// On which side of the critical force the bent shapes begin, for two elastic chains of two links.
+Judgement bends_above(const Printed& printed, int) {
+  // the mode of L = (2, 1): delta_y = 3 q_1 + q_2 = 0
+  const auto curvature = [](const Rational& k2) {
+    const Chain<Rational> chain({2, 1}, {1, k2});
+    const std::vector<Rational> q{1, -3};
+    const Rational F = energy_factor(chain, q);
+    return post_buckling_curvature(chain, Mode<Rational>{F, q, lateral_force(chain, F, q)});
+  };
+  const Rational stiff = curvature(1);
+  const Rational soft = curvature(Rational(1, 10));
+  const std::string side = stiff > 0 && soft > 0 ? "above" : stiff < 0 && soft < 0 ? "below" : "either";
+  if (printed.at(0) != "above" && printed.at(0) != "below" && printed.at(0) != "either") {
+    throw Error("claim", printed.at(0), "above, below or either");
+  }
+  const bool right = printed.at(0) == side;
+  const bool on_passive_base = printed.at(0) == "above" && side == "either";  // and of the paper's own chains
+  return {
+      right             ? Verdict::confirmed
+      : on_passive_base ? Verdict::imprecise
+                        : Verdict::refuted,
+      right ? ""
+            : "the straight chain is stable up to the critical force, but on an elastic base bent shapes can "
+              "exist below it "
+              "as well: L = (2, 1), k = (1, 1/10) bifurcates subcritically. On a passive base, and for the "
+              "chains that the "
+              "paper computes, bent shapes near the straight one exist above the critical force only",
+      {{EvidenceKind::theorem,
+        "Supercritical: always on a passive base; on an elastic base either sign of F_2 occurs"},
+       {EvidenceKind::exact,
+        fmt::format("F = F_1 + F_2 a^2 + … for L = (2, 1): F_2 = {} with k = (1, 1), {} with k = (1, 1/10)",
+                    stiff.str(), soft.str())}},
+      ""};
+}
+
+Judgement listed_eigenvalues(const Printed& printed, int) {
+  const Judgement all = judge_count(
+      printed.at(0), [](std::size_t n) { return n + 1; }, "", EvidenceKind::exact,
+      "eigenvalues of an (n+1) x (n+1) matrix");
+  const Judgement nonzero = judge_count(
+      printed.at(0), [](std::size_t n) { return n + 1 - generic_zero(n).algebraic; }, "",
+      EvidenceKind::symbolic, "non-zero eigenvalues");
+  if (all.verdict == Verdict::confirmed) return all;
+  Judgement result = nonzero;
+  if (nonzero.verdict == Verdict::confirmed) result.verdict = Verdict::convention;
+  result.truth = "B^-1 A has n + 1 eigenvalues; the n - 1 that are not zero are meant";
+  return result;
+}
+
+/// Which chains the method serves, found by trying.
+Judgement generality(const Printed& printed, int) {
+  const auto works = [](std::vector<Rational> stiffness) {
+    const std::vector<Rational> length(stiffness.size(), 1);
+    try {
+      return proofs::distinct_critical_forces(Chain<Rational>(length, std::move(stiffness))) > 0;
+    } catch (const Error&) {
+      return false;
+    }
+  };
+  const bool elastic = works({1, 2, 3, 4});
+  const bool base = works({0, 1, 1});
+  const bool interior = works({1, 1, 0, 1});
+  const bool two_passive = works({0, 1, 0, 1});
+  const bool single = works({1});
+  const std::string domain = !elastic                  ? "none"
+                             : !base || !interior      ? "elastic joints only"
+                             : !two_passive || !single ? "two links or more, at most one passive joint"
+                                                       : "arbitrary";
+  const bool right = printed.at(0) == domain;
+  return {right                                              ? Verdict::confirmed
+          : printed.at(0) == "arbitrary" && domain != "none" ? Verdict::imprecise
+                                                             : Verdict::refuted,
+          right ? ""
+                : "it serves " + domain +
+                      ": two passive joints make B singular (a mechanism), a single link has no "
+                      "non-zero eigenvalue",
+          {{EvidenceKind::theorem, "Definiteness: det B != 0 exactly when at most one joint is passive"},
+           {EvidenceKind::exact,
+            fmt::format("tried: elastic {}, passive base {}, passive interior joint {}, two passive joints "
+                        "{}, one link {}",
+                        elastic, base, interior, two_passive, single)}},
+          ""};
+}
+
+Judgement agrees_with_4_1(const Printed& printed, int) {
+  const proofs::Polynomial D = proofs::bordered_determinant(three_link_chain());
+  const std::optional<Rational> F = proofs::parse_decimal(printed.at(0));
+  if (!F) throw Error("claim", printed.at(0), "a multiple of k/L");
+  const bool root = proofs::evaluate(D, *F) == 0;
+  const bool lowest = count_below(three_link_chain(), *F) == 0;
+  return {root && lowest ? Verdict::confirmed : Verdict::refuted,
+          root && lowest ? "" : "the lowest root is F = k/L",
+          {{EvidenceKind::exact,
+            fmt::format("L = (1,1,1), k = (0,1,1): det(A F + B) vanishes at F = {}: {}; critical forces "
+                        "below it: {}",
+                        printed.at(0), root, count_below(three_link_chain(), *F))}},
+          printed.at(0) + " k/L"};
+}
+
+}  // namespace
+
+std::vector<Claim> claims::eigenvalues() {
+  return {
+      {"B-invertible", "4.2, before (34)", "B is invertible, det B != 0", {"nonzero"}, invertible},
+      {"eq-34",
+       "4.2, (34)",
+       "(B^-1 A - lambda I) v = 0 with lambda = -1/F_x",
+       {"-1/Fx"},
+       eigenvalue_of_force},
+      {"eigenvectors",
+       "4.2, before (35)",
+       "B^-1 A has the eigenvectors v_1, …, v_{n+1}",
+       {"n+1"},
+       eigenvectors},
+      {"eq-35-force", "4.2, (35)", "F_x = -1/lambda_i", {"-1/lambda"}, force_of_eigenvalue},
+      {"eq-35-mode",
+       "4.2, (35)",
+       "q_j = mu v_ij, F_y = mu v_{i,n+1}",
+       {"mu*v1", "mu*v2", "mu*v3"},
+       scaled_mode},
+      {"two-zeros", "4.2, after (35)", "exactly two eigenvalues are zero", {"2"}, zeros},
+      {"zeros-are-straight",
+       "4.2, after (35)",
+       "the two zero eigenvalues correspond to a straight configuration",
+       {"2"},
+       straight},
+      {"det-A", "4.2, after (35)", "det A = 0", {"zero"}, determinant_A},
+      {"rank", "4.2, after (35)", "rank(B^-1 A) = n - 1", {"n-1"}, rank},
+      {"shape-count", "4.2, before (36)", "there are 2(n-1) possible shapes", {"2*(n-1)"}, shape_count},
+      {"buckles-at-lowest",
+       "4.2, before (36)",
+       "buckling happens at the lowest of the equilibrium loadings",
+       {"lowest"},
+       buckles_at},
+      {"straight-until-critical",
+       "4, first paragraph",
+       "like Euler's column, the chain keeps its straight shape until the load exceeds the critical force",
+       {"above"},
+       bends_above},
+      {"eq-36", "4.2, (36)", "critical force F_x^0 = -1/max|lambda_i|", {"-1"}, critical_force},
+      {"algorithm-1-general",
+       "4.2, before Algorithm 1",
+       "it applies to arbitrary link lengths and joint stiffnesses",
+       {"arbitrary"},
+       generality},
+      {"algorithm-1-step-3",
+       "4.2, Algorithm 1",
+       "step 3: the eigenvalues lambda_1 … lambda_{n-1} of B^-1 A",
+       {"n-1"},
+       listed_eigenvalues},
+      {"algorithm-1-step-4", "4.2, Algorithm 1", "step 4: F_x^0 = -1/max|lambda_i|", {"-1"}, critical_force},
+      {"agrees-with-4.1",
+       "4.2, last paragraph",
+       "the method agrees with the critical force of 4.1, k/L",
+       {"1"},
+       agrees_with_4_1},
+  };
+}
+
+}  // namespace plumbline::verify

@@ -1,0 +1,142 @@
+/// \file
+/// Section 4.2, the energy of the modes: equations (37) to (39) and the sentences around them.
+
+#include <fmt/core.h>
+
+#include <plumbline/straight/critical_force.hpp>
+
+#include "proofs/exact_chain.hpp"
+#include "proofs/symbolic_chain.hpp"
+#include "verify/claims/claims.hpp"
+#include "verify/claims/straight_chains.hpp"
+#include "verify/judging/comparison.hpp"
+
+namespace plumbline::verify {
+namespace {
+
+using GiNaC::ex;
+
+/// Symbols of a mode of four links: L, k, v and mu.
+struct SymbolicMode {
+  proofs::SymbolicChain chain = proofs::SymbolicChain::generic(4);
+  proofs::Formulas formulas;
+  std::vector<ex> v;
+  ex energy = 0, shortening = 0;
+  SymbolicMode()
+      : formulas([] {
+          std::vector<std::string> names{"mu"};
+          for (int i = 1; i <= 4; ++i) {
+            for (const char* name : {"L", "k", "v"}) names.push_back(fmt::format("{}{}", name, i));
+          }
+          return names;
+        }()) {
+    const ex mu = formulas.symbol("mu");
+    ex theta = 0;
+    for (int i = 1; i <= 4; ++i) {
+      const ex q = mu * formulas.symbol(fmt::format("v{}", i));
+      theta += q;
+      energy += formulas.symbol(fmt::format("k{}", i)) * pow(q, 2) / 2;
+      shortening += formulas.symbol(fmt::format("L{}", i)) * pow(theta, 2) / 2;
+    }
+  }
+};
+
+Judgement mode_energy(const Printed& printed, int) {
+  const SymbolicMode mode;
+  return judge_formulas(mode.formulas, printed, {mode.energy, mode.shortening}, {"E_i", "delta_x"},
+                        "q = mu v in sum k q^2 / 2 and in (25), n = 4");
+}
+
+Judgement factor(const Printed& printed, int) {
+  const SymbolicMode mode;
+  return judge_formulas(mode.formulas, printed, {mode.energy / mode.shortening}, {"mu_i^0"},
+                        "E_i / delta_x of (37), n = 4");
+}
+
+Judgement energy_law(const Printed& printed, int) {
+  const SymbolicMode mode;
+  const proofs::Formulas formulas({"f", "dx"});
+  const ex right_side = formulas.parse(printed.at(0))
+                            .subs(GiNaC::lst{formulas.symbol("f") == mode.energy / mode.shortening,
+                                             formulas.symbol("dx") == mode.shortening});
+  const bool right = proofs::identical(right_side, mode.energy);
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : "E_i = mu_i^0 delta_x",
+          {{EvidenceKind::symbolic, "(37) and (39) inserted, n = 4; leading order in delta_x, as (25) is"}},
+          ""};
+}
+
+Judgement factor_order(const Printed& printed, int) {
+  bool equal = true;
+  const ex F = GiNaC::realsymbol("F");
+  for (std::size_t n = fewest; n <= most; ++n)
+    equal = equal && proofs::energy_factor_of_mode(n, F).is_equal(F);
+  return judge_word(printed.at(0), equal ? "largest" : "another", {"largest", "smallest", "another"},
+                    "mu_i^0 = -1/lambda_i: the smallest factor belongs to the largest |lambda|",
+                    {{EvidenceKind::theorem,
+                      "Energy factor: mu_i^0 = F_i = -1/lambda_i exactly, for every mode of every chain"},
+                     {EvidenceKind::symbolic, "n = 2 … 6: (29) and (30) inserted in (39) leave F"}});
+}
+
+/// Negative directions at a small bent shape of mode m, among those that keep the end point: one for each
+/// lower mode.
+Judgement first_mode(const Printed& printed, int) {
+  const Chain<Rational> chain = four_link_chain();
+  // just above F_m: m negative directions, of which the mode itself is one, which the end point forbids
+  const std::vector<Rational> above{Rational(925, 1000), Rational(2306, 1000), Rational(352, 100)};
+  std::string stable;
+  std::string found;
+  for (std::size_t m = 0; m < above.size(); ++m) {
+    const std::size_t index = count_below(chain, above[m]) - 1;
+    if (index == 0) stable += std::to_string(m + 1);
+    found += fmt::format("{}mode {}: {}", m == 0 ? "" : ", ", m + 1, index);
+  }
+  const std::string which = stable == "1" ? "minimum" : "another";
+  return judge_word(printed.at(0), which, {"minimum", "maximum", "another"},
+                    "only the mode of the minimum energy is stable",
+                    {{EvidenceKind::exact,
+                      "unit chain of four links, negative directions of the energy at the small bent shape "
+                      "under an imposed end point: " +
+                          found}});
+}
+
+Judgement energy_count(const Printed& printed, int) {
+  Judgement result = judge_count(
+      printed.at(0), [](std::size_t n) { return proofs::distinct_critical_forces(unequal_chain(n)); },
+      "n - 1 energies E_i = F_i delta_x, each of two mirrored shapes", EvidenceKind::exact,
+      "distinct roots of det(A F + B), L_i = (3i-1)/i");
+  return with_evidence(result, EvidenceKind::theorem, "Energy factor and Simple modes");
+}
+
+}  // namespace
+
+std::vector<Claim> claims::energy() {
+  const std::string k_sum = "k1*v1^2+k2*v2^2+k3*v3^2+k4*v4^2";
+  const std::string L_sum = "L1*v1^2+L2*(v1+v2)^2+L3*(v1+v2+v3)^2+L4*(v1+v2+v3+v4)^2";
+  return {
+      {"eq-37",
+       "4.2, (37)",
+       "E_i and delta_x of a mode",
+       {"mu^2/2*(" + k_sum + ")", "mu^2/2*(" + L_sum + ")"},
+       mode_energy},
+      {"eq-38", "4.2, (38)", "E_i = mu_i^0 delta_x", {"f*dx"}, energy_law},
+      {"eq-39", "4.2, (39)", "energy factor mu_i^0", {"(" + k_sum + ")/(" + L_sum + ")"}, factor},
+      {"energy-count",
+       "4.2, after (39)",
+       "for one delta_x there are n-1 shapes with different energies",
+       {"n-1"},
+       energy_count},
+      {"first-mode-observed",
+       "4.2, after (39)",
+       "the mode with the minimum energy factor is the one observed",
+       {"minimum"},
+       first_mode},
+      {"factor-order",
+       "4.2, after (39)",
+       "the minimum of mu_i^0 belongs to the largest |lambda_i|",
+       {"largest"},
+       factor_order},
+  };
+}
+
+}  // namespace plumbline::verify

@@ -1,0 +1,372 @@
+/// \file
+/// Section 2, Figures 2, 3, 5 and 6: what the curves of two and of three links are said to show.
+
+#include <fmt/core.h>
+
+#include <plumbline/chain/linearised.hpp>
+
+#include "proofs/census.hpp"
+#include "proofs/symbolic_statics.hpp"
+#include "verify/claims/claims.hpp"
+#include "verify/claims/loaded_chains.hpp"
+#include "verify/claims/post_buckling.hpp"
+#include "verify/judging/comparison.hpp"
+#include "verify/judging/sign.hpp"
+
+namespace plumbline::verify {
+namespace {
+
+// --- two links, k = L = 1: V(q) = 2 q^2 - 2 F (cos alpha - cos(alpha + q))
+
+Interval deflection(const Interval& alpha, const Interval& q) {
+  return Interval(2) * (cos(alpha) - cos(alpha + q));
+}
+
+/// The minima of V for -pi < alpha + q < pi, ascending, each enclosed tightly.
+std::vector<Interval> minima(const Interval& alpha, const Interval& F) {
+  const auto slope = [&](const Interval& q) { return Interval(2) * q - F * sin(alpha + q); };
+  const auto curvature = [&](const Interval& q) { return Interval(2) - F * cos(alpha + q); };
+  std::vector<Interval> found;
+  for (Interval q : isolate_zeros(slope, curvature, -Interval::pi() - alpha, Interval::pi() - alpha)) {
+    if (!certainly_positive(curvature(q))) continue;
+    for (int i = 0; i < 8; ++i) {  // interval Newton
+      const Interval m(q.middle(), q.middle());
+      q = intersection(q, m - slope(m) / curvature(q)).value();
+    }
+    found.push_back(q);
+  }
+  return found;
+}
+
+Judgement straight_below(const Printed& printed, int) {
+  const std::vector<Interval> at = minima(Interval(0), Interval(Rational(199, 100)));
+  const bool straight = at.size() == 1 && at[0].contains_zero();
+  return judge_word(
+      printed.at(0), straight ? "none" : "some", {"none", "some"},
+      "below F_c the only stable shape is the straight one",
+      {{EvidenceKind::theorem,
+        "F <= 2k/L: V >= (2k - FL) q^2, with equality at q = 0 only (V as in (3), alpha = 0)"},
+       {EvidenceKind::interval, fmt::format("F = 1.99 k/L: minima of V for -pi < q < pi isolated: {}, {}",
+                                            at.size(), straight ? "q = 0" : "not at q = 0")}});
+}
+
+Judgement bent_above(const Printed& printed, int) {
+  bool bent = true;
+  std::size_t count = 0;
+  for (const Rational& F : {Rational(201, 100), Rational(25, 10), Rational(4)}) {
+    const std::vector<Interval> at = minima(Interval(0), Interval(F));
+    count = at.size();
+    bent = bent && count == 2 && certainly_negative(at[0]) && certainly_positive(at[1]);
+  }
+  return judge_word(
+      printed.at(0), bent ? "bent" : "straight", {"bent", "straight"},
+      "above F_c the straight shape is a maximum of V",
+      {{EvidenceKind::interval,
+        fmt::format("minima of V at F = 2.01, 2.5 and 4 k/L: {} each, mirror images with q != 0", count)}});
+}
+
+/// Whether the deflection of the stable shape grows with the force: "depends", else "fixed".
+std::string dependence(const Interval& alpha, const std::vector<Rational>& forces, std::string& note) {
+  Interval before(0);
+  bool grows = true;
+  for (const Rational& F : forces) {
+    const Interval now = deflection(alpha, minima(alpha, Interval(F)).back());
+    grows = grows && certainly_less(before, now);
+    note += fmt::format("{}{}", note.empty() ? "" : ", ", certified_decimal(now, 6));
+    before = now;
+  }
+  return grows ? "depends" : "fixed";
+}
+
+Judgement shape_depends(const Printed& printed, int) {
+  std::string note;
+  const std::string word = dependence(Interval(0), {Rational(201, 100), Rational(25, 10), Rational(4)}, note);
+  return judge_word(
+      printed.at(0), word, {"depends", "fixed"}, "the deflection at the minimum grows with F",
+      {{EvidenceKind::interval, "deflections / L at the minima for F = 2.01, 2.5, 4 k/L: " + note}});
+}
+
+Judgement bent_minimum(const Printed& printed, int) {
+  std::string note;
+  const Interval alpha = Interval::pi() / Interval(6);
+  const std::string word =
+      dependence(alpha, {Rational(1, 2), Rational(1), Rational(2), Rational(3)}, note) == "depends"
+          ? "nonzero"
+          : "zero";
+  return judge_word(
+      printed.at(0), word, {"nonzero", "zero"}, "the minimum moves away from 0 as the force grows",
+      {{EvidenceKind::interval,
+        "alpha = pi/6, F = 0.5, 1, 2, 3 k/L: deflections / L at the minimum with alpha + q > 0: " + note}});
+}
+
+Judgement through_zero(const Printed& printed, int) {
+  const proofs::Formulas formulas({"F", "Delta"});
+  const Interval alpha = Interval::pi() / Interval(6);
+  const Interval force = Interval(0) / sin(alpha);  // F(0) = 2 k 0 / (L sin alpha)
+  const bool zero = force.contains_zero() && deflection(alpha, Interval(0)).contains_zero();
+  const bool right =
+      zero && formulas.parse(printed.at(0)).is_zero() && formulas.parse(printed.at(1)).is_zero();
+  return {
+      right ? Verdict::confirmed : Verdict::refuted,
+      right ? "" : "F(0) = 0 and Delta(0) = 0: without force the chain has its own shape",
+      {{EvidenceKind::symbolic, "(1) at q = 0: F = 2k 0/(L sin alpha) = 0, Delta = 0, as sin alpha != 0"}},
+      ""};
+}
+
+Judgement resists(const Printed& printed, int) {
+  const Interval alpha = Interval::pi() / Interval(6);
+  // F Delta over k: q (cos alpha - cos(alpha + q)) / sin(alpha + q), up to a positive factor
+  const auto work = [&](const Interval& q) { return q * deflection(alpha, q) / sin(alpha + q); };
+  const auto pushed = certain_sign(work, Interval(Rational(1, 100)), Interval(Rational(26, 10)));
+  const auto pulled = certain_sign(work, Interval(Rational(-52, 100)), Interval(Rational(-1, 100)));
+  return judge_word(
+      printed.at(0), pushed == 1 && pulled == 1 ? "resists" : "does not", {"resists", "does not"},
+      "the force has the sign of the deflection",
+      {{EvidenceKind::theorem,
+        "0 < alpha + q < pi: F = 2kq/(L sin(alpha+q)) and Delta = 2L(cos alpha - cos(alpha+q)) both have the "
+        "sign of q"},
+       {EvidenceKind::interval, "alpha = pi/6: F Delta > 0 for q in [-0.52, -0.01] and [0.01, 2.6]"}});
+}
+
+// --- three links with a passive base
+
+const Rational deflections[] = {Rational(1, 20), Rational(3, 10), Rational(8, 10), Rational(14, 10)};
+
+Chain<Interval> straight_chain() {
+  return three_link_chain_at(0, 0);
+}
+
+const std::string where = "certified censuses of the straight chain at 0.05, 0.3, 0.8 and 1.4 L";
+
+Judgement equilibria(const Printed& printed, int) {
+  std::string found;
+  for (const Rational& d : deflections) {
+    const std::string count = std::to_string(held_at(straight_chain(), Interval(3 - d)).equilibria.size());
+    found = found.empty() || found == count ? count : "changing";
+  }
+  return judge_word(printed.at(0), found, {printed.at(0), found}, found + " equilibria at a deflection",
+                    {{EvidenceKind::interval, where}});
+}
+
+/// "U stable, Z unstable" when that is so of every equilibrium.
+Judgement stable_letters(const Printed& printed, int) {
+  std::string found;
+  for (const Rational& d : deflections) {
+    for (const auto& one : held_at(straight_chain(), Interval(3 - d)).equilibria) {
+      const bool stable = one.negative_directions.value() == 0, arch = letter(one).front() == 'U';
+      const std::string word = stable == arch ? "U stable, Z unstable" : "another";
+      found = found.empty() || found == word ? word : "another";
+    }
+  }
+  return judge_word(
+      printed.at(0), found, {"U stable, Z unstable", "Z stable, U unstable", "another"}, found,
+      {{EvidenceKind::interval, where + ": type and signs of both bends of every equilibrium"}});
+}
+
+Judgement like_column(const Printed& printed, int) {
+  const Chain<Interval> chain = straight_chain();
+  // (16): mode 1 has F = k/L and the orientations (1, 0, -1)
+  const Interval curvature = post_buckling_curvature<Interval>(
+      chain, {Interval(1), {Interval(1), Interval(-1), Interval(-1)}, Interval(0)});
+  return judge_word(printed.at(0), certainly_positive(curvature) ? "supercritical" : "subcritical",
+                    {"supercritical", "subcritical"},
+                    "bent shapes exist on the other side of the critical force",
+                    {{EvidenceKind::theorem,
+                      "Supercritical: F = F_m + F_2 a^2 + …, and Euler's column has F_2 > 0 as well"},
+                     {EvidenceKind::interval, "F_2 of the U-shape in " + curvature.text(5) + " k/L"}});
+}
+
+/// The U-shape that a nearly straight chain takes, by the sign of both rest angles.
+std::string side(int sign) {
+  const Chain<Interval> chain = three_link_chain_at(Rational(sign, 60), Rational(sign, 60));
+  const Rational at(3, 10);
+  const SlowPath path = compress_slowly(chain, unloaded_reach(chain), 0.5);
+  return letter(reached(held_at(chain, unloaded_reach(chain) - Interval(at)), path, at));
+}
+
+Judgement which_side(const Printed& printed, int) {
+  const std::string left = side(-1), right = side(1);
+  const bool chosen = left == "U+" && right == "U-";
+  return judge_word(
+      printed.at(0), chosen ? "the perturbation" : "nothing", {"the perturbation", "nothing"},
+      "the observed shape does not depend on the rest angles",
+      {{EvidenceKind::interval,
+        fmt::format("slowly compressed to 0.3 L the chain with alpha_1 = alpha_2 = -pi/60 is {}, with "
+                    "+pi/60 {}; each is in the certified census there",
+                    left, right)}});
+}
+
+Judgement only_stable(const Printed& printed, int) {
+  const Chain<Interval> chain = three_link_chain_at(Rational(-1, 60), Rational(-1, 60));
+  const Interval reach = unloaded_reach(chain);
+  const std::string small = types(held_at(chain, reach - Interval(Rational(1, 100)))),
+                    large = types(held_at(chain, reach - Interval(Rational(3, 10))));
+  const std::string found = large == "1 stable, 3 unstable" ? "the only stable" : "one of two stable";
+  const std::string observed = side(-1);
+  Judgement result{
+      Verdict::confirmed,
+      "",
+      {{EvidenceKind::interval,
+        fmt::format("alpha_1 = alpha_2 = -pi/60: certified censuses at 0.01 L ({}) and 0.3 L ({}); "
+                    "the slowly compressed chain is {}",
+                    small, large, observed)}},
+      ""};
+  if (printed.at(0) == observed && printed.at(1) == found) return result;
+  result.verdict = printed.at(0) == observed ? Verdict::imprecise : Verdict::refuted;
+  result.truth = fmt::format("slow compression leads to {}; it is {}, and the other is reached by a push",
+                             observed, found);
+  return result;
+}
+
+/// The name of the chain with the rest angles (epsilon, epsilon): the paper gives it to the signs of both.
+Judgement quasi_straight_name(const Printed& printed, int) {
+  const auto name = [](int sign) {
+    proofs::CertifiedEquilibrium rest;
+    rest.q = three_link_chain_at(Rational(sign, 60), Rational(sign, 60)).rest();
+    return letter(rest);
+  };
+  const std::string negative = name(-1), positive = name(1),
+                    found = fmt::format("{} for epsilon < 0, {} for epsilon > 0", negative, positive);
+  const Verdict verdict = printed.at(0) == found                                   ? Verdict::confirmed
+                          : printed.at(0) == negative || printed.at(0) == positive ? Verdict::convention
+                                                                                   : Verdict::refuted;
+  return {
+      verdict,
+      verdict == Verdict::confirmed ? "" : "by the definition in 3.1 (U+ has negative angles) it is " + found,
+      {{EvidenceKind::interval, "signs of the rest angles (epsilon, epsilon), epsilon = -pi/60 and pi/60"}},
+      ""};
+}
+
+/// Which sine the joints of a buckled shape lie on, of those that vanish at both ends.
+std::string sine(const Rational& force, const std::vector<Rational>& q) {
+  const Chain<Rational> chain({1, 1, 1}, {0, 1, 1});
+  Vector<Rational> v(4);
+  v << q[0], q[1], q[2], Rational(0);
+  const Matrix<Rational> pencil = matrix_A(chain) * force + matrix_B(chain);
+  if (Vector<Rational>(pencil * v) != Vector<Rational>(Vector<Rational>::Zero(4)))
+    throw Error("three links", "no mode", "a solution of (32)");
+  const Rational first = q[0], second = first + q[0] + q[1];  // heights of joints 2 and 3
+  for (const int halves : {1, 2}) {
+    // sin(2 a) / sin a = 2 cos a
+    const GiNaC::ex ratio = 2 * cos(GiNaC::Pi * halves / 3);
+    if (second * static_cast<int>(GiNaC::ex_to<GiNaC::numeric>(ratio.denom()).to_int()) ==
+        first * GiNaC::ex_to<GiNaC::numeric>(ratio.numer()).to_int())
+      return halves == 1 ? "half sine" : "full sine";
+  }
+  return "no sine";
+}
+
+Judgement sines(const Printed& printed, int) {
+  const std::string u = sine(1, {1, -1, -1}), z = sine(3, {1, -3, 3});
+  const bool right = printed.at(0) == u && printed.at(1) == z;
+  return {
+      right ? Verdict::confirmed : Verdict::refuted,
+      right ? "" : fmt::format("U is a {}, Z a {}", u, z),
+      {{EvidenceKind::exact,
+        fmt::format("the modes (1, -1, -1) at k/L and (1, -3, 3) at 3k/L solve (32) in rationals; heights of "
+                    "joints 2 and 3 as sin(m pi/3), sin(2 m pi/3): U a {} (m = 1), Z a {} (m = 2)",
+                    u, z)}},
+      ""};
+}
+
+/// The straight chain beyond its critical force: force and deflection of the U-shape (phi, -phi, -phi).
+Judgement beyond(const Printed& printed, int) {
+  const proofs::Formulas formulas({"L", "k", "phi"});
+  const GiNaC::ex L = formulas.symbol("L"), k = formulas.symbol("k"), phi = formulas.symbol("phi");
+  const proofs::SymbolicShape shape{{L, L, L}, {0, k, k}, {phi, -phi, -phi}};
+  const GiNaC::ex force = k * phi / (L * sin(phi)), deflection = 3 * L - end_point(shape)(0, 0);
+  const GiNaC::matrix torques = proofs::torque_balance(shape, force, 0);
+  bool balanced = proofs::identical(deflection, 2 * L * (1 - cos(phi)));
+  for (unsigned i = 0; i < 3; ++i) balanced = balanced && proofs::identical(torques(i, 0), 0);
+  if (!balanced) throw Error("U-shape", "no equilibrium", "(15)");
+  const Interval from(Rational(1, 8)), to(Rational(209, 100));
+  const auto grows = certain_sign([](const Interval&x) { return sin(x) - x * cos(x); }, from, to),
+             deflects = certain_sign([](const Interval&x) { return sin(x); }, from, to);
+  const GiNaC::ex slope = sin(phi) - phi * cos(phi), start = proofs::limit_at_zero(deflection / L, phi),
+                  leading = proofs::series_coefficient(slope, phi, proofs::leading_order(slope, phi, 8));
+  const bool continuous =
+      grows == 1 && deflects == 1 && start.is_zero() && leading.info(GiNaC::info_flags::positive);
+  return judge_word(
+      printed.at(0), continuous ? "continuously" : "with a jump", {"continuously", "with a jump"},
+      "the shape jumps again",
+      {{EvidenceKind::theorem,
+        "F = k phi/(L sin phi) and Delta = 2L(1 - cos phi) are analytic and strictly increasing for 0 < phi "
+        "< "
+        "2 pi/3: N = sin phi - phi cos phi has N(0) = 0, N' = phi sin phi > 0"},
+       {EvidenceKind::symbolic, "(phi, -phi, -phi) satisfies (6) with that force; Delta/L -> " +
+                                    proofs::text(start) +
+                                    " for phi -> 0, so that the shape does not jump at F_c either"},
+       {EvidenceKind::interval, "N > 0 on [1/8, 2.09] by subdivision; stable there: u-curve-stable"}});
+}
+
+/// Letters without their side, sorted: the shapes of the equilibria.
+Judgement shapes(const Printed& printed, int) {
+  std::string found;
+  for (const Rational& d : deflections) {
+    bool u = false, z = false, more = false;
+    for (const auto& one : held_at(straight_chain(), Interval(3 - d)).equilibria) {
+      const char shape = letter(one).front();
+      u = u || shape == 'U', z = z || shape == 'Z', more = more || (shape != 'U' && shape != 'Z');
+    }
+    const std::string here = std::string(u ? "U" : "") + (z ? "Z" : "") + (more ? "?" : "");
+    found = found.empty() || found == here ? here : "changing";
+  }
+  return judge_word(printed.at(0), found, {printed.at(0), found}, "the equilibria have the shapes " + found,
+                    {{EvidenceKind::interval, where + ": signs of both bends of every equilibrium"}});
+}
+
+}  // namespace
+
+std::vector<Claim> claims::first_figures() {
+  return {
+      {"fig-2a",
+       "2, Fig. 2a",
+       "up to the critical force the straight chain does not deflect",
+       {"none"},
+       straight_below},
+      {"fig-2b-shape", "2, Fig. 2b", "above F_c the stable shape is not straight", {"bent"}, bent_above},
+      {"fig-2b-force", "2, Fig. 2b", "the stable shape depends on the force", {"depends"}, shape_depends},
+      {"fig-3a-zero", "2, Fig. 3a", "alpha != 0: the curve passes through (0, 0)", {"0", "0"}, through_zero},
+      {"fig-3a-spring", "2, Fig. 3a", "alpha != 0: the chain always resists the load", {"resists"}, resists},
+      {"fig-3b-minimum",
+       "2, Fig. 3b",
+       "alpha != 0: the minimum has Delta != 0, depending on F",
+       {"nonzero"},
+       bent_minimum},
+      {"fig-5-like-column",
+       "2, Fig. 5",
+       "the straight three-link chain behaves like Euler's column",
+       {"supercritical"},
+       like_column},
+      {"fig-5-count", "2, Fig. 5", "there are four equilibria U+, U-, Z+, Z-", {"4"}, equilibria},
+      {"fig-5-stable", "2, Fig. 5", "only U+ and U- are stable", {"U stable, Z unstable"}, stable_letters},
+      {"fig-5-side",
+       "2, Fig. 5",
+       "small perturbations of the rest angles decide between U+ and U-",
+       {"the perturbation"},
+       which_side},
+      {"fig-5b-only",
+       "2, Fig. 5b",
+       "for (epsilon, epsilon) the initial U+ is the only stable shape that can be observed",
+       {"U+", "the only stable"},
+       only_stable},
+      {"fig-5b-name",
+       "2, Fig. 5b",
+       "the chain with (alpha1, alpha2) = (epsilon, epsilon) is initially U+",
+       {"U+"},
+       quasi_straight_name},
+      {"fig-5-sines",
+       "2, Fig. 5",
+       "U- and Z-shapes correspond to the half sine and the sine of the column",
+       {"half sine", "full sine"},
+       sines},
+      {"three-link-beyond",
+       "2, last paragraph",
+       "once it has buckled the shape changes continuously while the load grows",
+       {"continuously"},
+       beyond},
+      {"fig-6-shapes", "2, Fig. 6", "after buckling there are U- and Z-shapes", {"UZ"}, shapes},
+  };
+}
+
+}  // namespace plumbline::verify

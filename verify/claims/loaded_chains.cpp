@@ -1,0 +1,300 @@
+#include "verify/claims/loaded_chains.hpp"
+
+#include <fmt/core.h>
+
+#include <boost/math/tools/roots.hpp>
+#include <plumbline/branch/sharpen.hpp>
+#include <plumbline/branch/slow_loading.hpp>
+
+#include "proofs/exactly.hpp"
+#include "verify/judging/sign.hpp"
+
+namespace plumbline::verify {
+
+namespace {
+
+Chain<Interval> unit_chain(const std::vector<int>& ten_thousandths) {
+  std::vector<Interval> rest;
+  rest.reserve(ten_thousandths.size());
+  for (const int angle : ten_thousandths) rest.emplace_back(Rational(angle, 10000));
+  return Chain<Interval>({1, 1, 1, 1}, {1, 1, 1, 1}, rest);
+}
+
+proofs::Located middle(const Interval& x) {
+  return x.middle();
+}
+
+template <Analytic Real>
+Loading<Real> inwards(const Real& reach) {
+  return {Control::end_point, {reach, Real(0)}, {Real(-1), Real(0)}};
+}
+
+double rounded(const Interval& x) {
+  return static_cast<double>(x.middle());
+}
+
+std::string in_words(const proofs::PathCertificate& proved) {
+  std::string words =
+      fmt::format("{}, proved by {} interval Newton segments: ",
+                  proved.gaps.empty() ? "one smooth branch" : "smooth but for a gap", proved.segments);
+  std::string_view before;
+  for (const proofs::CertifiedRun& run : proved.runs) {
+    words += fmt::format("{}{} from deflection {:.6g} to {:.6g}", before,
+                         run.negative_directions == 0 ? "stable" : "unstable", run.from, run.to);
+    before = ", then ";
+  }
+  for (const proofs::Span& fold : proved.folds)
+    words += "; the deflection turns exactly once in " + text(fold, 12);
+  for (const proofs::Span& least : proved.softest)
+    words += "; the tangent stiffness is least exactly once in " + text(least, 8);
+  if (proved.certified() && proved.counted)
+    words += proved.softens           ? "; the tangent stiffness falls all along"
+             : proved.softest.empty() ? "; the tangent stiffness has no minimum"
+                                      : ", and nowhere else";
+  for (const proofs::Span& gap : proved.gaps) words += "; not covered, around a bifurcation: " + text(gap, 8);
+  if (proved.failed_at) words += "; not proved from " + text(*proved.failed_at, 8) + " on: " + proved.failure;
+  return words + (proved.stiff ? "; the force grows all along" : "");
+}
+
+/// The chain turned so that its unloaded end point lies on the x axis; possible with a passive base.
+Vector<double> unloaded_shape(const Chain<double>& chain) {
+  std::vector<double> q = chain.rest();
+  if (chain.passive_joint(0)) {
+    const Point<double> p = end_point(chain, q);
+    q[0] -= std::atan2(p.y, p.x);
+  }
+  return absolute_angles(q);
+}
+
+}  // namespace
+
+Chain<Interval> three_link_chain_at(const Rational& alpha1_over_pi, const Rational& alpha2_over_pi) {
+  return Chain<Interval>(
+      {1, 1, 1}, {0, 1, 1},
+      {0, Interval(alpha1_over_pi) * Interval::pi(), Interval(alpha2_over_pi) * Interval::pi()});
+}
+
+Chain<Interval> fig7_chain() {
+  return three_link_chain_at(Rational(-1, 4), Rational(-1, 3));
+}
+Chain<Interval> fig8_chain() {
+  return three_link_chain_at(Rational(1, 10), Rational(-1, 10));
+}
+
+Chain<Interval> u_shaped_chain() {
+  return unit_chain({-3179, 558, 3804, 3524});
+}
+Chain<Interval> z_shaped_chain() {
+  return unit_chain({-2417, 6821, -7958, 5170});
+}
+
+Matrix<Rational> bent_jacobian(std::size_t n) {
+  const auto size = static_cast<Eigen::Index>(n);
+  Matrix<Rational> J(2, size);
+  Rational x = 0, y = 0;
+  for (Eigen::Index i = size; i-- > 0;) {  // the tangent of half the link's orientation is 1 / (i + 2)
+    const Rational t(1, static_cast<int>(i) + 2);
+    x += (1 - t * t) / (1 + t * t);
+    y += 2 * t / (1 + t * t);
+    J(0, i) = -y;
+    J(1, i) = x;
+  }
+  return J;
+}
+
+Interval unloaded_reach(const Chain<Interval>& chain) {
+  const Point<Interval> p = end_point(chain, chain.rest());
+  return sqrt(sqr(p.x) + sqr(p.y));
+}
+Interval table_1_reach() {
+  return Interval(Rational(19, 5));
+}
+
+proofs::Census held_at(const Chain<Interval>& chain, const Interval& x) {
+  proofs::Census census = proofs::census_at_end_point(chain, {x, Interval(0)});
+  if (!census.complete()) throw Error("census", "undecided boxes", "a regular deflection");
+  return census;
+}
+
+std::string types(const proofs::Census& census) {
+  std::size_t stable = 0;
+  for (const auto& one : census.equilibria) stable += one.negative_directions.value() == 0 ? 1 : 0;
+  return fmt::format("{} stable, {} unstable", stable, census.equilibria.size() - stable);
+}
+
+std::string extrema(const proofs::Census& census, int sign_of_q4) {
+  std::size_t count[3] = {0, 0, 0};
+  for (const auto& one : census.equilibria) {
+    const char q4 = sign_character(sin(one.q.at(3)));
+    if (q4 == '0') throw Error("census", "an open sign of q4", "a certain one");
+    if (sign_of_q4 == 0 || (q4 == '+') == (sign_of_q4 > 0)) ++count[one.negative_directions.value()];
+  }
+  return fmt::format("{} minima, {} saddles, {} maxima", count[0], count[1], count[2]);
+}
+
+std::string signs(const proofs::CertifiedEquilibrium& one, std::size_t from) {
+  std::string text;
+  for (std::size_t i = from; i < one.q.size(); ++i) text += sign_character(one.q[i]);
+  return text;
+}
+
+std::string letter(const proofs::CertifiedEquilibrium& one) {
+  const std::string bends = signs(one, 1);
+  return bends == "--" ? "U+" : bends == "++" ? "U-" : bends == "+-" ? "Z-" : bends == "-+" ? "Z+" : bends;
+}
+
+std::vector<BranchEvent<proofs::Located>> SlowPath::of_kind(EventKind kind) const {
+  std::vector<BranchEvent<proofs::Located>> found;
+  for (const auto& event : events) {
+    if (event.kind == kind) found.push_back(event);
+  }
+  return found;
+}
+
+bool SlowPath::regular() const {
+  return proved.size() == 1 && proved[0].regular() && stretches[0].end == BranchEnd::load;
+}
+
+std::string SlowPath::continuity() const {
+  const auto certified = [](const proofs::PathCertificate& one) { return one.certified(); };
+  if (regular()) return "continuous";
+  return std::all_of(proved.begin(), proved.end(), certified) ? "a jump" : "open";
+}
+
+bool SlowPath::stiff() const {
+  return regular() && proved[0].stiff;
+}
+
+std::size_t SlowPath::softest() const {
+  if (!regular() || !proved[0].counted)
+    throw Error("path", "an open number of minima of its stiffness", "a proved one");
+  return proved[0].softest.size();
+}
+
+Evidence SlowPath::evidence() const {
+  std::string text;
+  for (const proofs::PathCertificate& one : proved)
+    text += (text.empty() ? "" : "; and after it ") + in_words(one);
+  return {EvidenceKind::interval, text};
+}
+
+BranchPoint<proofs::Located> SlowPath::at(const Rational& deflection) const {
+  const auto load = from_rational<double>(deflection);
+  const BranchPoint<double>* nearest = &stretches[0].points[0];
+  for (const Branch<double>& stretch : stretches) {
+    for (const BranchPoint<double>& point : stretch.points) {
+      if (std::abs(point.load - load) < std::abs(nearest->load - load)) nearest = &point;
+    }
+  }
+  return proofs::locate_at(chain, loading, *nearest, from_rational<proofs::Located>(deflection));
+}
+
+SlowPath compress_slowly(const Chain<Interval>& chain, const Interval& reach, double last, int side) {
+  using Model = NominalModel<double>;
+  const Model model(convert<double>(chain, rounded));
+  const Vector<double> shape = unloaded_shape(model.chain());
+  Brancher<Model> brancher(model, inwards(rounded(reach)), shape);
+  SlowPath path{chain, reach, convert<proofs::Located>(chain, middle), inwards(middle(reach)), {}, {}, {}};
+  path.stretches = load_slowly(brancher, brancher.start(0, shape), {0, last}, side);
+  for (const Branch<double>& stretch : path.stretches) {
+    for (auto& event : proofs::locate_events(path.chain, path.loading, stretch))
+      path.events.push_back(std::move(event));
+    path.proved.push_back(proofs::certify(chain, inwards(reach), stretch));
+  }
+  return path;
+}
+
+proofs::CertifiedEquilibrium reached(const proofs::Census& census, const SlowPath& path,
+                                     const Rational& deflection) {
+  const std::vector<proofs::Located> q = joint_angles(path.at(deflection).theta);
+  for (const proofs::CertifiedEquilibrium& one : census.equilibria) {
+    bool same = true;
+    for (std::size_t i = 0; i < q.size() && same; ++i)
+      same = abs(one.q[i].middle() - q[i]) < proofs::Located("1e-20");
+    if (same) return one;
+  }
+  throw Error("census", "no equilibrium of the path", "every state that the chain can have");
+}
+
+const SlowPath& fig7_path() {
+  static const SlowPath instance = compress_slowly(fig7_chain(), unloaded_reach(fig7_chain()), 1.5);
+  return instance;
+}
+const SlowPath& u_path() {
+  static const SlowPath instance = compress_slowly(u_shaped_chain(), table_1_reach(), 1.5);
+  return instance;
+}
+const SlowPath& z_path() {
+  static const SlowPath instance = compress_slowly(z_shaped_chain(), table_1_reach(), 1.5);
+  return instance;
+}
+
+std::vector<proofs::CertifiedEquilibrium> states(const SlowPath& path,
+                                                 const std::vector<Rational>& deflections) {
+  std::vector<proofs::CertifiedEquilibrium> found;
+  found.reserve(deflections.size());
+  for (const Rational& d : deflections)
+    found.push_back(reached(held_at(path.enclosed, path.reach - Interval(d)), path, d));
+  return found;
+}
+
+std::vector<Interval> mean_stiffnesses(const SlowPath& path, const std::vector<Rational>& deflections) {
+  const std::vector<proofs::CertifiedEquilibrium> at = states(path, deflections);
+  std::vector<Interval> slopes;
+  for (std::size_t i = 1; i < at.size(); ++i)
+    slopes.push_back((at[i - 1].fx - at[i].fx) / Interval(deflections[i] - deflections[i - 1]));
+  return slopes;
+}
+
+proofs::Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& from,
+                               const Rational& to) {
+  const auto angle = [&](const proofs::Located& load) {
+    return joint_angles(path.at(proofs::exactly(load)).theta)[joint];
+  };
+  const auto low = from_rational<proofs::Located>(from), high = from_rational<proofs::Located>(to);
+  std::uintmax_t evaluations = 100;
+  const auto close = [](const proofs::Located& a, const proofs::Located& b) {
+    return abs(b - a) < proofs::Located("1e-58");
+  };
+  const auto [a, b] = boost::math::tools::toms748_solve(angle, low, high, close, evaluations);
+  return (a + b) / 2;
+}
+
+Branch<double> branch_through(const Chain<Interval>& chain, const Interval& reach,
+                              const proofs::CertifiedEquilibrium& one, double deflection, int direction,
+                              const TraceLimits<double>& limits) {
+  using Model = NominalModel<double>;
+  const Model model(convert<double>(chain, rounded));
+  Brancher<Model> brancher(model, inwards(rounded(reach)), absolute_angles(model.chain().rest()));
+  std::vector<double> q;
+  for (const Interval& angle : one.q) q.push_back(rounded(angle));
+  auto start = brancher.start(deflection, absolute_angles(q), {rounded(one.fx), rounded(one.fy)});
+  if (start.tangent.load * direction < 0) Brancher<Model>::scale(start.tangent, -1);
+  return Tracer<Model>(brancher, limits).run(start);
+}
+
+proofs::PathCertificate prove_branch(const Chain<Interval>& chain, const Interval& reach,
+                                     const Branch<double>& branch) {
+  return proofs::certify(chain, inwards(reach), branch);
+}
+
+std::vector<proofs::PathCertificate> leaving(const SlowPath& path,
+                                             const BranchEvent<proofs::Located>& bifurcation, double to) {
+  using Model = NominalModel<double>;
+  constexpr double next_to = 1e-5;  // root mean square turn of the links
+  const Model model(convert<double>(path.enclosed, rounded));
+  Brancher<Model> brancher(model, inwards(rounded(path.reach)), absolute_angles(model.chain().rest()));
+  BranchPoint<double> at = lift<double>(bifurcation.point);
+  at.tangent = lift<double>(bifurcation.crossing);
+  std::vector<proofs::PathCertificate> sides;
+  for (const int side : {1, -1}) {
+    auto off = brancher.step(at, side * next_to);
+    if (!off) throw Error("bifurcation", "a side that is not found", "two sides of the branch that crosses");
+    if (off->tangent.load < 0) Brancher<Model>::scale(off->tangent, -1);
+    const Branch<double> branch = Tracer<Model>(brancher, {0, to}).run(*off);
+    sides.push_back(proofs::certify(path.enclosed, inwards(path.reach), branch));
+  }
+  return sides;
+}
+
+}  // namespace plumbline::verify

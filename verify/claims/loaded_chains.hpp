@@ -1,0 +1,114 @@
+#pragma once
+/// \file
+/// The loaded chains of sections 2 and 3: all their equilibria at a deflection, and their paths.
+
+#include <string>
+#include <vector>
+
+#include "proofs/census.hpp"
+#include "proofs/certified_path.hpp"
+#include "proofs/located_event.hpp"
+#include "verify/judging/claim.hpp"
+
+namespace plumbline::verify {
+
+/// Three links, passive base, L = k = 1, rest angles given as fractions of pi.
+Chain<Interval> three_link_chain_at(const Rational& alpha1_over_pi, const Rational& alpha2_over_pi);
+
+/// The U-shaped chain of Fig. 7, the Z-shaped one of Figs. 8 and 9.
+Chain<Interval> fig7_chain();
+Chain<Interval> fig8_chain();
+
+/// Table 1: four links, L = k = 1.
+Chain<Interval> u_shaped_chain();
+Chain<Interval> z_shaped_chain();
+
+/// Jacobian of a bent chain of n unit links, in rationals: rank 2.
+Matrix<Rational> bent_jacobian(std::size_t n);
+
+/// Distance of the unloaded end point from the base.
+Interval unloaded_reach(const Chain<Interval>& chain);
+/// Where the end point of the chains of Table 1 stands without load, as the paper has it: 3.8.
+Interval table_1_reach();
+
+/// All equilibria with the end point on the x axis, proved complete. \throws Error where it is not decided
+proofs::Census held_at(const Chain<Interval>& chain, const Interval& x);
+
+/// "2 stable, 2 unstable".
+std::string types(const proofs::Census& census);
+/// "1 minima, 1 saddles, 1 maxima" of the energy of a four-link chain; on one sheet of the elbow if a sign of
+/// q_4 is given.
+std::string extrema(const proofs::Census& census, int sign_of_q4 = 0);
+
+/// Signs of joint angles, such as "-+-+"; of all, or from a joint (counted from 0) on.
+std::string signs(const proofs::CertifiedEquilibrium& one, std::size_t from = 0);
+/// The shape of three links by the bends of its two joints, in the paper's words: U+ for two negative ones,
+/// U-, and Z- for "+-" (the middle link leads upwards), Z+.
+std::string letter(const proofs::CertifiedEquilibrium& one);
+
+/// What a slowly compressed chain does: followed in double precision, its events located to fifty digits, its
+/// stretches proved. Its end point stays on the x axis.
+struct SlowPath {
+  Chain<Interval> enclosed;
+  Interval reach;  ///< of the unloaded end point
+  Chain<proofs::Located> chain;
+  Loading<proofs::Located> loading;
+  std::vector<Branch<double>> stretches;             ///< one, and another after every loss of stability
+  std::vector<BranchEvent<proofs::Located>> events;  ///< of all stretches
+  std::vector<proofs::PathCertificate> proved;       ///< of each stretch
+
+  [[nodiscard]] std::vector<BranchEvent<proofs::Located>> of_kind(EventKind kind) const;
+  /// Proved: a stable equilibrium all the way, without bifurcation, fold or jump, which depends analytically
+  /// on the deflection.
+  [[nodiscard]] bool regular() const;
+  /// "continuous", "a jump", or "open" where the proof fails.
+  [[nodiscard]] std::string continuity() const;
+  /// Proved: regular, and the force grows all along.
+  [[nodiscard]] bool stiff() const;
+  /// How many minima the tangent stiffness has along a regular path, proved. \throws Error where that is open
+  [[nodiscard]] std::size_t softest() const;
+  /// What is proved of the stretches, in words.
+  [[nodiscard]] Evidence evidence() const;
+  /// The state at a deflection, to 64 digits.
+  [[nodiscard]] BranchPoint<proofs::Located> at(const Rational& deflection) const;
+};
+SlowPath compress_slowly(const Chain<Interval>& chain, const Interval& reach, double last, int side = 1);
+
+/// The chain of Fig. 7 and those of Table 1, slowly compressed up to 1.5 L; each computed once.
+const SlowPath& fig7_path();
+const SlowPath& u_path();
+const SlowPath& z_path();
+
+/// The equilibrium of a census that a path has at that deflection. \throws Error where there is none
+proofs::CertifiedEquilibrium reached(const proofs::Census& census, const SlowPath& path,
+                                     const Rational& deflection);
+
+/// The states of a path at some deflections, each in a certified census.
+std::vector<proofs::CertifiedEquilibrium> states(const SlowPath& path,
+                                                 const std::vector<Rational>& deflections);
+
+/// Mean stiffness of a path between neighbouring deflections, certified: somewhere between them the tangent
+/// stiffness has that value.
+std::vector<Interval> mean_stiffnesses(const SlowPath& path, const std::vector<Rational>& deflections);
+
+/// The deflection at which a joint angle of the slowly compressed chain passes zero, between two deflections
+/// where it has different signs.
+proofs::Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& from,
+                               const Rational& to);
+
+/// The branch through an equilibrium of a census at a deflection, followed in double precision to growing or
+/// falling deflection as far as the limits.
+Branch<double> branch_through(const Chain<Interval>& chain, const Interval& reach,
+                              const proofs::CertifiedEquilibrium& one, double deflection, int direction,
+                              const TraceLimits<double>& limits);
+
+/// Proof of such a branch.
+proofs::PathCertificate prove_branch(const Chain<Interval>& chain, const Interval& reach,
+                                     const Branch<double>& branch);
+
+/// Proofs that stable shapes leave a bifurcation for growing deflection: to each side, from next to it up to
+/// another deflection.
+std::vector<proofs::PathCertificate> leaving(const SlowPath& path,
+                                             const BranchEvent<proofs::Located>& bifurcation, double to);
+
+}  // namespace plumbline::verify

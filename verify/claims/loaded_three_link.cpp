@@ -1,0 +1,393 @@
+/// \file
+/// Section 3.1: three links with a passive base, bent at rest; the U-chain of Fig. 7.
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/LU>
+#include <set>
+
+#include "proofs/census.hpp"
+#include "proofs/symbolic_statics.hpp"
+#include "verify/claims/claims.hpp"
+#include "verify/claims/loaded_chains.hpp"
+#include "verify/claims/post_buckling.hpp"
+#include "verify/judging/comparison.hpp"
+
+namespace plumbline::verify {
+namespace {
+
+proofs::Census at_deflection(const Rational& deflection) {
+  return held_at(fig7_chain(), unloaded_reach(fig7_chain()) - Interval(deflection));
+}
+
+/// Rank of the Jacobian of three links with the directions (c, s): "singular" below 2.
+std::string rank_word(const std::vector<std::pair<Rational, Rational>>& directions) {
+  Matrix<Rational> J(2, 3);
+  Rational x = 0, y = 0;
+  for (Eigen::Index i = 3; i-- > 0;) {
+    x += directions[static_cast<std::size_t>(i)].first;
+    y += directions[static_cast<std::size_t>(i)].second;
+    J(0, i) = -y;
+    J(1, i) = x;
+  }
+  return Eigen::FullPivLU<Matrix<Rational>>(J).rank() < 2 ? "singular" : "non-singular";
+}
+
+Judgement singular(const Printed& printed, int) {
+  const std::string straight = rank_word({{1, 0}, {1, 0}, {1, 0}});
+  const std::string bent = rank_word({{1, 0}, {Rational(3, 5), Rational(4, 5)}, {1, 0}});
+  const std::string folded = rank_word({{1, 0}, {1, 0}, {-1, 0}});
+  const bool right = printed.at(0) == straight && printed.at(1) == bent;
+  return {
+      !right           ? Verdict::refuted
+      : bent == folded ? Verdict::confirmed
+                       : Verdict::imprecise,
+      "the Jacobian is singular where all links are parallel: in the straight shape, and in every shape that "
+      "is "
+      "folded back on one line, which is not straight",
+      {{EvidenceKind::exact, fmt::format("rank of J in rationals: straight {}, bent {}, folded (0, 0, pi) {}",
+                                         straight, bent, folded)}},
+      ""};
+}
+
+/// Four links, symmetric at rest: the end point lies on the x axis. They snap.
+Chain<Interval> snapping_chain() {
+  const Interval angle(Rational(3, 5));
+  return Chain<Interval>({1, 1, 1, 1}, {5, 5, 5, 6}, {angle, Interval(-2) * angle, angle, 0});
+}
+
+const SlowPath& snapping_path() {
+  static const SlowPath instance = compress_slowly(snapping_chain(), unloaded_reach(snapping_chain()), 1.5);
+  return instance;
+}
+
+Judgement always_continuous(const Printed& printed, int digits) {
+  const Chain<Interval> chain = snapping_chain();
+  const Interval reach = unloaded_reach(chain);
+  const SlowPath& path = snapping_path();
+  const auto folds = path.of_kind(EventKind::fold);
+  if (folds.size() != 1) throw Error("snapping chain", std::to_string(folds.size()) + " folds", "one");
+  const Rational before(1140, 1000), after(1145, 1000);
+  const proofs::Census here = held_at(chain, reach - Interval(before)),
+                       there = held_at(chain, reach - Interval(after));
+  // the equilibrium that the chain follows before the fold has none near it after it
+  const proofs::CertifiedEquilibrium last = reached(here, path, before);
+  Interval nearest(10);
+  for (const auto& one : there.equilibria) {
+    Interval distance(0);
+    for (std::size_t i = 0; i < one.q.size(); ++i) distance += sqr(one.q[i] - last.q[i]);
+    if (certainly_less(distance, nearest)) nearest = distance;
+  }
+  const proofs::PathCertificate& proved = path.proved.front();
+  const bool snaps = proved.certified() && proved.folds.size() == 1 && proved.runs.size() == 2 &&
+                     proved.runs[0].negative_directions == 0 && proved.runs[1].negative_directions == 1;
+  const bool jumps = path.stretches.size() == 2 && snaps &&
+                     here.equilibria.size() == there.equilibria.size() + 2 &&
+                     certainly_less(Interval(Rational(1, 100)), nearest);
+  Judgement result = judge_word(
+      printed.at(0), jumps ? "can jump" : "continuous", {"continuous", "can jump"},
+      fmt::format("as long as no fold is met: four links, k = (5, 5, 5, 6), rest angles "
+                  "(0.6, -1.2, 0.6, 0), snap to another shape at {} L of compression",
+                  folds[0].point.load.str(6)),
+      {{EvidenceKind::interval,
+        fmt::format(
+            "that chain, certified censuses at 1.14 L ({}) and 1.145 L ({}): the shape that was followed and "
+            "a saddle are gone, and no equilibrium is within 0.1 of it",
+            types(here), types(there))},
+       path.evidence(),
+       {EvidenceKind::mp50, "fold located by Newton's method; the chain then flows to another shape"}});
+  result.value = folds[0].point.load.str(std::min(digits, proofs::located_digits));
+  return result;
+}
+
+Judgement stiffness_amplitude(const Printed& printed, int) {
+  const proofs::Located first = fig7_path().at(0).stiffness, last = fig7_path().at(Rational(1, 2)).stiffness;
+  const std::vector<Interval> means =
+      mean_stiffnesses(fig7_path(), {Rational(1, 50), Rational(1, 10), Rational(3, 5)});
+  const bool depends = certainly_less(means[1] * Interval(Rational(101, 100)), means[0]);
+  return judge_word(
+      printed.at(0), depends ? "depends" : "constant", {"depends", "constant"},
+      "the stiffness does not change by a percent",
+      {{EvidenceKind::interval,
+        fmt::format(
+            "chain of Fig. 7, certified censuses at 0.02, 0.1 and 0.6 L: mean stiffness {} and {} k/L^2",
+            certified_decimal(means[0], 5), certified_decimal(means[1], 5))},
+       {EvidenceKind::mp50, fmt::format("dF/dDelta is {} k/L^2 without load, {} at "
+                                        "0.5 L",
+                                        first.str(8), last.str(8))}});
+}
+
+/// Equations and unknowns at a given deflection.
+Judgement four_equations(const Printed& printed, int) {
+  const proofs::Formulas names({"L", "k", "phi", "q1", "q2", "alpha1", "alpha2", "Fx", "Fy"});
+  const GiNaC::ex L = names.symbol("L"), k = names.symbol("k"), Fx = names.symbol("Fx"),
+                  Fy = names.symbol("Fy");
+  const proofs::SymbolicShape shape{{L, L, L},
+                                    {0, k, k},
+                                    {names.symbol("phi"), names.symbol("alpha1") + names.symbol("q1"),
+                                     names.symbol("alpha2") + names.symbol("q2")}};
+  const GiNaC::matrix balance = proofs::torque_balance(shape, Fx, Fy), p = end_point(shape);
+  // with y = 0 the moment about the passive base settles F_y = 0
+  const bool settled = proofs::identical(balance(0, 0), p(0, 0) * Fy - p(1, 0) * Fx);
+  const std::size_t equations = balance.nops() + p.nops() - (settled ? 1 : 0), unknowns = shape.q.size() + 1;
+  const std::string found = fmt::format("{} equations, {} unknowns", equations, unknowns);
+  return judge_word(
+      printed.at(0), found, {printed.at(0), found}, found,
+      {{EvidenceKind::symbolic,
+        "(6) has three rows, (5) two; the first row is x F_y - y F_x = 0 and with y = 0 says F_y = 0. "
+        "Unknown are phi, q_1, q_2, and F where Delta is given or Delta where F is"}});
+}
+
+/// What is unknown where Delta is the independent variable.
+Judgement unknowns(const Printed& printed, int) {
+  const std::vector<std::string> all{"L", "k", "alpha1", "alpha2", "x0", "Delta", "phi", "q1", "q2", "F"};
+  const proofs::Formulas names(all);
+  const auto s = [&](const char* name) { return names.symbol(name); };
+  const proofs::SymbolicShape shape{{s("L"), s("L"), s("L")},
+                                    {0, s("k"), s("k")},
+                                    {s("phi"), s("alpha1") + s("q1"), s("alpha2") + s("q2")}};
+  const GiNaC::matrix J = jacobian(shape), p = end_point(shape);
+  const GiNaC::lst equations{J(0, 0) * s("F"), J(0, 1) * s("F") + s("k") * s("q1"),
+                             J(0, 2) * s("F") + s("k") * s("q2"), p(0, 0) - s("x0") + s("Delta"), p(1, 0)};
+  const std::set<std::string> given{"L", "k", "alpha1", "alpha2", "x0", "Delta"};
+  std::set<std::string> found;
+  for (const std::string& name : all) {
+    if (!given.contains(name) && equations.has(names.symbol(name))) found.insert(name);
+  }
+  const bool right = std::set<std::string>(printed.begin(), printed.end()) == found;
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : fmt::format("unknown are {}: Delta is given", fmt::join(found, ", ")),
+          {{EvidenceKind::symbolic,
+            "symbols of (5) and (6) with (F_x, F_y) = (F, 0), less the chain's own, x_0 and the "
+            "independent variable Delta"}},
+          ""};
+}
+
+/// The curves through the equilibria at 0.1 L, each proved from 0 to 1.2 L: "2 stable, 2 unstable".
+std::string curves() {
+  std::size_t stable = 0, unstable = 0;
+  for (const auto& one : at_deflection(Rational(1, 10)).equilibria) {
+    bool whole = true;
+    for (const int direction : {1, -1}) {
+      const Branch<double> branch =
+          branch_through(fig7_chain(), unloaded_reach(fig7_chain()), one, 0.1, direction, {0, 1.2});
+      const proofs::PathCertificate proved = prove_branch(fig7_chain(), unloaded_reach(fig7_chain()), branch);
+      whole = whole && branch.end == BranchEnd::load && proved.certified() && proved.gaps.empty() &&
+              proved.runs.size() == 1 && proved.runs[0].negative_directions == one.negative_directions;
+    }
+    if (whole) ++(one.negative_directions == 0 ? stable : unstable);
+  }
+  return fmt::format("{} stable, {} unstable", stable, unstable);
+}
+
+Judgement count(const Printed& printed, int) {
+  std::string found = curves();
+  std::size_t boxes = 0;
+  for (const Rational& d : {Rational(1, 50), Rational(1, 20), Rational(1, 10)}) {
+    const proofs::Census census = at_deflection(d);
+    if (found != types(census)) found = "another";
+    boxes += census.boxes;
+  }
+  const std::string end = certified_decimal(unloaded_reach(fig7_chain()) - Interval(1), 5);
+  return judge_word(
+      printed.at(0), found, {"2 stable, 2 unstable", "1 stable, 3 unstable", found}, "the count changes",
+      {{EvidenceKind::interval,
+        fmt::format("certified censuses at 0.02, 0.05 and 0.1 L, {} boxes: {}", boxes, found)},
+       {EvidenceKind::interval,
+        fmt::format(
+            "the curves through these equilibria, each proved by interval Newton segments from 0 to 1.2 L, "
+            "without a fold and of one type all along: {} (at {} L the end point is one link off the base, "
+            "and Z-shapes fold into one line)",
+            found, end)}});
+}
+
+Judgement letters(const Printed& printed, int) {
+  std::set<std::string> found;
+  for (const auto& one : at_deflection(Rational(1, 10)).equilibria) {
+    found.insert(letter(one) + (one.negative_directions == 0 ? " stable" : " unstable"));
+  }
+  const std::set<std::string> claimed(printed.begin(), printed.end());
+  std::string list;
+  for (const std::string& one : found) list += (list.empty() ? "" : ", ") + one;
+  return {claimed == found ? Verdict::confirmed : Verdict::refuted,
+          claimed == found ? "" : "the equilibria are " + list,
+          {{EvidenceKind::interval, "certified census at 0.1 L: " + list}},
+          ""};
+}
+
+/// Which shapes are feasible, as section 2 has the word: stable.
+Judgement feasible(const Printed& printed, int) {
+  std::set<std::string> found;
+  for (const auto& one : at_deflection(Rational(1, 10)).equilibria) {
+    if (one.negative_directions == 0) found.insert(letter(one));
+  }
+  const std::string list = fmt::format("{}", fmt::join(found, " and "));
+  const bool right = std::set<std::string>(printed.begin(), printed.end()) == found;
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : "feasible, which section 2 says of the stable ones, are " + list,
+          {{EvidenceKind::interval, "certified census at 0.1 L: stable are " + list}},
+          ""};
+}
+
+/// Whether a slowly compressed chain is always in the lowest of the energy's minima.
+Judgement always_lowest(const Printed& printed, int) {
+  const Rational d(1140, 1000);
+  const proofs::Census census = held_at(snapping_chain(), unloaded_reach(snapping_chain()) - Interval(d));
+  const proofs::CertifiedEquilibrium here = reached(census, snapping_path(), d);
+  const proofs::CertifiedEquilibrium& lowest = census.equilibria.front();
+  const bool local = here.negative_directions == 0 && lowest.negative_directions == 0 &&
+                     certainly_less(lowest.energy, here.energy);
+  return judge_word(
+      printed.at(0), local ? "a local minimum" : "the global minimum",
+      {"a local minimum", "the global minimum"},
+      "a chain stays in its minimum as long as that exists, also where another is lower",
+      {{EvidenceKind::interval,
+        fmt::format(
+            "four links, k = (5, 5, 5, 6), rest angles (0.6, -1.2, 0.6, 0), certified census at 1.14 L: the "
+            "slowly compressed chain has E = {} k, the lowest minimum {} k",
+            certified_decimal(here.energy, 5), certified_decimal(lowest.energy, 5))}});
+}
+
+/// The shape of the chain of Fig. 7 at rest.
+Judgement rest_shape(const Printed& printed, int) {
+  proofs::CertifiedEquilibrium rest;
+  rest.q = fig7_chain().rest();
+  const std::string found = letter(rest);
+  return judge_word(
+      printed.at(0), found, {printed.at(0), found},
+      "the chain of Fig. 7 is " + found + ", as the text before it says: its angles are negative",
+      {{EvidenceKind::interval, "signs of the rest angles -pi/4 and -pi/3"}});
+}
+
+/// How the straight chain leaves its shape where it buckles.
+Judgement straight_jump(const Printed& printed, int) {
+  const Rational curvature = post_buckling_curvature<Rational>(Chain<Rational>({1, 1, 1}, {0, 1, 1}),
+                                                               {Rational(1), {1, -1, -1}, Rational(0)});
+  return judge_word(printed.at(0), curvature > 0 ? "continuous" : "jump", {"continuous", "jump"},
+                    "like Euler's column, the straight three-link chain bends continuously from F_c on: F = "
+                    "F_c + F_2 a^2 with "
+                    "F_2 > 0. What jumps is the stiffness",
+                    {{EvidenceKind::theorem,
+                      "Supercritical: bent shapes exist above the critical force only, and begin at it"},
+                     {EvidenceKind::exact, fmt::format("F_2 of the U-shape = {} k/L", curvature.str())}});
+}
+
+Judgement least_force(const Printed& printed, int) {
+  bool least = true;
+  for (const Rational& d : {Rational(1, 10), Rational(3, 10), Rational(6, 10)}) {
+    const proofs::Census census = at_deflection(d);
+    const auto& lowest = census.equilibria.front();  // by energy
+    for (const auto& other : census.equilibria) {
+      const Interval a = -lowest.fx, b = -other.fx;
+      if (&other != &lowest && certainly_positive(b)) least = least && certainly_less(a, b);
+    }
+    least = least && lowest.negative_directions == 0;
+  }
+  return judge_word(printed.at(0), least ? "minimum" : "another", {"minimum", "another"},
+                    "the shape of least energy has the least compression among those that are compressed",
+                    {{EvidenceKind::interval, "certified censuses at 0.1, 0.3 and 0.6 L"}});
+}
+
+Judgement observed(const Printed& printed, int) {
+  bool lowest = true;
+  std::string shape;
+  for (const Rational& d : {Rational(1, 10), Rational(3, 10), Rational(6, 10), Rational(9, 10)}) {
+    const proofs::Census census = at_deflection(d);
+    const proofs::CertifiedEquilibrium one = reached(census, fig7_path(), d);
+    lowest = lowest && !certainly_less(census.equilibria.front().energy, one.energy);
+    shape = shape.empty() || shape == letter(one) ? letter(one) : "changing";
+  }
+  const std::string found = lowest ? "global" : "local";
+  const bool right = printed.at(0) == shape && printed.at(1) == found;
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : fmt::format("the shape that is reached is {}, a {} minimum", shape, found),
+          {{EvidenceKind::interval,
+            "slowly compressed chain against certified censuses at 0.1, 0.3, 0.6 and 0.9 L: " + shape +
+                ", a " + found + " minimum of the energy"}},
+          ""};
+}
+
+Judgement continuous(const Printed& printed, int) {
+  return judge_word(printed.at(0), fig7_path().continuity(), {"continuous", "a jump", "open"},
+                    "stability is lost on the way", {fig7_path().evidence()});
+}
+
+}  // namespace
+
+std::vector<Claim> claims::loaded_three_link() {
+  return {
+      {"singular-straight",
+       "3, first paragraph",
+       "the Jacobian is singular for the straight shape and non-singular for any other",
+       {"singular", "non-singular"},
+       singular},
+      {"bent-continuous",
+       "3, first paragraph",
+       "a chain that is bent at rest changes its shape continuously",
+       {"continuous"},
+       always_continuous},
+      {"stiffness-amplitude",
+       "3, first paragraph",
+       "the stiffness depends on the loading amplitude",
+       {"depends"},
+       stiffness_amplitude},
+      {"four-equations",
+       "3.1, first paragraph",
+       "four equations for four variables, with (Fx, Fy) = (F, 0)",
+       {"4 equations, 4 unknowns"},
+       four_equations},
+      {"four-unknowns",
+       "3.1, first paragraph",
+       "with Delta as the independent variable the unknowns are Delta, phi, q1, q2",
+       {"Delta", "phi", "q1", "q2"},
+       unknowns},
+      {"observed-global",
+       "3.1, before Fig. 7",
+       "in practice the equilibrium is that of the global minimum of the energy",
+       {"the global minimum"},
+       always_lowest},
+      {"fig-7-feasible",
+       "3.1, Fig. 7",
+       "U+ is the feasible shape; U-, Z+ and Z- are unfeasible",
+       {"U+"},
+       feasible},
+      {"fig-7-count",
+       "3.1, Fig. 7",
+       "the U-chain has two stable and two unstable equilibria",
+       {"2 stable, 2 unstable"},
+       count},
+      {"fig-7-shapes",
+       "3.1, Fig. 7",
+       "the four equilibria are U+, U-, Z+ and Z-, two of them stable",
+       {"U+ stable", "U- stable", "Z+ unstable", "Z- unstable"},
+       letters},
+      {"fig-7-force",
+       "3.1, Fig. 7",
+       "the shape that is observed has the minimum compressive force",
+       {"minimum"},
+       least_force},
+      {"fig-7-observed",
+       "3.1, Fig. 7",
+       "only U+ is observed, the global minimum of the energy",
+       {"U+", "global"},
+       observed},
+      {"fig-7-continuous",
+       "3.1, Fig. 7",
+       "the shape of the U-chain changes continuously, without a jump",
+       {"continuous"},
+       continuous},
+      {"fig-7-rest",
+       "3.1, after Fig. 8",
+       "the case before the Z-chain is that of the initial U--configuration",
+       {"U-"},
+       rest_shape},
+      {"straight-jump",
+       "3.1, last paragraph",
+       "a straight chain under compression suddenly jumps to a curved shape, like the column",
+       {"jump"},
+       straight_jump},
+  };
+}
+
+}  // namespace plumbline::verify

@@ -1,0 +1,296 @@
+/// \file
+/// Section 2, the mechanics of the three-link mechanism: equations (4) to (10).
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "proofs/census.hpp"
+#include "proofs/symbolic_statics.hpp"
+#include "verify/claims/claims.hpp"
+#include "verify/claims/loaded_chains.hpp"
+#include "verify/judging/comparison.hpp"
+
+namespace plumbline::verify {
+namespace {
+
+using GiNaC::ex;
+
+/// The angles of Fig. 4 and the symbols of (4) to (10).
+const proofs::Formulas& formulas() {
+  static const proofs::Formulas instance(
+      {"L", "k", "phi", "alpha1", "alpha2", "q1", "q2", "x0", "y0", "Delta", "S2", "C2", "Fx"});
+  return instance;
+}
+ex symbol(const char* name) {
+  return formulas().symbol(name);
+}
+
+std::vector<ex> place(const ex& second, const ex& third) {
+  const ex L = symbol("L");
+  const GiNaC::matrix p = end_point({{L, L, L}, {0, 1, 1}, {symbol("phi"), second, third}});
+  return {p(0, 0), p(1, 0)};
+}
+
+Judgement initial_place(const Printed& printed, int) {
+  return judge_formulas(formulas(), printed, place(symbol("alpha1"), symbol("alpha2")), {"x_0", "y_0"},
+                        "direct kinematics of three links of length L at (phi, alpha_1, alpha_2)");
+}
+
+Judgement loaded_place(const Printed& printed, int) {
+  return judge_formulas(formulas(), printed,
+                        place(symbol("alpha1") + symbol("q1"), symbol("alpha2") + symbol("q2")), {"x", "y"},
+                        "direct kinematics at (phi, alpha_1 + q_1, alpha_2 + q_2)");
+}
+
+/// (7) in the abbreviations S0 … C012, which stand for functions of the three orientations.
+Judgement jacobian_entries(const Printed& printed, int) {
+  const proofs::Formulas names({"S0", "S01", "S012", "C0", "C01", "C012", "t0", "t1", "t2", "L"});
+  const ex t0 = names.symbol("t0"), t1 = names.symbol("t1"), t2 = names.symbol("t2"), L = names.symbol("L");
+  const GiNaC::matrix J = jacobian({{L, L, L}, {0, 1, 1}, {t0, t1 - t0, t2 - t1}});
+  const GiNaC::lst meaning{names.symbol("S0") == sin(t0),   names.symbol("S01") == sin(t1),
+                           names.symbol("S012") == sin(t2), names.symbol("C0") == cos(t0),
+                           names.symbol("C01") == cos(t1),  names.symbol("C012") == cos(t2)};
+  std::vector<std::string> wrong;
+  if (printed.size() != J.nops()) throw Error("claim", std::to_string(printed.size()) + " entries", "six");
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    if (!proofs::identical(L * names.parse(printed[i]).subs(meaning), J.op(i)))
+      wrong.push_back(fmt::format("entry {} is {}", i + 1, proofs::text(J.op(i))));
+  }
+  return {wrong.empty() ? Verdict::confirmed : Verdict::refuted,
+          fmt::format("{}", fmt::join(wrong, "; ")),
+          {{EvidenceKind::symbolic, "derivative of (5) by phi, q_1, q_2; t the orientations of the links"}},
+          ""};
+}
+
+/// The entries of (7), in the paper's abbreviations.
+const Printed printed_jacobian{"-S0-S01-S012", "-S01-S012", "-S012", "C0+C01+C012", "C01+C012", "C012"};
+
+Judgement abbreviations(const Printed& printed, int) {
+  const std::set<std::string> defined(printed.begin(), printed.end());
+  std::set<std::string> used;
+  for (const std::string& entry : printed_jacobian) {
+    for (std::size_t at = 0, end; (at = entry.find_first_of("SC", at)) != std::string::npos; at = end) {
+      end = std::min(entry.find_first_of("+-", at), entry.size());
+      used.insert(entry.substr(at, end - at));
+    }
+  }
+  std::vector<std::string> missing;
+  std::set_difference(used.begin(), used.end(), defined.begin(), defined.end(), std::back_inserter(missing));
+  return {missing.empty() ? Verdict::confirmed : Verdict::refuted,
+          missing.empty() ? ""
+                          : fmt::format("(7) uses {}, which the text does not define; what it defines under "
+                                        "another name is meant",
+                                        fmt::join(missing, " and ")),
+          {{EvidenceKind::exact,
+            fmt::format("names in (7), {}, against names that are defined after it", fmt::join(used, ", "))}},
+          ""};
+}
+
+/// The least favourable kind of equilibrium that a census of the U-chain holds.
+Judgement kind_of_point(const Printed& printed, int) {
+  const proofs::Census census =
+      held_at(fig7_chain(), unloaded_reach(fig7_chain()) - Interval(Rational(1, 10)));
+  bool all_minima = true;
+  for (const auto& one : census.equilibria) all_minima = all_minima && one.negative_directions == 0;
+  return judge_word(
+      printed.at(0), all_minima ? "minimum" : "stationary point", {"minimum", "stationary point"},
+      "an equilibrium is a stationary point of the potential energy; minima are the stable ones",
+      {{EvidenceKind::interval, "certified census of the chain of Fig. 7 at 0.1 L: " + types(census) +
+                                    ", and (8) gives the force of each"}});
+}
+
+Judgement force_sign(const Printed& printed, int) {
+  Matrix<Rational> J(2, 3);
+  J << 1, 2, 3, -1, 4, 2;
+  const Vector<Rational> F = Vector<Rational>{{5, -7}};
+  const Vector<Rational> M = -(J.transpose() * F);  // (6)
+  const Matrix<Rational> square = J * J.transpose();
+  const Vector<Rational> found = Eigen::FullPivLU<Matrix<Rational>>(square).solve(Vector<Rational>(J * M));
+  const std::string sign = found == F ? "+" : found == Vector<Rational>(-F) ? "-" : "none";
+  return judge_word(
+      printed.at(0), sign, {"+", "-"}, "F = " + sign + "(J^T)^+ M",
+      {{EvidenceKind::exact, "J = (1 2 3; -1 4 2), F = (5, -7), M = -J^T F from (6): (J^T)^+ M = " + sign +
+                                 "F. It is an equilibrium only where M lies in the range of J^T"}});
+}
+
+Judgement reduced_space(const Printed& printed, int) {
+  Matrix<Rational> row(1, 3);  // dy: the x components of the links after each joint, cos = 3/5, 5/13, 1
+  row << Rational(3, 5) + Rational(5, 13) + 1, Rational(5, 13) + 1, Rational(1);
+  const auto freedom = 3 - Eigen::FullPivLU<Matrix<Rational>>(row).rank();
+  return judge_word(
+      printed.at(0), std::to_string(freedom), {"1", "2", "3"}, fmt::format("{} variables", freedom),
+      {{EvidenceKind::exact,
+        "three angles, one condition y = 0 of rank 1. (Delta, phi) leave the sign of S_2 open: every "
+        "pair belongs to two shapes"}});
+}
+
+Judgement elbow(const Printed& printed, int) {
+  const proofs::Formulas angles({"L", "phi", "a", "b"});
+  const ex L = angles.symbol("L"), a = angles.symbol("a"), b = angles.symbol("b");
+  const ex dx = L * cos(a) + L * cos(b), dy = L * sin(a) + L * sin(b);
+  if (!proofs::identical((dx * dx + dy * dy) / (2 * L * L) - 1, cos(b - a)))
+    throw Error("two links", "another angle", "the law of cosines");
+  const ex l = symbol("L"), x = symbol("x0") - symbol("Delta") - l * cos(symbol("phi")),
+           y = symbol("y0") - l * sin(symbol("phi"));
+  return judge_formulas(formulas(), printed, {(x * x + y * y) / (2 * l * l) - 1}, {"C_2"},
+                        "law of cosines for the last two links: the cosine of the third joint");
+}
+
+/// A number for a symbol of a formula.
+GiNaC::relational value(const char* name, const proofs::Located& number) {
+  return GiNaC::ex_to<GiNaC::relational>(symbol(name) == GiNaC::numeric(number.str(60).c_str()));
+}
+
+/// (9) by trial: shapes are chosen, the formulas have to give them back, up to full turns.
+Judgement inverse_kinematics(const Printed& printed, int) {
+  const long digits = GiNaC::Digits;
+  GiNaC::Digits = 60;
+  const proofs::Located alpha1("0.3"), alpha2("-0.2");
+  proofs::Located worst(0);
+  int shapes = 0;
+  for (const int bend : {-7, -2, 3, 9}) {
+    for (const int turn : {-5, 1, 6}) {
+      const proofs::Located phi = proofs::Located(turn) / 10, second = proofs::Located(bend - turn) / 8,
+                            third = proofs::Located(bend) / 4;
+      const proofs::Located a = phi + second, b = a + third;
+      const proofs::Located x = cos(phi) + cos(a) + cos(b), y = sin(phi) + sin(a) + sin(b);
+      const GiNaC::lst values{value("L", 1),
+                              value("phi", phi),
+                              value("alpha1", alpha1),
+                              value("alpha2", alpha2),
+                              value("x0", proofs::Located(x + 1)),
+                              value("Delta", 1),
+                              value("y0", y),
+                              value("S2", sin(third)),
+                              value("C2", cos(third))};
+      const proofs::Located meant[] = {second - alpha1, third - alpha2};
+      for (std::size_t i = 0; i < 2; ++i) {
+        const ex number = formulas().parse(printed.at(i)).subs(values).evalf();
+        if (!GiNaC::is_a<GiNaC::numeric>(number)) throw Error("claim", printed[i], "a formula for an angle");
+        const proofs::Located off = proofs::Located(proofs::text(number)) - meant[i];
+        worst = std::max(worst, proofs::Located(abs(sin(off / 2))));  // full turns do not count
+      }
+      ++shapes;
+    }
+  }
+  GiNaC::Digits = digits;
+  const bool right = worst < proofs::Located("1e-45");
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : "the printed angles do not bring the end point to its place",
+          {{EvidenceKind::theorem,
+            "the direction to the end point less the angle at the base of the triangle of two "
+            "links; full turns apart, which (10) has to remove"},
+           {EvidenceKind::mp50, fmt::format("{} shapes with both signs of S_2: largest |sin(error / 2)| {}",
+                                            shapes, worst.str(2))}},
+          ""};
+}
+
+/// Whether stable (or unstable) equilibria are just the absolute extremum of E over phi.
+Judgement extremum(const Printed& printed, bool stable) {
+  const proofs::Census census =
+      held_at(fig7_chain(), unloaded_reach(fig7_chain()) - Interval(Rational(1, 10)));
+  std::vector<const proofs::CertifiedEquilibrium*> some;
+  for (const auto& one : census.equilibria) {
+    if ((one.negative_directions == 0) == stable) some.push_back(&one);
+  }
+  bool alike = true;
+  for (const auto* one : some)
+    alike = alike && !certainly_less(one->energy, some[0]->energy) &&
+            !certainly_less(some[0]->energy, one->energy);
+  const std::string absolute = stable ? "arg min" : "arg max",
+                    local = stable ? "local minimum" : "local maximum";
+  std::vector<std::string> energies;
+  for (const auto* one : some) energies.push_back(certified_decimal(one->energy, 5));
+  return judge_word(
+      printed.at(0), alike ? absolute : local, {absolute, local},
+      fmt::format("every {} of E over phi is an equilibrium of that kind; {} finds one of {}", local,
+                  absolute, some.size()),
+      {{EvidenceKind::interval,
+        fmt::format("chain of Fig. 7 at 0.1 L, certified census: {} {} equilibria with "
+                    "E = {} k",
+                    some.size(), stable ? "stable" : "unstable", fmt::join(energies, " and "))}});
+}
+
+Judgement energy(const Printed& printed, int) {
+  const ex q1 = symbol("q1"), q2 = symbol("q2"), k = symbol("k");
+  return judge_formulas(formulas(), printed, {k * q1 * q1 / 2 + k * q2 * q2 / 2}, {"E"},
+                        "two springs; the base joint has none");
+}
+
+Judgement load_term(const Printed& printed, int) {
+  const ex term = formulas().parse(printed.at(0));
+  const bool free = term.diff(GiNaC::ex_to<GiNaC::symbol>(symbol("phi"))).is_zero();
+  return {free ? Verdict::confirmed : Verdict::refuted,
+          free ? "" : "a term that depends on phi moves the extrema",
+          {{EvidenceKind::symbolic, "derivative of the load's term by phi at given Delta and F_x"}},
+          ""};
+}
+
+}  // namespace
+
+std::vector<Claim> claims::three_link_model() {
+  return {
+      {"eq-4",
+       "2, (4)",
+       "initial end point of three links",
+       {"L*cos(phi)+L*cos(phi+alpha1)+L*cos(phi+alpha1+alpha2)",
+        "L*sin(phi)+L*sin(phi+alpha1)+L*sin(phi+alpha1+alpha2)"},
+       initial_place},
+      {"eq-5",
+       "2, (5)",
+       "end point under load",
+       {"L*cos(phi)+L*cos(phi+alpha1+q1)+L*cos(phi+alpha1+q1+alpha2+q2)",
+        "L*sin(phi)+L*sin(phi+alpha1+q1)+L*sin(phi+alpha1+q1+alpha2+q2)"},
+       loaded_place},
+      {"eq-7", "2, (7)", "Jacobian of three links", printed_jacobian, jacobian_entries},
+      {"eq-7-names",
+       "2, after (7)",
+       "the abbreviations of (7) are S0, C0, S01, C01, S02, C02",
+       {"S0", "C0", "S01", "C01", "S02", "C02"},
+       abbreviations},
+      {"equilibrium-is-minimum",
+       "2, before (8)",
+       "static equilibrium corresponds to the minimum of the potential energy",
+       {"minimum"},
+       kind_of_point},
+      {"eq-8", "2, (8)", "F = -(J^T)^+ M solves J^T F + M = 0", {"-"}, force_sign},
+      {"reduced-space",
+       "2, before (9)",
+       "(phi, q1, q2) reduces to the two variables (Delta, phi)",
+       {"2"},
+       reduced_space},
+      {"eq-9-angles",
+       "2, (9)",
+       "q1 and q2 from Delta and phi",
+       {"atan2(y0-L*sin(phi),x0-Delta-L*cos(phi))-atan2(L*S2,L+L*C2)-phi-alpha1", "atan2(S2,C2)-alpha2"},
+       inverse_kinematics},
+      {"eq-9-C2",
+       "2, after (9)",
+       "C2 = ((x0-Delta-L cos phi)^2 + (y0-L sin phi)^2 - 2L^2) / 2L^2",
+       {"((x0-Delta-L*cos(phi))^2+(y0-L*sin(phi))^2-2*L^2)/2*L^2"},
+       elbow},
+      {"arg-min",
+       "2, before (10)",
+       "phi = arg min E for a stable equilibrium",
+       {"arg min"},
+       [](const Printed& printed, int) { return extremum(printed, true); }},
+      {"arg-max",
+       "2, before (10)",
+       "phi = arg max E for an unstable equilibrium",
+       {"arg max"},
+       [](const Printed& printed, int) { return extremum(printed, false); }},
+      {"eq-10", "2, (10)", "E = k q1^2/2 + k q2^2/2", {"k*q1^2/2+k*q2^2/2"}, energy},
+      {"strain-energy-suffices",
+       "2, after (10)",
+       "at given Delta the term -Fx Delta is not necessary to find phi",
+       {"-Fx*Delta"},
+       load_term},
+  };
+}
+
+}  // namespace plumbline::verify

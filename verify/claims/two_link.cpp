@@ -1,0 +1,362 @@
+/// \file
+/// Section 2: the two-link mechanism, equations (1) to (3), and the pseudoinverse quoted at (8).
+
+#include <fmt/core.h>
+
+#include <Eigen/LU>
+#include <plumbline/straight/critical_force.hpp>
+
+#include "verify/claims/claims.hpp"
+#include "verify/judging/comparison.hpp"
+#include "verify/judging/sign.hpp"
+
+namespace plumbline::verify {
+namespace {
+
+using GiNaC::ex;
+
+/// Two equal links at the inclinations ±(alpha + q); the spring between them turns by 2q.
+struct TwoLink {
+  proofs::Formulas formulas{{"F", "L", "k", "q", "alpha"}};
+  ex F = formulas.symbol("F"), L = formulas.symbol("L"), k = formulas.symbol("k"), q = formulas.symbol("q"),
+     alpha = formulas.symbol("alpha");
+  ex deflection = 2 * L * cos(alpha) - 2 * L * cos(alpha + q);
+  ex strain_energy = k * pow(-2 * (alpha + q) + 2 * alpha, 2) / 2;
+  ex potential = strain_energy - F * deflection;
+  /// The force at which V' = 0; V' is linear in F.
+  ex force =
+      strain_energy.diff(GiNaC::ex_to<GiNaC::symbol>(q)) / deflection.diff(GiNaC::ex_to<GiNaC::symbol>(q));
+  [[nodiscard]] ex derivative(const ex& e, unsigned order = 1) const {
+    return e.diff(GiNaC::ex_to<GiNaC::symbol>(q), order);
+  }
+};
+
+Judgement equilibrium(const Printed& printed, int) {
+  const TwoLink m;
+  const ex residual = m.formulas.parse(printed.at(0)) - m.formulas.parse(printed.at(1));
+  const ex slope = m.derivative(m.potential);
+  const bool right = proofs::proportional(residual, slope);
+  return {
+      right ? Verdict::confirmed : Verdict::refuted,
+      right ? "" : "equilibrium is where " + proofs::text(slope) + " = 0",
+      {{EvidenceKind::symbolic, "dV/dq = " + proofs::text(slope) + " from the geometry of two equal links"}},
+      ""};
+}
+
+Judgement force(const Printed& printed, int) {
+  const TwoLink m;
+  return judge_formulas(m.formulas, printed, {m.force}, {"F(q)"},
+                        "F = U'(q) / Delta'(q), the root of V'(q) = 0");
+}
+
+Judgement deflection(const Printed& printed, int) {
+  const TwoLink m;
+  return judge_formulas(m.formulas, printed, {m.deflection}, {"Delta(q)"},
+                        "end-point distance 2L cos(alpha) less 2L cos(alpha + q)");
+}
+
+Judgement strain(const Printed& printed, int) {
+  const TwoLink m;
+  return judge_formulas(m.formulas, printed, {m.strain_energy}, {"U(q)"}, "the spring turns by 2q");
+}
+
+Judgement potential(const Printed& printed, int) {
+  const TwoLink m;
+  return judge_formulas(m.formulas, printed, {m.potential}, {"V(q)"}, "V = U - F Delta, expanded");
+}
+
+Judgement critical_force(const Printed& printed, int) {
+  const TwoLink m;
+  const ex straight = m.force.subs(m.alpha == 0);
+  const ex limit = proofs::limit_at_zero(straight, m.q);
+  Judgement result = judge_formulas(m.formulas, printed, {limit}, {"F_c"},
+                                    "series of F(q) at alpha = 0: " + proofs::text(limit) + " + O(q^2)");
+  // an independent way: the general method on the same chain, which is two links on a passive base
+  const Chain<Rational> chain({1, 1}, {0, 1});
+  const Rational F = 2;
+  const Rational nudge(1, 1000000);
+  result.evidence.push_back(
+      {EvidenceKind::exact,
+       fmt::format("recursion on L = (1,1), k = (0,1): {} critical force "
+                   "below 2 - 1e-6, {} below 2 + 1e-6",
+                   count_below(chain, Rational(F - nudge)), count_below(chain, Rational(F + nudge)))});
+  if (count_below(chain, Rational(F - nudge)) != 0 || count_below(chain, Rational(F + nudge)) != 1) {
+    throw Error("critical force of two links", "different results of limit and recursion", "agreement");
+  }
+  result.value = proofs::text(limit);
+  return result;
+}
+
+/// Sign of dF/dq = 2k [sin(a+q) - q cos(a+q)] / (L sin(a+q)^2), up to the positive factor.
+Interval force_slope(const Interval& q, const Interval& alpha) {
+  return sin(alpha + q) - q * cos(alpha + q);
+}
+
+std::string direction(std::optional<int> sign) {
+  return !sign ? "not monotonic" : *sign > 0 ? "increasing" : "decreasing";
+}
+
+Judgement straight_curve(const Printed& printed, int) {
+  const TwoLink m;
+  // near q = 0 the slope is q^3/3 - ...: its series decides there, intervals decide beyond
+  const ex slope = sin(m.q) - m.q * cos(m.q);
+  const int order = proofs::leading_order(slope, m.q, 8);
+  const ex leading = proofs::series_coefficient(slope, m.q, order);
+  const Interval eighth(Rational(1, 8));
+  const Interval end(Rational(25, 8));
+  const auto away = certain_sign([](const Interval& q) { return force_slope(q, Interval(0)); }, eighth, end);
+  const auto deflects = certain_sign([](const Interval& q) { return sin(q); }, eighth, end);
+  const bool same = leading.info(GiNaC::info_flags::positive) && away == 1 && deflects == 1;
+  return judge_word(
+      printed.at(0), same ? "increasing" : direction(away), {"increasing", "decreasing", "not monotonic"},
+      "F grows with Delta for 0 < q < pi",
+      {{EvidenceKind::theorem,
+        "N(q) = sin q - q cos q has N(0) = 0 and N' = q sin q > 0 on (0, pi); "
+        "dF/dq = 2k N / (L sin^2 q), dDelta/dq = 2L sin q > 0"},
+       {EvidenceKind::interval, fmt::format("N > 0 on [1/8, 25/8] by subdivision; N = {} q^{} + ... at 0",
+                                            proofs::text(leading), order)}});
+}
+
+Judgement curved_monotonic(const Printed& printed, int) {
+  const Interval alpha = Interval::pi() / Interval(6);  // the paper's Fig. 3
+  const auto sign = certain_sign([&](const Interval& q) { return force_slope(q, alpha); },
+                                 Interval(Rational(-52, 100)), Interval(Rational(26, 10)));
+  const auto deflects = certain_sign([&](const Interval& q) { return sin(alpha + q); },
+                                     Interval(Rational(-52, 100)), Interval(Rational(26, 10)));
+  const std::string found = sign == 1 && deflects == 1 ? "monotonic" : "not monotonic";
+  return judge_word(printed.at(0), found, {"monotonic", "not monotonic"},
+                    "dF/dq has the sign of sin(alpha+q) - q cos(alpha+q), which is positive",
+                    {{EvidenceKind::theorem,
+                      "N(q) = sin(alpha+q) - q cos(alpha+q) has N' = q sin(alpha+q), so its least "
+                      "value on 0 < alpha + q < pi is N(0) = sin alpha > 0; dDelta/dq = 2L sin(alpha+q) > 0"},
+                     {EvidenceKind::interval,
+                      "alpha = pi/6: N > 0 and sin(alpha+q) > 0 for q in [-0.52, 2.6] by subdivision"}});
+}
+
+/// The minima of V over -pi < alpha + q < pi at a force F, k = L = 1.
+std::size_t minima(const Interval& alpha, const Interval& F) {
+  const auto slope = [&](const Interval& q) { return Interval(2) * q - F * sin(alpha + q); };
+  const auto curvature = [&](const Interval& q) { return Interval(2) - F * cos(alpha + q); };
+  std::size_t count = 0;
+  for (const Interval& q : isolate_zeros(slope, curvature, -Interval::pi() - alpha, Interval::pi() - alpha)) {
+    count += certainly_positive(curvature(q)) ? 1 : 0;
+  }
+  return count;
+}
+
+Judgement single_minimum(const Printed& printed, int digits) {
+  const Interval alpha = Interval::pi() / Interval(6);
+  // mirrored shape alpha + q = -u: F = 2 (alpha + u) / sin u, least where tan u = alpha + u
+  const auto fold = [&](const Interval& u) { return sin(u) - (alpha + u) * cos(u); };
+  const auto fold_slope = [&](const Interval& u) { return (alpha + u) * sin(u); };
+  Interval u = isolate_zeros(fold, fold_slope, Interval(Rational(1, 10)), Interval(Rational(3, 2))).at(0);
+  for (int i = 0; i < 12; ++i) {  // interval Newton
+    const Interval m(u.middle(), u.middle());
+    u = intersection(u, m - fold(m) / fold_slope(u)).value();
+  }
+  const Interval threshold = Interval(2) / cos(u);
+  const std::size_t below = minima(alpha, threshold * Interval(Rational(99, 100)));
+  const std::size_t above = minima(alpha, threshold * Interval(Rational(101, 100)));
+  const std::string limit = certified_decimal(threshold, 6);
+  Judgement result;
+  result.verdict = std::to_string(below) != printed.at(0)   ? Verdict::refuted
+                   : std::to_string(above) != printed.at(0) ? Verdict::imprecise
+                                                            : Verdict::confirmed;
+  result.truth = fmt::format(
+      "one minimum as long as F < {} k/L (alpha = pi/6) and always one with 0 < alpha + q < pi; "
+      "above that force the mirrored shape is a second minimum, higher in energy",
+      limit);
+  result.evidence = {
+      {EvidenceKind::interval,
+       fmt::format("zeros of V' for -pi < alpha + q < pi isolated at 0.99 and 1.01 of that force: {} and "
+                   "{} minima; the force is 2k/(L cos u), tan u = alpha + u",
+                   below, above)}};
+  result.value = certified_decimal(threshold, digits) + " k/L at alpha = pi/6";
+  return result;
+}
+
+/// "minimum" or "maximum" of V, and whether a small displacement from it is driven back, for k = L = 1, alpha
+/// = 0.
+std::pair<std::string, std::string> character(const Rational& F) {
+  const Rational curvature = 4 - 2 * F;  // V''(0)
+  const Rational q(1, 1000);
+  // -V'(q) = -4q + 2F sin q with q - q^3/6 < sin q < q: the bounds have one sign
+  const Rational upper = -4 * q + 2 * F * q;
+  const Rational lower = -4 * q + 2 * F * (q - q * q * q / 6);
+  if ((upper > 0) != (lower > 0))
+    throw Error("two links", "an undecided torque", "a force away from the critical one");
+  return {curvature > 0 ? "minimum" : "maximum", upper < 0 ? "stable" : "unstable"};
+}
+
+Judgement extrema(const Printed& printed, int) {
+  const auto below = character(1);
+  const auto above = character(3);
+  const std::string computed = below.first == printed.at(0) ? below.second : above.second;
+  return judge_word(
+      printed.at(1), computed, {"stable", "unstable"},
+      fmt::format("a {} of the potential energy is {}, a {} is {}: the words are interchanged", below.first,
+                  below.second, above.first, above.second),
+      {{EvidenceKind::theorem, "Lagrange-Dirichlet: a strict minimum of the potential energy is stable"},
+       {EvidenceKind::exact, fmt::format("k = L = 1, q = 0: F = 1 is a {} and drives q = 1/1000 back ({}); "
+                                         "F = 3 is a {} and drives it away ({})",
+                                         below.first, below.second, above.first, above.second)}});
+}
+
+Judgement stable_up_to(const Printed& printed, int) {
+  const TwoLink m;
+  const ex straight = m.potential.subs(m.alpha == 0).subs(m.F == m.formulas.parse(printed.at(0)));
+  const ex quadratic = proofs::series_coefficient(straight, m.q, 2);
+  const ex quartic = proofs::series_coefficient(straight, m.q, 4);
+  const ex boundary = proofs::series_coefficient(m.potential.subs(m.alpha == 0), m.q, 2);
+  const bool right = quadratic.is_zero() && (quartic / m.k).info(GiNaC::info_flags::positive);
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : "V''(0)/2 = " + proofs::text(boundary) + " vanishes at F = 2k/L",
+          {{EvidenceKind::theorem,
+            "for F <= 2k/L: V = 2kq^2 - 2FL(1 - cos q) >= (2k - FL) q^2 >= 0 since 1 - cos q <= "
+            "q^2/2, with equality at q = 0 only; for F > 2k/L: V''(0) < 0"},
+           {EvidenceKind::symbolic, "at the printed force V = (" + proofs::text(quadratic) + ") q^2 + (" +
+                                        proofs::text(quartic) + ") q^4 + ..., in general V = (" +
+                                        proofs::text(boundary) + ") q^2 + ..."}},
+          ""};
+}
+
+Judgement bifurcation(const Printed& printed, int) {
+  const TwoLink m;
+  const ex straight = m.force.subs(m.alpha == 0);
+  const ex second = proofs::series_coefficient(straight, m.q, 2) * m.L / m.k;
+  const std::string kind = second.info(GiNaC::info_flags::positive) ? "supercritical" : "subcritical";
+  return judge_word(
+      printed.at(0), kind, {"supercritical", "subcritical"}, "the bifurcation is " + kind,
+      {{EvidenceKind::symbolic, "F(q) = (k/L)(2 + " + proofs::text(second) +
+                                    " q^2 + ...) is even in q: a pitchfork, and the bent shapes exist "
+                                    "above F_c, as for Euler's column"}});
+}
+
+/// Whether the deflection jumps when F passes F_c, for alpha = 0: its limit from above, and its slope.
+Judgement onset(const Printed& printed, int) {
+  const TwoLink m;
+  const ex deflection = m.deflection.subs(m.alpha == 0);
+  const ex excess = m.force.subs(m.alpha == 0) - 2 * m.k / m.L;
+  const ex limit = proofs::limit_at_zero(deflection, m.q);
+  const ex slope = proofs::limit_at_zero(deflection / excess, m.q);
+  const bool continuous = limit.is_zero();
+  if (printed.at(0) != "sudden" && printed.at(0) != "jump" && printed.at(0) != "continuous") {
+    throw Error("claim", printed.at(0), "sudden, jump or continuous");
+  }
+  const Verdict verdict = printed.at(0) == (continuous ? "continuous" : "jump") ? Verdict::confirmed
+                          : printed.at(0) == "sudden"                           ? Verdict::imprecise
+                                                                                : Verdict::refuted;
+  return {
+      verdict,
+      verdict == Verdict::confirmed
+          ? ""
+          : "the shape changes continuously: above F_c the deflection grows from zero as Delta = (" +
+                proofs::text(slope) +
+                ") (F - F_c). What changes suddenly is the stiffness, from infinite to the reciprocal of "
+                "that slope",
+      {{EvidenceKind::symbolic, "two links, alpha = 0: limits for q -> 0 of Delta, " + proofs::text(limit) +
+                                    ", and of Delta / (F - F_c), " + proofs::text(slope)}},
+      ""};
+}
+
+/// A product of J and J^T, such as "J*J^T".
+Matrix<Rational> product(const std::string& name, const Matrix<Rational>& J) {
+  if (name == "J") return J;
+  if (name == "J^T") return J.transpose();
+  if (name == "J*J^T") return J * J.transpose();
+  if (name == "J^T*J") return J.transpose() * J;
+  throw Error("claim", "'" + name + "'", "J, J^T, J*J^T or J^T*J");
+}
+
+Judgement pseudoinverse(const Printed& printed, int) {
+  Matrix<Rational> J(2, 3);
+  J << 1, 2, 3, -1, 4, 2;
+  const Matrix<Rational> inverted = product(printed.at(1), J);
+  const Eigen::FullPivLU<Matrix<Rational>> lu(inverted);
+  Judgement result{
+      Verdict::refuted, "(J^T)^+ = (J J^T)^-1 J: J^T J is 3 x 3 of rank 2 and has no inverse", {}, ""};
+  result.evidence = {
+      {EvidenceKind::exact, fmt::format("J = (1 2 3; -1 4 2): {} is {} x {} of rank {}", printed.at(1),
+                                        inverted.rows(), inverted.cols(), lu.rank())}};
+  if (lu.rank() < inverted.rows()) return result;
+  Matrix<Rational> P = lu.inverse();
+  if (!printed.at(0).empty()) {
+    if (product(printed.at(0), J).cols() != P.rows()) return result;
+    P = product(printed.at(0), J) * P;
+  }
+  if (!printed.at(2).empty()) {
+    if (product(printed.at(2), J).rows() != P.cols()) return result;
+    P = P * product(printed.at(2), J);
+  }
+  const Matrix<Rational> G = J.transpose();  // the Penrose conditions for the pseudoinverse P of G
+  if (P.rows() != G.cols() || P.cols() != G.rows()) return result;
+  const Matrix<Rational> GP = G * P;
+  const Matrix<Rational> PG = P * G;
+  const bool penrose = GP * G == G && PG * P == P && GP == Matrix<Rational>(GP.transpose()) &&
+                       PG == Matrix<Rational>(PG.transpose());
+  if (!penrose) return result;
+  return {Verdict::confirmed, "", {{EvidenceKind::exact, "the four Penrose conditions hold"}}, ""};
+}
+
+}  // namespace
+
+std::vector<Claim> claims::two_link() {
+  return {
+      {"two-link-equilibrium",
+       "2, before (1)",
+       "static equilibrium is F L sin(alpha+q) = 2 k q",
+       {"F*L*sin(alpha+q)", "2*k*q"},
+       equilibrium},
+      {"eq-1-force", "2, (1)", "F(q) = 2kq/L sin(alpha+q)", {"2*k*q/L*sin(alpha+q)"}, force},
+      {"eq-1-deflection",
+       "2, (1)",
+       "Delta(q) = 2L(cos alpha - cos(alpha+q))",
+       {"2*L*(cos(alpha)-cos(alpha+q))"},
+       deflection},
+      {"straight-curve",
+       "2, after (1)",
+       "alpha = 0: beyond the critical force F increases monotonically with Delta",
+       {"increasing"},
+       straight_curve},
+      {"eq-2", "2, (2)", "F_c = lim F(q) = 2k/L for alpha = 0", {"2*k/L"}, critical_force},
+      {"energy-extrema",
+       "2, after (2)",
+       "maxima of the potential energy are the stable, minima the unstable equilibria",
+       {"maximum", "stable"},
+       extrema},
+      {"two-link-strain-energy", "2, before (3)", "strain energy U = k (2q)^2 / 2", {"k*(2*q)^2/2"}, strain},
+      {"eq-3",
+       "2, (3)",
+       "V(q) = 2kq^2 - 2FL(cos alpha - cos(alpha+q))",
+       {"2*k*q^2-2*F*L*(cos(alpha)-cos(alpha+q))"},
+       potential},
+      {"straight-stable",
+       "2, after (3)",
+       "alpha = 0: the straight shape is the energy minimum just up to F = F_c",
+       {"2*k/L"},
+       stable_up_to},
+      {"curved-monotonic",
+       "2, after (3)",
+       "alpha != 0: the force-deflection curve is monotonic",
+       {"monotonic"},
+       curved_monotonic},
+      {"curved-single-minimum",
+       "2, after (3)",
+       "alpha != 0: every energy curve has a single minimum",
+       {"1"},
+       single_minimum},
+      {"two-link-bifurcation",
+       "2, after (3)",
+       "the two-link mechanism shows a bifurcation like Euler's column",
+       {"supercritical"},
+       bifurcation},
+      {"sudden-change",
+       "2, last paragraph",
+       "beyond the critical force the straight chain suddenly changes its shape",
+       {"sudden"},
+       onset},
+      {"pseudoinverse", "2, after (8)", "(J^T)^+ = J (J^T J)^-1", {"J", "J^T*J", ""}, pseudoinverse},
+  };
+}
+
+}  // namespace plumbline::verify

@@ -1,0 +1,365 @@
+/// \file
+/// Section 3.1: the Z-chain of Figures 8 and 9, three links with a passive base.
+
+#include <fmt/core.h>
+
+#include <functional>
+
+#include "proofs/census.hpp"
+#include "proofs/exactly.hpp"
+#include "verify/claims/claims.hpp"
+#include "verify/claims/loaded_chains.hpp"
+#include "verify/judging/comparison.hpp"
+
+namespace plumbline::verify {
+namespace {
+
+proofs::Census at_deflection(const Interval& deflection) {
+  return held_at(fig8_chain(), unloaded_reach(fig8_chain()) - deflection);
+}
+proofs::Census at_deflection(const Rational& deflection) {
+  return at_deflection(Interval(deflection));
+}
+
+/// Up to 0.6 L, to the side on which the first angle grows. Computed once.
+const SlowPath& path() {
+  static const SlowPath instance = compress_slowly(fig8_chain(), unloaded_reach(fig8_chain()), 0.6);
+  return instance;
+}
+
+/// Where the zigzag loses its stability.
+const BranchEvent<proofs::Located>& buckling() {
+  if (path().events.size() != 1 || path().events[0].kind != EventKind::bifurcation)
+    throw Error("Fig. 8", std::to_string(path().events.size()) + " events up to 0.6 L", "one bifurcation");
+  return path().events[0];
+}
+
+std::string located(const proofs::Located& number, int digits) {
+  return number.str(std::min(digits, proofs::located_digits));
+}
+
+/// Mean stiffness over the last 0.001 L before the bifurcation, and over 0.001 L after it.
+std::pair<Interval, Interval> stiffnesses() {
+  static const std::pair<Interval, Interval> both = [] {
+    const Rational at = proofs::exactly(buckling().point.load), next(1, 1000000), far(1, 1000);
+    return std::pair{mean_stiffnesses(path(), {Rational(at - far), Rational(at - next)})[0],
+                     mean_stiffnesses(path(), {Rational(at + next), Rational(at + far)})[0]};
+  }();
+  return both;
+}
+
+std::string next_to_bifurcation() {
+  const auto [before, after] = stiffnesses();
+  return fmt::format(
+      "certified censuses 0.001 L and 1e-6 L before and after the bifurcation: somewhere in between the "
+      "slope dF/dDelta is {} k/L^2 before and {} k/L^2 after",
+      certified_decimal(before, 5), certified_decimal(after, 5));
+}
+
+Judgement count(const Printed& printed, int) {
+  const proofs::Census before = at_deflection(Rational(2, 100)), after = at_deflection(Rational(2, 10));
+  const std::string found = types(before) == types(after) ? types(after) : "changes";
+  return judge_word(
+      printed.at(0), found, {"2 stable, 2 unstable", "changes", found},
+      fmt::format("at 0.02 L {}, at 0.2 L {}", types(before), types(after)),
+      {{EvidenceKind::interval,
+        fmt::format("certified censuses; every shape, each with joint deflections of at most half a "
+                    "turn; {} and {} boxes",
+                    before.boxes, after.boxes)}});
+}
+
+Judgement jump(const Printed& printed, int digits) {
+  const Interval at(buckling().point.load, buckling().point.load), off(Rational(1, 1000000));
+  const proofs::Census before = at_deflection(at - off), after = at_deflection(at + off);
+  bool continuous = types(before) == "1 stable, 1 unstable" && types(after) == "2 stable, 2 unstable";
+  std::size_t segments = 0;
+  double farthest = 0;
+  const auto load = static_cast<double>(buckling().point.load);
+  for (const proofs::PathCertificate& side : leaving(path(), buckling(), 0.1)) {
+    continuous = continuous && side.regular();
+    segments += side.segments;
+    farthest = std::max(farthest, side.runs.empty() ? 1 : side.runs[0].from - load);
+  }
+  continuous = continuous && farthest < 1e-6;
+  Judgement result = judge_word(
+      printed.at(0), continuous ? "continuous" : "jump", {"jump", "continuous"},
+      "the zigzag loses its stability in a supercritical pitchfork bifurcation: two mirrored stable shapes "
+      "leave it continuously, and the sudden change is one of stiffness, not of shape",
+      {{EvidenceKind::interval,
+        fmt::format("certified censuses 1e-6 L before ({}) and 1e-6 L after the value ({})", types(before),
+                    types(after))},
+       {EvidenceKind::interval,
+        fmt::format("both sides of the branch that crosses there are smooth, stable and ahead, proved by {} "
+                    "interval Newton segments from less than {:.0e} L behind the value up to 0.1 L",
+                    segments, farthest)},
+       {EvidenceKind::mp50, "bifurcation located by Newton's method in 64 digits"}});
+  result.value = located(buckling().point.load, digits);
+  return result;
+}
+
+Judgement smooth(const Printed& printed, int digits) {
+  const auto [before, after] = stiffnesses();
+  Judgement result =
+      judge_word(printed.at(0), certainly_less(after * Interval(10), before) ? "not smooth" : "smooth",
+                 {"not smooth", "smooth"}, "the slope does not jump",
+                 {{EvidenceKind::theorem,
+                   "at a pitchfork the energy of the branch that crosses is less by c (Delta - Delta_c)^2 + "
+                   "…, c > 0: the "
+                   "slope of F = dE/dDelta falls at once by 2c"},
+                  {EvidenceKind::interval, next_to_bifurcation()}});
+  result.value = located(buckling().point.load, digits);
+  return result;
+}
+
+Judgement softens(const Printed& printed, int) {
+  const auto [before, after] = stiffnesses();
+  return judge_word(printed.at(0),
+                    certainly_less(after * Interval(2), before) ? "reduces"
+                    : certainly_less(before, after)             ? "grows"
+                                                                : "stays",
+                    {"reduces", "grows", "stays"}, "the stiffness is not less after the bifurcation",
+                    {{EvidenceKind::interval, next_to_bifurcation()}});
+}
+
+/// From which shape to which the chain changes where it buckles.
+Judgement change_of_shape(const Printed& printed, int digits) {
+  const Rational before(4, 100), after(42, 1000);
+  const std::string from = letter(reached(at_deflection(before), path(), before)),
+                    to = letter(reached(at_deflection(after), path(), after));
+  const bool right = printed.at(0) == from && printed.at(1) == to;
+  const proofs::Located arch = straightens_at(path(), 1, Rational(42, 1000), Rational(3, 10));
+  const std::string later = letter(reached(at_deflection(Rational(3, 10)), path(), Rational(3, 10)));
+  Judgement result{
+      right ? Verdict::confirmed : Verdict::refuted,
+      right ? ""
+            : fmt::format("where it buckles the shape is {} before and {} after; a joint straightens, "
+                          "and the shape is {}, not before {} L",
+                          from, to, later, arch.str(6)),
+      {{EvidenceKind::interval,
+        fmt::format("certified censuses at 0.04, 0.042 and 0.3 L: the slowly compressed chain is {}, {} "
+                    "and {}",
+                    from, to, later)},
+       {EvidenceKind::mp50, "the joint angle's zero located in 64 digits"}},
+      ""};
+  result.value = located(arch, digits);
+  return result;
+}
+
+Judgement begins(const Printed& printed, int) {
+  bool one = true;
+  std::string pattern;
+  for (const Rational& d : {Rational(1, 100), Rational(2, 100), Rational(4, 100)}) {
+    const proofs::Census census = at_deflection(d);
+    one = one && types(census) == "1 stable, 1 unstable";
+    const std::string here = signs(reached(census, path(), d)).substr(0, 2);
+    pattern = pattern.empty() || pattern == here ? here : "changing";
+  }
+  return judge_word(printed.at(0), one ? pattern : "changing", {printed.at(0), one ? pattern : "changing"},
+                    "the signs of the first two angles are " + pattern,
+                    {{EvidenceKind::interval,
+                      "certified censuses at 0.01, 0.02 and 0.04 L: one stable shape, and "
+                      "the signs of phi and of the bend at joint 2 are " +
+                          pattern}});
+}
+
+Judgement critical_angle(const Printed& printed, int digits) {
+  const proofs::Located angle = buckling().point.theta(0);
+  const Rational at = proofs::exactly(buckling().point.load), off(1, 1000000);
+  bool negative = true;
+  for (const auto& one : states(path(), {Rational(at - off), Rational(at + off)}))
+    negative = negative && certainly_less(one.q[0], Interval(Rational(-1, 10)));
+  Judgement result = judge_word(
+      printed.at(0), negative ? "negative" : "0", {"0", "negative"},
+      "at the critical force the first angle is still " + angle.str(8) +
+          "; it passes zero later, and nothing happens to the stiffness there",
+      {{EvidenceKind::interval,
+        "certified censuses 1e-6 L before and after the bifurcation: the first angle is below -0.1"},
+       {EvidenceKind::mp50, "theta_1 at the located bifurcation"}});
+  result.value = located(angle, digits);
+  return result;
+}
+
+Judgement later_angle(const Printed& printed, int digits) {
+  const Rational far(3, 10);
+  bool positive = false, negative = false;
+  for (const auto& one : at_deflection(far).equilibria) {
+    if (one.negative_directions != 0) continue;
+    positive = positive || certainly_positive(one.q[0]);
+    negative = negative || certainly_negative(one.q[0]);
+  }
+  const proofs::Located zero = straightens_at(path(), 0, Rational(42, 1000), far);
+  const bool right = printed.at(0) == (positive ? negative ? "either" : "positive" : "negative");
+  Judgement result{
+      right                                     ? Verdict::confirmed
+      : printed.at(0) == "positive" && positive ? Verdict::imprecise
+                                                : Verdict::refuted,
+      right ? ""
+            : fmt::format("on one of the two mirrored stable branches, from {} L on; on the other the "
+                          "first angle stays negative",
+                          zero.str(6)),
+      {{EvidenceKind::interval, "certified census at 0.3 L: signs of phi of the two stable shapes"},
+       {EvidenceKind::mp50, "its zero on the one branch located in 64 digits"}},
+      ""};
+  result.value = located(zero, digits);
+  return result;
+}
+
+/// A word for each state after the bifurcation, each time it changes: "++, then +-".
+std::string one_after_another(const std::function<std::string(const proofs::CertifiedEquilibrium&)>& word) {
+  std::string text, last;
+  for (const auto& one :
+       states(path(), {Rational(1, 10), Rational(1, 5), Rational(3, 10), Rational(9, 20), Rational(3, 5)})) {
+    const std::string here = word(one);
+    if (here != last) text += (text.empty() ? "" : ", then ") + here;
+    last = here;
+  }
+  return text;
+}
+
+/// Imprecise where what is printed is one of several.
+Judgement of_later_shapes(const std::string& printed, const std::string& found, const std::string& truth) {
+  Judgement result = judge_word(
+      printed, found, {printed, found}, truth,
+      {{EvidenceKind::interval,
+        "certified censuses at 0.1, 0.2, 0.3, 0.45 and 0.6 L, the slowly compressed chain: " + found}});
+  if (result.verdict == Verdict::refuted &&
+      (", " + found + ",").find(" " + printed + ",") != std::string::npos)
+    result.verdict = Verdict::imprecise;
+  return result;
+}
+
+Judgement later_name(const Printed& printed, int) {
+  const std::string found = one_after_another([](const auto& one) { return letter(one); });
+  return of_later_shapes(
+      printed.at(0), found,
+      found +
+          ": the bends keep their signs until one joint straightens, and have one sign from "
+          "there on (Figures 7 and 8 say U+, too)");
+}
+
+Judgement later_signs(const Printed& printed, int) {
+  const std::string found = one_after_another([](const auto& one) { return signs(one).substr(0, 2); });
+  return of_later_shapes(printed.at(0), found,
+                         "the signs of the first angle and of the bend at joint 2 are " + found);
+}
+
+/// The Z-chain up to its bifurcation.
+Judgement first_part(const Printed& printed, int) {
+  const proofs::PathCertificate& proved = path().proved.front();
+  bool stable = proved.certified() && proved.folds.empty() && !proved.runs.empty();
+  for (const proofs::CertifiedRun& run : proved.runs)
+    stable =
+        stable && (run.negative_directions == 0 || run.from >= static_cast<double>(buckling().point.load));
+  return judge_word(printed.at(0), stable ? "continuous" : "open", {"continuous", "open"},
+                    "the shape does not change continuously", {path().evidence()});
+}
+
+Judgement monotonic(const Printed& printed, int) {
+  Interval before(0);
+  bool grows = true;
+  for (int i = 1; i <= 12; ++i) {
+    const Rational d(i, 20);
+    const Interval now = -reached(at_deflection(d), path(), d).fx;
+    grows = grows && certainly_less(before, now);
+    before = now;
+  }
+  for (const proofs::PathCertificate& stretch : path().proved)
+    grows = grows && stretch.certified() && stretch.stiff;
+  return judge_word(printed.at(0), grows ? "monotonic" : "not monotonic", {"monotonic", "not monotonic"},
+                    "the force falls somewhere",
+                    {{EvidenceKind::interval,
+                      "certified censuses at 0.05, 0.1 … 0.6 L: the force of the observed "
+                      "shape grows"},
+                     path().evidence()});
+}
+
+Judgement local_minimum(const Printed& printed, int) {
+  bool equal = true;
+  for (const Rational& d : {Rational(5, 100), Rational(2, 10), Rational(55, 100)}) {
+    const proofs::Census census = at_deflection(d);
+    const auto &a = census.equilibria.at(0), &b = census.equilibria.at(1);
+    equal = equal && a.negative_directions == 0 && b.negative_directions == 0 &&
+            !certainly_less(a.energy, b.energy);
+  }
+  return judge_word(
+      printed.at(0), equal ? "equal" : "local", {"local", "equal"},
+      "both minima have the same energy at every deflection, for the chain turned by half a turn and "
+      "read backwards is the same chain: neither is only local",
+      {{EvidenceKind::theorem,
+        "turned by half a turn and read backwards, three links with the rest angles (a, -a) "
+        "and equal springs are the same chain"},
+       {EvidenceKind::interval, "certified censuses at 0.05, 0.2 and 0.55 L: energies equal to 40 digits"}});
+}
+
+Judgement keeps(const Printed& printed, int) {
+  const auto& last = path().stretches.back();
+  bool stays = path().stretches.size() == 2 && last.end == BranchEnd::load && path().proved.back().regular();
+  for (const Rational& d : {Rational(3, 10), Rational(45, 100), Rational(55, 100)}) {
+    const proofs::CertifiedEquilibrium here = reached(at_deflection(d), path(), d);
+    stays = stays && here.negative_directions == 0 && letter(here).front() == 'U';
+  }
+  return judge_word(printed.at(0), stays ? "keeps" : "leaves", {"keeps", "leaves"}, "it leaves the U-shape",
+                    {{EvidenceKind::interval,
+                      "certified censuses at 0.3, 0.45 and 0.55 L: the state of the slowly "
+                      "compressed chain is a stable U-shape"},
+                     path().evidence()});
+}
+
+}  // namespace
+
+std::vector<Claim> claims::zigzag() {
+  return {
+      {"fig-8-smooth",
+       "3.1, Fig. 8",
+       "the force-deflection curve of the Z-chain is not smooth",
+       {"not smooth"},
+       smooth},
+      {"fig-8-stiffness", "3.1, Fig. 8", "its stiffness suddenly reduces", {"reduces"}, softens},
+      {"fig-8-jump", "3.1, Fig. 8", "the shape suddenly jumps from Z to U", {"jump"}, jump},
+      {"fig-8-shapes", "3.1, Fig. 8", "where it buckles Z- turns into U+", {"Z-", "U+"}, change_of_shape},
+      {"fig-8-count",
+       "3.1, Fig. 8",
+       "the Z-chain too has four equilibria, two of them stable",
+       {"2 stable, 2 unstable"},
+       count},
+      {"fig-9-begin",
+       "3.1, Fig. 9a",
+       "at the beginning the angles have the signs -+ and the shape is the only stable one",
+       {"-+"},
+       begins},
+      {"fig-9-continuous",
+       "3.1, Fig. 9a",
+       "before it buckles the Z-chain changes its shape continuously",
+       {"continuous"},
+       first_part},
+      {"fig-9-angle",
+       "3.1, Fig. 9b",
+       "at the critical force the first angle becomes zero",
+       {"0"},
+       critical_angle},
+      {"fig-9-positive",
+       "3.1, Fig. 9c",
+       "for higher loading the first angle is positive",
+       {"positive"},
+       later_angle},
+      {"fig-9-name", "3.1, Fig. 9c", "the shape for higher loading is Z+", {"Z+"}, later_name},
+      {"fig-9-signs", "3.1, Fig. 9c", "for higher loading the angles have the signs ++", {"++"}, later_signs},
+      {"fig-9-monotonic",
+       "3.1, Fig. 9c",
+       "force and deflection grow monotonically",
+       {"monotonic"},
+       monotonic},
+      {"fig-9-local",
+       "3.1, Fig. 9e",
+       "the observed shape can be a local instead of the global minimum",
+       {"local"},
+       local_minimum},
+      {"fig-9-keeps",
+       "3.1, Fig. 9f",
+       "the chain keeps its U-shape and does not jump to the other",
+       {"keeps"},
+       keeps},
+  };
+}
+
+}  // namespace plumbline::verify

@@ -1,0 +1,141 @@
+#include "verify/judging/comparison.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <plumbline/base/error.hpp>
+
+#include "proofs/decimal.hpp"
+#include "proofs/exactly.hpp"
+
+namespace plumbline::verify {
+namespace {
+
+void require_count(std::size_t printed, std::size_t computed) {
+  if (printed != computed) {
+    throw Error("claim", fmt::format("{} printed entries", printed), fmt::format("{}", computed));
+  }
+}
+
+int places_behind_point(const std::string& decimal) {
+  const std::size_t point = decimal.find('.');
+  return point == std::string::npos ? 0 : static_cast<int>(decimal.size() - point - 1);
+}
+
+std::string certified_fixed(const Interval& value, int places) {
+  const std::string low = proofs::to_fixed(proofs::exactly(value.lower()), places);
+  if (low != proofs::to_fixed(proofs::exactly(value.upper()), places)) {
+    throw Error("enclosure", value.text(10), fmt::format("narrow enough for {} places", places));
+  }
+  return low;
+}
+
+/// Whether the printed number is within one percent of every value of the enclosure.
+bool within_percent(const Rational& printed, const Interval& value) {
+  const Interval error = Interval(printed) - value;
+  const Interval bound = value / Interval(100);
+  return !certainly_less(sqr(bound), sqr(error));
+}
+
+}  // namespace
+
+Verdict worst(Verdict a, Verdict b) {
+  for (const Verdict v : {Verdict::refuted, Verdict::imprecise, Verdict::convention}) {
+    if (a == v || b == v) return v;
+  }
+  return Verdict::confirmed;
+}
+
+std::string fraction_reading(const std::string& formula) {
+  const std::size_t slash = formula.find('/');
+  if (slash == std::string::npos) return formula;
+  return formula.substr(0, slash) + "/(" + formula.substr(slash + 1) + ")";
+}
+
+Judgement judge_formulas(const proofs::Formulas& formulas, const Printed& printed,
+                         const std::vector<GiNaC::ex>& computed, const std::vector<std::string>& names,
+                         const std::string& how) {
+  require_count(printed.size(), computed.size());
+  Judgement result{Verdict::confirmed, "", {{EvidenceKind::symbolic, how}}, ""};
+  std::vector<std::string> truths;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    if (proofs::identical(formulas.parse(printed[i]), computed[i])) continue;
+    if (proofs::identical(formulas.parse(fraction_reading(printed[i])), computed[i])) {
+      result.verdict = worst(result.verdict, Verdict::convention);
+      truths.push_back(
+          fmt::format("{} = {} with all that follows the slash in the denominator; read by the usual "
+                      "precedence, {} is another function",
+                      names[i], fraction_reading(printed[i]), printed[i]));
+    } else {
+      result.verdict = Verdict::refuted;
+      truths.push_back(fmt::format("{} = {}, not {}", names[i], proofs::text(computed[i]), printed[i]));
+    }
+  }
+  result.truth = fmt::format("{}", fmt::join(truths, "; "));
+  return result;
+}
+
+Judgement judge_word(const std::string& printed, const std::string& computed,
+                     const std::vector<std::string>& possible, const std::string& truth,
+                     std::vector<Evidence> evidence) {
+  if (std::find(possible.begin(), possible.end(), printed) == possible.end()) {
+    throw Error("claim", "'" + printed + "'", fmt::format("one of: {}", fmt::join(possible, ", ")));
+  }
+  const bool right = printed == computed;
+  return {right ? Verdict::confirmed : Verdict::refuted, right ? "" : truth, std::move(evidence), ""};
+}
+
+Judgement judge_count(const std::string& printed, const std::function<std::size_t(std::size_t)>& count,
+                      const std::string& truth, EvidenceKind kind, const std::string& how) {
+  const proofs::Formulas formulas({"n"});
+  const GiNaC::ex formula = formulas.parse(printed);
+  bool right = true;
+  std::vector<std::string> found;
+  for (std::size_t n = fewest; n <= most; ++n) {
+    const std::size_t computed = count(n);
+    right = right && proofs::identical(formula.subs(formulas.symbol("n") == static_cast<int>(n)),
+                                       static_cast<int>(computed));
+    found.push_back(fmt::format("{}", computed));
+  }
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : truth,
+          {{kind, fmt::format("n = 2 … 6: {} ({})", fmt::join(found, ", "), how)}},
+          ""};
+}
+
+Judgement with_evidence(Judgement judgement, EvidenceKind kind, const std::string& detail) {
+  judgement.evidence.push_back({kind, detail});
+  std::stable_sort(judgement.evidence.begin(), judgement.evidence.end(),
+                   [](const Evidence& a, const Evidence& b) { return a.kind < b.kind; });
+  return judgement;
+}
+
+Judgement judge_decimals(const Printed& printed, const std::vector<Interval>& computed,
+                         const std::vector<std::string>& names, const std::string& how) {
+  require_count(printed.size(), computed.size());
+  Judgement result{Verdict::confirmed, "", {{EvidenceKind::interval, how}}, ""};
+  std::vector<std::string> truths;
+  for (std::size_t i = 0; i < printed.size(); ++i) {
+    const std::optional<Rational> number = proofs::parse_decimal(printed[i]);
+    if (!number) throw Error("claim", "'" + printed[i] + "'", "a decimal");
+    const std::string right = certified_fixed(computed[i], places_behind_point(printed[i]));
+    if (right == printed[i]) continue;
+    result.verdict =
+        worst(result.verdict, within_percent(*number, computed[i]) ? Verdict::imprecise : Verdict::refuted);
+    truths.push_back(
+        fmt::format("{} = {}, printed {}", names[i], certified_decimal(computed[i], 10), printed[i]));
+  }
+  result.truth = fmt::format("{}", fmt::join(truths, "; "));
+  return result;
+}
+
+std::string certified_decimal(const Interval& value, int digits) {
+  const std::string low = proofs::to_decimal(proofs::exactly(value.lower()), digits);
+  if (low != proofs::to_decimal(proofs::exactly(value.upper()), digits)) {
+    throw Error("enclosure", value.text(10), fmt::format("narrow enough for {} digits", digits));
+  }
+  return low;
+}
+
+}  // namespace plumbline::verify

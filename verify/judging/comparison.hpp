@@ -1,0 +1,55 @@
+#pragma once
+/// \file
+/// How a printed formula, decimal or word is compared with what was computed.
+
+#include "proofs/expression.hpp"
+#include "verify/judging/claim.hpp"
+
+#include <plumbline/base/interval.hpp>
+
+namespace plumbline::verify {
+
+/// The formula with everything behind its first slash as the denominator: the reading that a printed line
+/// such as "2kq/L sin(q)" intends.
+std::string fraction_reading(const std::string& formula);
+
+/// Printed formulas against computed expressions, entry by entry; `names` label the entries.
+/// Confirmed when all are identical. Convention when an entry is identical only in its fraction reading. Else
+/// refuted, with the computed expression of each wrong entry as the truth. \throws Error when the counts
+/// differ
+Judgement judge_formulas(const proofs::Formulas& formulas, const Printed& printed,
+                         const std::vector<GiNaC::ex>& computed, const std::vector<std::string>& names,
+                         const std::string& how);
+
+/// A printed word against the computed one: confirmed or refuted, with the truth as a full sentence.
+/// \param possible the words that the computation can give; any other printed word is an Error
+Judgement judge_word(const std::string& printed, const std::string& computed,
+                     const std::vector<std::string>& possible, const std::string& truth,
+                     std::vector<Evidence> evidence);
+
+/// A printed count such as "n-1" against the count computed for n = 2 … 6: confirmed or refuted.
+Judgement judge_count(const std::string& printed, const std::function<std::size_t(std::size_t)>& count,
+                      const std::string& truth, EvidenceKind kind, const std::string& how);
+
+/// The sizes that judge_count tries.
+inline constexpr std::size_t fewest = 2;
+inline constexpr std::size_t most = 6;
+
+/// Adds evidence in its place, the strongest first.
+Judgement with_evidence(Judgement judgement, EvidenceKind kind, const std::string& detail);
+
+/// Printed decimals against certified enclosures. A decimal claims half a unit of its last place: confirmed
+/// when the computed values round to what is printed, imprecise when all are within one percent, else
+/// refuted. The truth lists each wrong entry by its name. \throws Error when an enclosure is too wide to
+/// decide a rounding
+Judgement judge_decimals(const Printed& printed, const std::vector<Interval>& computed,
+                         const std::vector<std::string>& names, const std::string& how);
+
+/// The common rounding of all values of an enclosure to so many significant digits.
+/// \throws Error when it is too wide
+std::string certified_decimal(const Interval& value, int digits);
+
+/// The least favourable of two verdicts: refuted, imprecise, convention, confirmed.
+Verdict worst(Verdict a, Verdict b);
+
+}  // namespace plumbline::verify

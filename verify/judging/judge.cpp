@@ -1,0 +1,78 @@
+#include "verify/judging/judge.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <plumbline/base/error.hpp>
+#include <set>
+
+#include "verify/claims/claims.hpp"
+
+namespace plumbline::verify {
+
+std::vector<Judged> judge(const std::vector<Claim>& claims, int digits) {
+  std::vector<Judged> result;
+  for (const Claim& claim : claims) {
+    try {
+      result.push_back({claim, claim.check(claim.printed, digits), ""});
+    } catch (const std::exception& error) {
+      result.push_back({claim, std::nullopt, error.what()});
+    }
+  }
+  return result;
+}
+
+std::vector<Judged> judge_sampled(const SampledChains& sampled, std::uint64_t seed) {
+  std::vector<Judged> result;
+  for (const SampledProperty& p : sampled.properties) {
+    std::string id = "sampled-" + p.name;
+    std::replace(id.begin(), id.end(), ' ', '-');
+    const Claim claim{id, "of random chains", p.statement, {}, {}};
+    if (p.failures > 0) {
+      result.push_back(
+          {claim, std::nullopt,
+           fmt::format("{} of {} chains fail, the first is {}", p.failures, p.chains, p.counterexample)});
+      continue;
+    }
+    const std::string detail =
+        fmt::format("{} chains of seed {}, none fails; at most {:.2g} of the allowance used", p.chains, seed,
+                    p.worst_margin);
+    result.push_back({claim, Judgement{Verdict::confirmed, "", {{EvidenceKind::sampled, detail}}, ""}, ""});
+  }
+  const Claim digits{
+      "sampled-digits", "of random chains", "the digits that Algorithm 1 in double gets right", {}, {}};
+  result.push_back(
+      {digits, Judgement{Verdict::confirmed, "", {{EvidenceKind::sampled, summary(sampled.agreement)}}, ""},
+       ""});
+  return result;
+}
+
+std::string section_of(const Claim& claim) {
+  return claim.where.substr(0, claim.where.find(','));
+}
+
+std::vector<Claim> in_section(const std::vector<Claim>& claims, const std::string& section) {
+  std::vector<Claim> result;
+  std::set<std::string> sections;
+  for (const Claim& claim : claims) {
+    const std::string own = section_of(claim);
+    sections.insert(own);
+    if (section.empty() || own == section || own.starts_with(section + ".")) result.push_back(claim);
+  }
+  if (result.empty()) throw Error("--section", section, fmt::format("one of {}", fmt::join(sections, ", ")));
+  return result;
+}
+
+std::vector<Claim> with_id(const std::vector<Claim>& claims, const std::string& id) {
+  std::vector<std::string> alike;
+  for (const Claim& claim : claims) {
+    if (claim.id == id) return {claim};
+    if (claim.id.find(id) != std::string::npos) alike.push_back(claim.id);
+  }
+  throw Error(
+      "--claim", id,
+      alike.empty() ? "an id that `plumbline verify` lists" : fmt::format("{}", fmt::join(alike, " or ")));
+}
+
+}  // namespace plumbline::verify

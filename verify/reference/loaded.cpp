@@ -1,0 +1,255 @@
+#include "verify/reference/loaded.hpp"
+
+#include <algorithm>
+#include <plumbline/branch/trace.hpp>
+
+#include "proofs/census.hpp"
+#include "verify/reference/draw.hpp"
+#include "verify/reference/set.hpp"
+
+namespace plumbline::verify {
+namespace {
+
+using nlohmann::json;
+using Model = NominalModel<Mpfr50>;
+
+Rational ten_thousandths(int value) {
+  return {value, 10000};
+}
+
+void add_paper(std::vector<LoadedCase>& cases) {
+  const auto four = [&](const char* name, const std::vector<int>& rest) {
+    std::vector<Rational> angles;
+    for (const int angle : rest) angles.push_back(ten_thousandths(angle));
+    cases.push_back({name,
+                     Chain<Rational>({1, 1, 1, 1}, {1, 1, 1, 1}, angles),
+                     false,
+                     Control::end_point,
+                     {Rational(17, 5), 0},
+                     Rational(3, 2)});
+  };
+  cases.push_back(
+      {"paper-two-link", Chain<Rational>({1, 1}, {0, 1}), false, Control::end_point, {Rational(8, 5), 0}, 0});
+  cases.push_back({"paper-three-link-straight",
+                   Chain<Rational>({1, 1, 1}, {0, 1, 1}),
+                   false,
+                   Control::end_point,
+                   {Rational(13, 5), 0},
+                   0});
+  cases.push_back({"paper-three-link-zigzag",
+                   Chain<Rational>({1, 1, 1}, {0, 1, 1}, {0, Rational(1, 10), Rational(-1, 10)}),
+                   true,
+                   Control::end_point,
+                   {Rational(13, 5), 0},
+                   Rational(1, 10)});
+  cases.push_back({"paper-four-link-straight",
+                   Chain<Rational>({1, 1, 1, 1}, {1, 1, 1, 1}),
+                   false,
+                   Control::end_point,
+                   {Rational(18, 5), 0},
+                   0});
+  four("paper-four-link-u", {-3179, 558, 3804, 3524});
+  four("paper-four-link-z", {-2417, 6821, -7958, 5170});
+}
+
+/// A place well within reach: no farther than nine tenths of all links in line, no nearer than the longest
+/// link less the others, and a tenth.
+Point<Rational> place_in_reach(Draw& draw, const Rational& reach, const Rational& longest) {
+  const Rational nearest = std::max(Rational(2 * longest - reach), Rational(0)) + reach / 10;
+  for (;;) {
+    const Point<Rational> place{reach * Rational(draw.whole(30, 80), 100),
+                                reach * Rational(draw.whole(-30, 30), 100)};
+    const Rational square = place.x * place.x + place.y * place.y;
+    if (square > nearest * nearest && square < reach * reach * Rational(81, 100)) return place;
+  }
+}
+
+LoadedCase random_case(const std::string& name, std::size_t n, Control control, std::uint64_t seed) {
+  Draw draw(name, seed);
+  std::vector<Rational> length, stiffness, rest;
+  Rational reach(0);
+  for (std::size_t i = 0; i < n; ++i) {
+    length.emplace_back(draw.whole(50, 150), 100);
+    stiffness.emplace_back(draw.whole(50, 200), 100);
+    rest.emplace_back(draw.whole(-150, 150), 100);
+    reach += length.back();
+  }
+  const Rational longest = *std::max_element(length.begin(), length.end());
+  const Rational force(draw.whole(-100, -10), 100), slope(draw.whole(-30, 30), 100);
+  const Point<Rational> given = control == Control::end_point ? place_in_reach(draw, reach, longest)
+                                                              : Point<Rational>{force, force * slope};
+  return {name,  Chain<Rational>(length, stiffness, rest),
+          false, control,
+          given, control == Control::end_point ? Rational(reach / 2) : Rational(2)};
+}
+
+Chain<Interval> enclosed(const LoadedCase& loaded) {
+  const auto chain = from_rational<Interval>(loaded.chain);
+  if (!loaded.rest_in_pi) return chain;
+  auto rest = chain.rest();
+  for (Interval& angle : rest) angle *= Interval::pi();
+  return Chain<Interval>(chain.length(), chain.stiffness(), rest);
+}
+
+json exact_list(const std::vector<Rational>& values) {
+  json list = json::array();
+  for (const Rational& x : values) list.push_back(proofs::to_exact(x));
+  return list;
+}
+
+json description(const LoadedCase& loaded) {
+  return {{"case", loaded.name},
+          {"lengths", exact_list(loaded.chain.length())},
+          {"stiffness", exact_list(loaded.chain.stiffness())},
+          {"rest", exact_list(loaded.chain.rest())},
+          {"rest_unit", loaded.rest_in_pi ? "pi" : "rad"},
+          {"control", loaded.control == Control::end_point ? "end_point" : "force"}};
+}
+
+/// As many digits, 50 at most, as both ends share when rounded; "0" where both are within 1e-50 of it.
+std::string certain_digits(const Interval& x) {
+  const Interval::End low = x.lower(), high = x.upper(), none("1e-50");
+  if (abs(low) < none && abs(high) < none) return "0";
+  for (int digits = reference_digits; digits > 0; --digits) {
+    if (low.str(digits) == high.str(digits)) return low.str(digits);
+  }
+  throw Error("equilibrium", x.text(6), "an enclosure of a digit or more");
+}
+
+Branch<Mpfr50> compressed(const LoadedCase& loaded, const Mpfr50& longest_step) {
+  const auto chain = convert<Mpfr50>(enclosed(loaded), [](const Interval& x) { return Mpfr50(x.middle()); });
+  const Model model(chain);
+  std::vector<Mpfr50> q = chain.rest();
+  Loading<Mpfr50> loading{loaded.control, {0, 0}, {-1, 0}};
+  if (loaded.control == Control::end_point) {
+    loading.start = end_point(chain, q);
+    if (chain.passive_joint(0)) {
+      q[0] -= atan2(loading.start.y, loading.start.x);
+      loading.start = end_point(chain, q);
+    }
+  }
+  const Vector<Mpfr50> shape = absolute_angles(q);
+  Brancher<Model> brancher(model, loading, shape);
+  const TraceLimits<Mpfr50> limits{Mpfr50(0), from_rational<Mpfr50>(loaded.window), longest_step};
+  return Tracer<Model>(brancher, limits).run(brancher.start(0, shape));
+}
+
+json event_entry(const BranchEvent<Mpfr50>& event) {
+  const auto text = [](const Mpfr50& x) {
+    return abs(x) < Mpfr50("1e-40") ? std::string("0") : x.str(event_digits);
+  };
+  const BranchPoint<Mpfr50>& at = event.point;
+  json angles = json::array();
+  for (const Mpfr50& angle : joint_angles(at.theta)) angles.push_back(text(angle));
+  return {{"kind", name(event.kind)},
+          {"load", text(at.load)},
+          {"energy", text(at.energy)},
+          {"force", {text(at.force.x), text(at.force.y)}},
+          {"end_point", {text(at.end_point.x), text(at.end_point.y)}},
+          {"angles", std::move(angles)}};
+}
+
+std::string joined(const json& list) {
+  std::string text;
+  for (const json& one : list) text += (text.empty() ? "" : ";") + one.get<std::string>();
+  return text;
+}
+
+std::string chain_columns(const json& entry) {
+  return fmt::format("{},{},{},{},{}", entry["case"].get<std::string>(), joined(entry["lengths"]),
+                     joined(entry["stiffness"]), joined(entry["rest"]),
+                     entry["rest_unit"].get<std::string>());
+}
+
+std::string state_columns(const json& state) {
+  return fmt::format("{},{},{},{}", state["energy"].get<std::string>(), joined(state["force"]),
+                     joined(state["end_point"]), joined(state["angles"]));
+}
+
+}  // namespace
+
+std::vector<LoadedCase> loaded_cases(ReferenceSize size, std::uint64_t seed) {
+  std::vector<LoadedCase> cases;
+  add_paper(cases);
+  for (std::size_t n = 2; n <= 5; ++n) {
+    for (int i = 1; i <= (size == ReferenceSize::full ? 10 : 2); ++i) {
+      const Control control = i % 2 == 1 ? Control::end_point : Control::force;
+      cases.push_back(random_case(fmt::format("loaded-{}-{:02}", n, i), n, control, seed));
+    }
+  }
+  return cases;
+}
+
+std::optional<json> equilibria_entry(const LoadedCase& loaded) {
+  const auto chain = enclosed(loaded);
+  const Point<Interval> given{Interval(loaded.given.x), Interval(loaded.given.y)};
+  const bool held = loaded.control == Control::end_point;
+  const proofs::Census census =
+      held ? proofs::census_at_end_point(chain, given) : proofs::census_under_force(chain, given);
+  if (!census.complete()) return std::nullopt;
+  json states = json::array();
+  for (const proofs::CertifiedEquilibrium& one : census.equilibria) {
+    if (!one.negative_directions) return std::nullopt;
+    json angles = json::array();
+    for (const Interval& angle : one.q) angles.push_back(certain_digits(angle));
+    states.push_back({{"negative_directions", *one.negative_directions},
+                      {"energy", certain_digits(one.energy)},
+                      {"force", {certain_digits(one.fx), certain_digits(one.fy)}},
+                      {"end_point", {certain_digits(one.x), certain_digits(one.y)}},
+                      {"angles", std::move(angles)}});
+  }
+  // Mirror images have the same energy; which comes first must not hang on rounding.
+  for (std::size_t first = 0, last = 0; first < states.size(); first = last) {
+    while (last < states.size() && states[last]["energy"] == states[first]["energy"]) ++last;
+    const auto at = [&](std::size_t i) { return states.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::sort(at(first), at(last), [](const json& a, const json& b) { return a["angles"] < b["angles"]; });
+  }
+  json entry = description(loaded);
+  entry["given"] = exact_list({loaded.given.x, loaded.given.y});
+  entry["equilibria"] = std::move(states);
+  return entry;
+}
+
+std::optional<json> events_entry(const LoadedCase& loaded) {
+  const auto once = compressed(loaded, Mpfr50(1) / 20), again = compressed(loaded, Mpfr50(1) / 31);
+  json events = json::array();
+  for (const auto& event : once.events) events.push_back(event_entry(event));
+  json same = json::array();
+  for (const auto& event : again.events) same.push_back(event_entry(event));
+  if (events != same) return std::nullopt;
+  json entry = description(loaded);
+  entry["window"] = proofs::to_exact(loaded.window);
+  entry["events"] = std::move(events);
+  return entry;
+}
+
+std::string equilibria_csv(const std::vector<json>& entries) {
+  std::string text =
+      "case,lengths,stiffness,rest,rest_unit,control,given,equilibrium,negative_directions,energy,force,"
+      "end_point,angles\n";
+  for (const json& e : entries) {
+    std::size_t number = 0;
+    for (const json& state : e["equilibria"]) {
+      text += fmt::format("{},{},{},{},{},{}\n", chain_columns(e), e["control"].get<std::string>(),
+                          joined(e["given"]), ++number, state["negative_directions"].get<std::size_t>(),
+                          state_columns(state));
+    }
+  }
+  return text;
+}
+
+std::string events_csv(const std::vector<json>& entries) {
+  std::string text =
+      "case,lengths,stiffness,rest,rest_unit,control,window,event,kind,load,energy,force,end_point,angles\n";
+  for (const json& e : entries) {
+    std::size_t number = 0;
+    for (const json& event : e["events"]) {
+      text += fmt::format("{},{},{},{},{},{},{}\n", chain_columns(e), e["control"].get<std::string>(),
+                          e["window"].get<std::string>(), ++number, event["kind"].get<std::string>(),
+                          event["load"].get<std::string>(), state_columns(event));
+    }
+  }
+  return text;
+}
+
+}  // namespace plumbline::verify

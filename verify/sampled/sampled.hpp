@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// The properties of chain_properties.hpp on random chains.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <plumbline/chain/chain.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace plumbline::verify {
+
+struct SampledProperty {
+  std::string name, statement;
+  std::size_t chains = 0;  ///< to how many of the chains it applied
+  std::size_t failures = 0;
+  double worst_margin = 0;     ///< largest part of the allowance that was used; above 1 is a failure
+  std::string counterexample;  ///< the first chain that failed, as a chain file; else empty
+};
+
+/// How many digits Algorithm 1 in double and in 50 digits have in common, force by force.
+struct DoubleAgreement {
+  std::size_t unresolved = 0;  ///< forces that double cannot resolve (Sample::resolved), or not found
+  std::array<std::size_t, 17> digits{};  ///< of the others, how many agree to so many digits and no more
+};
+
+/// "N of M forces resolved in double; of these half agree to a digits or more, 99 % to b, all to c".
+std::string summary(const DoubleAgreement& agreement);
+
+struct SampledChains {
+  std::vector<SampledProperty> properties;
+  DoubleAgreement agreement;
+};
+
+/// Chain number `index` of a seed: 2 to 8 links, lengths and stiffnesses over up to eight decades or with
+/// ties, one time in four a passive base, one time in eight another passive joint. Every number has few
+/// enough digits to be the same in double and in rationals.
+Chain<double> random_chain(std::uint64_t seed, std::uint64_t index);
+
+/// Checks every property on the first `chains` chains of a seed. The result does not depend on `threads`.
+/// \param advance  called, from any thread, after each chain
+SampledChains check_random_chains(
+    std::size_t chains, std::uint64_t seed, const std::function<void()>& advance = [] {},
+    unsigned threads = std::thread::hardware_concurrency());
+
+}  // namespace plumbline::verify
