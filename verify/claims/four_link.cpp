@@ -134,7 +134,7 @@ Judgement nonzero_roots(const Printed& printed, int) {
           ""};
 }
 
-Judgement eigenvalues(const Printed& printed, int digits) {
+Judgement all_eigenvalues(const Printed& printed, int digits) {
   std::vector<Interval> computed;
   std::vector<std::string> values;
   for (const CertifiedMode& mode : modes()) {
@@ -315,7 +315,7 @@ std::vector<Claim> claims::four_link() {
        "4.2, after (40)",
        "lambda_i = -1.0822, -0.4337, -0.2841",
        {"-1.0822", "-0.4337", "-0.2841"},
-       eigenvalues},
+       all_eigenvalues},
       {"three-nonzero-roots",
        "4.2, after (40)",
        "three non-zero roots {-1.0822, -0.4337, -0.2841, 0, 0}",

@@ -152,9 +152,9 @@ Judgement stable_signs(const Chain<Interval>& chain, const SlowPath& path, const
 
 /// A fold makes the forces jump though the energy surface moves continuously: continuity proves nothing.
 Judgement continuity_proof(const Printed& printed, int) {
-  const auto claims = loaded_three_link_claims();
+  const auto all = claims::loaded_three_link();
   const auto bent =
-      std::find_if(claims.begin(), claims.end(), [](const Claim& c) { return c.id == "bent-continuous"; });
+      std::find_if(all.begin(), all.end(), [](const Claim& c) { return c.id == "bent-continuous"; });
   const Judgement snap = bent->check({"can jump"}, 10);
   const bool counterexample = snap.verdict == Verdict::confirmed;
   return judge_word(

@@ -119,7 +119,7 @@ Judgement deflection_angles(const Printed& printed, int) {
   const proofs::Formulas angles({"L", "phi", "second", "third"});
   const ex L = angles.symbol("L"), phi = angles.symbol("phi"), b = angles.symbol("second"),
            c = angles.symbol("third");
-  const GiNaC::matrix p = end_point({{L, L, L}, {0, 1, 1}, {phi, b, c}});
+  const GiNaC::matrix p = proofs::end_point({{L, L, L}, {0, 1, 1}, {phi, b, c}});
   const ex reach = p(0, 0) * p(0, 0) + p(1, 0) * p(1, 0);
   const auto depends = [&](const ex& angle) {
     return !proofs::identical(reach.diff(GiNaC::ex_to<GiNaC::symbol>(angle)), 0);

@@ -32,7 +32,7 @@ ex symbol(const char* name) {
 
 std::vector<ex> place(const ex& second, const ex& third) {
   const ex L = symbol("L");
-  const GiNaC::matrix p = end_point({{L, L, L}, {0, 1, 1}, {symbol("phi"), second, third}});
+  const GiNaC::matrix p = proofs::end_point({{L, L, L}, {0, 1, 1}, {symbol("phi"), second, third}});
   return {p(0, 0), p(1, 0)};
 }
 
@@ -51,7 +51,7 @@ Judgement loaded_place(const Printed& printed, int) {
 Judgement jacobian_entries(const Printed& printed, int) {
   const proofs::Formulas names({"S0", "S01", "S012", "C0", "C01", "C012", "t0", "t1", "t2", "L"});
   const ex t0 = names.symbol("t0"), t1 = names.symbol("t1"), t2 = names.symbol("t2"), L = names.symbol("L");
-  const GiNaC::matrix J = jacobian({{L, L, L}, {0, 1, 1}, {t0, t1 - t0, t2 - t1}});
+  const GiNaC::matrix J = proofs::jacobian({{L, L, L}, {0, 1, 1}, {t0, t1 - t0, t2 - t1}});
   const GiNaC::lst meaning{names.symbol("S0") == sin(t0),   names.symbol("S01") == sin(t1),
                            names.symbol("S012") == sin(t2), names.symbol("C0") == cos(t0),
                            names.symbol("C01") == cos(t1),  names.symbol("C012") == cos(t2)};
@@ -216,7 +216,7 @@ Judgement extremum(const Printed& printed, bool stable) {
                     some.size(), stable ? "stable" : "unstable", fmt::join(energies, " and "))}});
 }
 
-Judgement energy(const Printed& printed, int) {
+Judgement potential_energy(const Printed& printed, int) {
   const ex q1 = symbol("q1"), q2 = symbol("q2"), k = symbol("k");
   return judge_formulas(formulas(), printed, {k * q1 * q1 / 2 + k * q2 * q2 / 2}, {"E"},
                         "two springs; the base joint has none");
@@ -284,7 +284,7 @@ std::vector<Claim> claims::three_link_model() {
        "phi = arg max E for an unstable equilibrium",
        {"arg max"},
        [](const Printed& printed, int) { return extremum(printed, false); }},
-      {"eq-10", "2, (10)", "E = k q1^2/2 + k q2^2/2", {"k*q1^2/2+k*q2^2/2"}, energy},
+      {"eq-10", "2, (10)", "E = k q1^2/2 + k q2^2/2", {"k*q1^2/2+k*q2^2/2"}, potential_energy},
       {"strain-energy-suffices",
        "2, after (10)",
        "at given Delta the term -Fx Delta is not necessary to find phi",

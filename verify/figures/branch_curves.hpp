@@ -2,7 +2,7 @@
 /// \file
 /// Branches and shapes as lines of a drawing.
 
-#include <plumbline/branch/branch.hpp>
+#include <plumbline/branch/trace.hpp>
 #include <utility>
 #include <vector>
 

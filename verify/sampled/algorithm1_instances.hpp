@@ -5,11 +5,11 @@
 
 #include <plumbline/straight/algorithm1.hpp>
 
-namespace plumbline::verify {
+namespace plumbline {
 
 extern template Matrix<Rational> algorithm1_matrix(const Chain<Rational>&);
 extern template Matrix<Mpfr50> algorithm1_matrix(const Chain<Mpfr50>&);
 extern template std::vector<Mode<double>> algorithm1(const Chain<double>&);
 extern template std::vector<Mode<Mpfr50>> algorithm1(const Chain<Mpfr50>&);
 
-}  // namespace plumbline::verify
+}  // namespace plumbline
