@@ -17,25 +17,25 @@ struct Options {
   bool next = false;
 };
 
-diagnose::Diagnosis diagnosis_of(const diagnose::Experiment& experiment, bool next) {
+diagnose::Diagnosis diagnosis_of(const diagnose::Study& study, bool next) {
   constexpr std::size_t steps = 100;
   Progress progress("diagnosis", steps);
   std::size_t shown = 0;
   const auto show = [&](double share) {
     for (; shown < static_cast<std::size_t>(share * steps); ++shown) progress.advance();
   };
-  return diagnose::diagnose(experiment, show, next);
+  return diagnose::diagnose(study, show, next);
 }
 
 void run(const Options& options) {
-  const diagnose::Experiment experiment =
-      options.experiment.empty() ? example_experiment() : diagnose::read_experiment(options.experiment);
+  const diagnose::Study study(options.experiment.empty() ? example_experiment()
+                                                         : diagnose::read_experiment(options.experiment));
   std::unique_ptr<files::OutputFile> json, html;
   if (!options.json.empty()) json = std::make_unique<files::OutputFile>(options.json);
   if (!options.html.empty()) html = std::make_unique<files::OutputFile>(options.html);
-  const diagnose::Diagnosis diagnosis = diagnosis_of(experiment, options.next);
+  const diagnose::Diagnosis diagnosis = diagnosis_of(study, options.next);
   if (json) json->write(as_json(diagnosis).dump(2) + "\n");
-  if (html) html->write(diagnose::as_html(experiment, diagnosis));
+  if (html) html->write(diagnose::as_html(study, diagnosis));
   if (json) json->commit();
   if (html) html->commit();
   if (options.json != "-" && options.html != "-") fmt::print("{}", as_text(diagnosis));

@@ -56,8 +56,8 @@ Experiment four_links() {
 Task task(const EffectAt& at, unsigned seed) {
   Task one{at, four_links()};
   std::vector<double> truth;
-  for (const ParameterRange& range : parameter_ranges(one.experiment, at)) truth.push_back(range.scale / 2);
-  const Prediction predicted = predict(one.experiment, {{at}}, truth);
+  for (const ParameterRange& range : Study(one.experiment).ranges(at)) truth.push_back(range.scale / 2);
+  const Prediction predicted = predict(Study(one.experiment), {{at}}, truth);
   std::mt19937 engine(seed);
   std::normal_distribution<double> noise(0, one.experiment.noise.Fx);
   for (std::size_t r = 0; r < one.experiment.runs.size(); ++r) {
@@ -83,9 +83,9 @@ Json for_script(const Task& one) {
     runs.push_back(columns);
   }
   Json scale = Json::array();
-  for (const ParameterRange& range : parameter_ranges(one.experiment, one.at)) scale.push_back(range.scale);
+  for (const ParameterRange& range : Study(one.experiment).ranges(one.at)) scale.push_back(range.scale);
   return {
-      {"effect", effect_name(one.at.effect)},
+      {"effect", one.at.effect->id},
       {"joint", one.at.joint},
       {"nominal", {{"length", one.experiment.link_length}, {"stiffness", one.experiment.joint_stiffness}}},
       {"sigma", one.experiment.noise.Fx},
@@ -120,7 +120,7 @@ void compare(const std::vector<Task>& tasks) {
     constexpr int repeats = 20;
     Fit found;
     const double start = processor_seconds();
-    for (int r = 0; r < repeats; ++r) found = fit(one.experiment, measurements, {{one.at}}, settings);
+    for (int r = 0; r < repeats; ++r) found = fit(Study(one.experiment), {{one.at}}, settings);
     const double seconds = (processor_seconds() - start) / repeats;
     double apart = 0;  // in standard deviations
     for (std::size_t p = 0; p < found.parameters.size(); ++p) {
@@ -129,8 +129,8 @@ void compare(const std::vector<Task>& tasks) {
                                   std::sqrt(found.covariance(k, k)));
     }
     const double other = peer[i]["seconds"].get<double>();
-    fmt::print("{:<20} {:>12.1f} {:>12.3f} {:>8.0f} {:>8.3f} sigma\n", effect_name(one.at.effect),
-               1e3 * other, 1e3 * seconds, other / seconds, apart);
+    fmt::print("{:<20} {:>12.1f} {:>12.3f} {:>8.0f} {:>8.3f} sigma\n", one.at.effect->id, 1e3 * other,
+               1e3 * seconds, other / seconds, apart);
   }
 }
 
@@ -140,15 +140,15 @@ void compare(const std::vector<Task>& tasks) {
 int main() {
   using namespace plumbline;
   std::vector<bench::Task> tasks;
-  for (const EffectAt& at : std::vector<EffectAt>{{EffectId::joint_stiffness, 2},
-                                                  {EffectId::link_length, 3},
-                                                  {EffectId::rest_angle, 1},
-                                                  {EffectId::nonlinear_spring},
-                                                  {EffectId::gravity},
-                                                  {EffectId::base_compliance},
-                                                  {EffectId::tip_stiffness},
-                                                  {EffectId::force_bias},
-                                                  {EffectId::force_gain}})
+  for (const EffectAt& at : std::vector<EffectAt>{{"joint_stiffness", 2},
+                                                  {"link_length", 3},
+                                                  {"rest_angle", 1},
+                                                  {"nonlinear_spring"},
+                                                  {"gravity"},
+                                                  {"base_compliance"},
+                                                  {"tip_stiffness"},
+                                                  {"force_bias"},
+                                                  {"force_gain"}})
     tasks.push_back(bench::task(at, 7));
   bench::compare(tasks);
 }

@@ -16,8 +16,8 @@
 #include <random>
 
 #include "bench/write_labelled.hpp"
-#include "diagnose/model/history.hpp"
 #include "diagnose/model/measurement.hpp"
+#include "diagnose/model/study.hpp"
 
 namespace plumbline::bench {
 namespace {
@@ -90,7 +90,7 @@ std::optional<Run> draw_run(Random& random, const Experiment& experiment, std::s
   }
   Experiment alone = experiment;
   alone.runs = {run};
-  const Prediction nominal = predict(alone, {}, {});
+  const Prediction nominal = predict(Study(alone), {}, {});
   if (!nominal.reached || nominal.snapped || !nominal.runs[0].allFinite()) return std::nullopt;
   return run;
 }
@@ -120,7 +120,7 @@ Experiment draw_layout(Random& random) {
 
 /// Declared noise: a share of what the nominal chain shows.
 void declare_noise(Random& random, Experiment& experiment) {
-  const Prediction nominal = predict(experiment, {}, {});
+  const Prediction nominal = predict(Study(experiment), {}, {});
   double force = 0, travel = 0;
   for (const Trace& trace : nominal.runs) {
     force = std::max({force, trace.col(column_Fx).abs().maxCoeff(), trace.col(column_Fy).abs().maxCoeff()});
@@ -184,23 +184,23 @@ Prediction simulate_runs(const Experiment& experiment, const std::vector<Rig>& r
 std::vector<double> parameters_at(Random random, const Experiment& experiment, const EffectAt& at,
                                   double size) {
   std::vector<double> values;
-  for (const ParameterRange& range : parameter_ranges(experiment, at)) {
+  for (const ParameterRange& range : Study(experiment).ranges(at)) {
     double value = size * range.scale * between(random, 0.5, 1);
     if (range.low < 0 && chance(random, 0.5)) value = -value;
     if (range.coordinate == Coordinate::logarithm) value = between(random, range.low + 1.5, range.high - 2.5);
     values.push_back(value);
   }
-  if (at.effect == EffectId::joint_stop) {
+  if (at.effect == "joint_stop") {
     // The stop moves in as the effect grows.
     values[0] = between(random, 0.2, 0.6) / (1 + size);
-    values[1] = parameter_ranges(experiment, at)[1].scale * log_between(random, 0.5, 20);
+    values[1] = Study(experiment).ranges(at)[1].scale * log_between(random, 0.5, 20);
   }
   return values;
 }
 
 /// Whether every parameter is well inside what is physical.
 bool physical(const Experiment& experiment, const EffectAt& at, const std::vector<double>& values) {
-  const std::vector<ParameterRange> ranges = parameter_ranges(experiment, at);
+  const std::vector<ParameterRange> ranges = Study(experiment).ranges(at);
   for (std::size_t p = 0; p < values.size(); ++p) {
     const double share = ranges[p].coordinate == Coordinate::logarithm ? 1 : 0.6;
     if (values[p] < share * ranges[p].low || values[p] > share * ranges[p].high) return false;
@@ -210,10 +210,10 @@ bool physical(const Experiment& experiment, const EffectAt& at, const std::vecto
 
 Json labelled(const Experiment& experiment, const EffectAt& at, const std::vector<double>& values) {
   Json parameters = Json::object();
-  const auto ranges = parameter_ranges(experiment, at);
+  const auto ranges = Study(experiment).ranges(at);
   for (std::size_t p = 0; p < ranges.size(); ++p)
     parameters[std::string(ranges[p].name)] = catalogue_value(ranges[p].coordinate, values[p]);
-  return {{"id", effect_name(at.effect)},
+  return {{"id", at.effect->id},
           {"joint", at.joint > 0 ? Json(at.joint) : Json(nullptr)},
           {"parameters", parameters}};
 }
@@ -264,7 +264,7 @@ std::optional<Scenario> draw(std::uint64_t seed) {
   Experiment experiment = draw_layout(random);
   declare_noise(random, experiment);
   const Measurements measurements(experiment);
-  const Prediction nominal = predict(experiment, {}, {});
+  const Prediction nominal = predict(Study(experiment), {}, {});
   write_readings(experiment, nominal);
   const double wanted = log_between(random, 2.5, 25), kind = between(random, 0, 1);
   const std::vector<EffectAt> possible = possible_effects(experiment);

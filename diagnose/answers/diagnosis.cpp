@@ -14,13 +14,10 @@ using Report = std::function<void(double)>;
 /// The rise of twice the log-likelihood at the end of a 95 % interval of one parameter.
 constexpr double rise_95 = 3.841;
 
-Prediction nominal_prediction(const Experiment& experiment) {
-  Prediction nominal = predict(experiment, {}, {});
-  if (!nominal.reached) {
-    throw Error("experiment \"" + experiment.name + "\"", "runs that the nominal chain cannot follow",
-                "end points within reach and a stable posture at every reading");
-  }
-  return nominal;
+void require_reached(const Study& study) {
+  if (study.nominal().reached) return;
+  throw Error("experiment \"" + study.experiment().name + "\"", "runs that the nominal chain cannot follow",
+              "end points within reach and a stable posture at every reading");
 }
 
 GapAnswer ask_for_gap(const Measurements& measurements, const std::vector<double>& residual) {
@@ -44,7 +41,7 @@ GapAnswer ask_for_gap(const Measurements& measurements, const std::vector<double
 }
 
 /// The hypotheses that a search on fewer readings left standing, fitted to all of them.
-Findings confirmed(const Experiment& experiment, const Measurements& measurements, const Findings& found) {
+Findings confirmed(const Study& study, const Findings& found) {
   // More readings cannot lift what fell behind by so much.
   constexpr double hopeless = 50;
   Findings all;
@@ -52,28 +49,27 @@ Findings confirmed(const Experiment& experiment, const Measurements& measurement
   settings.noise = found.noise;
   for (const Hypothesis& hypothesis : found.hypotheses) {
     if (hypothesis.log_evidence < found.hypotheses.front().log_evidence - hopeless) break;
-    Fit one =
-        fit_from(experiment, measurements, hypothesis.fit.candidate, settings, hypothesis.fit.parameters);
+    Fit one = fit_from(study, hypothesis.fit.candidate, settings, hypothesis.fit.parameters);
     if (one.converged) all.hypotheses.push_back({std::move(one), 0, 0, {}});
   }
-  weigh(experiment, measurements, all);
+  weigh(study, all);
   return all;
 }
 
 /// Values and bounds for the best explanation, in the noise that it leaves.
-std::vector<std::vector<Estimate>> estimate(const Experiment& experiment, const Measurements& measurements,
-                                            const Fit& found, const NoiseModel& noise) {
+std::vector<std::vector<Estimate>> estimate(const Study& study, const Fit& found, const NoiseModel& noise) {
   FitSettings settings;
   settings.noise = noise;
-  const Fit fit = fit_from(experiment, measurements, found.candidate, settings, found.parameters);
+  const Fit fit = fit_from(study, found.candidate, settings, found.parameters);
   std::vector<std::vector<Estimate>> result;
   std::size_t p = 0;
   for (const EffectAt& at : fit.candidate.effects) {
     result.emplace_back();
-    for (const ParameterRange& range : parameter_ranges(experiment, at)) {
-      const Profile bounds = profile(experiment, measurements, fit, p, settings, rise_95);
-      result.back().push_back({std::string(range.name), catalogue_value(range.coordinate, fit.parameters[p]),
-                               bounds.low, bounds.high, fit.at_bound[p]});
+    for (const ParameterRange& range : study.ranges(at)) {
+      const Profile bounds = profile(study, fit, p, settings, rise_95);
+      result.back().push_back({std::string(range.name), std::string(range.unit),
+                               catalogue_value(range.coordinate, fit.parameters[p]), bounds.low, bounds.high,
+                               fit.at_bound[p]});
       ++p;
     }
   }
@@ -81,9 +77,9 @@ std::vector<std::vector<Estimate>> estimate(const Experiment& experiment, const 
 }
 
 /// What the runs never touched: a nominal parameter's change that no measured value shows.
-std::vector<EffectAt> never_exercised(const Experiment& experiment, const Findings& findings) {
+std::vector<EffectAt> never_exercised(const Study& study, const Findings& findings) {
   std::vector<EffectAt> result;
-  for (const EffectAt& at : possible_effects(experiment)) {
+  for (const EffectAt& at : possible_effects(study)) {
     const auto place =
         std::find_if(findings.hypotheses.begin(), findings.hypotheses.end(),
                      [&](const Hypothesis& one) { return one.fit.candidate == Candidate{{at}}; });
@@ -101,32 +97,30 @@ bool leaves_structure(const Measurements& measurements, const Findings& findings
 /// Whether the best explanation, refitted without the readings that are held out, predicts them to half as
 /// much again as the noise. What only those readings determine stays as it is: it can be neither confirmed
 /// nor refuted.
-bool predicts(const Experiment& experiment, const Measurements& measurements,
-              const std::vector<double>& residual, const HeldOut& heldout, const Fit& fitted,
-              const NoiseModel& noise) {
+bool predicts(const Study& study, const std::vector<double>& residual, const HeldOut& heldout,
+              const Fit& fitted, const NoiseModel& noise) {
   constexpr double limit = 1.5 * 1.5;
   if (heldout.empty()) return false;
-  const Experiment seen = without(experiment, heldout);
+  const Study seen(without(study.experiment(), heldout));
   FitSettings settings;
   settings.noise = noise;
-  const Fit blind = fit_from(seen, Measurements(seen), fitted.candidate, settings, fitted.parameters);
+  const Fit blind = fit_from(seen, fitted.candidate, settings, fitted.parameters);
   if (!blind.converged) return false;
-  const Prediction after = predict(experiment, blind.candidate, blind.parameters);
+  const Prediction after = predict(study, blind.candidate, blind.parameters);
   return after.reached &&
-         measure_shrink(measurements, heldout, residual, measurements.residual(experiment, after), noise)
+         measure_shrink(study.measurements(), heldout, residual, study.residual(after), noise)
                  .chi2_per_value_after < limit;
 }
 
 /// What does not predict is not identified: it may be one of the causes that nobody has listed. Three effects
 /// at once explain much that they are not, and are then no explanation at all.
-void demand_prediction(const Experiment& experiment, const Measurements& measurements,
-                       const std::vector<double>& residual, const HeldOut& heldout, const NoiseModel& noise,
-                       Cause& cause) {
+void demand_prediction(const Study& study, const std::vector<double>& residual, const HeldOut& heldout,
+                       const NoiseModel& noise, Cause& cause) {
   if (cause.verdict == CauseVerdict::unknown) return;
   const Fit& best = cause.ranking[cause.best].hypothesis.fit;
   const std::size_t effects = best.candidate.effects.size();
   if (heldout.empty() && effects < 3) return;
-  if (predicts(experiment, measurements, residual, heldout, best, noise)) return;
+  if (predicts(study, residual, heldout, best, noise)) return;
   // Of the explanations that did not predict, on simulated experiments, one in four and all were wrong.
   const double refuted = effects < 3 ? 0.25 : 0.95;
   cause.verdict = effects < 3 ? CauseVerdict::ambiguous : CauseVerdict::unknown;
@@ -136,42 +130,40 @@ void demand_prediction(const Experiment& experiment, const Measurements& measure
   cause.unknown = refuted;
 }
 
-void explain(const Experiment& experiment, const Measurements& measurements,
-             const std::vector<double>& residual, Diagnosis& diagnosis, const Report& progress) {
-  const HeldOut heldout = choose_heldout(experiment);
-  const Experiment seen = without(experiment, heldout);
-  const Measurements seen_measurements(seen);
-  const Findings chosen = search(seen, seen_measurements, [&](double share) { progress(0.1 + 0.4 * share); });
+void explain(const Study& study, const std::vector<double>& residual, Diagnosis& diagnosis,
+             const Report& progress) {
+  const HeldOut heldout = choose_heldout(study.experiment());
+  const Study seen(without(study.experiment(), heldout));
+  const Findings chosen = search(seen, [&](double share) { progress(0.1 + 0.4 * share); });
   if (chosen.hypotheses.empty()) {
     diagnosis.cause.verdict = CauseVerdict::unknown;
     diagnosis.cause.unknown = 1;
     return;
   }
-  const bool structured = leaves_structure(seen_measurements, chosen);
+  const bool structured = leaves_structure(seen.measurements(), chosen);
   if (!heldout.empty()) {
     std::vector<const Fit*> fits;
     for (const Hypothesis& hypothesis : chosen.hypotheses) fits.push_back(&hypothesis.fit);
-    const Fit& best = *fits[structured ? best_partial(seen_measurements, fits) : 0];
-    const Prediction after = predict(experiment, best.candidate, best.parameters);
+    const Fit& best = *fits[structured ? best_partial(seen.measurements(), fits) : 0];
+    const Prediction after = predict(study, best.candidate, best.parameters);
     if (after.reached) {
-      diagnosis.shrink = measure_shrink(measurements, heldout, residual,
-                                        measurements.residual(experiment, after), chosen.noise);
+      diagnosis.shrink =
+          measure_shrink(study.measurements(), heldout, residual, study.residual(after), chosen.noise);
     }
   }
-  Findings findings = confirmed(experiment, measurements, chosen);
-  diagnosis.cause = judge(experiment, measurements, findings);
+  Findings findings = confirmed(study, chosen);
+  diagnosis.cause = judge(study, findings);
   if (diagnosis.cause.verdict == CauseVerdict::unknown && !structured) {
     // What was held out holds the trace of a further cause.
-    findings = search(experiment, measurements, [&](double share) { progress(0.5 + 0.4 * share); });
-    diagnosis.cause = judge(experiment, measurements, findings);
+    findings = search(study, [&](double share) { progress(0.5 + 0.4 * share); });
+    diagnosis.cause = judge(study, findings);
   }
-  demand_prediction(experiment, measurements, residual, heldout, findings.noise, diagnosis.cause);
+  demand_prediction(study, residual, heldout, findings.noise, diagnosis.cause);
   diagnosis.noise = findings.noise;
-  diagnosis.not_exercised = never_exercised(experiment, chosen);
+  diagnosis.not_exercised = never_exercised(study, chosen);
   if (!diagnosis.cause.ranking.empty())
     diagnosis.estimates =
-        estimate(experiment, measurements, diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit,
-                 findings.noise);
+        estimate(study, diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit, findings.noise);
 }
 
 /// The best explanation and those that cannot be told apart from it.
@@ -191,39 +183,37 @@ std::vector<Fit> to_separate(const Cause& cause, bool on_request) {
 }
 
 /// Shares of the joints where nothing measured shows them: from what was found, else by the best torque law.
-void imply_joints(const Experiment& experiment, const Measurements& measurements,
-                  const std::vector<double>& residual, Diagnosis& diagnosis) {
+void imply_joints(const Study& study, const std::vector<double>& residual, Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
   if (!diagnosis.where.joints.empty()) return;
   if (cause.verdict != CauseVerdict::identified && cause.verdict != CauseVerdict::ambiguous) {
-    diagnosis.where.joints = shares_by_torque_law(experiment, measurements, residual, diagnosis.noise);
+    diagnosis.where.joints = shares_by_torque_law(study, residual, diagnosis.noise);
     diagnosis.where.joint_evidence = JointEvidence::implied_by_law;
     return;
   }
   std::vector<double> probability{cause.ranking[cause.best].probability};
   for (const std::size_t place : cause.equivalent) probability.push_back(cause.ranking[place].probability);
-  diagnosis.where.joints = shares_by_fits(experiment, rivals(cause), probability);
+  diagnosis.where.joints = shares_by_fits(study, rivals(cause), probability);
   diagnosis.where.joint_evidence = JointEvidence::implied_by_fits;
 }
 
 }  // namespace
 
-Diagnosis diagnose(const Experiment& experiment, const Report& progress, bool plan) {
+Diagnosis diagnose(const Study& study, const Report& progress, bool plan) {
   const Report report = progress ? progress : [](double) {};
-  const Measurements measurements(experiment);
-  const Prediction nominal = nominal_prediction(experiment);
-  const std::vector<double> residual = measurements.residual(experiment, nominal);
+  require_reached(study);
+  const std::vector<double> residual = study.nominal_residual();
   Diagnosis diagnosis;
-  diagnosis.experiment = experiment.name;
-  diagnosis.gap = ask_for_gap(measurements, residual);
+  diagnosis.experiment = study.experiment().name;
+  diagnosis.gap = ask_for_gap(study.measurements(), residual);
   diagnosis.noise = diagnosis.gap.test.noise;
-  if (diagnosis.gap.present) explain(experiment, measurements, residual, diagnosis, report);
-  diagnosis.where = locate(experiment, measurements, nominal, residual, diagnosis.noise);
-  imply_joints(experiment, measurements, residual, diagnosis);
+  if (diagnosis.gap.present) explain(study, residual, diagnosis, report);
+  diagnosis.where = locate(study, residual, diagnosis.noise);
+  imply_joints(study, residual, diagnosis);
   if (diagnosis.gap.present && diagnosis.cause.verdict == CauseVerdict::unknown)
-    diagnosis.missing = describe_missing(experiment, measurements, nominal, residual, diagnosis.where);
+    diagnosis.missing = describe_missing(study, residual, diagnosis.where);
   if (const std::vector<Fit> fits = to_separate(diagnosis.cause, plan); fits.size() > 1)
-    diagnosis.proposals = next_runs(experiment, measurements, fits, diagnosis.noise, 5);
+    diagnosis.proposals = next_runs(study, fits, diagnosis.noise, 5);
   report(1);
   return diagnosis;
 }

@@ -22,7 +22,7 @@ struct GapAnswer {
 
 /// A parameter of the best explanation with its 95 % bounds, in catalogue units.
 struct Estimate {
-  std::string name;
+  std::string name, unit;
   double value, low, high;
   bool at_bound;
 };
@@ -43,7 +43,6 @@ struct Diagnosis {
 /// \param progress  called now and then with the share of the work that is done
 /// \param plan      propose the next run even where the cause is not ambiguous: between the best two
 /// \throws Error where the nominal model cannot follow the experiment
-Diagnosis diagnose(const Experiment& experiment, const std::function<void(double)>& progress = {},
-                   bool plan = false);
+Diagnosis diagnose(const Study& study, const std::function<void(double)>& progress = {}, bool plan = false);
 
 }  // namespace plumbline::diagnose

@@ -61,15 +61,15 @@ struct TorqueEffect {
   Deflections deflection;
 };
 
-TorqueEffect torque_effect(const Experiment& experiment, const Measurements& measurements,
-                           const std::vector<double>& residual, const NoiseModel& noise, std::size_t joint) {
+TorqueEffect torque_effect(const Study& study, const std::vector<double>& residual, const NoiseModel& noise,
+                           std::size_t joint) {
   // An error of the rest angle is a torque at the joint, up to the joint's stiffness.
-  const Prediction predicted = predict(experiment, {{{EffectId::rest_angle, joint + 1}}}, {0.0}, true);
-  const std::vector<double> per_torque = measurements.in_sigmas(predicted.sensitivity[0]);
+  const Prediction predicted = predict(study, {{{"rest_angle", joint + 1}}}, {0.0}, true);
+  const std::vector<double> per_torque = study.measurements().in_sigmas(predicted.sensitivity[0]);
   const auto count = static_cast<Eigen::Index>(residual.size());
   TorqueEffect effect{Eigen::VectorXd(count), Eigen::VectorXd(count),
-                      deflections(experiment, predicted, joint)};
-  for (const Series& series : measurements.series()) {
+                      deflections(study.experiment(), predicted, joint)};
+  for (const Series& series : study.measurements().series()) {
     const double scale = noise.of(series.channel.sensor());
     for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i) {
       effect.residual(static_cast<Eigen::Index>(i)) = residual[i] / scale;
@@ -100,16 +100,16 @@ double criterion(const Measurements& measurements, const TorqueEffect& effect, c
 
 }  // namespace
 
-std::vector<JointShare> shares_by_torque_law(const Experiment& experiment, const Measurements& measurements,
-                                             const std::vector<double>& residual, const NoiseModel& noise) {
+std::vector<JointShare> shares_by_torque_law(const Study& study, const std::vector<double>& residual,
+                                             const NoiseModel& noise) {
   constexpr double none = std::numeric_limits<double>::infinity();
-  const std::vector<double> clean = without_outliers(measurements, residual);
-  std::vector<double> least(experiment.link_length.size(), none);
+  const std::vector<double> clean = without_outliers(study.measurements(), residual);
+  std::vector<double> least(study.experiment().link_length.size(), none);
   for (std::size_t j = 0; j < least.size(); ++j) {
-    if (!(experiment.joint_stiffness[j] > 0)) continue;
-    const TorqueEffect effect = torque_effect(experiment, measurements, clean, noise, j);
+    if (!(study.experiment().joint_stiffness[j] > 0)) continue;
+    const TorqueEffect effect = torque_effect(study, clean, noise, j);
     for (const LawShape& shape : law_shapes)
-      least[j] = std::min(least[j], criterion(measurements, effect, shape));
+      least[j] = std::min(least[j], criterion(study.measurements(), effect, shape));
   }
   const double best = *std::min_element(least.begin(), least.end());
   std::vector<double> weight;
@@ -118,14 +118,14 @@ std::vector<JointShare> shares_by_torque_law(const Experiment& experiment, const
   return joint_shares(weight);
 }
 
-std::vector<JointShare> shares_by_fits(const Experiment& experiment, const std::vector<Fit>& fits,
+std::vector<JointShare> shares_by_fits(const Study& study, const std::vector<Fit>& fits,
                                        const std::vector<double>& probability) {
-  std::vector<double> weight(experiment.link_length.size(), 0.0);
+  std::vector<double> weight(study.experiment().link_length.size(), 0.0);
   for (std::size_t f = 0; f < fits.size(); ++f) {
-    const Prediction predicted = predict(experiment, fits[f].candidate, fits[f].parameters);
+    const Prediction predicted = predict(study, fits[f].candidate, fits[f].parameters);
     std::vector<double> square(weight.size(), 0.0);
     double sum = 0;
-    const auto torques = missing_torques(as_measured(experiment, predicted));
+    const auto torques = missing_torques(as_measured(study.experiment(), predicted));
     for (std::size_t j = 0; j < torques.size(); ++j)
       for (const MissingTorque& one : torques[j]) square[j] += one.torque * one.torque;
     for (const double s : square) sum += s;

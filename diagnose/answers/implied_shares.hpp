@@ -11,12 +11,12 @@ namespace plumbline::diagnose {
 /// deflection and of its direction of motion, the same in every run or with a constant of each run beside.
 /// The law is piecewise linear, as fine as Schwarz's criterion asks; the best laws of the joints are compared
 /// by the same criterion. A passive joint, whose torque nothing shows, gets no share.
-std::vector<JointShare> shares_by_torque_law(const Experiment& experiment, const Measurements& measurements,
-                                             const std::vector<double>& residual, const NoiseModel& noise);
+std::vector<JointShare> shares_by_torque_law(const Study& study, const std::vector<double>& residual,
+                                             const NoiseModel& noise);
 
 /// Shares of the joints in the torque that the nominal statics would miss if the rig were as fitted, weighted
 /// by the fits' probabilities, largest first.
-std::vector<JointShare> shares_by_fits(const Experiment& experiment, const std::vector<Fit>& fits,
+std::vector<JointShare> shares_by_fits(const Study& study, const std::vector<Fit>& fits,
                                        const std::vector<double>& probability);
 
 }  // namespace plumbline::diagnose

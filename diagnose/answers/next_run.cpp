@@ -33,9 +33,10 @@ double largest_force(const Trace& trace) {
   return std::sqrt((trace.col(column_Fx).square() + trace.col(column_Fy).square()).maxCoeff());
 }
 
-Extent extent(const Experiment& experiment) {
+Extent extent(const Study& study) {
   Extent so_far;
-  const Prediction nominal = predict(experiment, {}, {});
+  const Experiment& experiment = study.experiment();
+  const Prediction& nominal = study.nominal();
   for (std::size_t r = 0; r < nominal.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     const Trace& trace = nominal.runs[r];
@@ -85,14 +86,14 @@ Experiment bench_for(const Experiment& experiment, const Run& run, bool out_of_g
 }
 
 /// What the rivals would measure in the run; nothing where one cannot follow or it asks too much of the rig.
-std::optional<std::vector<Prediction>> forecast(const Experiment& bench, const std::vector<Fit>& rivals,
+std::optional<std::vector<Prediction>> forecast(const Study& bench, const std::vector<Fit>& rivals,
                                                 const Extent& so_far) {
   std::vector<Prediction> all;
   for (const Fit& rival : rivals) {
     all.push_back(predict(bench, rival.candidate, rival.parameters, true));
     const Prediction& one = all.back();
     if (!one.reached || one.snapped || largest_force(one.runs[0]) > 2 * so_far.force ||
-        largest_deflection(one.runs[0], bench.runs[0].rest) > 1.5 * so_far.deflection)
+        largest_deflection(one.runs[0], bench.experiment().runs[0].rest) > 1.5 * so_far.deflection)
       return std::nullopt;
   }
   return all;
@@ -141,13 +142,12 @@ Noise with_angles(Noise sigma) {
 /// Weighs one run after the other.
 class Planner {
  public:
-  Planner(const Experiment& experiment, const Measurements& measurements, const std::vector<Fit>& rivals,
-          const NoiseModel& noise)
-      : experiment_(experiment), noise_(noise), so_far_(extent(experiment)) {
+  Planner(const Study& study, const std::vector<Fit>& rivals, const NoiseModel& noise)
+      : experiment_(study.experiment()), noise_(noise), so_far_(extent(study)) {
     FitSettings settings;
     settings.noise = noise;
     for (const Fit& rival : rivals)
-      rivals_.push_back(fit_from(experiment, measurements, rival.candidate, settings, rival.parameters));
+      rivals_.push_back(fit_from(study, rival.candidate, settings, rival.parameters));
     for (const Fit& truth : rivals_)
       for (const Fit& imitator : rivals_) known_.push_back(condensed(imitation(truth, imitator)));
     before_ = expected_log_odds(rivals_.size(), [&](std::size_t a, std::size_t b) { return known(a, b); });
@@ -196,7 +196,7 @@ class Planner {
     const bool weighs = experiment_.bench.plane != Bench::Plane::horizontal;
     for (const bool out_of_gravity : {false, true}) {
       if (out_of_gravity && !weighs) continue;
-      const auto all = forecast(bench_for(experiment_, run, out_of_gravity), rivals_, so_far_);
+      const auto all = forecast(Study(bench_for(experiment_, run, out_of_gravity)), rivals_, so_far_);
       if (!all) continue;
       for (const bool angles : {false, true}) {
         const Noise sigma = with_angles(experiment_.noise);
@@ -221,10 +221,10 @@ class Planner {
 
 }  // namespace
 
-std::vector<Proposal> next_runs(const Experiment& experiment, const Measurements& measurements,
-                                const std::vector<Fit>& rivals, const NoiseModel& noise, std::size_t count) {
-  Planner planner(experiment, measurements, rivals, noise);
-  for (const Run& run : experiment.runs) {
+std::vector<Proposal> next_runs(const Study& study, const std::vector<Fit>& rivals, const NoiseModel& noise,
+                                std::size_t count) {
+  Planner planner(study, rivals, noise);
+  for (const Run& run : study.experiment().runs) {
     std::vector<double> mirrored = run.rest;
     for (double& q : mirrored) q = -q;
     planner.add_presses(run.rest, "the rest shape of " + run.id);

@@ -24,7 +24,7 @@ struct Proposal {
 /// of it. Left out is what some rival could not follow, and what would need more than twice the force, or
 /// more than half as much deflection again, as the runs so far. \param rivals    two explanations or more,
 /// fitted to the same readings \returns the most telling runs first, at most `count`
-std::vector<Proposal> next_runs(const Experiment& experiment, const Measurements& measurements,
-                                const std::vector<Fit>& rivals, const NoiseModel& noise, std::size_t count);
+std::vector<Proposal> next_runs(const Study& study, const std::vector<Fit>& rivals, const NoiseModel& noise,
+                                std::size_t count);
 
 }  // namespace plumbline::diagnose

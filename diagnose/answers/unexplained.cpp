@@ -11,11 +11,12 @@ namespace plumbline::diagnose {
 namespace {
 
 /// By run and reading: whether the path has turned back, by the nominal model's regimes.
-std::vector<std::vector<bool>> returning(const Experiment& experiment, const Prediction& nominal) {
+std::vector<std::vector<bool>> returning(const Study& study) {
+  const Experiment& experiment = study.experiment();
   std::vector<std::vector<bool>> result;
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     result.emplace_back();
-    for (const Regime regime : regimes(experiment.runs[r], nominal.runs[r]))
+    for (const Regime regime : regimes(experiment.runs[r], study.nominal().runs[r]))
       result.back().push_back(regime == Regime::unloading);
   }
   return result;
@@ -62,21 +63,20 @@ Abscissa abscissa(const Experiment& experiment, ControlMode control) {
   return spread(second) > spread(first) ? second : first;
 }
 
-Missing channel(const Experiment& experiment, const Measurements& measurements,
-                const std::vector<double>& residual, const std::vector<std::vector<bool>>& back,
-                const std::string& label) {
+Missing channel(const Study& study, const std::vector<double>& residual,
+                const std::vector<std::vector<bool>>& back, const std::string& label) {
   const auto carries = [&](const Series& series) { return series.channel.label() == label; };
-  const auto& all = measurements.series();
+  const auto& all = study.measurements().series();
   const auto first = std::find_if(all.begin(), all.end(), carries);
-  const Abscissa over = abscissa(experiment, experiment.runs[first->run].control);
+  const Abscissa over = abscissa(study.experiment(), study.experiment().runs[first->run].control);
   const Sensor sensor = first->channel.sensor();
   Missing missing{label,       sensor == Sensor::force ? "N" : sensor == Sensor::angle ? "rad" : "m",
                   over.name(), over.control == ControlMode::displacement ? "m" : "N",
                   {},          0,
                   0,           0};
-  const std::vector<bool> outlier = outliers(measurements, residual);
+  const std::vector<bool> outlier = outliers(study.measurements(), residual);
   for (const Series& series : all) {
-    const Run& run = experiment.runs[series.run];
+    const Run& run = study.experiment().runs[series.run];
     if (!carries(series) || run.control != over.control) continue;
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
       if (outlier[series.first + i]) continue;
@@ -138,14 +138,12 @@ void describe(Missing& missing) {
 
 }  // namespace
 
-Missing describe_missing(const Experiment& experiment, const Measurements& measurements,
-                         const Prediction& nominal, const std::vector<double>& residual, const Where& where) {
-  const std::vector<std::vector<bool>> back = returning(experiment, nominal);
+Missing describe_missing(const Study& study, const std::vector<double>& residual, const Where& where) {
+  const std::vector<std::vector<bool>> back = returning(study);
   Missing missing;
   if (where.joint_evidence == JointEvidence::measured && where.joints.front().share > 0.5)
-    missing = torque(experiment, back, where.joints.front().joint);
-  if (missing.points.empty())
-    missing = channel(experiment, measurements, residual, back, where.channels.front().channel);
+    missing = torque(study.experiment(), back, where.joints.front().joint);
+  if (missing.points.empty()) missing = channel(study, residual, back, where.channels.front().channel);
   describe(missing);
   return missing;
 }

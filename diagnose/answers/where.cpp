@@ -37,11 +37,10 @@ std::vector<ChannelShare> by_channel(const Measurements& measurements, const std
   return shares;
 }
 
-std::vector<RunShare> by_run(const Experiment& experiment, const Measurements& measurements,
-                             const std::vector<double>& excess) {
+std::vector<RunShare> by_run(const Study& study, const std::vector<double>& excess) {
   std::vector<RunShare> shares;
-  for (const Run& run : experiment.runs) shares.push_back({run.id, 0});
-  for (const Series& series : measurements.series())
+  for (const Run& run : study.experiment().runs) shares.push_back({run.id, 0});
+  for (const Series& series : study.measurements().series())
     for (std::size_t i = 0; i < series.readings.size(); ++i)
       shares[series.run].share += excess[series.first + i];
   normalise(shares);
@@ -50,20 +49,19 @@ std::vector<RunShare> by_run(const Experiment& experiment, const Measurements& m
   return shares;
 }
 
-std::vector<PathShare> along_path(const Experiment& experiment, const Measurements& measurements,
-                                  const Prediction& nominal, const std::vector<double>& excess) {
+std::vector<PathShare> along_path(const Study& study, const std::vector<double>& excess) {
   std::vector<PathShare> shares;
-  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
-    const std::vector<Regime> regime = regimes(experiment.runs[r], nominal.runs[r]);
+  for (std::size_t r = 0; r < study.experiment().runs.size(); ++r) {
+    const std::vector<Regime> regime = regimes(study.experiment().runs[r], study.nominal().runs[r]);
     std::vector<double> sum(regime.size(), 0.0);
-    for (const Series& series : measurements.series()) {
+    for (const Series& series : study.measurements().series()) {
       if (series.run != r) continue;
       for (std::size_t i = 0; i < series.readings.size(); ++i)
         sum[series.readings[i]] += excess[series.first + i];
     }
     for (std::size_t i = 0; i < regime.size(); ++i) {
       if (i == 0 || regime[i] != regime[i - 1])
-        shares.push_back({experiment.runs[r].id, i, i, 0, regime_word(regime[i])});
+        shares.push_back({study.experiment().runs[r].id, i, i, 0, regime_word(regime[i])});
       shares.back().to = i;
       shares.back().share += sum[i];
     }
@@ -86,12 +84,10 @@ std::string joint_evidence_words(JointEvidence evidence) {
   return "chance to be the one place of an unknown torque";
 }
 
-Where locate(const Experiment& experiment, const Measurements& measurements, const Prediction& nominal,
-             const std::vector<double>& residual, const NoiseModel& noise) {
-  const std::vector<double> beyond = excess(measurements, residual, noise);
-  return {by_channel(measurements, beyond), by_run(experiment, measurements, beyond),
-          along_path(experiment, measurements, nominal, beyond), shares_by_missing_torque(experiment, noise),
-          JointEvidence::measured};
+Where locate(const Study& study, const std::vector<double>& residual, const NoiseModel& noise) {
+  const std::vector<double> beyond = excess(study.measurements(), residual, noise);
+  return {by_channel(study.measurements(), beyond), by_run(study, beyond), along_path(study, beyond),
+          shares_by_missing_torque(study.experiment(), noise), JointEvidence::measured};
 }
 
 }  // namespace plumbline::diagnose

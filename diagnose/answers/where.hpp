@@ -4,6 +4,7 @@
 
 #include "diagnose/answers/joint_share.hpp"
 #include "diagnose/inference/gap.hpp"
+#include "diagnose/model/study.hpp"
 
 namespace plumbline::diagnose {
 
@@ -39,9 +40,9 @@ struct Where {
 };
 
 /// By joint from measured torque alone; empty where none is measured, or noise alone may give what is
-/// missing. \param residual  of the nominal model, flat, in declared sigmas \param noise     scale of the
-/// noise as it is
-Where locate(const Experiment& experiment, const Measurements& measurements, const Prediction& nominal,
-             const std::vector<double>& residual, const NoiseModel& noise);
+/// missing.
+/// \param residual  of the nominal model, flat, in declared sigmas
+/// \param noise     scale of the noise as it is
+Where locate(const Study& study, const std::vector<double>& residual, const NoiseModel& noise);
 
 }  // namespace plumbline::diagnose

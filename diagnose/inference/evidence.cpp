@@ -45,22 +45,21 @@ double log_likelihood(const Measurements& measurements, const std::vector<double
   return sum;
 }
 
-double log_prior(const Experiment& experiment, const Candidate& candidate) {
+double log_prior(const Study& study, const Candidate& candidate) {
   constexpr double share[] = {1.0, 0.75, 0.20, 0.05};
   const std::size_t count = candidate.effects.size();
   double log_p = std::log(share[std::min<std::size_t>(count, 3)]);
   for (std::size_t i = 0; i < count; ++i) {
     const double places =
-        candidate.effects[i].joint > 0 ? static_cast<double>(experiment.link_length.size()) : 1.0;
-    log_p += std::log(static_cast<double>(i + 1) / (static_cast<double>(effect_count) * places));
+        candidate.effects[i].joint > 0 ? static_cast<double>(study.sizes().link_length.size()) : 1.0;
+    log_p += std::log(static_cast<double>(i + 1) / (static_cast<double>(catalogue().size()) * places));
   }
   return log_p;
 }
 
-double log_evidence(const Experiment& experiment, const Measurements& measurements, const Fit& fit,
-                    const NoiseModel& noise) {
-  double value = log_likelihood(measurements, fit.residual, noise) + log_prior(experiment, fit.candidate);
-  const std::vector<ParameterRange> ranges = parameter_ranges(experiment, fit.candidate);
+double log_evidence(const Study& study, const Fit& fit, const NoiseModel& noise) {
+  double value = log_likelihood(study.measurements(), fit.residual, noise) + log_prior(study, fit.candidate);
+  const std::vector<ParameterRange> ranges = study.ranges(fit.candidate);
   std::vector<Eigen::Index> inside;
   std::vector<double> width;
   for (std::size_t p = 0; p < ranges.size(); ++p) {

@@ -16,14 +16,13 @@ double log_likelihood(const Measurements& measurements, const std::vector<double
 /// Logarithm of the prior probability that these effects act at these places, before any reading: a gap has
 /// one cause in three of four experiments, two in one of five, three in the rest; every effect is as likely
 /// as every other, and equally likely at each of its places.
-double log_prior(const Experiment& experiment, const Candidate& candidate);
+double log_prior(const Study& study, const Candidate& candidate);
 
 /// Logarithm of the evidence, by Laplace's method at the fit: likelihood, times the prior density of the
 /// fitted parameters, times the volume that the readings leave them. The prior of a parameter is a Cauchy
 /// density whose width is what a lab would call a sizeable effect, on the side of zero that is physical; of a
 /// position along an axis that has no natural zero (a stop's angle, a time constant) it is uniform over its
 /// range.
-double log_evidence(const Experiment& experiment, const Measurements& measurements, const Fit& fit,
-                    const NoiseModel& noise);
+double log_evidence(const Study& study, const Fit& fit, const NoiseModel& noise);
 
 }  // namespace plumbline::diagnose

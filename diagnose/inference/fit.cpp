@@ -18,13 +18,8 @@ using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 /// A candidate's residuals and their Jacobian at the parameters of the last call.
 class Problem {
  public:
-  Problem(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
-          const FitSettings& settings)
-      : experiment_(experiment),
-        measurements_(measurements),
-        candidate_(candidate),
-        settings_(settings),
-        ranges_(parameter_ranges(experiment, candidate)) {}
+  Problem(const Study& study, const Candidate& candidate, const FitSettings& settings)
+      : study_(study), candidate_(candidate), settings_(settings), ranges_(study.ranges(candidate)) {}
 
   [[nodiscard]] const std::vector<ParameterRange>& ranges() const { return ranges_; }
   [[nodiscard]] bool reached() const { return reached_; }
@@ -37,10 +32,10 @@ class Problem {
 
   /// The cost alone; infinite where the rig cannot follow the experiment.
   [[nodiscard]] double look(const std::vector<double>& parameters) const {
-    const Prediction predicted = predict(experiment_, candidate_, parameters);
+    const Prediction predicted = predict(study_, candidate_, parameters);
     if (!predicted.reached) return std::numeric_limits<double>::infinity();
     const std::vector<double> white =
-        whiten(measurements_, measurements_.residual(experiment_, predicted), settings_.noise);
+        whiten(study_.measurements(), study_.residual(predicted), settings_.noise);
     double sum = 0;
     for (std::size_t i = 0; i < white.size(); ++i)
       if (visible(static_cast<Eigen::Index>(i))) sum += huber(white[i], settings_.outlier_bound);
@@ -52,15 +47,16 @@ class Problem {
     if (known_ && parameters == at_) return reached_;
     at_ = parameters;
     known_ = true;
-    const Prediction predicted = predict(experiment_, candidate_, parameters, true);
+    const Prediction predicted = predict(study_, candidate_, parameters, true);
     reached_ = predicted.reached;
     if (!reached_) return false;
-    residual_ = measurements_.residual(experiment_, predicted);
-    white_ = column(whiten(measurements_, residual_, settings_.noise));
+    residual_ = study_.residual(predicted);
+    white_ = column(whiten(study_.measurements(), residual_, settings_.noise));
     jacobian_.resize(white_.size(), static_cast<Eigen::Index>(ranges_.size()));
     for (std::size_t p = 0; p < ranges_.size(); ++p) {
-      const std::vector<double> change = measurements_.in_sigmas(predicted.sensitivity[p]);
-      jacobian_.col(static_cast<Eigen::Index>(p)) = -column(whiten(measurements_, change, settings_.noise));
+      const std::vector<double> change = study_.measurements().in_sigmas(predicted.sensitivity[p]);
+      jacobian_.col(static_cast<Eigen::Index>(p)) =
+          -column(whiten(study_.measurements(), change, settings_.noise));
     }
     for (Eigen::Index i = 0; i < white_.size(); ++i) {
       if (visible(i)) continue;
@@ -82,8 +78,7 @@ class Problem {
     return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   }
 
-  const Experiment& experiment_;
-  const Measurements& measurements_;
+  const Study& study_;
   const Candidate& candidate_;
   const FitSettings& settings_;
   std::vector<ParameterRange> ranges_;
@@ -212,15 +207,15 @@ std::vector<std::vector<double>> best_first(const Problem& problem, std::vector<
   return from;
 }
 
-Fit best_of(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
-            const FitSettings& settings, const Starts& known) {
-  const Problem problem(experiment, measurements, candidate, settings);
+Fit best_of(const Study& study, const Candidate& candidate, const FitSettings& settings,
+            const Starts& known) {
+  const Problem problem(study, candidate, settings);
   Fit best;
   best.candidate = candidate;
   std::vector<std::vector<double>> order = best_first(problem, known.from);
   if (order.size() > known.basins) order.resize(known.basins);
   for (const std::vector<double>& start : order) {
-    Fit one = fit_from(experiment, measurements, candidate, settings, start);
+    Fit one = fit_from(study, candidate, settings, start);
     if (one.converged && (!best.converged || one.cost < best.cost)) best = std::move(one);
   }
   return best;
@@ -233,53 +228,51 @@ double huber(double residual, double bound) {
   return size <= bound ? size * size : bound * (2 * size - bound);
 }
 
-Fit fit_from(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
-             const FitSettings& settings, const std::vector<double>& start) {
-  Problem problem(experiment, measurements, candidate, settings);
+Fit fit_from(const Study& study, const Candidate& candidate, const FitSettings& settings,
+             const std::vector<double>& start) {
+  Problem problem(study, candidate, settings);
   Fit fitted;
   fitted.candidate = candidate;
   fitted.parameters = start;
   fitted.converged = minimise(problem, all_but(start.size(), start.size()), settings.outlier_bound,
-                              static_cast<int>(measurements.size()), fitted.parameters);
+                              static_cast<int>(study.measurements().size()), fitted.parameters);
   if (!fitted.converged) return fitted;
   fitted.cost = problem.cost();
   fitted.residual = problem.residual();
-  fitted.whitened = whiten(measurements, fitted.residual, settings.noise);
+  fitted.whitened = whiten(study.measurements(), fitted.residual, settings.noise);
   fitted.jacobian = problem.jacobian();
   judge(problem, settings.outlier_bound, fitted);
   return fitted;
 }
 
-Fit fit_nominal(const Experiment& experiment, const Measurements& measurements, const FitSettings& settings) {
-  return fit_from(experiment, measurements, {}, settings, {});
+Fit fit_nominal(const Study& study, const FitSettings& settings) {
+  return fit_from(study, {}, settings, {});
 }
 
-Fit fit(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
-        const FitSettings& settings) {
-  return best_of(experiment, measurements, candidate, settings, starts(experiment, candidate));
+Fit fit(const Study& study, const Candidate& candidate, const FitSettings& settings) {
+  return best_of(study, candidate, settings, starts(study, candidate));
 }
 
-Fit refit_with(const Experiment& experiment, const Measurements& measurements, const Fit& fitted,
-               const EffectAt& newcomer, const FitSettings& settings) {
+Fit refit_with(const Study& study, const Fit& fitted, const EffectAt& newcomer, const FitSettings& settings) {
   Candidate candidate = fitted.candidate;
   candidate.effects.push_back(newcomer);
-  Starts known = starts(experiment, newcomer);
+  Starts known = starts(study, newcomer);
   for (std::vector<double>& start : known.from)
     start.insert(start.begin(), fitted.parameters.begin(), fitted.parameters.end());
-  return best_of(experiment, measurements, candidate, settings, known);
+  return best_of(study, candidate, settings, known);
 }
 
-Profile profile(const Experiment& experiment, const Measurements& measurements, const Fit& fitted,
-                std::size_t parameter, const FitSettings& settings, double rise) {
-  Problem problem(experiment, measurements, fitted.candidate, settings);
+Profile profile(const Study& study, const Fit& fitted, std::size_t parameter, const FitSettings& settings,
+                double rise) {
+  Problem problem(study, fitted.candidate, settings);
   const ParameterRange range = problem.ranges().at(parameter);
   const std::vector<std::size_t> others = all_but(fitted.parameters.size(), parameter);
   // The fit's own cost may be one in other noise.
   const double least = problem.evaluate(fitted.parameters) ? problem.cost() : fitted.cost;
   const auto excess = [&](double value, std::vector<double>& warm) {
     warm[parameter] = value;
-    const bool found =
-        minimise(problem, others, settings.outlier_bound, static_cast<int>(measurements.size()), warm);
+    const bool found = minimise(problem, others, settings.outlier_bound,
+                                static_cast<int>(study.measurements().size()), warm);
     return found ? problem.cost() - least - rise : rise * 1e3;
   };
   const auto j = static_cast<Eigen::Index>(parameter);

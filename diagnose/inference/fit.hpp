@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "diagnose/inference/noise.hpp"
-#include "diagnose/model/history.hpp"
 #include "diagnose/model/measurement.hpp"
+#include "diagnose/model/study.hpp"
 
 namespace plumbline::diagnose {
 
@@ -36,17 +36,15 @@ struct Fit {
 };
 
 /// Fits from the given start, or from the starts that `starts()` names, and returns the best.
-Fit fit(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
-        const FitSettings& settings);
-Fit fit_from(const Experiment& experiment, const Measurements& measurements, const Candidate& candidate,
-             const FitSettings& settings, const std::vector<double>& start);
+Fit fit(const Study& study, const Candidate& candidate, const FitSettings& settings);
+Fit fit_from(const Study& study, const Candidate& candidate, const FitSettings& settings,
+             const std::vector<double>& start);
 
 /// The fit of nothing: the nominal model.
-Fit fit_nominal(const Experiment& experiment, const Measurements& measurements, const FitSettings& settings);
+Fit fit_nominal(const Study& study, const FitSettings& settings);
 
 /// A good fit with one more effect beside: only the newcomer is started afresh.
-Fit refit_with(const Experiment& experiment, const Measurements& measurements, const Fit& fitted,
-               const EffectAt& newcomer, const FitSettings& settings);
+Fit refit_with(const Study& study, const Fit& fitted, const EffectAt& newcomer, const FitSettings& settings);
 
 /// Bounds of one parameter by profile likelihood: where the cost, minimised over all others, has risen by
 /// `rise` (3.84 for 95 %). A bound that the physical range cuts off is that end of the range.
@@ -54,8 +52,8 @@ Fit refit_with(const Experiment& experiment, const Measurements& measurements, c
 struct Profile {
   double low, high;
 };
-Profile profile(const Experiment& experiment, const Measurements& measurements, const Fit& fitted,
-                std::size_t parameter, const FitSettings& settings, double rise);
+Profile profile(const Study& study, const Fit& fitted, std::size_t parameter, const FitSettings& settings,
+                double rise);
 
 /// Huber's loss of one whitened residual, twice: its square up to the bound, then linear.
 double huber(double residual, double bound);

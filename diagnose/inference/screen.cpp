@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "diagnose/inference/start.hpp"
 
@@ -19,29 +20,22 @@ struct Probe {
   double step = 0;  ///< 0: a small one
 };
 
-std::vector<Probe> probes(const Experiment& experiment, const EffectAt& effect) {
-  const Starts known = starts(experiment, effect);
+std::vector<Probe> probes(const Study& study, const EffectAt& at) {
+  const Probing& how = at.effect->probing;
+  const Starts known = starts(study, at);
+  const std::size_t count = known.from.front().size();
+  std::vector<std::size_t> growing = how.growing;
+  if (growing.empty()) {
+    growing.resize(count);
+    std::iota(growing.begin(), growing.end(), std::size_t{0});
+  }
+  const bool alike = !how.large_step && how.growing.empty();  // nothing of the start is left
   std::vector<Probe> result;
-  switch (effect.effect) {
-    case EffectId::joint_stop:
-      for (const auto& start : known.from) result.push_back({effect, {start[0], 0}, {1}});
-      break;
-    case EffectId::viscoelasticity:
-      for (const auto& start : known.from) result.push_back({effect, {0, start[1]}, {0}});
-      break;
-    case EffectId::backlash:
-    case EffectId::joint_friction:
-      for (const auto& start : known.from) result.push_back({effect, {0}, {0}, start[0]});
-      break;
-    case EffectId::link_bending:
-      result.push_back({effect, {0}, {0}, known.from.front()[0]});
-      break;
-    default: {
-      const std::size_t count = known.from.front().size();
-      std::vector<std::size_t> all(count);
-      for (std::size_t p = 0; p < count; ++p) all[p] = p;
-      result.push_back({effect, std::vector<double>(count, 0), all});
-    }
+  for (std::size_t s = 0; s < std::min(alike ? 1 : how.starts, known.from.size()); ++s) {
+    std::vector<double> from = known.from[s];
+    const double step = how.large_step ? from[growing.front()] : 0;
+    for (const std::size_t p : growing) from[p] = 0;
+    result.push_back({at, from, growing, step});
   }
   return result;
 }
@@ -126,14 +120,12 @@ double best_step(const Weighing& weighing, const std::vector<Eigen::VectorXd>& c
 /// One fit, and all that might act beside it.
 class Screen {
  public:
-  Screen(const Experiment& experiment, const Fit& fitted)
-      : experiment_(experiment),
-        fitted_(fitted),
-        rig_(rig_with(experiment, fitted.candidate, fitted.parameters)) {
+  Screen(const Study& study, const Fit& fitted)
+      : study_(study), fitted_(fitted), rig_(rig_with(study, fitted.candidate, fitted.parameters)) {
     const std::vector<EffectAt>& own = fitted.candidate.effects;
-    for (const EffectAt& at : possible_effects(experiment)) {
+    for (const EffectAt& at : possible_effects(study)) {
       if (std::find(own.begin(), own.end(), at) != own.end()) continue;
-      for (Probe& probe : probes(experiment, at)) probes_.push_back(std::move(probe));
+      for (Probe& probe : probes(study, at)) probes_.push_back(std::move(probe));
     }
     simulate_main();
   }
@@ -159,7 +151,7 @@ class Screen {
     std::vector<double> parameters = fitted_.parameters;
     parameters.insert(parameters.end(), probe.at.begin(), probe.at.end());
     parameters[fitted_.parameters.size() + parameter] += step;
-    return rig_with(experiment_, candidate, parameters);
+    return rig_with(study_, candidate, parameters);
   }
 
   void simulate_main() {
@@ -167,23 +159,23 @@ class Screen {
     for (const Probe& probe : probes_) {
       first_.push_back(beside.size());
       if (!rides_along(probe)) continue;
-      const std::vector<ParameterRange> ranges = parameter_ranges(experiment_, probe.effect);
+      const std::vector<ParameterRange> ranges = study_.ranges(probe.effect);
       for (const std::size_t p : probe.growing) {
         const double step = variation_share * ranges[p].scale;
         beside.push_back({with(probe, p, step), step});
       }
     }
-    main_ = simulate(experiment_, rig_, beside);
+    main_ = simulate(study_.experiment(), rig_, beside);
   }
 
   [[nodiscard]] Prediction quotient(const Probe& probe) const {
-    Prediction far = simulate(experiment_, with(probe, 0, probe.step), {});
+    Prediction far = simulate(study_.experiment(), with(probe, 0, probe.step), {});
     for (std::size_t r = 0; far.reached && r < far.runs.size(); ++r)
       far.runs[r] = (far.runs[r] - main_.runs[r]) / probe.step;
     return far;
   }
 
-  const Experiment& experiment_;
+  const Study& study_;
   const Fit& fitted_;
   Rig rig_;
   std::vector<Probe> probes_;
@@ -193,17 +185,15 @@ class Screen {
 
 }  // namespace
 
-std::vector<Prospect> screen(const Experiment& experiment, const Measurements& measurements,
-                             const Fit& fitted, const FitSettings& settings) {
-  const Screen side(experiment, fitted);
-  const Weighing weighing(measurements, fitted, settings);
+std::vector<Prospect> screen(const Study& study, const Fit& fitted, const FitSettings& settings) {
+  const Screen side(study, fitted);
+  const Weighing weighing(study.measurements(), fitted, settings);
   std::vector<Prospect> prospects;
   for (std::size_t i = 0; i < side.all().size(); ++i) {
     const Probe& probe = side.all()[i];
     Prospect prospect{probe.effect, {}, 0};
-    prospect.cost =
-        fitted.cost * best_step(weighing, side.columns(i, weighing),
-                                parameter_ranges(experiment, probe.effect), probe, prospect.start);
+    prospect.cost = fitted.cost * best_step(weighing, side.columns(i, weighing), study.ranges(probe.effect),
+                                            probe, prospect.start);
     if (prospects.empty() || prospects.back().effect != probe.effect) {
       prospects.push_back(std::move(prospect));
     } else if (prospect.cost < prospects.back().cost) {

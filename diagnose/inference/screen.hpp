@@ -19,7 +19,6 @@ struct Prospect {
 /// them ride along with one prediction, so that
 /// the whole screen costs about as much as a few fits. An effect
 /// whose derivative depends on where it acts (a stop's angle, a time constant) is probed at several places.
-std::vector<Prospect> screen(const Experiment& experiment, const Measurements& measurements,
-                             const Fit& fitted, const FitSettings& settings);
+std::vector<Prospect> screen(const Study& study, const Fit& fitted, const FitSettings& settings);
 
 }  // namespace plumbline::diagnose

@@ -43,13 +43,11 @@ struct Combination {
 
 class Searcher {
  public:
-  Searcher(const Experiment& experiment, const Measurements& measurements)
-      : experiment_(experiment), measurements_(measurements) {}
+  Searcher(const Study& study) : study_(study) {}
 
   [[nodiscard]] std::vector<Fit> singles() const {
     std::vector<Fit> fits;
-    for (const EffectAt& at : possible_effects(experiment_))
-      keep(fits, fit(experiment_, measurements_, Candidate{{at}}, {}));
+    for (const EffectAt& at : possible_effects(study_)) keep(fits, fit(study_, Candidate{{at}}, {}));
     std::sort(fits.begin(), fits.end(), better);
     return fits;
   }
@@ -58,14 +56,14 @@ class Searcher {
   [[nodiscard]] std::vector<Fit> extended(const std::vector<Fit>& from, std::size_t seeds) const {
     std::vector<Combination> combinations;
     for (std::size_t s = 0; s < std::min(seeds, from.size()); ++s) {
-      for (const Prospect& prospect : screen(experiment_, measurements_, from[s], {}))
+      for (const Prospect& prospect : screen(study_, from[s], {}))
         offer(combinations, joined(from[s], prospect));
     }
     std::sort(combinations.begin(), combinations.end(),
               [](const Combination& a, const Combination& b) { return a.cost < b.cost; });
     std::vector<Fit> fits;
     for (std::size_t c = 0; c < std::min(finalists, combinations.size()); ++c)
-      keep(fits, fit_from(experiment_, measurements_, combinations[c].candidate, {}, combinations[c].start));
+      keep(fits, fit_from(study_, combinations[c].candidate, {}, combinations[c].start));
     std::sort(fits.begin(), fits.end(), better);
     return fits;
   }
@@ -83,14 +81,15 @@ class Searcher {
 
  private:
   [[nodiscard]] Fit without(const Fit& combination, const EffectAt& left_out) const {
-    const Instance rest = part(combination.candidate, combination.parameters,
+    const Instance rest = part(study_, combination.candidate, combination.parameters,
                                [&](const EffectAt& at) { return at != left_out; });
-    return fit_from(experiment_, measurements_, rest.candidate, {}, rest.parameters);
+    return fit_from(study_, rest.candidate, {}, rest.parameters);
   }
 
   /// Keeps what converged, unless its parameters are too many for so few readings: three for each.
   void keep(std::vector<Fit>& fits, Fit one) const {
-    if (one.converged && 3 * one.parameters.size() <= measurements_.size()) fits.push_back(std::move(one));
+    if (one.converged && 3 * one.parameters.size() <= study_.measurements().size())
+      fits.push_back(std::move(one));
   }
 
   static Combination joined(const Fit& base, const Prospect& prospect) {
@@ -112,34 +111,33 @@ class Searcher {
     }
   }
 
-  const Experiment& experiment_;
-  const Measurements& measurements_;
+  const Study& study_;
 };
 
 }  // namespace
 
-void weigh(const Experiment& experiment, const Measurements& measurements, Findings& findings) {
+void weigh(const Study& study, Findings& findings) {
   auto& hypotheses = findings.hypotheses;
   if (hypotheses.empty()) return;
   const auto best = std::min_element(hypotheses.begin(), hypotheses.end(),
                                      [](const auto& a, const auto& b) { return better(a.fit, b.fit); });
-  findings.noise = estimate_noise(measurements, without_outliers(measurements, best->fit.residual));
+  findings.noise =
+      estimate_noise(study.measurements(), without_outliers(study.measurements(), best->fit.residual));
   for (Hypothesis& hypothesis : hypotheses) {
-    hypothesis.log_likelihood = log_likelihood(measurements, hypothesis.fit.residual, findings.noise);
-    hypothesis.log_evidence = log_evidence(experiment, measurements, hypothesis.fit, findings.noise);
+    hypothesis.log_likelihood = log_likelihood(study.measurements(), hypothesis.fit.residual, findings.noise);
+    hypothesis.log_evidence = log_evidence(study, hypothesis.fit, findings.noise);
   }
   std::sort(hypotheses.begin(), hypotheses.end(),
             [](const Hypothesis& a, const Hypothesis& b) { return a.log_evidence > b.log_evidence; });
 }
 
-Findings search(const Experiment& experiment, const Measurements& measurements,
-                const std::function<void(double)>& progress) {
+Findings search(const Study& study, const std::function<void(double)>& progress) {
   const auto report = [&](double share) {
     if (progress) progress(share);
   };
-  const Searcher searcher(experiment, measurements);
+  const Searcher searcher(study);
   std::vector<Fit> fits = searcher.singles();
-  const auto p_value = [&] { return test_gap(measurements, fits.front().residual).p_value; };
+  const auto p_value = [&] { return test_gap(study.measurements(), fits.front().residual).p_value; };
   report(0.1);
   constexpr double look_further = 0.05;  // a search more costs time alone
   if (!fits.empty() && p_value() < look_further) {
@@ -155,7 +153,7 @@ Findings search(const Experiment& experiment, const Measurements& measurements,
   }
   Findings findings;
   for (Fit& one : fits) findings.hypotheses.push_back({std::move(one), 0, 0, {}});
-  weigh(experiment, measurements, findings);
+  weigh(study, findings);
   report(1);
   return findings;
 }

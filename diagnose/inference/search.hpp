@@ -31,11 +31,10 @@ inline constexpr double fit_level = 0.001;
 /// Fits every possible effect; where the best still leaves structure, combinations of two, then of three.
 /// \param experiment  with outliers removed
 /// \param progress    called with the share of the work that is done
-Findings search(const Experiment& experiment, const Measurements& measurements,
-                const std::function<void(double)>& progress = {});
+Findings search(const Study& study, const std::function<void(double)>& progress = {});
 
 /// Weighs fitted hypotheses against each other, best evidence first, in the noise that the best of them
 /// leaves.
-void weigh(const Experiment& experiment, const Measurements& measurements, Findings& findings);
+void weigh(const Study& study, Findings& findings);
 
 }  // namespace plumbline::diagnose

@@ -2,22 +2,14 @@
 /// \file
 /// Where fits start: several places where the derivative by a parameter vanishes at the nominal model.
 
-#include <vector>
-
-#include "diagnose/model/history.hpp"
+#include "diagnose/model/study.hpp"
 
 namespace plumbline::diagnose {
 
-/// Parameter vectors from which to fit. All are looked at, the `basins` best are descended from.
-struct Starts {
-  std::vector<std::vector<double>> from;
-  std::size_t basins;
-};
-
-/// Starts for one effect.
-Starts starts(const Experiment& experiment, const EffectAt& at);
+/// Starts for one effect, as its row says, within its bounds.
+Starts starts(const Study& study, const EffectAt& at);
 
 /// All combinations for several effects.
-Starts starts(const Experiment& experiment, const Candidate& candidate);
+Starts starts(const Study& study, const Candidate& candidate);
 
 }  // namespace plumbline::diagnose

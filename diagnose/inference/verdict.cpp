@@ -21,9 +21,8 @@ double chi2_per_dof(const Measurements& measurements, const Fit& fit, const Nois
 }
 
 /// Posterior probabilities of the genuine hypotheses; of all where none is genuine.
-std::vector<Ranked> ranked(const Experiment& experiment, const Measurements& measurements,
-                           const Findings& findings) {
-  const auto stands = [&](const Hypothesis& one) { return genuine(experiment, one.fit); };
+std::vector<Ranked> ranked(const Study& study, const Findings& findings) {
+  const auto stands = [&](const Hypothesis& one) { return genuine(study, one.fit); };
   const bool any = std::any_of(findings.hypotheses.begin(), findings.hypotheses.end(), stands);
   std::vector<Ranked> ranking;
   double sum = 0;
@@ -31,7 +30,7 @@ std::vector<Ranked> ranked(const Experiment& experiment, const Measurements& mea
     if (any && !stands(hypothesis)) continue;
     const double best = ranking.empty() ? hypothesis.log_evidence : ranking.front().hypothesis.log_evidence;
     ranking.push_back({hypothesis, std::exp(hypothesis.log_evidence - best),
-                       chi2_per_dof(measurements, hypothesis.fit, findings.noise)});
+                       chi2_per_dof(study.measurements(), hypothesis.fit, findings.noise)});
     sum += ranking.back().probability;
   }
   for (Ranked& one : ranking) one.probability /= sum;
@@ -54,11 +53,11 @@ std::string verdict_word(CauseVerdict verdict) {
   return "unknown";
 }
 
-bool genuine(const Experiment& experiment, const Fit& fit) {
+bool genuine(const Study& study, const Fit& fit) {
   std::size_t p = 0;
   for (const EffectAt& at : fit.candidate.effects) {
     bool acts = false;
-    for (const ParameterRange& range : parameter_ranges(experiment, at)) {
+    for (const ParameterRange& range : study.ranges(at)) {
       const bool natural_zero = zero_is_nominal(range);
       const bool at_zero = fit.at_bound[p] && natural_zero && std::abs(fit.parameters[p]) < range.scale;
       if (fit.at_bound[p] && !at_zero) return false;
@@ -102,16 +101,15 @@ double gain(const Measurements& measurements, const Fit& simpler, const Fit& ful
 
 /// The simplest explanation that leaves no structure, unless one more effect is significant at all the places
 /// where it could have been found; the end of the ranking when none suffices.
-std::size_t choose(const Experiment& experiment, const Measurements& measurements, const NoiseModel& noise,
-                   std::vector<Ranked>& ranking) {
-  const double significant = told_apart + std::log(static_cast<double>(possible_effects(experiment).size()));
+std::size_t choose(const Study& study, const NoiseModel& noise, std::vector<Ranked>& ranking) {
+  const double significant = told_apart + std::log(static_cast<double>(possible_effects(study).size()));
   std::size_t chosen = ranking.size();
   for (std::size_t effects = 1; effects <= 3; ++effects) {
     const std::size_t place = first_of(ranking, effects);
     if (place == ranking.size()) continue;
     Hypothesis& one = ranking[place].hypothesis;
-    if (!genuine(experiment, one.fit)) continue;
-    one.p_value = fit_p_value(measurements, one.fit, noise);
+    if (!genuine(study, one.fit)) continue;
+    one.p_value = fit_p_value(study.measurements(), one.fit, noise);
     if (*one.p_value < fit_level) continue;
     if (chosen == ranking.size()) {
       chosen = place;
@@ -119,7 +117,7 @@ std::size_t choose(const Experiment& experiment, const Measurements& measurement
     }
     const Fit& simpler = ranking[chosen].hypothesis.fit;
     const auto more = static_cast<double>(effects - simpler.candidate.effects.size());
-    if (gain(measurements, simpler, one.fit) > more * significant) chosen = place;
+    if (gain(study.measurements(), simpler, one.fit) > more * significant) chosen = place;
   }
   return chosen;
 }
@@ -155,11 +153,11 @@ std::size_t best_partial(const Measurements& measurements, const std::vector<con
   return static_cast<std::size_t>(place - fits.begin());
 }
 
-Cause judge(const Experiment& experiment, const Measurements& measurements, const Findings& findings) {
+Cause judge(const Study& study, const Findings& findings) {
   Cause cause;
-  cause.ranking = ranked(experiment, measurements, findings);
+  cause.ranking = ranked(study, findings);
   cause.verdict = CauseVerdict::unknown;
-  const std::size_t chosen = choose(experiment, measurements, findings.noise, cause.ranking);
+  const std::size_t chosen = choose(study, findings.noise, cause.ranking);
   double p_value = 0;
   for (const Ranked& one : cause.ranking) p_value = std::max(p_value, one.hypothesis.p_value.value_or(0));
   cause.unknown = probability_of_unknown(p_value);
@@ -167,7 +165,7 @@ Cause judge(const Experiment& experiment, const Measurements& measurements, cons
   if (chosen == cause.ranking.size()) {
     std::vector<const Fit*> partial;
     for (const Ranked& one : cause.ranking) partial.push_back(&one.hypothesis.fit);
-    if (!partial.empty()) cause.best = best_partial(measurements, partial);
+    if (!partial.empty()) cause.best = best_partial(study.measurements(), partial);
     return cause;
   }
   cause.best = chosen;

@@ -34,7 +34,7 @@ inline constexpr double told_apart = 3.0;
 /// Whether a hypothesis is what it says: none of its effects is switched off by a parameter at zero, and none
 /// has run to the end of a range where it turns into another effect (a stop that always touches is a stiffer
 /// joint, a relaxation slower than the experiment a stiffer spring).
-bool genuine(const Experiment& experiment, const Fit& fit);
+bool genuine(const Study& study, const Fit& fit);
 
 /// Place of the explanation that is worth most where none is right: what it leaves is then taken as noise
 /// that eight neighbouring readings share, and parameters are charged by Schwarz's criterion.
@@ -42,6 +42,6 @@ std::size_t best_partial(const Measurements& measurements, const std::vector<con
 
 /// The best hypothesis is identified when it leaves no structure and no other comes near; ambiguous with
 /// those that come near; unknown when it leaves structure.
-Cause judge(const Experiment& experiment, const Measurements& measurements, const Findings& findings);
+Cause judge(const Study& study, const Findings& findings);
 
 }  // namespace plumbline::diagnose

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// The effect catalogue as data: what each effect is called, where it can sit, what parameters it has, where
-/// it enters the rig.
+/// What the diagnosis knows of an effect, as one row, and sets of effects that act together.
 
 #include <functional>
 #include <string>
@@ -9,92 +8,110 @@
 #include <vector>
 
 #include "diagnose/model/rig.hpp"
+#include "diagnose/model/sizes.hpp"
 
 namespace plumbline::diagnose {
-
-/// The effects, in the order of the catalogue.
-enum class EffectId {
-  joint_stiffness,
-  link_length,
-  rest_angle,
-  nonlinear_spring,
-  backlash,
-  joint_friction,
-  joint_stop,
-  joint_coupling,
-  gravity,
-  tip_payload,
-  base_compliance,
-  axial_compliance,
-  link_bending,
-  rail_misalignment,
-  eccentric_load,
-  tip_stiffness,
-  guide_friction,
-  force_bias,
-  force_gain,
-  position_offset,
-  train_compliance,
-  viscoelasticity,
-  sensor_drift
-};
-inline constexpr std::size_t effect_count = 23;
 
 /// How a parameter is fitted: as it is, by its logarithm (a time constant), or by its reciprocal (a rigidity,
 /// so that zero is the nominal model).
 enum class Coordinate { plain, logarithm, reciprocal };
 
+/// The value in the catalogue's units of a fitted coordinate, and back.
+double catalogue_value(Coordinate coordinate, double fitted);
+double fitted_value(Coordinate coordinate, double catalogue);
+
 /// A parameter of an effect, in one experiment. `scale`, `low` and `high` are in the fitted coordinate.
 struct ParameterRange {
   std::string_view name;
+  std::string_view unit;  ///< "N m", or "ratio" for one
   Coordinate coordinate;
   double scale;      ///< what a lab would call a sizeable effect; the difference step is a share of it
   double low, high;  ///< physical bounds
 };
 
+/// A parameter that may have either sign, one that cannot be negative: zero is the nominal model.
+ParameterRange both_ways(std::string_view name, std::string_view unit, double scale, double low, double high);
+ParameterRange one_way(std::string_view name, std::string_view unit, double scale, double high);
+
+/// Where an effect is asked about: an experiment's sizes, and a joint or link from 0 where it sits at one.
+struct Place {
+  const Sizes& sizes;
+  std::size_t joint;
+};
+
+/// Parameter vectors from which to fit. All are looked at, the `basins` best are descended from.
+struct Starts {
+  std::vector<std::vector<double>> from;
+  std::size_t basins;
+};
+
+/// What the rig looks like with so much of an effect.
+struct Addition {
+  Rig& rig;
+  std::size_t joint;    ///< from 0
+  Vector2 down;         ///< direction of gravity
+  const double* value;  ///< in catalogue units, one a parameter
+};
+
+/// How a forecast asks what little of an effect would do. A parameter that does not grow keeps the value of
+/// each start (a stop's angle, a time constant). A large step is one as long as the start, where little of an
+/// effect acts otherwise than much (which joints stick or hang in their play at a reversal).
+struct Probing {
+  std::vector<std::size_t> growing = {};  ///< parameters; all of them from nothing when empty
+  bool large_step = false;
+  std::size_t starts = 100;  ///< so many of the starts are probed
+};
+
+/// One row of the catalogue.
+struct Effect {
+  std::string_view id;      ///< as reports and labels spell it
+  std::string_view words;   ///< can stand after "caused by"; {} is the joint or link
+  bool at_joint = false;    ///< sits at one joint or link
+  bool dissipates = false;  ///< gives back less than it took
+  std::vector<ParameterRange> (*parameters)(const Place& at);
+  void (*add)(const Addition& to);
+  /// Whether it can change anything at this place of this bench; everywhere when not given.
+  bool (*possible)(const Place& at) = [](const Place&) { return true; };
+  /// Where fits start; none: at zero, and at one scale to either side where there is one parameter.
+  Starts (*starts)(const Place& at, const Exercise& nominal) = nullptr;
+  Probing probing = {};
+};
+
+/// All effects, ours and in the order of docs/effects.md.
+const std::vector<Effect>& catalogue();
+
+/// \throws Error for a word that is not in the catalogue
+const Effect& effect(std::string_view id);
+
 /// An effect at its place. `joint` counts from 1; 0 where the effect is not at one joint.
 struct EffectAt {
-  EffectId effect;
-  std::size_t joint = 0;
+  EffectAt(const Effect& of, std::size_t at_joint = 0) : effect(&of), joint(at_joint) {}
+  /// \throws Error for a word that is not in the catalogue
+  EffectAt(const char* id, std::size_t at_joint = 0) : EffectAt(diagnose::effect(id), at_joint) {}
+
+  const Effect* effect;
+  std::size_t joint;
   friend bool operator==(const EffectAt&, const EffectAt&) = default;
+
+  /// "backlash(2)"
+  [[nodiscard]] std::string label() const;
+  /// "play in joint 2"
+  [[nodiscard]] std::string in_words() const;
 };
 
 /// A set of effects that act together. Its parameters are those of its effects, one after the other.
 struct Candidate {
   std::vector<EffectAt> effects;
   friend bool operator==(const Candidate&, const Candidate&) = default;
+
+  /// "backlash(2) + gravity"
+  [[nodiscard]] std::string label() const;
 };
-
-/// The id as the effect catalogue and reports spell it.
-std::string_view effect_name(EffectId effect);
-/// \throws Error for a word that is not in the catalogue
-EffectId effect_id(std::string_view name);
-/// Whether the effect sits at one joint or link.
-bool sits_at_joint(EffectId effect);
-
-/// The parameters of one effect and of a candidate.
-std::vector<ParameterRange> parameter_ranges(const Experiment& experiment, const EffectAt& at);
-std::vector<ParameterRange> parameter_ranges(const Experiment& experiment, const Candidate& candidate);
 
 /// A candidate and its fitted coordinates.
 struct Instance {
   Candidate candidate;
   std::vector<double> parameters;
 };
-
-/// What is left of a candidate of which only some effects stay.
-Instance part(const Candidate& candidate, const std::vector<double>& parameters,
-              const std::function<bool(const EffectAt&)>& stays);
-
-/// The value in the catalogue's units of a fitted coordinate, and back.
-double catalogue_value(Coordinate coordinate, double fitted);
-double fitted_value(Coordinate coordinate, double catalogue);
-
-/// The nominal rig with the candidate's effects added. `parameters` are fitted coordinates.
-Rig rig_with(const Experiment& experiment, const Candidate& candidate, const std::vector<double>& parameters);
-
-/// Every effect at every place of this chain where it can change anything at all: no stiffness error at a
-/// passive joint, no gravity in a horizontal plane, no load-cell effect where no force is measured.
-std::vector<EffectAt> possible_effects(const Experiment& experiment);
 
 }  // namespace plumbline::diagnose

@@ -233,18 +233,4 @@ Prediction simulate(const Experiment& experiment, const Rig& rig,
   return result;
 }
 
-Prediction predict(const Experiment& experiment, const Candidate& candidate,
-                   const std::vector<double>& parameters, bool with_sensitivity) {
-  std::vector<RigVariation> variations;
-  if (with_sensitivity) {
-    for (const ParameterRange& range : parameter_ranges(experiment, candidate)) {
-      std::vector<double> other = parameters;
-      const double step = variation_share * range.scale;
-      other[variations.size()] += step;
-      variations.push_back({rig_with(experiment, candidate, other), step});
-    }
-  }
-  return simulate(experiment, rig_with(experiment, candidate, parameters), variations);
-}
-
 }  // namespace plumbline::diagnose

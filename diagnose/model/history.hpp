@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "diagnose/bench/experiment.hpp"
-#include "diagnose/model/effect.hpp"
+#include "diagnose/model/rig.hpp"
 
 namespace plumbline::diagnose {
 
@@ -36,15 +36,5 @@ struct RigVariation {
 /// Predicts what a rig would give and, beside it, the difference quotients of its variations.
 Prediction simulate(const Experiment& experiment, const Rig& rig,
                     const std::vector<RigVariation>& variations);
-
-/// The share of a parameter's scale by which sensitivities vary it.
-inline constexpr double variation_share = 1e-6;
-
-/// Predicts every channel of every reading.
-/// \param parameters         fitted coordinates, in the order of the candidate's effects
-/// \param with_sensitivity   also the derivatives by each parameter: one chord step and one back substitution
-///                           each, so about a third of the cost of the prediction itself
-Prediction predict(const Experiment& experiment, const Candidate& candidate,
-                   const std::vector<double>& parameters, bool with_sensitivity = false);
 
 }  // namespace plumbline::diagnose

@@ -9,7 +9,7 @@ using Json = nlohmann::ordered_json;
 
 Json effect_names(const Candidate& candidate) {
   Json names = Json::array();
-  for (const EffectAt& at : candidate.effects) names.push_back(label(at));
+  for (const EffectAt& at : candidate.effects) names.push_back(at.label());
   return names;
 }
 
@@ -61,7 +61,7 @@ Json effects(const Candidate& candidate, const std::vector<std::vector<Estimate>
     for (const Estimate& one : estimates[e])
       parameters[one.name] = {
           {"value", one.value}, {"low", one.low}, {"high", one.high}, {"at_bound", one.at_bound}};
-    list.push_back({{"id", effect_name(at.effect)},
+    list.push_back({{"id", at.effect->id},
                     {"joint", at.joint > 0 ? Json(at.joint) : Json(nullptr)},
                     {"parameters", parameters}});
   }
@@ -87,7 +87,7 @@ Json cause(const Diagnosis& diagnosis) {
                        {"probability", found.unknown},
                        {"chi2_per_dof", diagnosis.gap.chi2_per_value}});
   }
-  for (const EffectAt& at : diagnosis.not_exercised) idle.push_back(label(at));
+  for (const EffectAt& at : diagnosis.not_exercised) idle.push_back(at.label());
   const bool explained =
       found.verdict == CauseVerdict::identified || found.verdict == CauseVerdict::ambiguous;
   return {
@@ -138,17 +138,6 @@ Json next(const std::vector<Proposal>& proposals) {
 }
 
 }  // namespace
-
-std::string label(const EffectAt& at) {
-  std::string text(effect_name(at.effect));
-  return at.joint > 0 ? text + "(" + std::to_string(at.joint) + ")" : text;
-}
-
-std::string label(const Candidate& candidate) {
-  std::string text;
-  for (const EffectAt& at : candidate.effects) text += (text.empty() ? "" : " + ") + label(at);
-  return text;
-}
 
 Json as_json(const Diagnosis& diagnosis) {
   Json places = where(diagnosis.where);

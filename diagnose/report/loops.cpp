@@ -14,12 +14,6 @@ namespace {
 
 using Kind = page::Layer::Kind;
 
-/// Whether the effect gives back less than it took.
-bool dissipates(EffectId effect) {
-  return effect == EffectId::joint_friction || effect == EffectId::guide_friction ||
-         effect == EffectId::viscoelasticity;
-}
-
 bool turns_back(const Explained& explained, std::size_t run) {
   const std::vector<Regime> regime = regimes(explained.experiment.runs[run], explained.nominal.runs[run]);
   return std::find(regime.begin(), regime.end(), Regime::unloading) != regime.end();
@@ -95,10 +89,10 @@ PageChart loop_at_joint(const Explained& explained, std::size_t joint, std::size
 
 std::vector<PageChart> loop_charts(const Explained& explained) {
   if (explained.best == nullptr) return {};
-  const Instance elastic = part(explained.best->candidate, explained.best->parameters,
-                                [](const EffectAt& at) { return !dissipates(at.effect); });
+  const Instance elastic = part(explained.study, explained.best->candidate, explained.best->parameters,
+                                [](const EffectAt& at) { return !at.effect->dissipates; });
   if (elastic.candidate == explained.best->candidate) return {};
-  const Prediction base = predict(explained.experiment, elastic.candidate, elastic.parameters);
+  const Prediction base = predict(explained.study, elastic.candidate, elastic.parameters);
   if (!base.reached) return {};
   std::vector<PageChart> charts;
   const bool torques = explained.diagnosis.where.joint_evidence == JointEvidence::measured;

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "diagnose/report/charts.hpp"
-#include "diagnose/report/effect_words.hpp"
 #include "diagnose/report/page_texts.hpp"
 #include "diagnose/report/report.hpp"
 #include "page/markup.hpp"
@@ -35,7 +34,7 @@ std::string joined(const std::vector<std::string>& parts, const std::string& bet
 
 std::string words(const Candidate& candidate) {
   std::vector<std::string> parts;
-  for (const EffectAt& at : candidate.effects) parts.push_back(in_words(at));
+  for (const EffectAt& at : candidate.effects) parts.push_back(at.in_words());
   return joined(parts, ", ", " and ");
 }
 
@@ -80,16 +79,17 @@ Json shrink_channels(const Json& shrink) {
 }
 
 /// The parameters of all effects of the best explanation, one a row.
-Json parameters(const Json& effects, const Candidate& best) {
+Json parameters(const Json& effects, const Candidate& best,
+                const std::vector<std::vector<Estimate>>& estimates) {
   Json rows = Json::array();
   for (std::size_t e = 0; e < effects.size(); ++e) {
     const EffectAt& at = best.effects[e];
-    for (const auto& [name, bounds] : effects[e]["parameters"].items()) {
-      Json row = bounds;
-      row["effect"] = effect_name(at.effect);
+    for (const Estimate& one : estimates[e]) {
+      Json row = effects[e]["parameters"][one.name];
+      row["effect"] = at.effect->id;
       row["place"] = at.joint > 0 ? effects[e]["joint"] : Json("–");
-      row["name"] = name;
-      row["unit"] = unit(at.effect, name);
+      row["name"] = one.name;
+      row["unit"] = one.unit;
       rows.push_back(row);
     }
   }
@@ -97,14 +97,12 @@ Json parameters(const Json& effects, const Candidate& best) {
 }
 
 /// Effects that change nothing that this bench could show.
-std::string out_of_sight(const Experiment& experiment) {
-  const std::vector<EffectAt> possible = possible_effects(experiment);
+std::string out_of_sight(const Study& study) {
+  const std::vector<EffectAt> possible = possible_effects(study);
   std::vector<std::string> parts;
-  for (std::size_t e = 0; e < effect_count; ++e) {
-    const auto effect = static_cast<EffectId>(e);
-    if (std::none_of(possible.begin(), possible.end(),
-                     [&](const EffectAt& at) { return at.effect == effect; }))
-      parts.emplace_back(effect_name(effect));
+  for (const Effect& row : catalogue()) {
+    if (std::none_of(possible.begin(), possible.end(), [&](const EffectAt& at) { return at.effect == &row; }))
+      parts.emplace_back(row.id);
   }
   return joined(parts, ", ", ", ");
 }
@@ -116,7 +114,7 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
     if (!who.empty()) list.push_back({{"names", who}, {"why", why}});
   };
   for (const std::size_t place : cause.equivalent)
-    add(label(cause.ranking[place].hypothesis.fit.candidate),
+    add(cause.ranking[place].hypothesis.fit.candidate.label(),
         fmt::format("fits these readings as well as the best: log-likelihood or log-evidence differ by less "
                     "than {:g}",
                     told_apart));
@@ -124,7 +122,7 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
     const bool listed =
         i == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), i) > 0;
     if (!listed && cause.verdict != CauseVerdict::unknown && cause.ranking[i].probability >= 0.01)
-      add(label(cause.ranking[i].hypothesis.fit.candidate),
+      add(cause.ranking[i].hypothesis.fit.candidate.label(),
           "less probable, yet keeps " + ranking[i]["probability"].get<std::string>());
   }
   if (cause.or_unknown) {
@@ -133,9 +131,9 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
     add("unknown", "a cause outside the catalogue keeps " + ranking.back()["probability"].get<std::string>());
   }
   std::vector<std::string> idle;
-  for (const EffectAt& at : explained.diagnosis.not_exercised) idle.push_back(label(at));
+  for (const EffectAt& at : explained.diagnosis.not_exercised) idle.push_back(at.label());
   add(joined(idle, ", ", ", "), "never exercised: no reading of these runs depends on it");
-  add(out_of_sight(explained.experiment),
+  add(out_of_sight(explained.study),
       "not looked for: on this bench, with these channels, it could change nothing that was measured");
   return list;
 }
@@ -147,8 +145,8 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   view["best"] = false;
   if (explained.best != nullptr) {
     const Candidate& best = explained.best->candidate;
-    view["best"] = {{"names", label(best)}, {"words", words(best)}, {"model", explained.model}};
-    Json rows = parameters(view["cause"]["effects"], best);
+    view["best"] = {{"names", best.label()}, {"words", words(best)}, {"model", explained.model}};
+    Json rows = parameters(view["cause"]["effects"], best, explained.diagnosis.estimates);
     const bool any = !rows.empty();
     view["explained"] = {{"any", any}, {"parameters", std::move(rows)}};
   }
@@ -199,8 +197,8 @@ void add_charts(Json& view, const Explained& explained) {
 
 }  // namespace
 
-std::string as_html(const Experiment& experiment, const Diagnosis& diagnosis) {
-  const Explained explained(experiment, diagnosis);
+std::string as_html(const Study& study, const Diagnosis& diagnosis) {
+  const Explained explained(study, diagnosis);
   const Json report = as_json(diagnosis);
   Json view = page::with_marked_numbers(report, style_of);
   view["gap_level"] = fmt::format("{:g}", gap_level);

@@ -9,11 +9,6 @@
 
 namespace plumbline::diagnose {
 
-/// "joint_friction", "backlash(3)".
-std::string label(const EffectAt& at);
-/// "joint_friction + backlash(3)".
-std::string label(const Candidate& candidate);
-
 nlohmann::ordered_json as_json(const Diagnosis& diagnosis);
 
 /// The questions in order: is there a gap; where; what; how far; what next.
@@ -21,6 +16,6 @@ std::string as_text(const Diagnosis& diagnosis);
 
 /// A page for people to look at, whole in one file: the same answers with the curves, the residuals, the
 /// chain and what is missing drawn.
-std::string as_html(const Experiment& experiment, const Diagnosis& diagnosis);
+std::string as_html(const Study& study, const Diagnosis& diagnosis);
 
 }  // namespace plumbline::diagnose

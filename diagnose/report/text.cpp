@@ -72,7 +72,7 @@ std::string parameters(const Diagnosis& diagnosis) {
   std::string text;
   const Candidate& candidate = diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate;
   for (std::size_t e = 0; e < candidate.effects.size(); ++e) {
-    text += "  " + label(candidate.effects[e]) + ":";
+    text += "  " + candidate.effects[e].label() + ":";
     for (const Estimate& one : diagnosis.estimates[e]) {
       text += fmt::format(" {} = {:.4g} (95 %: {:.4g} to {:.4g}{})", one.name, one.value, one.low, one.high,
                           one.at_bound ? "; at its bound" : "");
@@ -95,7 +95,7 @@ std::string unexplained(const Diagnosis& diagnosis) {
   if (!diagnosis.cause.ranking.empty()) {
     const Ranked& partial = diagnosis.cause.ranking[diagnosis.cause.best];
     text += fmt::format("  best partial explanation: {} (chi-square per degree of freedom {:.3g})\n",
-                        label(partial.hypothesis.fit.candidate), partial.chi2_per_dof);
+                        partial.hypothesis.fit.candidate.label(), partial.chi2_per_dof);
   }
   return text;
 }
@@ -107,17 +107,17 @@ std::string what(const Diagnosis& diagnosis) {
   std::string text =
       fmt::format("What?  {}: {} (probability {:.3f}, chi-square per degree of freedom {:.3g})\n",
                   cause.verdict == CauseVerdict::identified ? "Identified" : "Ambiguous",
-                  label(best.hypothesis.fit.candidate), best.probability, best.chi2_per_dof);
+                  best.hypothesis.fit.candidate.label(), best.probability, best.chi2_per_dof);
   text += parameters(diagnosis);
   text += fmt::format("  outside the catalogue with probability {:.2g}\n", cause.unknown);
   for (const std::size_t place : cause.equivalent)
-    text += "  cannot be told apart from " + label(cause.ranking[place].hypothesis.fit.candidate) + "\n";
+    text += "  cannot be told apart from " + cause.ranking[place].hypothesis.fit.candidate.label() + "\n";
   if (cause.or_unknown)
     text +=
         "  or a cause outside the catalogue: fitted without the held-out readings, it does not predict "
         "them\n";
   std::string idle;
-  for (const EffectAt& at : diagnosis.not_exercised) idle += (idle.empty() ? "" : ", ") + label(at);
+  for (const EffectAt& at : diagnosis.not_exercised) idle += (idle.empty() ? "" : ", ") + at.label();
   if (!idle.empty())
     text += "  neither excluded nor blamed, for the runs never exercise them: " + idle + "\n";
   return text;

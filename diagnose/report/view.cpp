@@ -26,19 +26,20 @@ std::string words_for(const Vector2& direction) {
 
 }  // namespace
 
-Explained::Explained(const Experiment& measured, const Diagnosis& diagnosed)
-    : experiment(measured),
+Explained::Explained(const Study& studied, const Diagnosis& diagnosed)
+    : study(studied),
+      experiment(studied.experiment()),
+      measurements(studied.measurements()),
+      nominal(studied.nominal()),
       diagnosis(diagnosed),
-      measurements(measured),
-      nominal(predict(measured, {}, {})),
       corrected(nominal),
-      before(measurements.residual(measured, nominal)),
+      before(studied.nominal_residual()),
       after(before),
       best(best_explanation(diagnosed.cause)),
       model("nominal model") {
   if (best == nullptr) return;
   model = diagnosed.cause.verdict == CauseVerdict::unknown ? "best partial explanation" : "corrected model";
-  corrected = predict(experiment, best->candidate, best->parameters);
+  corrected = predict(study, best->candidate, best->parameters);
   after = measurements.residual(experiment, corrected);
 }
 

@@ -7,12 +7,14 @@
 namespace plumbline::diagnose {
 
 struct Explained {
-  Explained(const Experiment& measured, const Diagnosis& diagnosed);
+  Explained(const Study& studied, const Diagnosis& diagnosed);
 
+  const Study& study;
   const Experiment& experiment;
+  const Measurements& measurements;
+  const Prediction& nominal;
   const Diagnosis& diagnosis;
-  Measurements measurements;
-  Prediction nominal, corrected;      ///< the same where nothing explains anything
+  Prediction corrected;               ///< the nominal one where nothing explains anything
   std::vector<double> before, after;  ///< residuals of both, flat, in declared sigmas
   const Fit* best = nullptr;          ///< the best explanation, partial where the verdict is unknown
   std::string model;  ///< what `corrected` is: "corrected model", "best partial explanation", ...

@@ -9,15 +9,15 @@
 #include <random>
 #include <vector>
 
-#include "diagnose/model/history.hpp"
+#include "diagnose/model/study.hpp"
 
-namespace plumbline::test {
+namespace plumbline::diagnose::test {
 
 inline double nan_value() {
   return std::nan("");
 }
 
-inline Candidate only(EffectId effect, std::size_t joint = 0) {
+inline Candidate only(const char* effect, std::size_t joint = 0) {
   return {{{effect, joint}}};
 }
 
@@ -77,7 +77,7 @@ inline Experiment full_bench() {
 /// value off by 20 sigma.
 inline Experiment measured(Experiment experiment, const Candidate& truth,
                            const std::vector<double>& parameters, unsigned seed, int outlier = 0) {
-  const Prediction predicted = predict(experiment, truth, parameters);
+  const Prediction predicted = predict(Study(experiment), truth, parameters);
   REQUIRE(predicted.reached);
   std::mt19937 engine(seed);
   std::normal_distribution<double> normal;
@@ -105,4 +105,4 @@ inline Experiment measured(Experiment experiment, const Candidate& truth,
   return experiment;
 }
 
-}  // namespace plumbline::test
+}  // namespace plumbline::diagnose::test

@@ -49,7 +49,7 @@ Experiment bench() {
 /// Fills in what the rig would have measured, and noise.
 Experiment measured(Experiment experiment, const Candidate& cause, const std::vector<double>& parameters,
                     std::uint64_t seed, double noise_scale = 1) {
-  const Prediction truth = predict(experiment, cause, parameters);
+  const Prediction truth = predict(Study(experiment), cause, parameters);
   REQUIRE(truth.reached);
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal(0, noise_scale);
@@ -69,7 +69,7 @@ Experiment measured(Experiment experiment, const Candidate& cause, const std::ve
 std::vector<std::string> said(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const EffectAt& at : diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate.effects)
-    names.push_back(label(at));
+    names.push_back(at.label());
   std::sort(names.begin(), names.end());
   return names;
 }
@@ -77,14 +77,15 @@ std::vector<std::string> said(const Diagnosis& diagnosis) {
 }  // namespace
 
 TEST_CASE("a nominal experiment with a mis-declared sigma has no gap") {
-  const Diagnosis diagnosis = diagnose(measured(bench(), {}, {}, 1, 1.4));
+  const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(measured(bench(), {}, {}, 1, 1.4)));
   CHECK_FALSE(diagnosis.gap.present);
   CHECK(diagnosis.cause.verdict == CauseVerdict::none);
 }
 
 TEST_CASE(
     "one cause is identified, with its joint, its parameter within bounds, and the shrink at the noise") {
-  const Diagnosis diagnosis = diagnose(measured(bench(), {{{EffectId::backlash, 2}}}, {0.04}, 2));
+  const Diagnosis diagnosis =
+      plumbline::diagnose::diagnose(Study(measured(bench(), {{{"backlash", 2}}}, {0.04}, 2)));
   CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
   CHECK(said(diagnosis) == std::vector<std::string>{"backlash(2)"});
   const Estimate& b = diagnosis.estimates.at(0).at(0);
@@ -97,20 +98,21 @@ TEST_CASE(
 }
 
 TEST_CASE("two causes at once are both named") {
-  const Diagnosis diagnosis = diagnose(
-      measured(bench(), {{{EffectId::joint_friction, 0}, {EffectId::joint_stiffness, 1}}}, {0.03, 0.3}, 3));
+  const Diagnosis diagnosis = plumbline::diagnose::diagnose(
+      Study(measured(bench(), {{{"joint_friction", 0}, {"joint_stiffness", 1}}}, {0.03, 0.3}, 3)));
   CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
   CHECK(said(diagnosis) == std::vector<std::string>{"joint_friction", "joint_stiffness(1)"});
 }
 
 TEST_CASE("what no run can separate is one class") {
-  const Diagnosis diagnosis = diagnose(measured(bench(), {{{EffectId::train_compliance, 0}}}, {0.002}, 4));
+  const Diagnosis diagnosis =
+      plumbline::diagnose::diagnose(Study(measured(bench(), {{{"train_compliance", 0}}}, {0.002}, 4)));
   CHECK(diagnosis.cause.verdict == CauseVerdict::ambiguous);
   CHECK(diagnosis.cause.equivalent.size() == 1);
   const auto& other = diagnosis.cause.ranking[diagnosis.cause.equivalent.front()].hypothesis.fit.candidate;
   const auto names = said(diagnosis);
-  CHECK(((names.front() == "train_compliance" && label(other.effects.front()) == "base_compliance") ||
-         (names.front() == "base_compliance" && label(other.effects.front()) == "train_compliance")));
+  CHECK(((names.front() == "train_compliance" && other.effects.front().label() == "base_compliance") ||
+         (names.front() == "base_compliance" && other.effects.front().label() == "train_compliance")));
 }
 
 TEST_CASE("a cause that the run held out alone shows is found, and nothing is claimed to shrink") {
@@ -120,13 +122,14 @@ TEST_CASE("a cause that the run held out alone shows is found, and nothing is cl
   Run& last = experiment.runs.back();
   const Reading start = last.readings.front();
   for (Reading& reading : last.readings) reading.x = start.x + 1.6 * (reading.x - start.x);
-  const Prediction nominal = predict(experiment, {}, {});
+  const Prediction nominal = predict(Study(experiment), {}, {});
   std::array<double, 4> reach{};
   for (std::size_t r = 0; r < 4; ++r)
     reach[r] = (nominal.runs[r].col(column_q + 2) - experiment.runs[r].rest[2]).abs().maxCoeff();
   REQUIRE(*std::max_element(reach.begin(), reach.end()) == reach[3]);
   const double stop = (reach[3] + *std::max_element(reach.begin(), reach.begin() + 3)) / 2;
-  const Diagnosis diagnosis = diagnose(measured(experiment, {{{EffectId::joint_stop, 3}}}, {stop, 20}, 8));
+  const Diagnosis diagnosis =
+      plumbline::diagnose::diagnose(Study(measured(experiment, {{{"joint_stop", 3}}}, {stop, 20}, 8)));
   CHECK(diagnosis.shrink->heldout == std::vector<std::string>{"z-again"});
   CHECK(said(diagnosis) == std::vector<std::string>{"joint_stop(3)"});
   CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
@@ -134,7 +137,8 @@ TEST_CASE("a cause that the run held out alone shows is found, and nothing is cl
 }
 
 TEST_CASE("probabilities of all that is ranked and of the unknown sum to one") {
-  const Diagnosis diagnosis = diagnose(measured(bench(), {{{EffectId::force_gain, 0}}}, {0.1}, 6));
+  const Diagnosis diagnosis =
+      plumbline::diagnose::diagnose(Study(measured(bench(), {{{"force_gain", 0}}}, {0.1}, 6)));
   double sum = diagnosis.cause.unknown;
   for (const Ranked& one : diagnosis.cause.ranking) sum += one.probability;
   CHECK(sum == doctest::Approx(1));
@@ -142,20 +146,20 @@ TEST_CASE("probabilities of all that is ranked and of the unknown sum to one") {
 
 TEST_CASE("the next run is proposed on request where the cause is clear") {
   // So weak that the second best is not out of sight.
-  const Experiment experiment = measured(bench(), {{{EffectId::joint_coupling, 0}}}, {0.006}, 2);
-  const Diagnosis plain = diagnose(experiment);
+  const Experiment experiment = measured(bench(), {{{"joint_coupling", 0}}}, {0.006}, 2);
+  const Diagnosis plain = plumbline::diagnose::diagnose(Study(experiment));
   REQUIRE(plain.cause.verdict == CauseVerdict::identified);
   REQUIRE(plain.cause.ranking.size() > 1);
   CHECK(plain.proposals.empty());
-  CHECK_FALSE(diagnose(experiment, {}, true).proposals.empty());
+  CHECK_FALSE(plumbline::diagnose::diagnose(Study(experiment), {}, true).proposals.empty());
 }
 
 TEST_CASE("a joint whose spring does what no effect does is unknown, and the joint is named") {
   // The spring of joint 2 loses a tenth of its torque beyond a deflection, and regains it: a ripple of its
   // own.
   Experiment experiment = bench();
-  const Prediction nominal = predict(experiment, {}, {});
-  const Prediction bent = predict(experiment, {{{EffectId::rest_angle, 2}}}, {0.0}, true);
+  const Prediction nominal = predict(Study(experiment), {}, {});
+  const Prediction bent = predict(Study(experiment), {{{"rest_angle", 2}}}, {0.0}, true);
   experiment = measured(experiment, {}, {}, 5);
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i) {
@@ -168,7 +172,7 @@ TEST_CASE("a joint whose spring does what no effect does is unknown, and the joi
         reading.q[j] += ripple * bent.sensitivity[0][r](row, column_q + static_cast<Eigen::Index>(j));
     }
   }
-  const Diagnosis diagnosis = diagnose(experiment);
+  const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(experiment));
   CHECK(diagnosis.cause.verdict == CauseVerdict::unknown);
   CHECK(diagnosis.where.joints.front().joint == 2);
   REQUIRE(diagnosis.missing);
@@ -180,7 +184,7 @@ TEST_CASE("a joint whose spring does what no effect does is unknown, and the joi
 
 TEST_CASE("the report as JSON holds what its format asks for") {
   const nlohmann::ordered_json json =
-      as_json(diagnose(measured(bench(), {{{EffectId::force_gain, 0}}}, {0.1}, 6)));
+      as_json(plumbline::diagnose::diagnose(Study(measured(bench(), {{{"force_gain", 0}}}, {0.1}, 6))));
   CHECK(json["format"] == "gap-diagnosis/1");
   CHECK(json["gap"]["present"] == true);
   CHECK(json["cause"]["verdict"] == "identified");
@@ -192,5 +196,5 @@ TEST_CASE("the report as JSON holds what its format asks for") {
     CHECK(sum == doctest::Approx(1));
   }
   CHECK(json["shrink"]["ratio"].get<double>() < 0.5);
-  CHECK_FALSE(as_text(diagnose(measured(bench(), {}, {}, 7))).empty());
+  CHECK_FALSE(as_text(plumbline::diagnose::diagnose(Study(measured(bench(), {}, {}, 7)))).empty());
 }

@@ -9,21 +9,21 @@
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
-using namespace plumbline::test;
+using namespace plumbline::diagnose::test;
 
 TEST_CASE("a fit finds every effect that was put in, within five of its standard deviations") {
   const Experiment bench = full_bench();
-  for (const EffectAt& at : possible_effects(bench)) {
-    CAPTURE(effect_name(at.effect));
+  for (const EffectAt& at : possible_effects(Study(bench))) {
+    CAPTURE(at.effect->id);
     CAPTURE(at.joint);
-    const std::vector<ParameterRange> ranges = parameter_ranges(bench, at);
+    const std::vector<ParameterRange> ranges = Study(bench).ranges(at);
     std::vector<double> truth;
     for (const ParameterRange& range : ranges) truth.push_back(0.6 * range.scale);
-    if (at.effect == EffectId::joint_stop) truth = {0.08, 2.0};
-    if (at.effect == EffectId::viscoelasticity) truth = {0.3, std::log(7.0)};
+    if (at.effect == &effect("joint_stop")) truth = {0.08, 2.0};
+    if (at.effect == &effect("viscoelasticity")) truth = {0.3, std::log(7.0)};
     const Experiment experiment = measured(bench, {{at}}, truth, 7);
     const Measurements measurements(experiment);
-    const Fit fitted = fit(experiment, measurements, {{at}}, {});
+    const Fit fitted = fit(Study(experiment), {{at}}, {});
     REQUIRE(fitted.converged);
     // The chi-square of N values scatters by sqrt(2 N).
     const double values = static_cast<double>(measurements.size());
@@ -39,18 +39,18 @@ TEST_CASE("a fit finds every effect that was put in, within five of its standard
 
 TEST_CASE("two percent of outliers move a fit by less than its bounds") {
   const std::vector<double> truth{0.12};
-  const Experiment experiment = measured(full_bench(), only(EffectId::joint_stiffness, 2), truth, 3, 50);
+  const Experiment experiment = measured(full_bench(), only("joint_stiffness", 2), truth, 3, 50);
   const Measurements measurements(experiment);
-  const Fit fitted = fit(experiment, measurements, only(EffectId::joint_stiffness, 2), {});
+  const Fit fitted = fit(Study(experiment), only("joint_stiffness", 2), {});
   REQUIRE(fitted.converged);
   CHECK(std::abs(fitted.parameters[0] - truth[0]) < 4 * std::sqrt(fitted.covariance(0, 0)));
 }
 
 TEST_CASE("a parameter that wants to go where it cannot stays at its bound and says so") {
   // Negative friction fits noise as well as none; a load cell that reads low cannot be friction at all.
-  const Experiment experiment = measured(full_bench(), only(EffectId::guide_friction), {-0.2}, 5);
+  const Experiment experiment = measured(full_bench(), only("guide_friction"), {-0.2}, 5);
   const Measurements measurements(experiment);
-  const Fit fitted = fit(experiment, measurements, only(EffectId::guide_friction), {});
+  const Fit fitted = fit(Study(experiment), only("guide_friction"), {});
   REQUIRE(fitted.converged);
   CHECK(fitted.parameters[0] == doctest::Approx(0));
   CHECK(fitted.at_bound[0]);
@@ -60,33 +60,33 @@ TEST_CASE("a parameter that wants to go where it cannot stays at its bound and s
 TEST_CASE("what the runs never reach carries no information") {
   const Experiment experiment = measured(full_bench(), {}, {}, 11);
   const Measurements measurements(experiment);
-  const Fit fitted = fit_from(experiment, measurements, only(EffectId::joint_stop, 1), {}, {2.5, 1.0});
+  const Fit fitted = fit_from(Study(experiment), only("joint_stop", 1), {}, {2.5, 1.0});
   REQUIRE(fitted.converged);
   CHECK(fitted.information(0) == 0);
   CHECK(fitted.information(1) == 0);
 }
 
 TEST_CASE("profile bounds of a nearly linear parameter are 1.96 standard deviations") {
-  const Experiment experiment = measured(full_bench(), only(EffectId::force_gain), {0.05}, 13);
+  const Experiment experiment = measured(full_bench(), only("force_gain"), {0.05}, 13);
   const Measurements measurements(experiment);
-  const Fit fitted = fit(experiment, measurements, only(EffectId::force_gain), {});
+  const Fit fitted = fit(Study(experiment), only("force_gain"), {});
   const double sigma = std::sqrt(fitted.covariance(0, 0));
-  const Profile bounds = profile(experiment, measurements, fitted, 0, {}, 1.96 * 1.96);
+  const Profile bounds = profile(Study(experiment), fitted, 0, {}, 1.96 * 1.96);
   // Huber's loss is flatter than the square for three readings in a thousand.
   CHECK(bounds.low == doctest::Approx(fitted.parameters[0] - 1.96 * sigma).epsilon(0.02 * sigma));
   CHECK(bounds.high == doctest::Approx(fitted.parameters[0] + 1.96 * sigma).epsilon(0.02 * sigma));
 }
 
 TEST_CASE("profile bounds hold the others free: friction beside a stiffness error") {
-  const Candidate both{{{EffectId::joint_friction}, {EffectId::joint_stiffness, 1}}};
+  const Candidate both{{{"joint_friction"}, {"joint_stiffness", 1}}};
   const Experiment experiment = measured(full_bench(), both, {0.01, 0.1}, 17);
   const Measurements measurements(experiment);
-  const Fit alone = fit(experiment, measurements, only(EffectId::joint_stiffness, 1), {});
-  const Fit fitted = refit_with(experiment, measurements, alone, {EffectId::joint_friction}, {});
+  const Fit alone = fit(Study(experiment), only("joint_stiffness", 1), {});
+  const Fit fitted = refit_with(Study(experiment), alone, {"joint_friction"}, {});
   REQUIRE(fitted.converged);
   CHECK(fitted.cost < alone.cost);
   for (std::size_t p : {0U, 1U}) {
-    const Profile bounds = profile(experiment, measurements, fitted, p, {}, 16);  // four standard deviations
+    const Profile bounds = profile(Study(experiment), fitted, p, {}, 16);  // four standard deviations
     const double truth = p == 0 ? 0.1 : 0.01;
     CHECK(bounds.low < truth);
     CHECK(bounds.high > truth);
@@ -94,7 +94,7 @@ TEST_CASE("profile bounds hold the others free: friction beside a stiffness erro
 }
 
 TEST_CASE("values that are not visible do not weigh") {
-  const Experiment experiment = measured(full_bench(), only(EffectId::rest_angle, 1), {0.03}, 19);
+  const Experiment experiment = measured(full_bench(), only("rest_angle", 1), {0.03}, 19);
   const Measurements measurements(experiment);
   FitSettings settings;
   settings.visible.assign(measurements.size(), true);
@@ -102,8 +102,8 @@ TEST_CASE("values that are not visible do not weigh") {
     for (std::size_t i = 0; series.run == 0 && i < series.readings.size(); ++i)
       settings.visible[series.first + i] = false;
   }
-  const Fit full = fit(experiment, measurements, only(EffectId::rest_angle, 1), {});
-  const Fit some = fit(experiment, measurements, only(EffectId::rest_angle, 1), settings);
+  const Fit full = fit(Study(experiment), only("rest_angle", 1), {});
+  const Fit some = fit(Study(experiment), only("rest_angle", 1), settings);
   CHECK(some.cost < full.cost);
   CHECK(some.covariance(0, 0) > full.covariance(0, 0));
   CHECK(some.residual.size() == measurements.size());
@@ -111,9 +111,9 @@ TEST_CASE("values that are not visible do not weigh") {
 
 TEST_CASE("starts lie within the physical bounds") {
   const Experiment experiment = full_bench();
-  for (const EffectAt& at : possible_effects(experiment)) {
-    const std::vector<ParameterRange> ranges = parameter_ranges(experiment, at);
-    const Starts known = starts(experiment, at);
+  for (const EffectAt& at : possible_effects(Study(experiment))) {
+    const std::vector<ParameterRange> ranges = Study(experiment).ranges(at);
+    const Starts known = starts(Study(experiment), at);
     REQUIRE_FALSE(known.from.empty());
     for (const std::vector<double>& start : known.from) {
       REQUIRE(start.size() == ranges.size());

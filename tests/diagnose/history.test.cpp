@@ -1,4 +1,4 @@
-#include "diagnose/model/history.hpp"
+#include "diagnose/model/study.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
-using namespace plumbline::test;
+using namespace plumbline::diagnose::test;
 
 namespace {
 
@@ -69,30 +69,20 @@ constexpr double exact = 1e-9;
 
 /// A value of each parameter that is clearly felt on the full bench.
 std::vector<double> sizeable(const Experiment& experiment, const EffectAt& at) {
-  if (at.effect == EffectId::joint_stop) return {0.05, 1.0};
-  if (at.effect == EffectId::viscoelasticity) return {0.3, std::log(7.0)};
+  if (at.effect == &effect("joint_stop")) return {0.05, 1.0};
+  if (at.effect == &effect("viscoelasticity")) return {0.3, std::log(7.0)};
   std::vector<double> values;
-  for (const ParameterRange& range : parameter_ranges(experiment, at)) values.push_back(0.5 * range.scale);
+  for (const ParameterRange& range : Study(experiment).ranges(at)) values.push_back(0.5 * range.scale);
   return values;
 }
 
 /// The same effect with nothing of it.
 std::vector<double> nothing(const EffectAt& at) {
-  switch (at.effect) {
-    case EffectId::joint_stop:
-      return {10, 1.0};
-    case EffectId::viscoelasticity:
-      return {0, std::log(7.0)};
-    case EffectId::base_compliance:
-    case EffectId::force_bias:
-    case EffectId::position_offset:
-    case EffectId::sensor_drift:
-      return {0, 0};
-    case EffectId::link_bending:
-      return {3e-6};  // EI a million times k L: the links bend by a millionth of what the joints do
-    default:
-      return {0};
-  }
+  if (at.effect == &effect("joint_stop")) return {10, 1.0};
+  if (at.effect == &effect("viscoelasticity")) return {0, std::log(7.0)};
+  // EI a million times k L: the links bend by a millionth of what the joints do
+  if (at.effect == &effect("link_bending")) return {3e-6};
+  return std::vector<double>(Study(full_bench()).ranges(at).size(), 0.0);
 }
 
 double largest_difference(const Prediction& a, const Prediction& b) {
@@ -106,7 +96,7 @@ double largest_difference(const Prediction& a, const Prediction& b) {
 
 TEST_CASE("the nominal model balances k_i (q_i - rest_i) = [J^T F]_i and ends where it is told") {
   const Experiment experiment = full_bench();
-  const Prediction predicted = predict(experiment, {}, {});
+  const Prediction predicted = predict(Study(experiment), {}, {});
   each_reading(experiment, predicted, [&](const Shape& shape, const auto& rest, auto run, auto reading) {
     for (std::size_t i = 0; i < 3; ++i) {
       CHECK(experiment.joint_stiffness[i] * (shape.q[i] - rest[i]) ==
@@ -123,16 +113,16 @@ TEST_CASE("the nominal model balances k_i (q_i - rest_i) = [J^T F]_i and ends wh
 
 TEST_CASE("nothing of an effect is the nominal model, some of it is not") {
   const Experiment experiment = full_bench();
-  const Prediction nominal = predict(experiment, {}, {});
-  const auto possible = possible_effects(experiment);
-  CHECK(possible.size() == effect_count + 5 * 2);  // five effects sit at one of three joints
+  const Prediction nominal = predict(Study(experiment), {}, {});
+  const auto possible = possible_effects(Study(experiment));
+  CHECK(possible.size() == catalogue().size() + 5 * 2);  // five effects sit at one of three joints
   for (const EffectAt& at : possible) {
-    CAPTURE(effect_name(at.effect));
+    CAPTURE(at.effect->id);
     CAPTURE(at.joint);
-    const Prediction none = predict(experiment, {{at}}, nothing(at));
+    const Prediction none = predict(Study(experiment), {{at}}, nothing(at));
     REQUIRE(none.reached);
-    CHECK(largest_difference(none, nominal) < (at.effect == EffectId::link_bending ? 1e-4 : 1e-7));
-    const Prediction some = predict(experiment, {{at}}, sizeable(experiment, at));
+    CHECK(largest_difference(none, nominal) < (at.effect == &effect("link_bending") ? 1e-4 : 1e-7));
+    const Prediction some = predict(Study(experiment), {{at}}, sizeable(experiment, at));
     REQUIRE(some.reached);
     CHECK(largest_difference(some, nominal) > 1e-4);
   }
@@ -140,19 +130,20 @@ TEST_CASE("nothing of an effect is the nominal model, some of it is not") {
 
 TEST_CASE("sensitivities are the derivatives of the prediction, history included") {
   const Experiment experiment = full_bench();
-  for (const EffectAt& at : possible_effects(experiment)) {
-    CAPTURE(effect_name(at.effect));
+  for (const EffectAt& at : possible_effects(Study(experiment))) {
+    CAPTURE(at.effect->id);
     CAPTURE(at.joint);
     const std::vector<double> value = sizeable(experiment, at);
-    const std::vector<ParameterRange> ranges = parameter_ranges(experiment, at);
-    const Prediction predicted = predict(experiment, {{at}}, value, true);
+    const std::vector<ParameterRange> ranges = Study(experiment).ranges(at);
+    const Prediction predicted = predict(Study(experiment), {{at}}, value, true);
     REQUIRE(predicted.reached);
     for (std::size_t p = 0; p < value.size(); ++p) {
       const double step = 1e-4 * ranges[p].scale;
       std::vector<double> up = value, down = value;
       up[p] += step;
       down[p] -= step;
-      const Prediction above = predict(experiment, {{at}}, up), below = predict(experiment, {{at}}, down);
+      const Prediction above = predict(Study(experiment), {{at}}, up),
+                       below = predict(Study(experiment), {{at}}, down);
       for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
         const Trace quotient = (above.runs[r] - below.runs[r]) / (2 * step);
         // The forward step of the sensitivities errs by 1e-6 of the curvature over a scale; a kink (a joint
@@ -171,35 +162,35 @@ TEST_CASE("joint effects balance as their definitions say") {
   const std::vector<double>& k = experiment.joint_stiffness;
   const auto torque = [](double value) { return doctest::Approx(value).epsilon(1e-8).scale(1); };
 
-  each_reading(experiment, predict(experiment, only(EffectId::joint_stiffness, 2), {0.3}),
+  each_reading(experiment, predict(Study(experiment), only("joint_stiffness", 2), {0.3}),
                [&](const Shape& shape, const auto& rest, auto, auto) {
                  CHECK(k[1] * 1.3 * (shape.q[1] - rest[1]) == torque(shape.moment(1)));
                  CHECK(k[2] * (shape.q[2] - rest[2]) == torque(shape.moment(2)));
                });
-  each_reading(experiment, predict(experiment, only(EffectId::rest_angle, 3), {0.07}),
+  each_reading(experiment, predict(Study(experiment), only("rest_angle", 3), {0.07}),
                [&](const Shape& shape, const auto& rest, auto, auto) {
                  CHECK(k[2] * (shape.q[2] - rest[2] - 0.07) == torque(shape.moment(2)));
                });
-  each_reading(experiment, predict(experiment, only(EffectId::nonlinear_spring), {1.7}),
+  each_reading(experiment, predict(Study(experiment), only("nonlinear_spring"), {1.7}),
                [&](const Shape& shape, const auto& rest, auto, auto) {
                  for (std::size_t i = 0; i < 3; ++i) {
                    const double d = shape.q[i] - rest[i];
                    CHECK(k[i] * d * (1 + 1.7 * d * d) == torque(shape.moment(i)));
                  }
                });
-  each_reading(experiment, predict(experiment, only(EffectId::backlash, 1), {0.05}),
+  each_reading(experiment, predict(Study(experiment), only("backlash", 1), {0.05}),
                [&](const Shape& shape, const auto& rest, auto, auto) {
                  const double d = shape.q[0] - rest[0];
                  const double engaged = std::max(0.0, std::abs(d) - 0.05);
                  CHECK(std::copysign(k[0] * engaged, d) == torque(shape.moment(0)));
                });
-  each_reading(experiment, predict(experiment, only(EffectId::joint_stop, 2), {0.1, 4.0}),
+  each_reading(experiment, predict(Study(experiment), only("joint_stop", 2), {0.1, 4.0}),
                [&](const Shape& shape, const auto& rest, auto, auto) {
                  const double d = shape.q[1] - rest[1];
                  const double excess = std::max(0.0, std::abs(d) - 0.1);
                  CHECK(k[1] * d + std::copysign(4.0 * excess, d) == torque(shape.moment(1)));
                });
-  each_reading(experiment, predict(experiment, only(EffectId::joint_coupling), {0.4}),
+  each_reading(experiment, predict(Study(experiment), only("joint_coupling"), {0.4}),
                [&](const Shape& shape, const auto& rest, auto, auto) {
                  const auto d = [&](std::size_t i) { return shape.q[i] - rest[i]; };
                  CHECK(k[0] * d(0) - 0.4 * d(1) == torque(shape.moment(0)));
@@ -213,7 +204,7 @@ TEST_CASE("weights, an eccentric load and a held tip balance as their definition
   const std::vector<double>&k = experiment.joint_stiffness, &length = experiment.link_length;
   const auto torque = [](double value) { return doctest::Approx(value).epsilon(1e-8).scale(1); };
 
-  each_reading(experiment, predict(experiment, only(EffectId::gravity), {0.8}),
+  each_reading(experiment, predict(Study(experiment), only("gravity"), {0.8}),
                [&](const Shape& shape, const auto& rest, auto, auto) {
                  for (std::size_t i = 0; i < 3; ++i) {
                    double moment = shape.moment(i);
@@ -222,21 +213,21 @@ TEST_CASE("weights, an eccentric load and a held tip balance as their definition
                    CHECK(k[i] * (shape.q[i] - rest[i]) == torque(moment));
                  }
                });
-  each_reading(experiment, predict(experiment, only(EffectId::tip_payload), {0.6}),
+  each_reading(experiment, predict(Study(experiment), only("tip_payload"), {0.6}),
                [&](const Shape& shape, const auto& rest, auto, auto) {
                  for (std::size_t i = 0; i < 3; ++i) {
                    const double moment = shape.moment(i) + shape.moment(i, shape.joint.back(), {0, -0.6});
                    CHECK(k[i] * (shape.q[i] - rest[i]) == torque(moment));
                  }
                });
-  each_reading(experiment, predict(experiment, only(EffectId::eccentric_load), {0.02}),
+  each_reading(experiment, predict(Study(experiment), only("eccentric_load"), {0.02}),
                [&](const Shape& shape, const auto& rest, auto, auto) {
                  const double theta = shape.orientation(2);
                  const double extra = 0.02 * cross({-std::sin(theta), std::cos(theta)}, shape.force);
                  for (std::size_t i = 0; i < 3; ++i)
                    CHECK(k[i] * (shape.q[i] - rest[i]) == torque(shape.moment(i) + extra));
                });
-  each_reading(experiment, predict(experiment, only(EffectId::tip_stiffness), {0.5}),
+  each_reading(experiment, predict(Study(experiment), only("tip_stiffness"), {0.5}),
                [&](const Shape& shape, const auto& rest, auto, auto) {
                  const double turned = shape.orientation(2) - (rest[0] + rest[1] + rest[2]);
                  for (std::size_t i = 0; i < 3; ++i)
@@ -251,7 +242,7 @@ TEST_CASE("compliances move the end point as their definitions say") {
     return experiment.runs[run].control == ControlMode::displacement;
   };
 
-  each_reading(experiment, predict(experiment, only(EffectId::link_length, 2), {0.02}),
+  each_reading(experiment, predict(Study(experiment), only("link_length", 2), {0.02}),
                [&](const Shape& shape, const auto&, auto run, auto reading) {
                  if (!imposed(run)) return;
                  const double extra = 0.02 * experiment.link_length[1];
@@ -259,20 +250,20 @@ TEST_CASE("compliances move the end point as their definitions say") {
                  CHECK(shape.joint.back()[0] + extra * std::cos(theta) ==
                        place(experiment.runs[run].readings[reading].x));
                });
-  const Prediction base = predict(experiment, only(EffectId::base_compliance), {1e-3, 2e-3});
+  const Prediction base = predict(Study(experiment), only("base_compliance"), {1e-3, 2e-3});
   each_reading(experiment, base, [&](const Shape& shape, const auto&, auto run, auto reading) {
     const double x = base.runs[run](static_cast<Eigen::Index>(reading), column_x);
     const double y = base.runs[run](static_cast<Eigen::Index>(reading), column_y);
     CHECK(shape.joint.back()[0] + 1e-3 * shape.force[0] == place(x));
     CHECK(shape.joint.back()[1] + 2e-3 * shape.force[1] == place(y));
   });
-  each_reading(experiment, predict(experiment, only(EffectId::train_compliance), {1e-3}),
+  each_reading(experiment, predict(Study(experiment), only("train_compliance"), {1e-3}),
                [&](const Shape& shape, const auto&, auto run, auto reading) {
                  if (!imposed(run)) return;
                  CHECK(shape.joint.back()[0] ==
                        place(experiment.runs[run].readings[reading].x - 1e-3 * shape.force[0]));
                });
-  const Prediction axial = predict(experiment, only(EffectId::axial_compliance), {2e-3});
+  const Prediction axial = predict(Study(experiment), only("axial_compliance"), {2e-3});
   each_reading(experiment, axial, [&](const Shape& shape, const auto&, auto run, auto reading) {
     Point end{0, 0};
     for (std::size_t j = 0; j < 3; ++j) {
@@ -288,29 +279,29 @@ TEST_CASE("compliances move the end point as their definitions say") {
 TEST_CASE("base and train compliance are one and the same when only x moves and only Fx is let yield") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
-  const Prediction base = predict(experiment, only(EffectId::base_compliance), {1e-3, 0});
-  const Prediction train = predict(experiment, only(EffectId::train_compliance), {1e-3});
+  const Prediction base = predict(Study(experiment), only("base_compliance"), {1e-3, 0});
+  const Prediction train = predict(Study(experiment), only("train_compliance"), {1e-3});
   CHECK(largest_difference(base, train) < 1e-9);
 }
 
 TEST_CASE("rig and load-cell effects act on what is commanded and on what is read") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0.01}, 10, true);
-  const Trace nominal = predict(experiment, {}, {}).runs[0];
-  const auto force = [&](EffectId effect, std::vector<double> parameters, Eigen::Index row) {
-    const Trace trace = predict(experiment, only(effect), parameters).runs[0];
+  const Trace nominal = predict(Study(experiment), {}, {}).runs[0];
+  const auto force = [&](const char* id, std::vector<double> parameters, Eigen::Index row) {
+    const Trace trace = predict(Study(experiment), only(id), parameters).runs[0];
     return Point{trace(row, column_Fx), trace(row, column_Fy)};
   };
   const Eigen::Index loading = 4, unloading = 14;
   const auto fx = [&](Eigen::Index row) { return nominal(row, column_Fx); };
   const auto fy = [&](Eigen::Index row) { return nominal(row, column_Fy); };
-  CHECK(force(EffectId::force_bias, {0.3, -0.2}, 4)[0] == doctest::Approx(fx(4) + 0.3));
-  CHECK(force(EffectId::force_bias, {0.3, -0.2}, 4)[1] == doctest::Approx(fy(4) - 0.2));
-  CHECK(force(EffectId::force_gain, {0.1}, 7)[0] == doctest::Approx(1.1 * fx(7)));
-  CHECK(force(EffectId::sensor_drift, {0.01, 0.02}, 7)[1] == doctest::Approx(fy(7) + 0.02 * 7));
-  CHECK(force(EffectId::guide_friction, {0.5}, 0)[0] == doctest::Approx(fx(0)).scale(1));
-  CHECK(force(EffectId::guide_friction, {0.5}, loading)[0] == doctest::Approx(fx(loading) - 0.5));
-  CHECK(force(EffectId::guide_friction, {0.5}, unloading)[0] == doctest::Approx(fx(unloading) + 0.5));
+  CHECK(force("force_bias", {0.3, -0.2}, 4)[0] == doctest::Approx(fx(4) + 0.3));
+  CHECK(force("force_bias", {0.3, -0.2}, 4)[1] == doctest::Approx(fy(4) - 0.2));
+  CHECK(force("force_gain", {0.1}, 7)[0] == doctest::Approx(1.1 * fx(7)));
+  CHECK(force("sensor_drift", {0.01, 0.02}, 7)[1] == doctest::Approx(fy(7) + 0.02 * 7));
+  CHECK(force("guide_friction", {0.5}, 0)[0] == doctest::Approx(fx(0)).scale(1));
+  CHECK(force("guide_friction", {0.5}, loading)[0] == doctest::Approx(fx(loading) - 0.5));
+  CHECK(force("guide_friction", {0.5}, unloading)[0] == doctest::Approx(fx(unloading) + 0.5));
 
   // A rail that is turned: the same chain, pressed along the turned line, its force read in turned axes.
   const double eps = 0.1;
@@ -321,8 +312,8 @@ TEST_CASE("rig and load-cell effects act on what is commanded and on what is rea
     reading.x = start.x + std::cos(eps) * dx - std::sin(eps) * dy;
     reading.y = start.y + std::sin(eps) * dx + std::cos(eps) * dy;
   }
-  const Trace along = predict(turned, {}, {}).runs[0];
-  const Point read = force(EffectId::rail_misalignment, {eps}, 6);
+  const Trace along = predict(Study(turned), {}, {}).runs[0];
+  const Point read = force("rail_misalignment", {eps}, 6);
   CHECK(read[0] ==
         doctest::Approx(std::cos(eps) * along(6, column_Fx) + std::sin(eps) * along(6, column_Fy)));
   CHECK(read[1] ==
@@ -333,14 +324,14 @@ TEST_CASE("rig and load-cell effects act on what is commanded and on what is rea
     reading.x += 0.002;
     reading.y -= 0.001;
   }
-  const Point offset = force(EffectId::position_offset, {0.002, -0.001}, 6);
-  CHECK(offset[0] == doctest::Approx(predict(shifted, {}, {}).runs[0](6, column_Fx)));
+  const Point offset = force("position_offset", {0.002, -0.001}, 6);
+  CHECK(offset[0] == doctest::Approx(predict(Study(shifted), {}, {}).runs[0](6, column_Fx)));
 }
 
 TEST_CASE("the guide friction of a run that was brought to its first reading acts there already") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 10, false);
   experiment.runs[0].readings.erase(experiment.runs[0].readings.begin());
-  const double with = predict(experiment, only(EffectId::guide_friction), {0.5}).runs[0](0, column_Fx);
-  CHECK(with == doctest::Approx(predict(experiment, {}, {}).runs[0](0, column_Fx) - 0.5));
+  const double with = predict(Study(experiment), only("guide_friction"), {0.5}).runs[0](0, column_Fx);
+  CHECK(with == doctest::Approx(predict(Study(experiment), {}, {}).runs[0](0, column_Fx) - 0.5));
 }

@@ -6,7 +6,7 @@
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
-using namespace plumbline::test;
+using namespace plumbline::diagnose::test;
 
 namespace {
 
@@ -25,26 +25,26 @@ Experiment presses() {
 std::size_t named_joint(const EffectAt& at, const std::vector<double>& parameters) {
   const Experiment experiment = measured(presses(), {{at}}, parameters, 7);
   const Measurements measurements(experiment);
-  const std::vector<double> residual = measurements.residual(experiment, predict(experiment, {}, {}));
-  return shares_by_torque_law(experiment, measurements, residual, NoiseModel()).front().joint;
+  const std::vector<double> residual = measurements.residual(experiment, predict(Study(experiment), {}, {}));
+  return shares_by_torque_law(Study(experiment), residual, NoiseModel()).front().joint;
 }
 
 }  // namespace
 
 TEST_CASE("the best torque law sits at the joint where the torque is missing") {
   for (const std::size_t joint : {1, 2, 3}) {
-    CHECK(named_joint({EffectId::joint_stiffness, joint}, {0.3}) == joint);
-    CHECK(named_joint({EffectId::backlash, joint}, {0.03}) == joint);
-    CHECK(named_joint({EffectId::joint_stop, joint}, {0.05, 3}) == joint);
+    CHECK(named_joint({"joint_stiffness", joint}, {0.3}) == joint);
+    CHECK(named_joint({"backlash", joint}, {0.03}) == joint);
+    CHECK(named_joint({"joint_stop", joint}, {0.05, 3}) == joint);
   }
 }
 
 TEST_CASE("a stiffer spring implies that torque is missing at its joint and nowhere else") {
   // The statics of the true rig are k_i d_i = [J^T F]_i but for k_2 (1 + a) d_2, so the nominal ones miss
   // a k_2 d_2 at joint 2 and nothing elsewhere.
-  const Experiment experiment = measured(presses(), {{{EffectId::joint_stiffness, 2}}}, {0.3}, 8);
-  const Fit found = fit(experiment, Measurements(experiment), {{{EffectId::joint_stiffness, 2}}}, {});
-  const std::vector<JointShare> shares = shares_by_fits(experiment, {found}, {1.0});
+  const Experiment experiment = measured(presses(), {{{"joint_stiffness", 2}}}, {0.3}, 8);
+  const Fit found = fit(Study(experiment), {{{"joint_stiffness", 2}}}, {});
+  const std::vector<JointShare> shares = shares_by_fits(Study(experiment), {found}, {1.0});
   CHECK(shares.front().joint == 2);
   // What is left elsewhere is the solver's tolerance, squared.
   CHECK(shares.front().share == doctest::Approx(1).epsilon(1e-9));

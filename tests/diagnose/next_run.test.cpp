@@ -9,7 +9,7 @@
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
-using namespace plumbline::test;
+using namespace plumbline::diagnose::test;
 
 namespace {
 
@@ -25,16 +25,16 @@ Experiment along_x() {
 
 TEST_CASE(
     "a weight at the tip and a tare error are one and the same until the rig is turned out of gravity") {
-  const Experiment experiment = measured(along_x(), only(EffectId::tip_payload), {0.3}, 37);
+  const Experiment experiment = measured(along_x(), only("tip_payload"), {0.3}, 37);
   const Measurements measurements(experiment);
-  const Fit payload = fit(experiment, measurements, only(EffectId::tip_payload), {});
-  const Fit bias = fit(experiment, measurements, only(EffectId::force_bias), {});
+  const Fit payload = fit(Study(experiment), only("tip_payload"), {});
+  const Fit bias = fit(Study(experiment), only("force_bias"), {});
   // The tare error imitates the weight exactly; the weight misses what noise gives b_x: one free parameter,
   // whose squared distance is a chi-square of one degree of freedom, below 11 in 999 of 1000 experiments.
   CHECK(separation(imitation(payload, bias)) < 1e-6);
   CHECK(separation(imitation(bias, payload)) < 11);
 
-  const std::vector<Proposal> proposals = next_runs(experiment, measurements, {payload, bias}, {}, 4);
+  const std::vector<Proposal> proposals = next_runs(Study(experiment), {payload, bias}, {}, 4);
   REQUIRE(proposals.size() == 4);
   for (const Proposal& one : proposals) {
     CHECK(one.out_of_gravity);
@@ -45,12 +45,11 @@ TEST_CASE(
 }
 
 TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
-  const Candidate truth = only(EffectId::rest_angle, 1), rival = only(EffectId::joint_stiffness, 2);
+  const Candidate truth = only("rest_angle", 1), rival = only("joint_stiffness", 2);
   const Experiment experiment = measured(along_x(), truth, {0.004}, 41);
   const Measurements measurements(experiment);
-  const Fit right = fit(experiment, measurements, truth, {}),
-            wrong = fit(experiment, measurements, rival, {});
-  const Proposal best = next_runs(experiment, measurements, {right, wrong}, {}, 1).at(0);
+  const Fit right = fit(Study(experiment), truth, {}), wrong = fit(Study(experiment), rival, {});
+  const Proposal best = next_runs(Study(experiment), {right, wrong}, {}, 1).at(0);
 
   Experiment longer = along_x();
   longer.runs.push_back(best.run);
@@ -60,8 +59,8 @@ TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
   constexpr unsigned repeats = 20;
   for (unsigned seed = 0; seed < repeats; ++seed) {
     const Experiment again = measured(longer, truth, {0.004}, 100 + seed);
-    const Measurements values(again);
-    sum += (fit(again, values, rival, {}).cost - fit(again, values, truth, {}).cost) / 2;
+    const Study study(again);
+    sum += (fit(study, rival, {}).cost - fit(study, truth, {}).cost) / 2;
   }
   const double lead = sum / repeats;
   CHECK(lead > best.log_odds_so_far);
@@ -69,17 +68,17 @@ TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
 }
 
 TEST_CASE("nothing is proposed that asks too much of the rig") {
-  const Experiment experiment = measured(along_x(), only(EffectId::force_gain), {0.05}, 43);
+  const Experiment experiment = measured(along_x(), only("force_gain"), {0.05}, 43);
   const Measurements measurements(experiment);
-  const Fit gain = fit(experiment, measurements, only(EffectId::force_gain), {});
-  const Fit stiff = fit(experiment, measurements, only(EffectId::joint_stiffness, 1), {});
+  const Fit gain = fit(Study(experiment), only("force_gain"), {});
+  const Fit stiff = fit(Study(experiment), only("joint_stiffness", 1), {});
   double force = 0, needed = 0;
-  for (const Trace& trace : predict(experiment, {}, {}).runs)
+  for (const Trace& trace : predict(Study(experiment), {}, {}).runs)
     force = std::max(force, trace.col(column_Fx).abs().maxCoeff());
-  for (const Proposal& one : next_runs(experiment, measurements, {gain, stiff}, {}, 1000)) {
+  for (const Proposal& one : next_runs(Study(experiment), {gain, stiff}, {}, 1000)) {
     Experiment bench = experiment;
     bench.runs = {one.run};
-    const Prediction predicted = predict(bench, gain.candidate, gain.parameters);
+    const Prediction predicted = predict(Study(bench), gain.candidate, gain.parameters);
     REQUIRE(predicted.reached);
     needed = std::max(needed, predicted.runs[0].col(column_Fx).abs().maxCoeff());
   }

@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "diagnose/model/history.hpp"
 #include "diagnose/model/measurement.hpp"
+#include "diagnose/model/study.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
-using namespace plumbline::test;
+using namespace plumbline::diagnose::test;
 
 namespace {
 
@@ -45,7 +45,7 @@ Experiment cycle() {
 
 TEST_CASE("without friction the work of the environment is stored") {
   const Experiment experiment = cycle();
-  const Trace trace = predict(experiment, {}, {}).runs[0];
+  const Trace trace = predict(Study(experiment), {}, {}).runs[0];
   const double stored = elastic_energy(experiment, trace, 400);
   CHECK(work(trace, 0, 400) == doctest::Approx(stored).epsilon(1e-4));
   CHECK(work(trace, 0, 800) == doctest::Approx(0).scale(stored).epsilon(1e-6));
@@ -54,7 +54,7 @@ TEST_CASE("without friction the work of the environment is stored") {
 TEST_CASE("dry friction dissipates tau_c times the way of every joint, and no joint carries more") {
   const Experiment experiment = cycle();
   const double tau_c = 0.03;
-  const Trace trace = predict(experiment, only(EffectId::joint_friction), {tau_c}).runs[0];
+  const Trace trace = predict(Study(experiment), only("joint_friction"), {tau_c}).runs[0];
   double way = 0, stuck = 0;
   for (Eigen::Index row = 1; row < trace.rows(); ++row) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -81,7 +81,7 @@ TEST_CASE("one joint under an imposed force sticks until tau_c and lags by it on
     experiment.runs[0].readings.push_back(back);
   }
   const double tau_c = 0.05;
-  const Trace trace = predict(experiment, only(EffectId::joint_friction), {tau_c}).runs[0];
+  const Trace trace = predict(Study(experiment), only("joint_friction"), {tau_c}).runs[0];
   for (Eigen::Index row = 0; row < trace.rows(); ++row) {
     const double q = angle(trace, row, 0);
     const double moment = 0.5 * std::cos(q) * trace(row, column_Fy);
@@ -102,7 +102,7 @@ TEST_CASE("a joint with play turns freely by b before it carries") {
   experiment.joint_stiffness = {2.0};
   experiment.link_mass = {0};
   load(experiment, {0.0}, {0, 0.01}, {0, 0.4}, 40);
-  const Trace trace = predict(experiment, only(EffectId::backlash, 1), {0.04}).runs[0];
+  const Trace trace = predict(Study(experiment), only("backlash", 1), {0.04}).runs[0];
   for (Eigen::Index row = 0; row < trace.rows(); ++row) {
     const double q = angle(trace, row, 0);
     CHECK(2.0 * (q - 0.04) == doctest::Approx(0.5 * std::cos(q) * trace(row, column_Fy)));
@@ -114,7 +114,7 @@ TEST_CASE("Maxwell arms stiffen a fast press by 1 + m and let a slow one go") {
   const auto first_force = [&](double interval, double share) {
     Experiment experiment = three_links();
     press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 1, false, interval);
-    return predict(experiment, only(EffectId::viscoelasticity), {m * share, std::log(tau)})
+    return predict(Study(experiment), only("viscoelasticity"), {m * share, std::log(tau)})
         .runs[0](1, column_Fx);
   };
   const double nominal = first_force(1, 0);
@@ -132,8 +132,8 @@ TEST_CASE("a held chain relaxes exponentially from 1 + m to the nominal force") 
     run.readings.back().t = 1e-6 + 5.0 * i;
   }
   const double m = 0.4, tau = 10;
-  const Trace trace = predict(experiment, only(EffectId::viscoelasticity), {m, std::log(tau)}).runs[0];
-  const double nominal = predict(experiment, {}, {}).runs[0](1, column_Fx);
+  const Trace trace = predict(Study(experiment), only("viscoelasticity"), {m, std::log(tau)}).runs[0];
+  const double nominal = predict(Study(experiment), {}, {}).runs[0](1, column_Fx);
   // All arms relax alike, so the force scales and the posture stays.
   for (Eigen::Index row = 1; row < trace.rows(); ++row) {
     const double held = 5.0 * static_cast<double>(row - 1);
@@ -148,7 +148,7 @@ TEST_CASE("a bending link is a cantilever: F L^3 / 3 EI beside the joint's F L^2
   experiment.link_mass = {0};
   load(experiment, {0.0}, {0, 0}, {0, 1e-4}, 1);
   const double rigidity = 0.8;
-  const Trace trace = predict(experiment, only(EffectId::link_bending), {1 / rigidity}).runs[0];
+  const Trace trace = predict(Study(experiment), only("link_bending"), {1 / rigidity}).runs[0];
   const double expected = 1e-4 * (std::pow(0.5, 3) / (3 * rigidity) + 0.5 * 0.5 / 2.0);
   CHECK(trace(1, column_y) == doctest::Approx(expected).epsilon(1e-6));
   CHECK(angle(trace, 1, 0) == doctest::Approx(1e-4 * 0.5 / 2.0).epsilon(1e-6));
@@ -161,7 +161,7 @@ TEST_CASE("a chain pushed over snaps to the other side and stays in balance") {
   experiment.link_mass = {0};
   // Compressed beyond its critical force k/L = 2 it rests on one side; the transverse force turns over.
   load(experiment, {0.02}, {-3, 0.5}, {-3, -1.5}, 20);
-  const Prediction predicted = predict(experiment, {}, {});
+  const Prediction predicted = predict(Study(experiment), {}, {});
   REQUIRE(predicted.reached);
   CHECK(predicted.snapped);
   const Trace& trace = predicted.runs[0];
@@ -183,7 +183,7 @@ TEST_CASE("a coarse step ends on the branch of the fine ones") {
     const auto pressed = [&](int steps) {
       Experiment experiment = three_links();
       press(experiment, rest, {-0.02, 0.002}, steps, false);
-      const Prediction predicted = predict(experiment, {}, {});
+      const Prediction predicted = predict(Study(experiment), {}, {});
       REQUIRE(predicted.reached);
       CHECK_FALSE(predicted.snapped);
       return Trace(predicted.runs[0].bottomRows(1));
@@ -201,7 +201,7 @@ TEST_CASE("dry joints that all slip at once find who sticks") {
   for (const double tau_c : {0.001, 0.003, 0.01, 0.03}) {
     experiment.runs.clear();
     press(experiment, {0.3865, -0.7614, -0.0433, 0.7876}, {0, 0.06}, 24, true);
-    const Prediction predicted = predict(experiment, only(EffectId::joint_friction), {tau_c});
+    const Prediction predicted = predict(Study(experiment), only("joint_friction"), {tau_c});
     REQUIRE(predicted.reached);
     const Trace& trace = predicted.runs[0];
     for (Eigen::Index row = 1; row < trace.rows(); ++row) {
@@ -223,7 +223,7 @@ TEST_CASE("an end point out of reach is said, not predicted") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {0.2, 0}, 4, false);
   press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 4, false);
-  const Prediction predicted = predict(experiment, {}, {}, true);
+  const Prediction predicted = predict(Study(experiment), {}, {}, true);
   CHECK_FALSE(predicted.reached);
   REQUIRE(predicted.runs.size() == 2);
   CHECK(predicted.runs[0].row(4).isNaN().all());
@@ -235,13 +235,10 @@ TEST_CASE("an end point out of reach is said, not predicted") {
 TEST_CASE("effects act together: friction, play, weight, compliance and a load cell in one balance") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0.01}, 20, true);
-  const Candidate all{{{EffectId::joint_friction},
-                       {EffectId::backlash, 2},
-                       {EffectId::tip_payload},
-                       {EffectId::axial_compliance},
-                       {EffectId::force_bias}}};
+  const Candidate all{
+      {{"joint_friction"}, {"backlash", 2}, {"tip_payload"}, {"axial_compliance"}, {"force_bias"}}};
   const std::vector<double> value{0.02, 0.03, 0.2, 1e-3, 0.1, -0.1};
-  const Prediction predicted = predict(experiment, all, value);
+  const Prediction predicted = predict(Study(experiment), all, value);
   REQUIRE(predicted.reached);
   const Trace& trace = predicted.runs[0];
   for (Eigen::Index row = 1; row < trace.rows(); ++row) {

@@ -8,37 +8,37 @@
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
-using namespace plumbline::test;
+using namespace plumbline::diagnose::test;
 
 TEST_CASE("the screen forecasts what a fit then finds, for an effect so small that it acts linearly") {
   const Experiment bench = full_bench();
-  for (const EffectAt& at : {EffectAt{EffectId::joint_stiffness, 2}, EffectAt{EffectId::gravity},
-                             EffectAt{EffectId::force_bias}, EffectAt{EffectId::axial_compliance}}) {
-    CAPTURE(effect_name(at.effect));
+  for (const EffectAt& at : {EffectAt{"joint_stiffness", 2}, EffectAt{"gravity"}, EffectAt{"force_bias"},
+                             EffectAt{"axial_compliance"}}) {
+    CAPTURE(at.effect->id);
     std::vector<double> truth;
-    for (const ParameterRange& range : parameter_ranges(bench, at)) truth.push_back(0.05 * range.scale);
+    for (const ParameterRange& range : Study(bench).ranges(at)) truth.push_back(0.05 * range.scale);
     const Experiment experiment = measured(bench, {{at}}, truth, 23);
     const Measurements measurements(experiment);
-    const Fit nominal = fit_nominal(experiment, measurements, {});
-    const std::vector<Prospect> prospects = screen(experiment, measurements, nominal, {});
-    CHECK(prospects.size() == possible_effects(experiment).size());
+    const Fit nominal = fit_nominal(Study(experiment), {});
+    const std::vector<Prospect> prospects = screen(Study(experiment), nominal, {});
+    CHECK(prospects.size() == possible_effects(Study(experiment)).size());
     const auto forecast = std::find_if(prospects.begin(), prospects.end(),
                                        [&](const Prospect& one) { return one.effect == at; });
     REQUIRE(forecast != prospects.end());
-    const Fit found = fit(experiment, measurements, {{at}}, {});
+    const Fit found = fit(Study(experiment), {{at}}, {});
     for (std::size_t p = 0; p < truth.size(); ++p)
       CHECK(forecast->start[p] == doctest::Approx(found.parameters[p]).epsilon(0.1));
   }
 }
 
 TEST_CASE("beside one of two causes the screen names the other first") {
-  const Candidate both{{{EffectId::joint_friction}, {EffectId::rest_angle, 3}}};
+  const Candidate both{{{"joint_friction"}, {"rest_angle", 3}}};
   const Experiment experiment = measured(full_bench(), both, {0.02, 0.05}, 29);
   const Measurements measurements(experiment);
   for (std::size_t known : {0U, 1U}) {
-    const Fit base = fit(experiment, measurements, {{both.effects[known]}}, {});
-    const std::vector<Prospect> prospects = screen(experiment, measurements, base, {});
-    CHECK(effect_name(prospects.front().effect.effect) == effect_name(both.effects[1 - known].effect));
+    const Fit base = fit(Study(experiment), {{both.effects[known]}}, {});
+    const std::vector<Prospect> prospects = screen(Study(experiment), base, {});
+    CHECK(prospects.front().effect.effect->id == both.effects[1 - known].effect->id);
     CHECK(prospects.front().effect.joint == both.effects[1 - known].joint);
   }
 }
@@ -47,10 +47,10 @@ TEST_CASE("an effect that the runs never exercised forecasts nothing") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {0, 0.03}, 20, false);  // x never moves: the guide never rubs
   const Experiment noisy = measured(experiment, {}, {}, 31);
-  const Measurements measurements(noisy);
-  const Fit nominal = fit_nominal(noisy, measurements, {});
-  for (const Prospect& one : screen(noisy, measurements, nominal, {})) {
-    if (one.effect.effect != EffectId::guide_friction) continue;
+  const Study study(noisy);
+  const Fit nominal = fit_nominal(study, {});
+  for (const Prospect& one : screen(study, nominal, {})) {
+    if (one.effect.effect != &effect("guide_friction")) continue;
     CHECK(one.cost == doctest::Approx(nominal.cost));
     CHECK(one.start.front() == 0);
   }

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "diagnose/bench/read_experiment.hpp"
-#include "diagnose/model/history.hpp"
 #include "diagnose/model/measurement.hpp"
+#include "diagnose/model/study.hpp"
 #include "simulator/write_experiment.hpp"
 #include "tests/folder.hpp"
 
@@ -23,7 +23,7 @@ Truth truth_of(const plumbline::trial::Label& label, const plumbline::diagnose::
   for (const auto& effect : label.effects) {
     const plumbline::diagnose::EffectAt at{plumbline::diagnose::effect_id(effect.id), effect.joint};
     truth.effects.effects.push_back(at);
-    const auto ranges = plumbline::diagnose::parameter_ranges(experiment, at);
+    const auto ranges = plumbline::diagnose::Study(experiment).ranges(at);
     for (std::size_t p = 0; p < ranges.size(); ++p)
       truth.parameters.push_back(
           plumbline::diagnose::fitted_value(ranges[p].coordinate, effect.parameters[p].second));
@@ -51,7 +51,7 @@ TEST_CASE("every effect of the catalogue does in the rig what the forward model 
     const Truth truth = truth_of(made.label, experiment);
     const plumbline::diagnose::Measurements measured(experiment);
     const auto left = [&](const Truth& with) {
-      return rms(measured.residual(experiment, predict(experiment, with.effects, with.parameters))) /
+      return rms(measured.residual(experiment, predict(Study(experiment), with.effects, with.parameters))) /
              made.scatter.sigma.force * made.scatter.declared.force;
     };
     CHECK(left({}) > 10);

@@ -1,0 +1,15 @@
+#pragma once
+/// \file
+/// The rows of the catalogue, by where the effects act. A new effect is one row here, and what it adds to
+/// Rig.
+
+#include "diagnose/model/effect.hpp"
+
+namespace plumbline::diagnose {
+
+std::vector<Effect> joint_effects();
+std::vector<Effect> link_effects();
+std::vector<Effect> bench_effects();
+std::vector<Effect> load_cell_effects();
+
+}  // namespace plumbline::diagnose

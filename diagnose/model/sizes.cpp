@@ -1,0 +1,60 @@
+#include "diagnose/model/sizes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::diagnose {
+namespace {
+
+double or_zero(double value) {
+  return std::isfinite(value) ? value : 0.0;
+}
+
+/// The force that nine readings of ten stay below.
+double typical_force(const Experiment& experiment) {
+  std::vector<double> force;
+  for (const Run& run : experiment.runs)
+    for (const Reading& reading : run.readings)
+      force.push_back(std::hypot(or_zero(reading.Fx), or_zero(reading.Fy)));
+  if (force.empty()) return 0;
+  const auto place = force.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(force.size()));
+  std::nth_element(force.begin(), place, force.end());
+  return *place;
+}
+
+bool reads_force(const Run& run) {
+  return run.control == ControlMode::displacement &&
+         std::any_of(run.readings.begin(), run.readings.end(), [](const Reading& reading) {
+           return std::isfinite(reading.Fx) || std::isfinite(reading.Fy);
+         });
+}
+
+}  // namespace
+
+Sizes sizes_of(const Experiment& experiment) {
+  Sizes size;
+  size.joint_stiffness = experiment.joint_stiffness;
+  size.link_length = experiment.link_length;
+  double elastic = 0;
+  for (const double k : experiment.joint_stiffness) {
+    size.stiffness += k;
+    elastic += k > 0;
+  }
+  size.stiffness /= std::max(1.0, elastic);
+  for (const double length : experiment.link_length) size.length += length;
+  size.link = size.length / static_cast<double>(experiment.link_length.size());
+  for (const Run& run : experiment.runs) {
+    for (const Reading& reading : run.readings) size.duration = std::max(size.duration, reading.t);
+    if (run.readings.size() > 1 && size.pause == 0) size.pause = run.readings[1].t - run.readings[0].t;
+    size.measures_force = size.measures_force || reads_force(run);
+  }
+  size.force = std::max(typical_force(experiment), 1e-3 * size.stiffness / size.length);
+  size.duration = std::max(size.duration, 1e-3);
+  size.pause = size.pause > 0 ? size.pause : size.duration;
+  // The deflection that the force gives a lever of half the chain, kept to what angles can be.
+  size.deflection = std::clamp(0.3 * size.force * size.length / size.stiffness, 0.02, 1.0);
+  size.weighs = experiment.bench.plane != Bench::Plane::horizontal;
+  return size;
+}
+
+}  // namespace plumbline::diagnose
