@@ -21,7 +21,7 @@ struct Truth {
 Truth truth_of(const plumbline::trial::Label& label, const plumbline::diagnose::Experiment& experiment) {
   Truth truth;
   for (const auto& effect : label.effects) {
-    const plumbline::diagnose::EffectAt at{plumbline::diagnose::effect_id(effect.id), effect.joint};
+    const plumbline::diagnose::EffectAt at(plumbline::diagnose::effect(effect.id), effect.joint);
     truth.effects.effects.push_back(at);
     const auto ranges = plumbline::diagnose::Study(experiment).ranges(at);
     for (std::size_t p = 0; p < ranges.size(); ++p)
@@ -49,10 +49,10 @@ TEST_CASE("every effect of the catalogue does in the rig what the forward model 
     plumbline::simulator::write_experiment(made, folder.path());
     const plumbline::diagnose::Experiment experiment = plumbline::diagnose::read_experiment(folder.path());
     const Truth truth = truth_of(made.label, experiment);
-    const plumbline::diagnose::Measurements measured(experiment);
+    const plumbline::diagnose::Study study(experiment);
     const auto left = [&](const Truth& with) {
-      return rms(measured.residual(experiment, predict(Study(experiment), with.effects, with.parameters))) /
-             made.scatter.sigma.force * made.scatter.declared.force;
+      return rms(study.residual(predict(study, with.effects, with.parameters))) / made.scatter.sigma.force *
+             made.scatter.declared.force;
     };
     CHECK(left({}) > 10);
     // Noise has rms 1, up to 1.03 with the coarsest resolution; outliers of 25 sigma in 2 of 100 readings add
