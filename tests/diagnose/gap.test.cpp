@@ -60,3 +60,43 @@ TEST_CASE("a slow gap of two sigmas rms in one run of three is found") {
   }
   CHECK(found >= 45);
 }
+
+TEST_CASE("noise twice as large as declared is a gap, though it has no structure") {
+  const Measurements measurements(blank_experiment({55, 90, 30}));
+  std::mt19937_64 random(6);
+  int found = 0;
+  constexpr int draws = 40;
+  for (int draw = 0; draw < draws; ++draw)
+    found += test_gap(measurements, correlated_noise(measurements, 2, 0, random)).p_value < gap_level;
+  // 344 differences: ln(2/1.5) is 3.8 of their deviations, sqrt(2/344), and the level asks for 2.9 of them
+  CHECK(found >= draws / 2);
+  // whatever has no structure has none: with each of its series alone only its size is out of bounds
+  const GapTest one = test_gap(measurements, correlated_noise(measurements, 3, 0, random));
+  CHECK(one.p_value < 1e-6);
+  for (const double p : one.series_p_value) CHECK(p > 1e-3);
+}
+
+namespace {
+
+/// How often noise gives a p-value below 0.15, where a wrong count of looks shows in few draws.
+double share_below(const std::vector<std::size_t>& readings, double correlation, int draws,
+                   std::uint64_t seed) {
+  const Measurements measurements(blank_experiment(readings));
+  std::mt19937_64 random(seed);
+  int below = 0;
+  for (int draw = 0; draw < draws; ++draw)
+    below += test_gap(measurements, correlated_noise(measurements, 1, correlation, random)).p_value < 0.15;
+  MESSAGE("correlation ", correlation, ", ", 2 * readings.size(), " series: ", below, " of ", draws,
+          " below 0.15");
+  return static_cast<double>(below) / draws;
+}
+
+}  // namespace
+
+TEST_CASE("p-values of noise: at most 15 in a hundred are below 0.15, however many series are looked at") {
+  // three deviations of a share of 0.15 in so many draws
+  const auto limit = [](int draws) { return 0.15 + 3 * std::sqrt(0.15 * 0.85 / draws); };
+  CHECK(share_below({40, 60}, 0.0, 400, 31) <= limit(400));
+  CHECK(share_below({40, 60}, 0.6, 400, 32) <= limit(400));
+  CHECK(share_below(std::vector<std::size_t>(25, 14), 0.0, 80, 33) <= limit(80));
+}
