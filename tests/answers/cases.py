@@ -48,20 +48,23 @@ def critical():
             "files": " --all --digits 15 --csv forces.csv --json forces.json --certify certificates.json",
         }.items():
             yield case(f"critical/{name}/{how}", f"critical {file}{options}", {file: text})
-    for name, text in inputs.chain_tables().items():
-        file = f"{name}.csv"
-        for how, options in {
-            "lowest": "",
-            "lowest-csv": " --csv",
-            "all": " --all",
-            "all-15": " --all --digits 15 --csv",
-            "all-40": " --all --digits 40 --csv",
-            "json": " --json --digits 20",
-            "all-json": " --all --json",
-            "certify": " --digits 40 --csv forces.csv --json forces.json --certify certificates.json",
-            "certify-all": " --all --digits 15 --csv forces.csv --certify certificates.json",
-        }.items():
-            yield case(f"critical/{name}/{how}", f"critical {file}{options}", {file: text})
+    lowest = {
+        "lowest": "",
+        "lowest-csv": " --csv",
+        "json": " --json --digits 20",
+        "certify": " --digits 40 --csv forces.csv --json forces.json --certify certificates.json",
+    }
+    every = {
+        "all": " --all",
+        "all-15": " --all --digits 15 --csv",
+        "all-40": " --all --digits 40 --csv",
+        "all-json": " --all --json",
+        "certify-all": " --all --digits 15 --csv forces.csv --certify certificates.json",
+    }
+    for tables, ways in ((inputs.short_chain_tables(), lowest | every), (inputs.long_chain_tables(), lowest)):
+        for name, text in tables.items():
+            for how, options in ways.items():
+                yield case(f"critical/{name}/{how}", f"critical {name}.csv{options}", {f"{name}.csv": text})
     yield case("critical/built-in/text", "critical")
     yield case("critical/built-in/json", "critical --json --digits 50")
 

@@ -129,7 +129,8 @@ TEST_CASE("what is held out is hidden whole, what was commanded stays") {
     }
   }
   // no measured value of a hidden reading is left in any list of them
-  for (const Series& series : Measurements(seen).series())
+  const Measurements left(seen);
+  for (const Series& series : left.series())
     for (const std::size_t i : series.readings) CHECK_FALSE(held.reading[series.run][i]);
 }
 
