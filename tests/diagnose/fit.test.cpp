@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 
 #include "diagnose/start.hpp"

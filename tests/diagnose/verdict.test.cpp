@@ -33,7 +33,7 @@ Candidate of(std::initializer_list<EffectAt> effects) {
 
 /// White noise of unit scale whose test finds nothing at all.
 std::vector<double> white(const Measurements& measurements, double size = 1) {
-  std::mt19937_64 random(9);
+  std::mt19937_64 random(12);
   return correlated_noise(measurements, size, 0, random);
 }
 
