@@ -96,13 +96,13 @@ TEST_CASE("bounds of the shrink: 1.96 deviations of the ratio of white noise to 
   const double expected = 1.96 / std::sqrt(2 * 1600.0);
   const auto white = width_of(0);
   // 200 blocks estimate a deviation to 5 %, 20 such estimates and the 1000 draws each to 2 %
-  CHECK(white.first == doctest::Approx(expected).epsilon(0.1));
-  CHECK(white.second == doctest::Approx(expected).epsilon(0.1));
+  CHECK(white.first / expected == doctest::Approx(1).epsilon(0.05));
+  CHECK(white.second / expected == doctest::Approx(1).epsilon(0.05));
   // Squares of noise that correlates by phi correlate by phi^2 = 0.49. In blocks of eight the variance of
   // their sum is 1 + 2 sum_k (1 - k/8) 0.49^k = 2.45 times that of independent ones.
   const auto slow = width_of(0.7);
-  CHECK(slow.first == doctest::Approx(std::sqrt(2.45) * expected).epsilon(0.1));
-  CHECK(slow.second == doctest::Approx(std::sqrt(2.45) * expected).epsilon(0.1));
+  CHECK(slow.first / (std::sqrt(2.45) * expected) == doctest::Approx(1).epsilon(0.05));
+  CHECK(slow.second / (std::sqrt(2.45) * expected) == doctest::Approx(1).epsilon(0.05));
 }
 
 TEST_CASE("what is held out is hidden whole, what was commanded stays") {
