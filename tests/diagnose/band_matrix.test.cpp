@@ -10,7 +10,8 @@ using plumbline::BandMatrix;
 namespace {
 
 /// The same random numbers within the band, here and there.
-std::pair<BandMatrix, Eigen::MatrixXd> random_band(std::size_t size, std::size_t width, std::mt19937& random) {
+std::pair<BandMatrix, Eigen::MatrixXd> random_band(std::size_t size, std::size_t width,
+                                                   std::mt19937& random) {
   std::uniform_real_distribution<double> uniform(-1, 1);
   std::pair<BandMatrix, Eigen::MatrixXd> both{
       BandMatrix(size, width),

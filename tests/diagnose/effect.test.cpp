@@ -20,9 +20,9 @@ bool has(const std::vector<EffectAt>& effects, EffectId effect, std::size_t join
 
 TEST_CASE("weight has no part in a horizontal plane, and may have in an unknown one") {
   Experiment experiment = full_bench();
-  for (const auto& [plane, heavy] : {std::pair(Bench::Plane::horizontal, false),
-                                     std::pair(Bench::Plane::vertical, true),
-                                     std::pair(Bench::Plane::unknown, true)}) {
+  for (const auto& [plane, heavy] :
+       {std::pair(Bench::Plane::horizontal, false), std::pair(Bench::Plane::vertical, true),
+        std::pair(Bench::Plane::unknown, true)}) {
     experiment.bench.plane = plane;
     const auto possible = possible_effects(experiment);
     CHECK(has(possible, EffectId::gravity) == heavy);

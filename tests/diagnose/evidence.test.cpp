@@ -78,7 +78,8 @@ TEST_CASE("the likelihood of one value: normal, and two in a hundred ten times a
   CHECK(log_likelihood(measurements, {3.0}, wide) == doctest::Approx(density(1.5)));
 }
 
-TEST_CASE("a parameter is charged its prior density times the width that the readings leave, sqrt(2 pi) sigma") {
+TEST_CASE(
+    "a parameter is charged its prior density times the width that the readings leave, sqrt(2 pi) sigma") {
   const Experiment experiment = blank_experiment({8});
   const Measurements measurements(experiment);
   const double sigma = 1e-4;

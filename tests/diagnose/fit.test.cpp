@@ -162,7 +162,8 @@ TEST_CASE("the covariance is the inverse of J'J over the values that are no outl
   const Eigen::Matrix2d expected = information.inverse();
   for (Eigen::Index i = 0; i < 2; ++i) {
     CHECK(fitted.information(i) / information(i, i) == doctest::Approx(1));
-    for (Eigen::Index j = 0; j < 2; ++j) CHECK(fitted.covariance(i, j) / expected(i, j) == doctest::Approx(1));
+    for (Eigen::Index j = 0; j < 2; ++j)
+      CHECK(fitted.covariance(i, j) / expected(i, j) == doctest::Approx(1));
   }
   // two rest angles of one chain are hard to tell apart
   CHECK(std::abs(expected(0, 1)) > 0.3 * std::sqrt(expected(0, 0) * expected(1, 1)));
@@ -176,7 +177,8 @@ TEST_CASE("a profile is as wide as the covariance says, the others being free") 
   REQUIRE(fitted.converged);
   for (std::size_t p : {0U, 1U}) {
     const auto j = static_cast<Eigen::Index>(p);
-    const double free = 1.96 * std::sqrt(fitted.covariance(j, j)), held = 1.96 / std::sqrt(fitted.information(j));
+    const double free = 1.96 * std::sqrt(fitted.covariance(j, j)),
+                 held = 1.96 / std::sqrt(fitted.information(j));
     const Profile bounds = profile(experiment, measurements, fitted, p, {}, 1.96 * 1.96);
     // to the curvature of the loss and of the model
     CHECK((bounds.high - bounds.low) / 2 / free == doctest::Approx(1).epsilon(0.03));

@@ -354,7 +354,8 @@ Experiment pushed(const Point& from, const Point& to) {
 }
 
 /// End point and angles of the one run, as predicted.
-Trace response(const Experiment& experiment, const Candidate& candidate, const std::vector<double>& parameters) {
+Trace response(const Experiment& experiment, const Candidate& candidate,
+               const std::vector<double>& parameters) {
   const Prediction predicted = predict(experiment, candidate, parameters);
   REQUIRE(predicted.reached);
   Trace trace = predicted.runs[0];

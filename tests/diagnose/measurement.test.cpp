@@ -58,7 +58,7 @@ TEST_CASE("a residual is measured less predicted, in declared sigmas of its chan
   predicted.runs = {Trace(2, 6), Trace(1, 6)};
   predicted.runs[0] << 0.3, 0, 3, 6, 0.5, 1, 0.2, 0, 7, 12, 2, 9;  // x y Fx Fy q1 q2
   predicted.runs[1] << 0.5, 1, -5, 0, 0, 0;
-  const std::vector<double> expected{(4 - 3) / 0.4, (8 - 6) / 0.8,  (16 - 12) / 0.8, (1 - 0.5) / 0.05,
+  const std::vector<double> expected{(4 - 3) / 0.4,  (8 - 6) / 0.8,  (16 - 12) / 0.8, (1 - 0.5) / 0.05,
                                      (3 - 2) / 0.05, (2 - 1) / 0.05, (1 - 0.5) / 0.1, (2 - 1) / 0.2};
   const std::vector<double> residual = measurements.residual(experiment, predicted);
   REQUIRE(residual.size() == expected.size());

@@ -161,8 +161,8 @@ TEST_CASE("where every run is the one of its kind, two stretches of each are hel
   const HeldOut held = choose_heldout(experiment);
   CHECK(held.names ==
         std::vector<std::string>{"press-1[4:5]", "press-1[10:11]", "press-2[6:8]", "press-2[15:17]"});
-  for (std::size_t i = 0; i < 17; ++i)
-    CHECK(held.reading[0][i] == (i == 4 || i == 5 || i == 10 || i == 11));
-  for (std::size_t i = 0; i < 25; ++i) CHECK(held.reading[1][i] == ((i >= 6 && i <= 8) || (i >= 15 && i <= 17)));
+  for (std::size_t i = 0; i < 17; ++i) CHECK(held.reading[0][i] == (i == 4 || i == 5 || i == 10 || i == 11));
+  for (std::size_t i = 0; i < 25; ++i)
+    CHECK(held.reading[1][i] == ((i >= 6 && i <= 8) || (i >= 15 && i <= 17)));
   for (const bool one : held.reading[2]) CHECK_FALSE(one);
 }

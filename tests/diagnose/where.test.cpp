@@ -27,8 +27,7 @@ Prediction straight(const Experiment& experiment, std::size_t soft) {
 
 void fill(const Measurements& measurements, std::size_t series, double size, std::vector<double>& residual) {
   const Series& one = measurements.series()[series];
-  for (std::size_t i = 0; i < one.readings.size(); ++i)
-    residual[one.first + i] = i % 2 == 0 ? size : -size;
+  for (std::size_t i = 0; i < one.readings.size(); ++i) residual[one.first + i] = i % 2 == 0 ? size : -size;
 }
 
 double share_of(const std::vector<ChannelShare>& shares, const std::string& channel) {
