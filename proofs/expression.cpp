@@ -73,10 +73,6 @@ class HalfAngles : public GiNaC::map_function {
   std::map<ex, ex, GiNaC::ex_is_less> tangents_;
 };
 
-bool divides(const ex& factor) {
-  return GiNaC::is_a<GiNaC::power>(factor) && factor.op(1).info(GiNaC::info_flags::negative);
-}
-
 /// In brackets unless it binds closer than any operator.
 std::string operand(const ex& e) {
   const bool closed = GiNaC::is_a<GiNaC::symbol>(e) || GiNaC::is_a<GiNaC::function>(e) ||
@@ -84,32 +80,66 @@ std::string operand(const ex& e) {
   return closed ? text(e) : "(" + text(e) + ")";
 }
 
-std::string factor_text(const ex& e) {
-  return GiNaC::is_a<GiNaC::power>(e) ? text(e) : operand(e);
+std::vector<std::string> terms_of(const ex& sum) {
+  std::vector<std::string> terms;
+  for (const ex& term : sum) terms.push_back(text(term));
+  std::sort(terms.begin(), terms.end());
+  return terms;
 }
 
-std::string power_text(const ex& e) {
-  if (divides(e)) return "1/" + factor_text(1 / e);
-  const ex base = e.op(0), exponent = e.op(1);
+bool negative(const std::string& term) {
+  return term[0] == '-';
+}
+
+/// Whether a sum is turned round within a product: its first term, signs aside, is subtracted. GiNaC turns
+/// sums by an order of its own, which is another one at every run.
+bool upside_down(const ex& sum) {
+  if (!GiNaC::is_a<GiNaC::add>(sum)) return false;
+  const std::vector<std::string> terms = terms_of(sum);
+  const auto unsigned_text = [](const std::string& term) { return term.substr(negative(term) ? 1 : 0); };
+  return negative(*std::min_element(terms.begin(), terms.end(), [&](const auto& a, const auto& b) {
+    return unsigned_text(a) < unsigned_text(b);
+  }));
+}
+
+/// A factor of a product as the power that it is, its base the right way up.
+struct Factor {
+  ex base, exponent;
+  bool negated;  ///< whether turning the base has changed the sign
+};
+
+Factor upright(const ex& e) {
+  const bool power = GiNaC::is_a<GiNaC::power>(e);
+  const ex base = power ? e.op(0) : e, exponent = power ? e.op(1) : ex(1);
+  if (!exponent.info(GiNaC::info_flags::integer) || !upside_down(base)) return {base, exponent, false};
+  return {(-base).expand(), exponent, exponent.info(GiNaC::info_flags::odd)};
+}
+
+std::string power_text(const ex& base, const ex& exponent) {
+  if (exponent.is_equal(1)) return operand(base);
   if (exponent.is_equal(GiNaC::numeric(1, 2))) return "sqrt(" + text(base) + ")";
   return operand(base) + "^" + operand(exponent);
 }
 
-std::string product_text(const ex& e) {
-  std::string number;
+std::string product_text(const std::vector<ex>& all) {
+  ex number = 1;
   std::vector<std::string> factors, divisors;
-  for (const ex& factor : e) {
-    if (GiNaC::is_a<GiNaC::numeric>(factor))
-      number = text(factor);
-    else if (divides(factor))
-      divisors.push_back(factor_text(1 / factor));
+  for (const ex& one : all) {
+    if (GiNaC::is_a<GiNaC::numeric>(one)) {
+      number = number * one;
+      continue;
+    }
+    const Factor factor = upright(one);
+    if (factor.negated) number = -number;
+    if (factor.exponent.info(GiNaC::info_flags::negative))
+      divisors.push_back(power_text(factor.base, -factor.exponent));
     else
-      factors.push_back(factor_text(factor));
+      factors.push_back(power_text(factor.base, factor.exponent));
   }
   std::sort(factors.begin(), factors.end());
   std::sort(divisors.begin(), divisors.end());
-  const bool sign_alone = number == "-1" && !factors.empty();
-  if (!number.empty() && !sign_alone) factors.insert(factors.begin(), number);
+  const bool sign_alone = number.is_equal(-1) && !factors.empty();
+  if (!number.is_equal(1) && !sign_alone) factors.insert(factors.begin(), text(number));
   if (factors.empty()) factors.emplace_back("1");
   std::string result = sign_alone ? "-" : "";
   for (std::size_t i = 0; i < factors.size(); ++i) result += (i > 0 ? "*" : "") + factors[i];
@@ -118,10 +148,7 @@ std::string product_text(const ex& e) {
 }
 
 std::string sum_text(const ex& e) {
-  std::vector<std::string> terms;
-  for (const ex& term : e) terms.push_back(text(term));
-  const auto negative = [](const std::string& term) { return term[0] == '-'; };
-  std::sort(terms.begin(), terms.end());
+  std::vector<std::string> terms = terms_of(e);
   std::stable_partition(terms.begin(), terms.end(), std::not_fn(negative));
   std::string result;
   for (const std::string& term : terms) result += (result.empty() || negative(term) ? "" : "+") + term;
@@ -181,8 +208,8 @@ ex limit_at_zero(const ex& e, const ex& x) {
 
 std::string text(const ex& e) {
   if (GiNaC::is_a<GiNaC::add>(e)) return sum_text(e);
-  if (GiNaC::is_a<GiNaC::mul>(e)) return product_text(e);
-  if (GiNaC::is_a<GiNaC::power>(e)) return power_text(e);
+  if (GiNaC::is_a<GiNaC::mul>(e)) return product_text({e.begin(), e.end()});
+  if (GiNaC::is_a<GiNaC::power>(e)) return product_text({e});
   std::ostringstream out;
   if (GiNaC::is_a<GiNaC::function>(e) && e.nops() == 1)
     out << GiNaC::ex_to<GiNaC::function>(e).get_name() << '(' << text(e.op(0)) << ')';

@@ -208,7 +208,7 @@ Diagnosis diagnose(const Study& study, const Report& progress, bool plan) {
   diagnosis.gap = ask_for_gap(study.measurements(), residual);
   diagnosis.noise = diagnosis.gap.test.noise;
   if (diagnosis.gap.present) explain(study, residual, diagnosis, report);
-  diagnosis.where = locate(study, residual, diagnosis.noise);
+  diagnosis.where = locate(study, study.nominal(), residual, diagnosis.noise);
   imply_joints(study, residual, diagnosis);
   if (diagnosis.gap.present && diagnosis.cause.verdict == CauseVerdict::unknown)
     diagnosis.missing = describe_missing(study, residual, diagnosis.where);

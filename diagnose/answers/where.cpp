@@ -49,10 +49,11 @@ std::vector<RunShare> by_run(const Study& study, const std::vector<double>& exce
   return shares;
 }
 
-std::vector<PathShare> along_path(const Study& study, const std::vector<double>& excess) {
+std::vector<PathShare> along_path(const Study& study, const Prediction& nominal,
+                                  const std::vector<double>& excess) {
   std::vector<PathShare> shares;
   for (std::size_t r = 0; r < study.experiment().runs.size(); ++r) {
-    const std::vector<Regime> regime = regimes(study.experiment().runs[r], study.nominal().runs[r]);
+    const std::vector<Regime> regime = regimes(study.experiment().runs[r], nominal.runs[r]);
     std::vector<double> sum(regime.size(), 0.0);
     for (const Series& series : study.measurements().series()) {
       if (series.run != r) continue;
@@ -84,9 +85,9 @@ std::string joint_evidence_words(JointEvidence evidence) {
   return "chance to be the one place of an unknown torque";
 }
 
-Where locate(const Study& study, const std::vector<double>& residual, const NoiseModel& noise) {
+Where locate(const Study& study, const Prediction& nominal, const std::vector<double>& residual, const NoiseModel& noise) {
   const std::vector<double> beyond = excess(study.measurements(), residual, noise);
-  return {by_channel(study.measurements(), beyond), by_run(study, beyond), along_path(study, beyond),
+  return {by_channel(study.measurements(), beyond), by_run(study, beyond), along_path(study, nominal, beyond),
           shares_by_missing_torque(study.experiment(), noise), JointEvidence::measured};
 }
 

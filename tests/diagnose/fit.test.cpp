@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 
 #include "diagnose/inference/start.hpp"
@@ -122,5 +123,66 @@ TEST_CASE("starts lie within the physical bounds") {
         CHECK(start[p] <= ranges[p].high);
       }
     }
+  }
+}
+
+TEST_CASE("Huber's loss: the square up to the bound, then the line that goes on from it") {
+  CHECK(huber(2, 3) == 4);
+  CHECK(huber(-3, 3) == 9);
+  CHECK(huber(5, 3) == 21);  // 9 + 2 * 3 * (5 - 3)
+  CHECK(huber(-5, 3) == 21);
+}
+
+TEST_CASE("a parameter that wants beyond its upper bound stays there and says so") {
+  const double high = Study(full_bench()).ranges(only("force_gain"))[0].high;
+  const Experiment experiment = measured(full_bench(), only("force_gain"), {1.3 * high}, 5);
+  const Measurements measurements(experiment);
+  const Fit fitted = fit(Study(experiment), only("force_gain"), {});
+  REQUIRE(fitted.converged);
+  CHECK(fitted.parameters[0] == doctest::Approx(high));
+  CHECK(fitted.at_bound[0]);
+  CHECK(fitted.covariance(0, 0) == 0);
+}
+
+TEST_CASE("the covariance is the inverse of J'J over the values that are no outliers, correlation included") {
+  const Candidate both{{{"rest_angle", 1}, {"rest_angle", 2}}};
+  const Experiment experiment = measured(full_bench(), both, {0.02, -0.01}, 23, 12);
+  const Measurements measurements(experiment);
+  const Fit fitted = fit_from(Study(experiment), both, {}, {0, 0});
+  REQUIRE(fitted.converged);
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+  int gross = 0;
+  for (Eigen::Index i = 0; i < fitted.jacobian.rows(); ++i) {
+    if (std::abs(fitted.whitened[static_cast<std::size_t>(i)]) > FitSettings().outlier_bound) {
+      ++gross;
+      continue;
+    }
+    information += fitted.jacobian.row(i).transpose() * fitted.jacobian.row(i);
+  }
+  CHECK(gross > 20);
+  const Eigen::Matrix2d expected = information.inverse();
+  for (Eigen::Index i = 0; i < 2; ++i) {
+    CHECK(fitted.information(i) / information(i, i) == doctest::Approx(1));
+    for (Eigen::Index j = 0; j < 2; ++j)
+      CHECK(fitted.covariance(i, j) / expected(i, j) == doctest::Approx(1));
+  }
+  // two rest angles of one chain are hard to tell apart
+  CHECK(std::abs(expected(0, 1)) > 0.3 * std::sqrt(expected(0, 0) * expected(1, 1)));
+}
+
+TEST_CASE("a profile is as wide as the covariance says, the others being free") {
+  const Candidate both{{{"rest_angle", 1}, {"rest_angle", 2}}};
+  const Experiment experiment = measured(full_bench(), both, {0.02, -0.01}, 29);
+  const Measurements measurements(experiment);
+  const Fit fitted = fit_from(Study(experiment), both, {}, {0, 0});
+  REQUIRE(fitted.converged);
+  for (std::size_t p : {0U, 1U}) {
+    const auto j = static_cast<Eigen::Index>(p);
+    const double free = 1.96 * std::sqrt(fitted.covariance(j, j)),
+                 held = 1.96 / std::sqrt(fitted.information(j));
+    const Profile bounds = profile(Study(experiment), fitted, p, {}, 1.96 * 1.96);
+    // to the curvature of the loss and of the model
+    CHECK((bounds.high - bounds.low) / 2 / free == doctest::Approx(1).epsilon(0.03));
+    CHECK(free > 1.1 * held);
   }
 }

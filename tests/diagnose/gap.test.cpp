@@ -61,3 +61,42 @@ TEST_CASE("a slow gap of two sigmas rms in one run of three is found") {
   }
   CHECK(found >= 45);
 }
+
+TEST_CASE("noise larger than a mis-declared sigma explains is a gap, though it has no structure") {
+  // Two series of 2000 readings with 1.65 times the declared noise, where a lab may be wrong by 1.5: their
+  // twelve slow components are 1.21 times too large, which none of them shows, but ln(1.65/1.5) is 4.2
+  // deviations of a scale from 4000 differences, sqrt(2/4000). The level asks for 3.1.
+  const Measurements measurements(blank_experiment({2000}));
+  std::mt19937_64 random(6);
+  for (int draw = 0; draw < 5; ++draw) {
+    const GapTest test = test_gap(measurements, correlated_noise(measurements, 1.65, 0, random));
+    CHECK(test.p_value < gap_level);
+    for (const double p : test.series_p_value) CHECK(p > gap_level);
+  }
+  CHECK(test_gap(measurements, correlated_noise(measurements, 1.4, 0, random)).p_value > gap_level);
+}
+
+namespace {
+
+/// How often noise gives a p-value below 0.15, where a wrong count of looks shows in few draws.
+double share_below(const std::vector<std::size_t>& readings, double correlation, int draws,
+                   std::uint64_t seed) {
+  const Measurements measurements(blank_experiment(readings));
+  std::mt19937_64 random(seed);
+  int below = 0;
+  for (int draw = 0; draw < draws; ++draw)
+    below += test_gap(measurements, correlated_noise(measurements, 1, correlation, random)).p_value < 0.15;
+  MESSAGE("correlation ", correlation, ", ", 2 * readings.size(), " series: ", below, " of ", draws,
+          " below 0.15");
+  return static_cast<double>(below) / draws;
+}
+
+}  // namespace
+
+TEST_CASE("p-values of noise: at most 15 in a hundred are below 0.15, however many series are looked at") {
+  // three deviations of a share of 0.15 in so many draws
+  const auto limit = [](int draws) { return 0.15 + 3 * std::sqrt(0.15 * 0.85 / draws); };
+  CHECK(share_below({40, 60}, 0.0, 400, 31) <= limit(400));
+  CHECK(share_below({40, 60}, 0.6, 400, 32) <= limit(400));
+  CHECK(share_below(std::vector<std::size_t>(25, 14), 0.0, 80, 33) <= limit(80));
+}

@@ -335,3 +335,49 @@ TEST_CASE("the guide friction of a run that was brought to its first reading act
   const double with = predict(Study(experiment), only("guide_friction"), {0.5}).runs[0](0, column_Fx);
   CHECK(with == doctest::Approx(predict(Study(experiment), {}, {}).runs[0](0, column_Fx) - 0.5));
 }
+
+namespace {
+
+/// The bench's run of imposed force alone, from one force to another in 15 s.
+Experiment pushed(const Point& from, const Point& to) {
+  Experiment experiment = three_links();
+  load(experiment, {0.2, 0.3, -0.3}, from, to, 15);
+  return experiment;
+}
+
+/// End point and angles of the one run, as predicted.
+Trace response(const Experiment& experiment, const Candidate& candidate,
+               const std::vector<double>& parameters) {
+  const Prediction predicted = predict(Study(experiment), candidate, parameters);
+  REQUIRE(predicted.reached);
+  Trace trace = predicted.runs[0];
+  trace.col(column_Fx) = 0;  // what was commanded
+  trace.col(column_Fy) = 0;
+  return trace;
+}
+
+}  // namespace
+
+TEST_CASE("an imposed force is what the load cell reads: the true one is without its bias, drift and gain") {
+  const Point from{-0.2, 0.1}, to{-2.0, 1.0};
+  const Experiment experiment = pushed(from, to);
+  const auto close = [](const Trace& a, const Trace& b) { return (a - b).abs().maxCoeff() < exact; };
+  CHECK(close(response(experiment, only("force_bias"), {0.3, -0.2}),
+              response(pushed({from[0] - 0.3, from[1] + 0.2}, {to[0] - 0.3, to[1] + 0.2}), {}, {})));
+  CHECK(close(response(experiment, only("sensor_drift"), {0.02, -0.03}),
+              response(pushed(from, {to[0] - 15 * 0.02, to[1] + 15 * 0.03}), {}, {})));
+  CHECK(close(response(experiment, only("force_gain"), {0.25}),
+              response(pushed({from[0] / 1.25, from[1] / 1.25}, {to[0] / 1.25, to[1] / 1.25}), {}, {})));
+}
+
+TEST_CASE("under an imposed force the end point is read less its offset, and with what the train yields") {
+  const Experiment experiment = pushed({-0.2, 0.1}, {-2.0, 1.0});
+  const Trace nominal = predict(Study(experiment), {}, {}).runs[0];
+  const Trace offset = predict(Study(experiment), only("position_offset"), {0.01, -0.02}).runs[0];
+  CHECK((offset.col(column_x) - (nominal.col(column_x) - 0.01)).abs().maxCoeff() < exact);
+  CHECK((offset.col(column_y) - (nominal.col(column_y) + 0.02)).abs().maxCoeff() < exact);
+  const Trace yielding = predict(Study(experiment), only("train_compliance"), {0.003}).runs[0];
+  CHECK((yielding.col(column_x) - (nominal.col(column_x) + 0.003 * nominal.col(column_Fx))).abs().maxCoeff() <
+        exact);
+  CHECK((yielding.col(column_y) - nominal.col(column_y)).abs().maxCoeff() < exact);
+}

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 
 #include "tests/diagnose/simulated_noise.hpp"
@@ -70,4 +71,52 @@ TEST_CASE("innovations of correlated noise are white") {
   }
   CHECK(variance == doctest::Approx(1).epsilon(0.05));  // three deviations of sqrt(2 / 8000)
   CHECK(std::abs(neighbour) < 0.035);
+}
+
+TEST_CASE("the scale of a hundred thousand normal numbers is found to a third of a percent") {
+  const Experiment experiment = blank_experiment({100000});
+  const Measurements measurements(experiment);
+  std::mt19937_64 random(5);
+  // A variance from m differences of neighbours spreads by sqrt(3/m), a scale by half of that: 0.2 % of 2e5.
+  const RawNoise found = raw_noise(measurements, correlated_noise(measurements, 1.2, 0.0, random));
+  CHECK(found.scale[1] == doctest::Approx(1.2).epsilon(0.006));
+}
+
+TEST_CASE("innovations of a short series give its exact Gaussian density: r' C^-1 r, C_ij = s^2 phi^|i-j|") {
+  const Experiment experiment = blank_experiment({6});
+  const Measurements measurements(experiment);
+  NoiseModel noise;
+  noise.scale = {9, 1.3, 9};
+  noise.correlation = 0.6;
+  Eigen::MatrixXd covariance(6, 6);
+  for (Eigen::Index i = 0; i < 6; ++i)
+    for (Eigen::Index j = 0; j < 6; ++j)
+      covariance(i, j) = 1.3 * 1.3 * std::pow(0.6, static_cast<double>(std::abs(i - j)));
+  // large at the beginning, where a first value taken for an innovation would show
+  const Eigen::VectorXd r{{3.0, -1.0, 0.5, 2.0, 0.0, -0.7}};
+  std::vector<double> residual(12, 0.0);
+  for (std::size_t i = 0; i < 6; ++i) residual[i] = r(static_cast<Eigen::Index>(i));
+  double sum = 0;
+  for (const double z : whiten(measurements, residual, noise)) sum += z * z;
+  CHECK(sum == doctest::Approx(r.dot(covariance.ldlt().solve(r))));
+}
+
+TEST_CASE("nothing within five of the least sigma that a lab may mean is an outlier") {
+  const Experiment experiment = blank_experiment({20});
+  const Measurements measurements(experiment);
+  std::vector<double> residual(measurements.size());
+  for (std::size_t i = 0; i < residual.size(); ++i) residual[i] = i % 2 == 0 ? 1e-3 : -1e-3;
+  residual[7] = 3;  // the bound is 5 / 1.5
+  for (const bool marked : outliers(measurements, residual)) CHECK_FALSE(marked);
+  residual[7] = 4;
+  CHECK(outliers(measurements, residual)[7]);
+}
+
+TEST_CASE("four readings have no outlier: a neighbourhood is five") {
+  const Measurements four(blank_experiment({4})), five(blank_experiment({5}));
+  std::vector<double> residual(8, 0.0);
+  residual[1] = 30;
+  CHECK_FALSE(outliers(four, residual)[1]);
+  residual.resize(10);
+  CHECK(outliers(five, residual)[1]);
 }

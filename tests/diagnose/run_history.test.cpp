@@ -161,6 +161,7 @@ TEST_CASE("a chain pushed over snaps to the other side and stays in balance") {
   experiment.link_mass = {0};
   // Compressed beyond its critical force k/L = 2 it rests on one side; the transverse force turns over.
   load(experiment, {0.02}, {-3, 0.5}, {-3, -1.5}, 20);
+  load(experiment, {0.02}, {0, 0}, {-0.5, 0.1}, 4);  // this one does not snap
   const Prediction predicted = predict(Study(experiment), {}, {});
   REQUIRE(predicted.reached);
   CHECK(predicted.snapped);

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <plumbline/base/error.hpp>
 
 using namespace plumbline;
@@ -43,6 +44,28 @@ TEST_CASE("a formula has one text, which can be read again") {
   CHECK(text(f.parse("k*x-L")) == "k*x-L");
   CHECK(text(f.parse("k/(x+L)*2*sin(x-L)^2")) == "2*k*sin(x-L)^2/(L+x)");
   CHECK(text(f.parse("-k/x^2-1/L")) == "-1/L-k/x^2");
+}
+
+TEST_CASE("a formula has the same text in whatever order its symbols came to be") {
+  // GiNaC orders terms by the age of symbols and by addresses, and turns sums round by their first term.
+  std::vector<std::string> names{"F", "L", "k", "x"};
+  const std::vector<std::pair<std::string, std::string>> formulas{
+      {"F*(k*x-L)", "-(L-k*x)*F"},
+      {"-F*(k*x-L)", "(L-k*x)*F"},
+      {"2*F*(L*sin(2*x)-2*L*sin(x))", "-2*(2*L*sin(x)-L*sin(2*x))*F"},
+      {"F*(x-L)^3*(k-x)^2", "-(L-x)^3*(k-x)^2*F"},
+      {"F*(x-L)^3*(x-k)^2", "-(L-x)^3*(k-x)^2*F"},
+      {"1/(x-L)^3", "-1/(L-x)^3"},
+      {"F/(x-L)", "-F/(L-x)"},
+      {"(x-L)^2", "(L-x)^2"},
+      {"sqrt(x-L)*F", "F*sqrt(x-L)"}};
+  do {
+    const Formulas f(names);
+    for (const auto& [formula, expected] : formulas) {
+      CHECK(text(f.parse(formula)) == expected);
+      CHECK(f.parse(expected).expand().is_equal(f.parse(formula).expand()));
+    }
+  } while (std::next_permutation(names.begin(), names.end()));
 }
 
 TEST_CASE("what cannot be read or decided is refused") {

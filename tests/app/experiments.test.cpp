@@ -1,0 +1,31 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/app/process.hpp"
+
+// What is right follows from each experiment's label alone (trial/answer.hpp); the diagnosis does not see it.
+// One is not found today: of joint_friction the diagnosis lists friction with a second cause beside it, never
+// friction alone. It must not get worse than that.
+TEST_CASE("the committed experiments: each cause is found, or stands in the class; none is wrong and sure") {
+  const Workplace here;
+  const std::filesystem::path experiments = std::filesystem::path(PLUMBLINE_SOURCE_DIR) / "tests/experiments";
+  const Outcome outcome =
+      here.plumbline("trial --experiments '" + experiments.string() + "' --patience 300 --json result.json");
+  REQUIRE(outcome.status == 0);
+  const auto result = nlohmann::json::parse(here.read("result.json"));
+  std::size_t labelled = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(experiments))
+    labelled += std::filesystem::exists(entry.path() / "label.json");
+  CHECK(result["experiments"].size() == labelled);
+  CHECK(labelled >= 24);
+  for (const auto& one : result["experiments"]) {
+    CAPTURE(one["name"].get<std::string>());
+    CAPTURE(one["truth"].get<std::string>());
+    CAPTURE(one["said"].get<std::string>());
+    const std::string answer = one["answer"];
+    const bool found = answer == "right" || answer == "in the class";
+    CHECK((found || (one["name"] == "joint_friction" && answer == "wrong, hedged")));
+  }
+}

@@ -1,0 +1,56 @@
+#include "diagnose/model/effect.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <plumbline/base/error.hpp>
+
+#include "tests/diagnose/bench.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+using namespace plumbline::diagnose::test;
+
+namespace {
+
+bool has(const std::vector<EffectAt>& effects, const char* id, std::size_t joint = 0) {
+  return std::find(effects.begin(), effects.end(), EffectAt(id, joint)) != effects.end();
+}
+
+}  // namespace
+
+TEST_CASE("weight has no part in a horizontal plane, and may have in an unknown one") {
+  Experiment experiment = full_bench();
+  for (const auto& [plane, heavy] :
+       {std::pair(Bench::Plane::horizontal, false), std::pair(Bench::Plane::vertical, true),
+        std::pair(Bench::Plane::unknown, true)}) {
+    experiment.bench.plane = plane;
+    const auto possible = possible_effects(Study(experiment));
+    CHECK(has(possible, "gravity") == heavy);
+    CHECK(has(possible, "tip_payload") == heavy);
+    CHECK(has(possible, "force_gain"));
+  }
+}
+
+TEST_CASE("a passive joint has no spring to be wrong, nor play in one") {
+  Experiment experiment = full_bench();
+  experiment.joint_stiffness[0] = 0;
+  const auto possible = possible_effects(Study(experiment));
+  for (const char* id : {"joint_stiffness", "rest_angle", "backlash"}) {
+    CHECK_FALSE(has(possible, id, 1));
+    CHECK(has(possible, id, 2));
+  }
+  CHECK(has(possible, "link_length", 1));
+}
+
+TEST_CASE("every row is found by its id, and nothing else is") {
+  for (const Effect& row : catalogue()) CHECK(&effect(row.id) == &row);
+  CHECK_THROWS_AS((void)effect("elbow grease"), Error);
+}
+
+TEST_CASE("fitted coordinates and the catalogue's units are each other's inverse") {
+  for (const Coordinate coordinate : {Coordinate::plain, Coordinate::logarithm, Coordinate::reciprocal})
+    CHECK(catalogue_value(coordinate, fitted_value(coordinate, 0.37)) == doctest::Approx(0.37));
+  CHECK(catalogue_value(Coordinate::reciprocal, 4) == 0.25);
+  CHECK(fitted_value(Coordinate::logarithm, 1) == 0);
+}

@@ -1,0 +1,169 @@
+#include "diagnose/answers/shrink.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "tests/diagnose/bench.hpp"
+#include "tests/diagnose/simulated_noise.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+using namespace plumbline::diagnose::test;
+
+namespace {
+
+/// The readings of one run of `runs`.
+HeldOut whole_run(const Experiment& experiment, std::size_t which) {
+  HeldOut held;
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r)
+    held.reading.emplace_back(experiment.runs[r].readings.size(), r == which);
+  held.names = {experiment.runs[which].id};
+  return held;
+}
+
+/// A flat list that holds one value for each series, with alternating sign.
+std::vector<double> by_series(const Measurements& measurements, const std::vector<double>& size) {
+  std::vector<double> values(measurements.size());
+  for (std::size_t s = 0; s < size.size(); ++s) {
+    const Series& series = measurements.series()[s];
+    for (std::size_t i = 0; i < series.readings.size(); ++i)
+      values[series.first + i] = i % 2 == 0 ? size[s] : -size[s];
+  }
+  return values;
+}
+
+}  // namespace
+
+TEST_CASE("the shrink of four held-out readings, by hand") {
+  Experiment experiment = blank_experiment({4, 4});
+  experiment.noise.Fx = 0.5;
+  experiment.noise.Fy = 2;
+  const Measurements measurements(experiment);  // series: Fx, Fy of the first run, Fx, Fy of the second
+  NoiseModel noise;
+  noise.scale = {9, 1.5, 9};
+  // What the first run leaves was seen and does not count.
+  const std::vector<double> before = by_series(measurements, {50, 70, 6, 8}),
+                            after = by_series(measurements, {30, 40, 1, 2});
+  const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 1), before, after, noise);
+  CHECK(shrink.heldout == std::vector<std::string>{"run-2"});
+  CHECK(shrink.rms_before.at("Fx") == doctest::Approx(3));   // 6 sigmas of 0.5 N
+  CHECK(shrink.rms_before.at("Fy") == doctest::Approx(16));  // 8 sigmas of 2 N
+  CHECK(shrink.rms_after.at("Fx") == doctest::Approx(0.5));
+  CHECK(shrink.rms_after.at("Fy") == doctest::Approx(4));
+  // squares in sigmas: before 4 (36 + 64) = 400, after 4 (1 + 4) = 20; noise of 1.5 sigmas gives 8 * 2.25
+  CHECK(shrink.ratio == doctest::Approx(std::sqrt(20.0 / 400)));
+  CHECK(shrink.noise_floor_ratio == doctest::Approx(std::sqrt(18.0 / 400)));
+  CHECK(shrink.chi2_per_value_after == doctest::Approx(20.0 / 18));
+  CHECK(shrink.channels.at("Fx").ratio == doctest::Approx(1.0 / 6));
+  CHECK(shrink.channels.at("Fy").ratio == doctest::Approx(2.0 / 8));
+  CHECK(shrink.channels.at("Fx").noise_floor_ratio == doctest::Approx(1.5 / 6));
+  CHECK(shrink.channels.at("Fy").noise_floor_ratio == doctest::Approx(1.5 / 8));
+  // the two blocks, Fx and Fy, leave 1/6 and 1/4: no draw of them leaves less or more
+  CHECK(shrink.ratio_low == doctest::Approx(1.0 / 6));
+  CHECK(shrink.ratio_high == doctest::Approx(1.0 / 4));
+}
+
+TEST_CASE("an isolated outlier among the held-out readings counts neither before nor after") {
+  const Experiment experiment = blank_experiment({9, 9});
+  const Measurements measurements(experiment);
+  std::vector<double> before = by_series(measurements, {5, 5, 10, 10}),
+                      after = by_series(measurements, {1, 1, 1, 1});
+  const std::size_t bad = measurements.series()[2].first + 4;
+  before[bad] += 40;
+  after[bad] += 40;
+  CHECK(measure_shrink(measurements, whole_run(experiment, 1), before, after, {}).ratio ==
+        doctest::Approx(0.1));
+}
+
+TEST_CASE("bounds of the shrink: 1.96 deviations of the ratio of white noise to a constant gap") {
+  const Experiment experiment = blank_experiment({800, 8});
+  const Measurements measurements(experiment);
+  std::mt19937_64 random(4);
+  const auto width_of = [&](double correlation) {
+    // the mean of draws, so that the chance of one residual does not show
+    double below = 0, above = 0;
+    constexpr int draws = 20;
+    for (int draw = 0; draw < draws; ++draw) {
+      const std::vector<double> after = correlated_noise(measurements, 1, correlation, random);
+      const std::vector<double> before(measurements.size(), 10.0);
+      const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 0), before, after, {});
+      below += (shrink.ratio - shrink.ratio_low) / shrink.ratio / draws;
+      above += (shrink.ratio_high - shrink.ratio) / shrink.ratio / draws;
+    }
+    return std::pair(below, above);
+  };
+  // The mean of N squares of unit normal numbers spreads by sqrt(2/N), its root by half of that: N = 1600.
+  const double expected = 1.96 / std::sqrt(2 * 1600.0);
+  const auto white = width_of(0);
+  // 200 blocks estimate a deviation to 5 %, 20 such estimates and the 1000 draws each to 2 %
+  CHECK(white.first / expected == doctest::Approx(1).epsilon(0.05));
+  CHECK(white.second / expected == doctest::Approx(1).epsilon(0.05));
+  // Squares of noise that correlates by phi correlate by phi^2 = 0.49. In blocks of eight the variance of
+  // their sum is 1 + 2 sum_k (1 - k/8) 0.49^k = 2.45 times that of independent ones.
+  const auto slow = width_of(0.7);
+  CHECK(slow.first / (std::sqrt(2.45) * expected) == doctest::Approx(1).epsilon(0.05));
+  CHECK(slow.second / (std::sqrt(2.45) * expected) == doctest::Approx(1).epsilon(0.05));
+}
+
+TEST_CASE("what is held out is hidden whole, what was commanded stays") {
+  Experiment experiment = full_bench();  // press and back, press, load by force
+  for (Run& run : experiment.runs)
+    for (Reading& reading : run.readings) reading = {reading.t, 1, 2, 3, 4, {5, 6, 7}};
+  HeldOut held;
+  for (const Run& run : experiment.runs) held.reading.emplace_back(run.readings.size(), false);
+  for (auto& run : held.reading) run[2] = run[3] = true;
+  const Experiment seen = without(experiment, held);
+  REQUIRE(seen.runs.size() == experiment.runs.size());
+  for (std::size_t r = 0; r < seen.runs.size(); ++r) {
+    const bool displacement = seen.runs[r].control == ControlMode::displacement;
+    REQUIRE(seen.runs[r].readings.size() == experiment.runs[r].readings.size());
+    for (std::size_t i = 0; i < seen.runs[r].readings.size(); ++i) {
+      const Reading& reading = seen.runs[r].readings[i];
+      const bool hidden = i == 2 || i == 3;
+      CHECK(reading.t == experiment.runs[r].readings[i].t);
+      CHECK(std::isnan(reading.x) == (hidden && !displacement));
+      CHECK(std::isnan(reading.y) == (hidden && !displacement));
+      CHECK(std::isnan(reading.Fx) == (hidden && displacement));
+      CHECK(std::isnan(reading.Fy) == (hidden && displacement));
+      for (const double q : reading.q) CHECK(std::isnan(q) == hidden);
+    }
+  }
+  // no measured value of a hidden reading is left in any list of them
+  const Measurements left(seen);
+  for (const Series& series : left.series())
+    for (const std::size_t i : series.readings) CHECK_FALSE(held.reading[series.run][i]);
+}
+
+TEST_CASE("a run that is held out whole is gone") {
+  const Experiment experiment = full_bench();
+  const Experiment seen = without(experiment, whole_run(experiment, 1));
+  REQUIRE(seen.runs.size() == 2);
+  CHECK(seen.runs[0].id == experiment.runs[0].id);
+  CHECK(seen.runs[1].id == experiment.runs[2].id);
+}
+
+TEST_CASE("of two runs of one kind the last is held out") {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, false);
+  press(experiment, {0.2, -0.5, 0.4}, {-0.06, 0}, 20, false);
+  press(experiment, {0.2, -0.5, 0.4}, {-0.06, 0}, 20, true);
+  const HeldOut held = choose_heldout(experiment);
+  CHECK(held.names == std::vector<std::string>{"press-2"});
+  for (std::size_t r = 0; r < 3; ++r)
+    for (const bool one : held.reading[r]) CHECK(one == (r == 1));
+}
+
+TEST_CASE("where every run is the one of its kind, two stretches of each are held out") {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 16, false);  // 17 readings: eighths of 2
+  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 12, true);   // 25: eighths of 3
+  load(experiment, {0.2, 0.3, -0.3}, {0, 0}, {-2.0, 1.0}, 5);  // 6: too short
+  const HeldOut held = choose_heldout(experiment);
+  CHECK(held.names ==
+        std::vector<std::string>{"press-1[4:5]", "press-1[10:11]", "press-2[6:8]", "press-2[15:17]"});
+  for (std::size_t i = 0; i < 17; ++i) CHECK(held.reading[0][i] == (i == 4 || i == 5 || i == 10 || i == 11));
+  for (std::size_t i = 0; i < 25; ++i)
+    CHECK(held.reading[1][i] == ((i >= 6 && i <= 8) || (i >= 15 && i <= 17)));
+  for (const bool one : held.reading[2]) CHECK_FALSE(one);
+}

@@ -1,0 +1,176 @@
+#include "diagnose/inference/verdict.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/diagnose/simulated_noise.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+
+namespace {
+
+/// A fit as the search would leave it: parameters at sizes that labs meet, none at a bound.
+Fit found(const Experiment& experiment, const Candidate& candidate, const std::vector<double>& residual) {
+  Fit fit;
+  fit.candidate = candidate;
+  for (const ParameterRange& range : Study(experiment).ranges(candidate))
+    fit.parameters.push_back(range.low > 0 ? range.low + range.scale : range.scale);
+  fit.at_bound.assign(fit.parameters.size(), false);
+  fit.residual = residual;
+  fit.converged = true;
+  return fit;
+}
+
+Hypothesis worth(const Fit& fit, double log_likelihood, double log_evidence) {
+  return {fit, log_likelihood, log_evidence, {}};
+}
+
+Candidate of(std::initializer_list<EffectAt> effects) {
+  return {effects};
+}
+
+/// White noise of unit scale whose test finds nothing at all.
+std::vector<double> white(const Measurements& measurements, double size = 1) {
+  std::mt19937_64 random(12);
+  return correlated_noise(measurements, size, 0, random);
+}
+
+/// The odds of Sellke, Bayarri and Berger, as the header states them, by hand.
+double unknown_by_hand(double p) {
+  const double bound = p < 1 / std::numbers::e ? -std::numbers::e * p * std::log(p) : 1;
+  const double odds = (1.0 / 9) * 0.1 / bound;
+  return odds / (1 + odds);
+}
+
+}  // namespace
+
+TEST_CASE("an effect whose parameter is at zero, or at the end of its range, is none") {
+  const Experiment experiment = blank_experiment({20});
+  const Measurements measurements(experiment);
+  const auto residual = white(measurements);
+  Fit gain = found(experiment, of({{"force_gain"}}), residual);
+  CHECK(genuine(Study(experiment), gain));
+  gain.parameters = {3.0};
+  gain.at_bound = {true};
+  CHECK_FALSE(genuine(Study(experiment), gain));
+
+  Fit play = found(experiment, of({{"backlash", 1}}), residual);
+  CHECK(genuine(Study(experiment), play));
+  play.parameters = {0.0};
+  play.at_bound = {true};
+  CHECK_FALSE(genuine(Study(experiment), play));
+
+  Fit stop = found(experiment, of({{"joint_stop", 1}}), residual);
+  CHECK(genuine(Study(experiment), stop));
+  stop.at_bound = {true, false};  // always touching: a stiffer joint
+  stop.parameters[0] = 1e-3;
+  CHECK_FALSE(genuine(Study(experiment), stop));
+
+  // one of two directions may be rigid
+  Fit base = found(experiment, of({{"base_compliance"}}), residual);
+  base.parameters[1] = 0;
+  base.at_bound = {false, true};
+  CHECK(genuine(Study(experiment), base));
+  base.parameters[0] = 0;
+  base.at_bound = {true, true};
+  CHECK_FALSE(genuine(Study(experiment), base));
+}
+
+TEST_CASE("the ranking: genuine explanations, probabilities by their evidence") {
+  const Experiment experiment = blank_experiment({40});
+  const Measurements measurements(experiment);
+  const auto residual = white(measurements);
+  const Fit gain = found(experiment, of({{"force_gain"}}), residual);
+  const Fit bias = found(experiment, of({{"eccentric_load"}}), residual);
+  Fit none = found(experiment, of({{"backlash", 1}}), residual);
+  none.parameters = {0.0};
+  none.at_bound = {true};
+  const Findings findings{{worth(gain, 0, 0), worth(none, 0, -0.1), worth(bias, 0, -std::log(3.0))}, {}};
+  const Cause cause = judge(Study(experiment), findings);
+  REQUIRE(cause.ranking.size() == 2);
+  CHECK(cause.ranking[0].hypothesis.fit.candidate == gain.candidate);
+  CHECK(cause.ranking[1].hypothesis.fit.candidate == bias.candidate);
+  CHECK(cause.ranking[0].probability == doctest::Approx(0.75 * (1 - cause.unknown)));
+  CHECK(cause.ranking[1].probability == doctest::Approx(0.25 * (1 - cause.unknown)));
+}
+
+TEST_CASE("chi-square per degree of freedom: six parameters spent on twelve values leave six") {
+  const Experiment experiment = blank_experiment({6});
+  const Measurements measurements(experiment);
+  std::vector<double> residual(12);
+  for (std::size_t i = 0; i < 12; ++i) residual[i] = i % 2 == 0 ? 1.2 : -1.2;
+  const Fit fit = found(experiment, of({{"force_bias"}, {"position_offset"}, {"sensor_drift"}}), residual);
+  REQUIRE(fit.parameters.size() == 6);
+  const Cause cause = judge(Study(experiment), {{worth(fit, 0, 0)}, {}});
+  CHECK(cause.ranking.at(0).chi2_per_dof == doctest::Approx(12 * 1.44 / 6));
+}
+
+TEST_CASE("a fit is refused for what it leaves: its structure, and its size for the freedom it has spent") {
+  const Experiment experiment = blank_experiment({4});
+  const Measurements measurements(experiment);
+  const std::vector<double> residual{1.4, -1.4, 1.4, -1.4, 1.4, -1.4, 1.4, -1.4};
+  const Fit fit = found(experiment, of({{"force_bias"}, {"position_offset"}, {"sensor_drift"}}), residual);
+  // Eight values, six parameters: in noise half as large again as declared the sum of squares
+  // 8 (1.4/1.5)^2 = 6.97 has the chance exp(-6.97/2) with two degrees of freedom.
+  const double by_hand = std::exp(-4 * 1.4 * 1.4 / 2.25);
+  REQUIRE(test_gap(measurements, residual).p_value > 2 * by_hand);  // the other half of the test is silent
+  const Cause cause = judge(Study(experiment), {{worth(fit, 0, 0)}, {}});
+  REQUIRE(cause.ranking.at(0).hypothesis.p_value.has_value());
+  CHECK(*cause.ranking[0].hypothesis.p_value == doctest::Approx(by_hand));
+}
+
+TEST_CASE("what no fit explains is unknown, however well it ranks") {
+  const Experiment experiment = blank_experiment({60});
+  const Measurements measurements(experiment);
+  std::vector<double> residual = white(measurements);
+  for (std::size_t i = 0; i < residual.size(); ++i)
+    residual[i] += 10 * std::cos(0.05 * static_cast<double>(i % 60));
+  const Fit gain = found(experiment, of({{"force_gain"}}), residual);
+  const Cause cause = judge(Study(experiment), {{worth(gain, 0, 0)}, {}});
+  CHECK(cause.verdict == CauseVerdict::unknown);
+  CHECK(cause.unknown == doctest::Approx(1));
+  CHECK(cause.ranking.at(0).probability == doctest::Approx(0).scale(1));
+}
+
+TEST_CASE("the probability of a cause outside the catalogue, by hand from the test of what is left") {
+  const Experiment experiment = blank_experiment({60});
+  const Measurements measurements(experiment);
+  // slow gaps from none to clear: p from 1 to below 1e-3
+  double lowest = 1, highest = 0;
+  for (const double size : {0.0, 0.3, 0.5, 0.6, 0.7, 0.8}) {
+    std::vector<double> residual = white(measurements);
+    for (std::size_t i = 0; i < residual.size(); ++i)
+      residual[i] += size * std::cos(0.05 * static_cast<double>(i % 60));
+    const Fit gain = found(experiment, of({{"force_gain"}}), residual);
+    const Cause cause = judge(Study(experiment), {{worth(gain, 0, 0)}, {}});
+    const double p = cause.ranking.at(0).hypothesis.p_value.value();
+    CAPTURE(p);
+    CHECK(cause.unknown == doctest::Approx(unknown_by_hand(p)));
+    lowest = std::min(lowest, p);
+    highest = std::max(highest, p);
+  }
+  CHECK(unknown_by_hand(1) == doctest::Approx(1.0 / 91));  // nothing left: what it always is at least
+  CHECK(lowest < 0.05);
+  CHECK(highest > 1 / std::numbers::e);
+}
+
+TEST_CASE("not told apart: what is as likely, or of as much evidence, with as many effects") {
+  const Experiment experiment = blank_experiment({40});
+  const Measurements measurements(experiment);
+  const auto residual = white(measurements);
+  const auto fit_of = [&](const char* id) { return found(experiment, of({EffectAt(id)}), residual); };
+  const Hypothesis best = worth(fit_of("force_gain"), 0, 0);
+  const Hypothesis as_likely = worth(fit_of("sensor_drift"), -1, -8);
+  const Hypothesis as_evident = worth(fit_of("eccentric_load"), -8, -1);
+  const Hypothesis behind = worth(fit_of("force_bias"), -3.5, -3.5);
+  const Hypothesis pair =
+      worth(found(experiment, of({{"force_gain"}, {"rail_misalignment"}}), residual), -1, -2);
+  const Cause cause = judge(Study(experiment), {{best, as_evident, pair, behind, as_likely}, {}});
+  CHECK(cause.verdict == CauseVerdict::ambiguous);
+  CHECK(cause.best == 0);
+  CHECK(cause.equivalent == std::vector<std::size_t>{1, 4});
+  CHECK(judge(Study(experiment), {{best, behind}, {}}).verdict == CauseVerdict::identified);
+}

@@ -1,0 +1,114 @@
+#include "diagnose/answers/where.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "tests/diagnose/simulated_noise.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+
+namespace {
+
+/// A nominal model that grows as stiff along x in all readings of a blank experiment, but for those from
+/// `soft` on of every run, where the force grows no more.
+Prediction straight(const Experiment& experiment, std::size_t soft) {
+  Prediction nominal;
+  for (const Run& run : experiment.runs) {
+    Trace trace = Trace::Zero(static_cast<Eigen::Index>(run.readings.size()), 6);
+    for (std::size_t i = 0; i < run.readings.size(); ++i) {
+      trace(static_cast<Eigen::Index>(i), column_x) = 0.3 - 0.01 * static_cast<double>(i);
+      trace(static_cast<Eigen::Index>(i), column_Fx) = -static_cast<double>(std::min(i, soft - 1));
+    }
+    nominal.runs.push_back(trace);
+  }
+  return nominal;
+}
+
+void fill(const Measurements& measurements, std::size_t series, double size, std::vector<double>& residual) {
+  const Series& one = measurements.series()[series];
+  for (std::size_t i = 0; i < one.readings.size(); ++i) residual[one.first + i] = i % 2 == 0 ? size : -size;
+}
+
+double share_of(const std::vector<ChannelShare>& shares, const std::string& channel) {
+  for (const ChannelShare& one : shares)
+    if (one.channel == channel) return one.share;
+  return -1;
+}
+double share_of(const std::vector<RunShare>& shares, const std::string& run) {
+  for (const RunShare& one : shares)
+    if (one.run == run) return one.share;
+  return -1;
+}
+
+}  // namespace
+
+TEST_CASE("shares are of the squared residual beyond noise, by hand") {
+  const Experiment experiment = blank_experiment({10, 10});
+  const Measurements measurements(experiment);  // Fx, Fy of the first run, Fx, Fy of the second
+  NoiseModel noise;
+  noise.scale = {9, 2, 9};
+  std::vector<double> residual(measurements.size());
+  fill(measurements, 0, 2, residual);  // noise of scale 2: 0 beyond it
+  fill(measurements, 1, 1, residual);  // less than noise: 10 (1/4 - 1) = -7.5
+  fill(measurements, 2, 6, residual);  // 10 (9 - 1) = 80
+  fill(measurements, 3, 4, residual);  // 10 (4 - 1) = 30
+  const Where where = locate(Study(experiment), straight(experiment, 5), residual, noise);
+  // by channel: Fx 0 + 80, Fy 30 - 7.5
+  CHECK(where.channels.front().channel == "Fx");
+  CHECK(share_of(where.channels, "Fx") == doctest::Approx(80 / 102.5));
+  CHECK(share_of(where.channels, "Fy") == doctest::Approx(22.5 / 102.5));
+  // by run: the first is below noise, its share is nothing and no debt
+  CHECK(where.runs.front().run == "run-2");
+  CHECK(share_of(where.runs, "run-2") == doctest::Approx(1));
+  CHECK(share_of(where.runs, "run-1") == 0.0);
+  double sum = 0;
+  for (const PathShare& one : where.load_path) {
+    CHECK(one.share >= 0);
+    if (one.run == "run-1") CHECK(one.share == 0.0);
+    sum += one.share;
+  }
+  CHECK(sum == doctest::Approx(1));
+}
+
+TEST_CASE("along the path a share belongs to the readings that hold it, also where others are missing") {
+  Experiment experiment = blank_experiment({12});
+  for (std::size_t i = 0; i < 4; ++i) experiment.runs[0].readings[i].Fx = std::nan("");
+  const Measurements measurements(experiment);
+  // Fx of readings 4-11, Fy of readings 0-11; the force grows no more from reading 8 on
+  std::vector<double> residual(measurements.size());
+  fill(measurements, 0, 1, residual);
+  fill(measurements, 1, 1, residual);
+  for (std::size_t i = 4; i < 8; ++i) residual[i] *= 3;  // readings 8-11: 4 (9 - 1) beyond noise
+  const Where where = locate(Study(experiment), straight(experiment, 8), residual, {});
+  REQUIRE(where.load_path.size() == 2);
+  const PathShare &stiff = where.load_path[0], &soft = where.load_path[1];
+  CHECK((stiff.from == 0 && stiff.to == 7 && stiff.regime == "pre-buckling"));
+  CHECK((soft.from == 8 && soft.to == 11 && soft.regime == "post-buckling"));
+  CHECK(stiff.share == 0.0);
+  CHECK(soft.share == doctest::Approx(1));
+}
+
+TEST_CASE("one outlier of 25 sigma moves no share") {
+  const Experiment experiment = blank_experiment({20, 20});
+  const Measurements measurements(experiment);
+  std::vector<double> residual(measurements.size());
+  fill(measurements, 0, 1, residual);
+  fill(measurements, 1, 1, residual);
+  fill(measurements, 2, 1, residual);
+  fill(measurements, 3, 2, residual);
+  residual[measurements.series()[0].first + 10] += 25;
+  const Where where = locate(Study(experiment), straight(experiment, 9), residual, {});
+  CHECK(share_of(where.runs, "run-2") == doctest::Approx(1));
+  CHECK(share_of(where.channels, "Fy") == doctest::Approx(1));
+}
+
+TEST_CASE("shares of joints: in proportion, largest first, alike where nothing is known") {
+  const std::vector<JointShare> some = joint_shares({1, 0, 3});
+  REQUIRE(some.size() == 3);
+  CHECK((some[0].joint == 3 && some[0].share == doctest::Approx(0.75)));
+  CHECK((some[1].joint == 1 && some[1].share == doctest::Approx(0.25)));
+  CHECK((some[2].joint == 2 && some[2].share == 0.0));
+  for (const JointShare& one : joint_shares({0, 0, 0, 0})) CHECK(one.share == doctest::Approx(0.25));
+}
