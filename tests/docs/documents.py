@@ -1,0 +1,65 @@
+"""The Markdown documents as the tests read them: fenced blocks, tables, headings."""
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SCHEMAS = ROOT / "docs" / "schemas"
+
+
+def documents():
+    return [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+
+
+@dataclass
+class Block:
+    """A fenced block: ```language name=value."""
+    path: Path
+    line: int  # of its first line, from 1
+    language: str
+    attributes: dict
+    text: str
+
+    @property
+    def place(self):
+        return f"{self.path.relative_to(ROOT)}:{self.line}"
+
+
+def blocks(path):
+    found, lines = [], path.read_text(encoding="utf-8").splitlines()
+    start = None
+    for number, line in enumerate(lines, 1):
+        if not line.startswith("```"):
+            continue
+        if start is None:
+            start, info = number, line[3:].split()
+        else:
+            attributes = dict(item.split("=", 1) for item in info[1:])
+            text = "".join(part + "\n" for part in lines[start:number - 1])
+            found.append(Block(path, start + 1, info[0] if info else "", attributes, text))
+            start = None
+    assert start is None, f"{path}: the block of line {start} has no end"
+    return found
+
+
+def tables(path):
+    """By heading (backquotes and section marks dropped): the tables under it, each a list of rows of cells."""
+    result, heading, rows = {}, "", None
+    for line in path.read_text(encoding="utf-8").splitlines():
+        if match := re.match(r"#+ (.*)", line):
+            heading = match[1].replace("`", "")
+        if line.startswith("|"):
+            cells = [cell.strip() for cell in line.strip("|").split("|")]
+            if rows is None:
+                rows = []
+                result.setdefault(heading, []).append(rows)
+            if not set("".join(cells)) <= set("-:"):
+                rows.append(cells)
+        else:
+            rows = None
+    return result
+
+
+def keys(table):
+    """The first column of a table, as the words in its backquotes."""
+    return [match[1] for row in table[1:] if (match := re.fullmatch(r"`(.*)`", row[0]))]

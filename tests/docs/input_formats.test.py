@@ -1,0 +1,145 @@
+"""The keys of the input formats: those that the program reads are those that the documents name, and the schemas.
+
+usage: input_formats.test.py PLUMBLINE
+
+What the program reads is asked of the program: an unknown key makes it list the known ones, and a key that is left out
+is refused where it is required.
+"""
+import json
+import re
+import tempfile
+import tomllib
+from pathlib import Path
+
+from jsonschema import Draft202012Validator
+
+from documents import ROOT, SCHEMAS, blocks, keys, tables
+from program import complaint
+
+EXPERIMENTS, CHAINS = ROOT / "docs" / "experiment-format.md", ROOT / "docs" / "chain-format.md"
+TABLES = ["Top level", "[nominal]", "[bench]", "[noise]", "[[run]]"]
+
+
+def documented(path, heading, number=0):
+    table = tables(path)[heading][number]
+    return set(keys(table)), {row[0].strip("`") for row in table[1:] if row[1] == "yes"}
+
+
+def schema_of(name):
+    schema = json.loads((SCHEMAS / f"{name}.schema.json").read_text(encoding="utf-8"))
+    Draft202012Validator.check_schema(schema)
+    return schema
+
+
+# Every key of the format, and a commanded end point out of reach: what is wrong with it is found after every key is read.
+EXPERIMENT = {
+    "format": "chain-experiment/1", "name": "all keys",
+    "nominal": {"link_length": [0.3, 0.2], "joint_stiffness": [2.0, 1.5], "link_mass": [0.1, 0.1],
+                "gravity": [0.0, -9.81]},
+    "bench": {"gravity_plane": "vertical", "gravity_direction": [0.0, -1.0]},
+    "noise": {"x": 0.001, "y": 0.001, "Fx": 0.02, "Fy": 0.02, "q": 0.001},
+    "run": [{"id": "press", "control": "displacement", "rest": [0.4, -0.9], "samples": "press.csv"}],
+}
+SAMPLES = "t,x,y,Fx,Fy\n0,9,0,0,0\n1,9,0,0,0\n"
+
+
+def toml(table):
+    """A list and a text are written in TOML as in JSON."""
+    plain = {key: value for key, value in table.items() if not isinstance(value, dict) and key != "run"}
+    text = "".join(f"{key} = {json.dumps(value)}\n" for key, value in plain.items())
+    for key, value in table.items():
+        if isinstance(value, dict):
+            text += f"[{key}]\n{toml(value)}"
+    return text + "".join(f"[[run]]\n{toml(run)}" for run in table.get("run", []))
+
+
+def experiment_fault(folder, experiment, samples=SAMPLES):
+    (folder / "experiment.toml").write_text(toml(experiment), encoding="utf-8")
+    (folder / "press.csv").write_text(samples, encoding="utf-8")
+    return complaint("diagnose", ".", folder=folder)
+
+
+def changed(heading, change):
+    """The experiment with one of its tables changed."""
+    copy = json.loads(json.dumps(EXPERIMENT))
+    name = heading.strip("[]")
+    change(copy["run"][0] if name == "run" else copy.get(name, copy))
+    return copy
+
+
+def experiments(folder):
+    schema = schema_of("experiment")
+    Draft202012Validator(schema).validate(EXPERIMENT)
+    assert "out of reach" in experiment_fault(folder, EXPERIMENT) or "from the base" in experiment_fault(folder, EXPERIMENT)
+    for heading in TABLES:
+        named, required = documented(EXPERIMENTS, heading)
+        fault = experiment_fault(folder, changed(heading, lambda table: table.update(zz=1)))
+        known = re.search(r"an unknown key, expected one of (.*)", fault)
+        assert known and set(known[1].split()) == named, f"{heading}: the document names {named}; {fault}"
+        for key in named:
+            without = changed(heading, lambda table, key=key: table.pop(key))
+            assert ("no such key" in experiment_fault(folder, without)) == (key in required), f"{heading} {key}"
+            assert Draft202012Validator(schema).is_valid(without) == (key not in required), f"schema, {heading} {key}"
+        node = {"Top level": schema, "[[run]]": schema["$defs"]["run"]}.get(heading)
+        node = node or schema["properties"][heading.strip("[]")]
+        assert set(node["properties"]) == named and set(node.get("required", [])) == required, heading
+    columns, required = documented(EXPERIMENTS, "Sample files")
+    header = re.findall(r"'(t,[^']*)'", experiment_fault(folder, EXPERIMENT, "t,x\n0,1\n"))
+    assert set(header[0].split(",")) == required, header
+    assert {name for name in header[1].split(",") if name != "q2"} == columns, header
+
+
+def repository_experiments():
+    validator = Draft202012Validator(schema_of("experiment"))
+    found = [path for path in ROOT.glob("**/experiment.toml") if not path.relative_to(ROOT).parts[0].startswith("build")]
+    assert found
+    for path in found:
+        validator.validate(tomllib.loads(path.read_text(encoding="utf-8")))
+    for block in blocks(EXPERIMENTS):
+        if block.attributes.get("file", "").endswith("press/experiment.toml"):
+            validator.validate(tomllib.loads(block.text))
+
+
+def chains(folder):
+    named, required = documented(CHAINS, "A chain: TOML")
+    chain = {"lengths": [1, 1], "stiffness": [1, 1], "rest": [0.1, 0.1]}
+    assert set(chain) == named
+
+    def fault(table):
+        (folder / "chain.toml").write_text(toml(table), encoding="utf-8")
+        return complaint("critical", "chain.toml", folder=folder)
+
+    known = re.search(r"expected only (.*)", fault({**chain, "zz": 1}))
+    assert known and set(known[1].split(", ")) == named, known
+    for key in named:
+        left = {name: value for name, value in chain.items() if name != key} | ({"rest": [1, 1]} if key != "rest" else {})
+        if key in required:
+            assert f"no key {key}" in fault(left), key
+    (folder / "three.toml").write_text(toml({"lengths": [1, 1, 1], "stiffness": [1]}), encoding="utf-8")
+    complaint("critical", "three.toml", folder=folder)
+
+
+def tables_of_chains(folder):
+    (folder / "wrong.csv").write_text("zz\n1\n", encoding="utf-8")
+    columns, _ = documented(CHAINS, "A table of chains: CSV")
+    assert "expected " + "chain,lengths,stiffness" in complaint("critical", "wrong.csv", folder=folder)
+    assert columns == set("chain,lengths,stiffness".split(","))
+    columns, _ = documented(CHAINS, "A table of critical forces: CSV")
+    assert "the columns chain,mode,force" in complaint("check", "wrong.csv", folder=folder)
+    assert columns == set("chain,mode,force".split(","))
+
+
+def labels():
+    schema = schema_of("label")
+    effect = schema["properties"]["effects"]["items"]
+    for node, number in ((schema, 0), (effect, 1)):
+        named, required = documented(EXPERIMENTS, "Labels", number)
+        assert set(node["properties"]) == named and set(node["required"]) == required, named
+
+
+with tempfile.TemporaryDirectory() as place:
+    experiments(Path(place))
+    chains(Path(place))
+    tables_of_chains(Path(place))
+repository_experiments()
+labels()
