@@ -45,7 +45,8 @@ def blocks(path):
 def tables(path):
     """By heading (backquotes and section marks dropped): the tables under it, each a list of rows of cells."""
     result, heading, rows = {}, "", None
-    for line in path.read_text(encoding="utf-8").splitlines():
+    text = re.sub(r"^```.*?^```", "", path.read_text(encoding="utf-8"), flags=re.M | re.S)
+    for line in text.splitlines():
         if match := re.match(r"#+ (.*)", line):
             heading = match[1].replace("`", "")
         if line.startswith("|"):

@@ -5,7 +5,7 @@ usage: examples.test.py PLUMBLINE [--update]
 A fenced block with file=PATH is a file. A `console` block is a session: commands after "$ ", each followed by what it
 prints, if anything is shown. "…" stands for any text; a line of its own for any lines. All blocks of a document share a
 folder, in which the repository's folders can be seen. A `json` block names the schema that it follows. --update writes
-what the commands print now into blocks without "…".
+what the commands print now, where what is shown has no "…".
 """
 import json
 import os
@@ -49,7 +49,9 @@ def visit_console(block, folder):
         if status != 0:
             faults.append(f"{block.place}: $ {command}\n  exit status {status}\n{output}")
         elif shown and not re.fullmatch(pattern(shown), output):
-            faults.append(f"{block.place}: $ {command}\n--- shown\n{shown}--- printed\n{output}")
+            absent = [line for line in shown.splitlines() if not re.search("^" + pattern(line), output, re.M)]
+            faults.append(f"{block.place}: $ {command}\n  shown, but not printed (or in another order):\n"
+                          + "\n".join(absent or [shown]) + f"\n--- printed\n{output[:3000]}")
         anew += f"$ {command}\n" + (output if shown and "…" not in shown else shown)
     return faults, anew
 

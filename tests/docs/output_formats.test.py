@@ -1,0 +1,119 @@
+"""The JSON that the program writes: it follows the schemas, and has every property that they name; the report's
+properties are the ones that its document explains.
+
+usage: output_formats.test.py PLUMBLINE
+"""
+import json
+import math
+import tempfile
+from pathlib import Path
+
+from jsonschema import Draft202012Validator
+
+import two_links
+from coverage import properties, used
+from documents import ROOT, SCHEMAS, keys, tables
+from program import plumbline
+
+# Properties that no command below has reason to write: a certificate that fails.
+RARE = {"path": {"/certificates/failure/load", "/certificates/failure/reason"}}
+
+
+def schema_of(name):
+    schema = json.loads((SCHEMAS / f"{name}.schema.json").read_text(encoding="utf-8"))
+    Draft202012Validator.check_schema(schema)
+    return schema
+
+
+def written(*arguments, folder, statuses=(0,)):
+    done = plumbline(*arguments, "--json", folder=folder)
+    assert done.returncode in statuses, f"{arguments}: exit status {done.returncode}\n{done.stderr}"
+    return json.loads(done.stdout)
+
+
+def hold(name, instances):
+    schema = schema_of(name)
+    validator = Draft202012Validator(schema)
+    seen = set()
+    for instance in instances:
+        validator.validate(instance)
+        seen |= set(used(schema, instance))
+    named = set(properties(schema))
+    assert seen <= named
+    missing = named - seen - RARE.get(name, set())
+    assert not missing, f"{name}: no command writes {sorted(missing)}"
+
+
+def straight_chains(folder):
+    (folder / "chains.csv").write_text("chain,lengths,stiffness\na,1;1,1;1\nb,1;1;1,0;1;1\nb,1;1,1;1\n", encoding="utf-8")
+    (folder / "good.csv").write_text("chain,lengths,stiffness\na,1;1,1;1\n", encoding="utf-8")
+    (folder / "values.csv").write_text("chain,mode,force\na,1,2.4\n", encoding="utf-8")
+    hold("critical", [written("critical", folder=folder),
+                      written("critical", "chains.csv", "--all", "--digits", "30", folder=folder, statuses=[2])])
+    hold("check", [written("check", "values.csv", "--chains", "good.csv", folder=folder, statuses=[1])])
+
+
+def loaded_chains(folder):
+    (folder / "three.toml").write_text("lengths = [1, 1, 1]\nstiffness = [1, 1, 1]\n", encoding="utf-8")
+    (folder / "two.toml").write_text("lengths = [1, 1]\nstiffness = [1, 1]\nrest = [0.3, -0.5]\n", encoding="utf-8")
+    hold("equilibria", [written("equilibria", "two.toml", "--at", "0.1,0", folder=folder),
+                        written("equilibria", "two.toml", "--force", "-0.5,0.1", "--certify", folder=folder),
+                        written("equilibria", "three.toml", "--end-point", "2.7,0", "--certify", folder=folder)])
+    hold("path", [written("path", "--to", "1.5", "--digits", "20", "--certify", folder=folder),
+                  written("path", "two.toml", "--force", "-1,0.2", folder=folder),
+                  written("path", "three.toml", "--to", "0.5", "--branches", "all", "--certify", folder=folder,
+                          statuses=[0, 1])])
+
+
+def reports(folder):
+    linear = lambda joint, d, k: k * d
+    rippled = lambda joint, d, k: k * d + (0.12 * math.sin(25 * d) if joint == 1 else 0)
+    two_links.write(folder / "no-gap", linear, control=("displacement", "force"), angles=True)
+    two_links.write(folder / "ripple", rippled, control=("displacement", "displacement"), angles=True, readings=60)
+    two_links.write(folder / "one-spring", lambda joint, d, k: 1.3 * k * d, stiffness=(0.0, 1.5))
+    verdicts = {}
+    for name in ("no-gap", "ripple", "one-spring"):
+        verdicts[name] = written("diagnose", name, folder=folder)
+    bundled = written("diagnose", "--next", folder=folder)
+    found = {name: report["cause"]["verdict"] for name, report in verdicts.items()}
+    assert found == {"no-gap": "none", "ripple": "unknown", "one-spring": "ambiguous"}, found
+    assert bundled["cause"]["verdict"] == "identified"
+    hold("gap-diagnosis", [*verdicts.values(), bundled])
+
+
+def trial(folder):
+    cases = folder / "cases"
+    cases.mkdir()
+    two_links.write(cases / "quiet", lambda joint, d, k: k * d)
+    (cases / "quiet" / "label.json").write_text('{"effects": []}', encoding="utf-8")
+    two_links.write(cases / "stiff", lambda joint, d, k: (1.4 if joint == 1 else 1) * k * d)
+    (cases / "stiff" / "label.json").write_text(
+        '{"effects": [{"id": "joint_stiffness", "joint": 2, "parameters": {"a": 0.4}, "strength_sigma": 20}],'
+        ' "strength_sigma": 20}', encoding="utf-8")
+    hold("trial", [written("trial", "--experiments", "cases", folder=folder)])
+
+
+def report_document():
+    """Every table of keys against the object of the schema that its heading names."""
+    schema = schema_of("gap-diagnosis")
+    for heading, found in tables(ROOT / "docs" / "report-format.md").items():
+        node = schema
+        for name in [] if heading == "Top level" else heading.split("."):
+            node = node["properties"][name]
+            node = node["oneOf"][-1] if "oneOf" in node else node
+            node = node["items"] if node.get("type") == "array" else node
+        assert set(keys(found[0])) == set(node["properties"]), heading
+    verdicts = [key for key in keys(tables(ROOT / "docs" / "report-format.md")["cause"][1])]
+    assert verdicts == schema["properties"]["cause"]["properties"]["verdict"]["enum"]
+    regimes = schema["properties"]["where"]["properties"]["load_path"]["items"]["properties"]["regime"]["enum"]
+    evidence = schema["properties"]["where"]["properties"]["joint_evidence"]["enum"]
+    text = (ROOT / "docs" / "report-format.md").read_text(encoding="utf-8")
+    for word in regimes + evidence:
+        assert f"`{word}`" in text, word
+
+
+report_document()
+with tempfile.TemporaryDirectory() as place:
+    for step in (straight_chains, loaded_chains, reports, trial):
+        (Path(place) / step.__name__).mkdir()
+        step(Path(place) / step.__name__)
