@@ -1,0 +1,196 @@
+/// docs/effects.md against the catalogue in code, both ways: ids, words, parameters, units, ranges, and what
+/// is equivalent to what.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+#include <plumbline/kinematics.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "diagnose/effect_words.hpp"
+#include "diagnose/forward_model.hpp"
+#include "files/text_file.hpp"
+
+using namespace plumbline;
+
+namespace {
+
+struct DocumentedParameter {
+  std::string name, unit, from, to;
+};
+
+struct DocumentedEffect {
+  bool at_joint;
+  std::string words;
+  std::vector<DocumentedParameter> parameters;
+};
+
+struct Document {
+  std::map<std::string, DocumentedEffect> effects;
+  std::vector<std::pair<std::string, std::string>> equivalent;
+};
+
+Document read_document() {
+  static const std::regex heading(R"(### `(\w+)(\(j\))?`: (.*))");
+  static const std::regex parameter(R"(\| `(\w+)` \| ([^|]*) \| ([^|]*) \| ([^|]*) \|)");
+  static const std::regex pair(R"(\| `(\w+)` \| `(\w+)` \| .*)");
+  Document document;
+  DocumentedEffect* effect = nullptr;
+  std::istringstream lines(read_text(PLUMBLINE_SOURCE_DIR "/docs/effects.md"));
+  std::smatch found;
+  for (std::string line; std::getline(lines, line);) {
+    if (std::regex_match(line, found, heading)) {
+      CHECK_MESSAGE(!document.effects.contains(found[1]), found[1], " twice");
+      effect = &(document.effects[found[1]] = {found[2].matched, found[3], {}});
+    } else if (std::regex_match(line, found, pair)) {
+      document.equivalent.emplace_back(found[1], found[2]);
+    } else if (effect != nullptr && std::regex_match(line, found, parameter)) {
+      effect->parameters.push_back({found[1], found[2], found[3], found[4]});
+    }
+  }
+  return document;
+}
+
+/// Two links with end points for chosen joint angles; forces are set where a test needs them.
+Experiment two_links(std::vector<double> stiffness, std::vector<double> rest,
+                     const std::vector<std::vector<double>>& shapes) {
+  Experiment experiment{"two links",
+                        {0.3, 0.2},
+                        std::move(stiffness),
+                        {0, 0},
+                        {0, 0},
+                        {Bench::Plane::vertical, {0.6, -0.8}, true},
+                        {1e-3, 1e-3, 0.02, 0.02, 1e-3},
+                        {}};
+  const Chain<double> chain({0.3, 0.2}, {1, 1});
+  Run run{"press", ControlMode::displacement, std::move(rest), {}};
+  for (const auto& q : shapes) {
+    const Point<double> at = end_point(chain, q);
+    run.readings.push_back({2.0 * static_cast<double>(run.readings.size()), at.x, at.y, -4, 0, {}});
+  }
+  experiment.runs.push_back(run);
+  return experiment;
+}
+
+/// "0.3 f L / k" with the numbers of an experiment for the symbols.
+double evaluate(const std::string& expression, const std::map<std::string, double>& symbols) {
+  double value = 1;
+  bool divide = false;
+  std::istringstream words(expression);
+  for (std::string word; words >> word;) {
+    if (word == "/") {
+      divide = true;
+      continue;
+    }
+    const auto symbol = symbols.find(word);
+    const double factor = symbol != symbols.end() ? symbol->second : std::stod(word);
+    value = divide ? value / factor : value * factor;
+    divide = false;
+  }
+  return value;
+}
+
+std::string with_joint(const std::string& words, std::size_t joint) {
+  return std::regex_replace(words, std::regex(R"(\bj\b)"), std::to_string(joint));
+}
+
+}  // namespace
+
+TEST_CASE("the document names every effect of the catalogue, and no other") {
+  const Document document = read_document();
+  std::set<std::string> ids;
+  for (std::size_t e = 0; e < effect_count; ++e) ids.emplace(effect_name(static_cast<EffectId>(e)));
+  std::set<std::string> named;
+  for (const auto& [id, effect] : document.effects) named.insert(id);
+  CHECK(named == ids);
+}
+
+TEST_CASE("words, places, parameters, units and ranges are those of the catalogue") {
+  const Document document = read_document();
+  const Experiment experiment = two_links({2, 1}, {0.4, -0.9}, {{0.4, -0.9}, {0.5, -1.0}, {0.6, -1.1}});
+  // By hand: the mean of 2 and 1; lengths 0.3 and 0.2; all forces 4; 0.3 4 0.5 / 1.5; times 0, 2, 4.
+  const std::map<std::string, double> symbols{{"k", 1.5}, {"k_j", 1.0}, {"L", 0.5}, {"l", 0.25},
+                                              {"f", 4.0}, {"phi", 0.4}, {"T", 4.0}, {"dt", 2.0}};
+  for (const auto& [id, documented] : document.effects) {
+    INFO(id);
+    const EffectId effect = effect_id(id);
+    CHECK(sits_at_joint(effect) == documented.at_joint);
+    const EffectAt at{effect, documented.at_joint ? std::size_t{2} : std::size_t{0}};
+    CHECK(in_words(at) == with_joint(documented.words, at.joint));
+    const std::vector<ParameterRange> ranges = parameter_ranges(experiment, at);
+    REQUIRE(ranges.size() == documented.parameters.size());
+    for (std::size_t p = 0; p < ranges.size(); ++p) {
+      const DocumentedParameter& stated = documented.parameters[p];
+      INFO(stated.name);
+      CHECK(std::string(ranges[p].name) == stated.name);
+      CHECK(std::string(unit(effect, ranges[p].name)) == stated.unit);
+      const double low = catalogue_value(ranges[p].coordinate, ranges[p].low);
+      const double high = catalogue_value(ranges[p].coordinate, ranges[p].high);
+      CHECK(std::min(low, high) == doctest::Approx(evaluate(stated.from, symbols)));
+      CHECK(std::max(low, high) == doctest::Approx(evaluate(stated.to, symbols)));
+    }
+  }
+}
+
+namespace {
+
+/// Two effects that predict the same of an experiment, to a share of the largest value of each channel.
+struct Same {
+  EffectAt first;
+  std::vector<double> first_values;  ///< in the catalogue's units
+  EffectAt second;
+  std::vector<double> second_values;
+  Experiment experiment;
+  double tolerance;
+};
+
+Trace predicted(const Experiment& experiment, const EffectAt& at, std::vector<double> values) {
+  const std::vector<ParameterRange> ranges = parameter_ranges(experiment, at);
+  for (std::size_t p = 0; p < values.size(); ++p)
+    values[p] = fitted_value(ranges[p].coordinate, values[p]);
+  const Prediction prediction = predict(experiment, {{at}}, values);
+  REQUIRE(prediction.reached);
+  return prediction.runs.front();
+}
+
+std::vector<Same> same_predictions() {
+  using enum EffectId;
+  const std::vector<double> rest{0.4, -0.9};
+  const std::vector<std::vector<double>> from_rest{rest, {0.45, -1.0}, {0.5, -1.1}, {0.55, -1.2}};
+  const std::vector<std::vector<double>> beyond{{0.5, -1.2}, {0.55, -1.3}, {0.6, -1.4}};
+  const Experiment press = two_links({2, 1.5}, rest, from_rest);
+  const Experiment one_spring = two_links({0, 1.5}, rest, from_rest);
+  const Experiment bent = two_links({2, 1.5}, rest, beyond);
+  const double solved = 1e-8;  // equilibria are solved to ten digits
+  return {
+      {{train_compliance}, {2e-3}, {base_compliance}, {2e-3, 0}, press, solved},
+      {{tip_payload}, {0.5}, {force_bias}, {-0.5 * 0.6, 0.5 * 0.8}, press, solved},
+      {{joint_stiffness, 2}, {0.3}, {force_gain}, {0.3}, one_spring, solved},
+      {{guide_friction}, {0.2}, {force_bias}, {-0.2, 0}, bent, solved},
+      {{backlash, 2}, {0.05}, {rest_angle, 2}, {-0.05}, bent, solved},
+      // The stop is touched after 0.001 rad of deflections of 0.3 rad and more.
+      {{joint_stop, 2}, {1e-3, 0.45}, {joint_stiffness, 2}, {0.3}, bent, 1e-3 / 0.3},
+      // In 6 s an arm of 1e6 s loses 6e-6 of its torque.
+      {{viscoelasticity}, {0.3, 1e6}, {joint_stiffness, 2}, {0.3}, one_spring, 6e-6},
+  };
+}
+
+}  // namespace
+
+TEST_CASE("effects that the document calls the same predict the same, and the nominal model something else") {
+  const std::vector<Same> all = same_predictions();
+  std::vector<std::pair<std::string, std::string>> tested;
+  for (const Same& one : all) {
+    tested.emplace_back(effect_name(one.first.effect), effect_name(one.second.effect));
+    INFO(tested.back().first, " and ", tested.back().second);
+    const Trace first = predicted(one.experiment, one.first, one.first_values);
+    const Trace second = predicted(one.experiment, one.second, one.second_values);
+    const Trace nominal = predict(one.experiment, {}, {}).runs.front();
+    const double size = nominal.abs().maxCoeff();
+    CHECK((first - second).abs().maxCoeff() <= one.tolerance * size);
+    CHECK((first - nominal).abs().maxCoeff() > 10 * one.tolerance * size);
+  }
+  CHECK(read_document().equivalent == tested);
+}

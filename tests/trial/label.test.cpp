@@ -1,0 +1,40 @@
+#include <doctest/doctest.h>
+
+#include <set>
+
+#include "files/json_file.hpp"
+#include "files/text_file.hpp"
+#include "trial/label.hpp"
+
+using namespace plumbline;
+using namespace plumbline::trial;
+
+namespace {
+
+std::set<std::string> keys(const nlohmann::json& object) {
+  std::set<std::string> names;
+  for (const auto& [key, value] : object.items()) names.insert(key);
+  return names;
+}
+
+const nlohmann::json full = nlohmann::json::parse(R"({
+  "name": "bench", "effects": [{"id": "backlash", "joint": 2, "parameters": {"b": 0.03}, "strength_sigma": 7.5}],
+  "equivalent": [["joint_stop(2)"]], "strength_sigma": 12.5, "noise": "declared", "noise_scale": 1.25,
+  "description": "a thinner pin", "channel": "Fx"})");
+
+}  // namespace
+
+TEST_CASE("a label has the keys of its schema, and every one is read") {
+  const std::string path = PLUMBLINE_SOURCE_DIR "/docs/schemas/label.schema.json";
+  const nlohmann::json schema = parse_json(read_text(path), path);
+  CHECK(keys(full) == keys(schema["properties"]));
+  CHECK(keys(full["effects"][0]) == keys(schema["properties"]["effects"]["items"]["properties"]));
+  CHECK(nlohmann::json(as_json(label_from(full, "test"))) == full);
+}
+
+TEST_CASE("what is no label is refused in one line that says so") {
+  CHECK_THROWS_WITH_AS(label_from(nlohmann::json::array(), "x/label.json"),
+                       doctest::Contains("x/label.json"), Error);
+  CHECK_THROWS_WITH_AS(label_from({{"effects", {{{"joint", 1}}}}}, "x/label.json"),
+                       doctest::Contains("expected a label"), Error);
+}
