@@ -28,6 +28,9 @@ packages=(
 peers=(liblapack-dev libopenblas-dev libspectra-dev python3-scipy auto-07p gfortran)
 [ "${1:-}" != --bench ] || packages+=("${peers[@]}")
 
+# what writes the reference of the library: ./setup.sh --docs
+[ "${1:-}" != --docs ] || packages+=(doxygen)
+
 missing=()
 for package in "${packages[@]}"; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")

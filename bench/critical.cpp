@@ -1,6 +1,6 @@
 /// \file
 /// `bench-critical`: critical forces, ours and other ways in turn in one process. Prints tables and puts them
-/// between the markers in bench/RESULTS.md, and the ones that matter most into README.md.
+/// between the markers in bench/RESULTS.md.
 
 #include <fmt/format.h>
 
@@ -95,7 +95,6 @@ constexpr const char* race_head =
 /// What the tables are made from, beside what they print.
 struct Findings {
   std::vector<Bar> bars;
-  std::string accuracy;
 
   void at_least(const std::string& what, double limit, double measured) {
     bars.push_back({what, limit, measured, true});
@@ -310,7 +309,6 @@ void accuracy_table(std::ostream& out, Findings& findings) {
     table += fmt::format("| 1e-{0:g} … 1e{0:g} | {1} | {2:.1e} | {3:.1e} | {4:.1e} | {5:.1e} |\n", decades,
                          chains, worst[0], worst[1], worst[2], worst[3]);
   }
-  findings.accuracy = table;
   out << table;
 }
 
@@ -356,7 +354,6 @@ int main() {
     const std::string bars = table_of(findings.bars);
     std::cout << '\n' << bars;
     put_into(PLUMBLINE_SOURCE_DIR "/bench/RESULTS.md", by + "### Bars\n\n" + bars + '\n' + out.str());
-    put_into(PLUMBLINE_SOURCE_DIR "/README.md", by + bars + findings.accuracy);
   } catch (const std::exception& error) {
     std::cerr << "bench-critical: " << error.what() << '\n';
     return 2;

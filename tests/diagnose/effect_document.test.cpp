@@ -148,8 +148,7 @@ struct Same {
 
 Trace predicted(const Experiment& experiment, const EffectAt& at, std::vector<double> values) {
   const std::vector<ParameterRange> ranges = parameter_ranges(experiment, at);
-  for (std::size_t p = 0; p < values.size(); ++p)
-    values[p] = fitted_value(ranges[p].coordinate, values[p]);
+  for (std::size_t p = 0; p < values.size(); ++p) values[p] = fitted_value(ranges[p].coordinate, values[p]);
   const Prediction prediction = predict(experiment, {{at}}, values);
   REQUIRE(prediction.reached);
   return prediction.runs.front();

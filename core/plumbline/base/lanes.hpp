@@ -13,7 +13,9 @@
 
 namespace plumbline {
 
+/// How many doubles are computed with at once.
 inline constexpr std::size_t lane_count = 8;
+/// A double in each lane.
 typedef double Lanes __attribute__((vector_size(lane_count * sizeof(double))));  // NOLINT
 typedef double Pair __attribute__((vector_size(2 * sizeof(double))));            // NOLINT
 
@@ -24,6 +26,7 @@ using Mask = decltype(std::declval<T>() < std::declval<T>());
 template <class T>
 concept Vectorised = std::same_as<T, Lanes> || std::same_as<T, Pair>;
 
+/// The same number in every lane.
 inline Lanes all_lanes(double x) {
   return Lanes{} + x;
 }
@@ -32,10 +35,12 @@ template <Vectorised V>
 V magnitude(const V& x) {
   return (V)((Mask<V>)x & INT64_MAX);
 }
+/// The larger number, lane by lane.
 template <class T>
 T larger(const T& x, const T& y) {
   return x > y ? x : y;
 }
+/// The smaller number, lane by lane.
 template <class T>
 T smaller(const T& x, const T& y) {
   return x < y ? x : y;
@@ -50,20 +55,24 @@ template <Vectorised V>
 V to_unit_scale(const V& x) {
   return (V)((INT64_C(2046) - ((Mask<V>)x >> 52)) << 52);
 }
+/// Lane by lane.
 inline Lanes square_root(const Lanes& x) {
   Lanes root;
   for (std::size_t lane = 0; lane < lane_count; ++lane) root[lane] = std::sqrt(x[lane]);
   return root;
 }
+/// Of a single number.
 template <class T>
 T square_root(const T& x) {
   using std::sqrt;
   return sqrt(x);
 }
 
+/// Whether a condition holds.
 inline bool any(bool mask) {
   return mask;
 }
+/// Whether a condition holds in some lane.
 inline bool any(const Mask<Lanes>& mask) {
   std::int64_t either = 0;
   for (std::size_t lane = 0; lane < lane_count; ++lane) either |= mask[lane];

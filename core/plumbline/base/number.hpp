@@ -11,6 +11,14 @@
 /// | `Interval` | certified enclosure (interval.hpp)   | no      | yes      | no       |
 ///
 /// A function that a type cannot serve does not compile for it.
+///
+/// \code{.cpp}
+/// // a third, as far as each type has it
+/// assert(Rational(1) / Rational(3) * Rational(3) == Rational(1));
+/// assert(from_rational<double>(Rational(1, 3)) == 1.0 / 3.0);
+/// const Mpfr50 third = from_rational<Mpfr50>(Rational(1, 3));
+/// assert(abs(third * Mpfr50(3) - Mpfr50(1)) < epsilon<Mpfr50>());
+/// \endcode
 
 #include <Eigen/Core>
 #include <boost/multiprecision/gmp.hpp>
@@ -27,7 +35,9 @@ namespace mp = boost::multiprecision;
 using Mpfr50 = mp::number<mp::mpfr_float_backend<50, mp::allocate_stack>, mp::et_off>;
 /// Precision in decimal digits is `Mpfr::default_precision()` at construction.
 using Mpfr = mp::number<mp::mpfr_float_backend<0>, mp::et_off>;
+/// Exact fraction.
 using Rational = mp::number<mp::gmp_rational, mp::et_off>;
+/// Integer of any size.
 using Integer = mp::number<mp::gmp_int, mp::et_off>;
 
 /// Has the four operations of a field.
@@ -53,8 +63,10 @@ concept Analytic = Number<T> && !std::same_as<T, Rational>;
 template <class T>
 concept Floating = Ordered<T> && Analytic<T>;
 
+/// A column.
 template <Number Real>
 using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+/// A matrix of any size.
 template <Number Real>
 using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
@@ -132,9 +144,11 @@ struct EigenScalar : Eigen::GenericNumTraits<T> {
 
 }  // namespace plumbline
 
+/// \cond
 template <>
 struct Eigen::NumTraits<plumbline::Mpfr50> : plumbline::EigenScalar<plumbline::Mpfr50> {};
 template <>
 struct Eigen::NumTraits<plumbline::Mpfr> : plumbline::EigenScalar<plumbline::Mpfr> {};
 template <>
 struct Eigen::NumTraits<plumbline::Rational> : plumbline::EigenScalar<plumbline::Rational> {};
+/// \endcond

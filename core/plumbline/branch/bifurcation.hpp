@@ -18,6 +18,7 @@
 
 namespace plumbline {
 
+/// A point where branches cross, and their tangents there.
 template <Number Real>
 struct Bifurcation {
   BranchPoint<Real> point;                ///< tangent: that of the branch it was found on
@@ -29,11 +30,14 @@ struct Bifurcation {
   [[nodiscard]] bool simple() const { return tangents.size() == 2 && imperfection <= Real(64) * rounding; }
 };
 
+/// Finds the crossing next to a point of a branch.
 template <SmoothModel Model>
 class BifurcationSolver {
  public:
+  /// The number type.
   using Real = typename Model::Real;
 
+  /// For the model and the loading of a brancher, which has to outlive it.
   explicit BifurcationSolver(const Brancher<Model>& brancher) : brancher_(&brancher) {}
 
   /// The bifurcation near a point of a branch, with a guess of the direction that becomes singular.

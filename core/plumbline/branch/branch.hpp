@@ -19,7 +19,9 @@ namespace plumbline {
 template <SmoothModel Model>
 class Brancher {
  public:
+  /// The number type.
   using Real = typename Model::Real;
+  /// Half-width of the model's Hessian.
   static constexpr int bandwidth = Model::bandwidth;
 
   /// \param shape  any shape of the chain, such as the unloaded one: sets the measure of arc length
@@ -49,11 +51,14 @@ class Brancher {
     for (Eigen::Index i = 0; i < n; ++i) probe_.theta(i) = noise();
   }
 
+  /// The chain.
   [[nodiscard]] const Model& model() const { return *model_; }
+  /// How it is loaded.
   [[nodiscard]] const Loading<Real>& loading() const { return loading_; }
 
   /// A change of angles as a functional, and the weight of the load, in that measure.
   [[nodiscard]] Vector<Real> weighted(const Vector<Real>& theta) const { return weight_.cwiseProduct(theta); }
+  /// What the square of a load counts for in that measure.
   [[nodiscard]] const Real& load_weight() const { return load_weight_; }
   /// The load that counts as much as a turn of one radian.
   [[nodiscard]] Real load_scale() const {
@@ -65,6 +70,7 @@ class Brancher {
     using std::sqrt;
     return sqrt(product(v, v));
   }
+  /// Inner product of that measure.
   [[nodiscard]] Real product(const Variation<Real>& a, const Variation<Real>& b) const {
     Real sum = load_weight_ * a.load * b.load;
     for (Eigen::Index i = 0; i < weight_.size(); ++i) sum += weight_(i) * a.theta(i) * b.theta(i);
@@ -167,9 +173,9 @@ class Brancher {
   /// Distance along the tangent, ahead or behind, within which the equations stay regular, and the direction
   /// that becomes singular there; `ahead` is the signed distance if that direction is settled, else 0.
   struct Horizon {
-    Real distance;
-    Real ahead;
-    Variation<Real> direction;
+    Real distance;              ///< to the nearest singular point, either way, in arc length
+    Real ahead;                 ///< or 0
+    Variation<Real> direction;  ///< where ahead is positive
   };
 
   /// The horizon at the point that was corrected last.
@@ -217,12 +223,14 @@ class Brancher {
     D(1, 2) = held ? Real(-loading_.direction.y) : loading_.direction.y;
   }
 
+  /// Takes a point along a variation, times h, off the branch.
   static void move(BranchPoint<Real>& point, const Variation<Real>& along, const Real& h) {
     point.theta += h * along.theta;
     point.force.x += h * along.force.x;
     point.force.y += h * along.force.y;
     point.load += h * along.load;
   }
+  /// Multiplies a variation by a factor.
   static void scale(Variation<Real>& v, const Real& factor) {
     v.theta *= factor;
     v.force.x *= factor;

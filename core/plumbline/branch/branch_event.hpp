@@ -7,6 +7,7 @@
 
 namespace plumbline {
 
+/// What can happen on a branch.
 enum class EventKind {
   fold,           ///< the load turns back: under a growing load the chain must jump (snap)
   bifurcation,    ///< another branch crosses: buckling
@@ -26,9 +27,10 @@ inline std::string_view name(EventKind kind) {
   return "quasi-buckling";
 }
 
+/// An event and its place on a branch.
 template <Number Real>
 struct BranchEvent {
-  EventKind kind;
+  EventKind kind;            ///< what happens
   std::size_t before;        ///< it lies behind points[before]
   BranchPoint<Real> point;   ///< located to working precision
   Variation<Real> crossing;  ///< at a bifurcation: the tangent of the other branch

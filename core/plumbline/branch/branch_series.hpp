@@ -11,12 +11,13 @@
 
 namespace plumbline {
 
+/// An equilibrium on a branch.
 template <Number Real>
 struct BranchPoint {
-  Real load;
-  Vector<Real> theta;
-  Point<Real> force;
-  Point<Real> end_point;
+  Real load;                        ///< along the loading's ray
+  Vector<Real> theta;               ///< absolute angles, n
+  Point<Real> force;                ///< on the end point
+  Point<Real> end_point;            ///< where it is
   Real energy;                      ///< stored energy
   std::size_t negative_directions;  ///< in the sense of the control
   Real stiffness;                   ///< tangent stiffness along the loading's direction; infinite where the
@@ -33,6 +34,7 @@ class BranchSeries {
   enum Quantity : std::uint8_t { Fx, Fy, load, place_x, place_y, energy, push, way, bend, quantities };
 
   BranchSeries() : BranchSeries(sufficient_order()) {}
+  /// Of powers up to s^order.
   explicit BranchSeries(Eigen::Index order) : order_(order) {}
 
   /// Order 0.
@@ -97,11 +99,15 @@ class BranchSeries {
     }
   }
 
+  /// The highest power.
   [[nodiscard]] Eigen::Index order() const { return order_; }
+  /// Of s^k in a quantity.
   [[nodiscard]] const Real& coefficient(Quantity q, Eigen::Index k) const {
     return coefficient_(angles_ + q, k);
   }
+  /// Of s^k in F_x.
   [[nodiscard]] const Real& force_x(Eigen::Index k) const { return coefficient(Fx, k); }
+  /// Of s^k in F_y.
   [[nodiscard]] const Real& force_y(Eigen::Index k) const { return coefficient(Fy, k); }
 
   /// Goes to a place of the branch. By Horner's scheme, several rows at once.
@@ -119,6 +125,7 @@ class BranchSeries {
   }
   /// What is there, and its derivative by s.
   [[nodiscard]] const Real& value(Quantity q) const { return value_(angles_ + q); }
+  /// Derivative of a quantity by s, where the series was evaluated last.
   [[nodiscard]] const Real& slope(Quantity q) const { return slope_(angles_ + q); }
 
   /// Tangent stiffness at s, also where force and way both turn back, as they do on a branch that leaves a

@@ -2,6 +2,19 @@
 /// \file
 /// All branches that hang together with some equilibria: followed both ways, and switched at every
 /// bifurcation.
+///
+/// \code{.cpp}
+/// #include <plumbline/straight_start.hpp>
+///
+/// // All shapes of a straight three-link chain that is shortened by up to 0.1: two arches and two zigzags.
+/// const Chain<double> chain({1, 1, 1}, {0, 1, 1});
+/// const NominalModel<double> model(chain);
+/// const Loading<double> push{Control::end_point, {3, 0}, {-1, 0}};
+/// Brancher<NominalModel<double>> brancher(model, push, absolute_angles(chain.rest()));
+/// const auto starts = straight_starts(brancher, 1e-4);
+/// const auto branches = branch_tree(brancher, starts, {.from = 1e-4, .to = 0.1});
+/// assert(starts.size() == 4 && branches.size() == 4);
+/// \endcode
 
 #include <algorithm>
 #include <plumbline/branch/trace.hpp>

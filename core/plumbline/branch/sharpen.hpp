@@ -2,12 +2,33 @@
 /// \file
 /// Events of a branch to more digits: a branch is followed in one number type, what happens on it is located
 /// in another.
+///
+/// \code{.cpp}
+/// // The quasi-buckling point of the paper's Z-chain: followed in doubles, located to 50 digits.
+/// const auto push = [](const auto& chain) {
+///   using Real = std::remove_cvref_t<decltype(chain.length()[0])>;
+///   return Loading<Real>{Control::end_point, end_point(chain, chain.rest()), {Real(-1), Real(0)}};
+/// };
+/// const Chain<Rational> exact({1, 1, 1, 1}, {1, 1, 1, 1},
+///                             {Rational("-2417/10000"), Rational("6821/10000"), Rational("-7958/10000"),
+///                              Rational("517/1000")});
+/// const NominalModel<double> model(from_rational<double>(exact));
+/// Brancher<NominalModel<double>> low(model, push(model.chain()), absolute_angles(model.chain().rest()));
+/// const auto start = low.start(0, absolute_angles(model.chain().rest()));
+/// const auto branch = Tracer<NominalModel<double>>(low, {.from = 0, .to = 1.5}).run(start);
+///
+/// const NominalModel<Mpfr50> wide(from_rational<Mpfr50>(exact));
+/// Brancher<NominalModel<Mpfr50>> high(wide, push(wide.chain()), absolute_angles(wide.chain().rest()));
+/// const auto event = sharpen(high, branch.events.at(0));
+/// assert(abs(event.point.load - Mpfr50(branch.events[0].point.load)) < Mpfr50("1e-9"));
+/// \endcode
 
 #include <plumbline/branch/bifurcation.hpp>
 #include <plumbline/branch/branch_event.hpp>
 
 namespace plumbline {
 
+/// A variation in a wider number type.
 template <Floating To, Floating From>
 Variation<To> lift(const Variation<From>& v) {
   return {v.theta.template cast<To>(), {To(v.force.x), To(v.force.y)}, To(v.load)};

@@ -2,6 +2,17 @@
 /// \file
 /// What a slowly loaded chain really does: it follows its stable branch, and where stability ends it jumps,
 /// to where the energy flows.
+///
+/// \code{.cpp}
+/// // A link that leans to one side under a compression above k / L, pushed to the other side, snaps over.
+/// const NominalModel<double> model(Chain<double>({1}, {1}));
+/// const Loading<double> aside{Control::force, {-1.5, 0}, {0, 1}};
+/// Brancher<NominalModel<double>> brancher(model, aside, absolute_angles(std::vector{0.0}));
+/// const auto start = brancher.start(-1, absolute_angles(std::vector{-1.5}));
+/// const auto history = load_slowly(brancher, start, {.from = -1, .to = 1});
+/// assert(history.size() == 2);  // up to the snap, and from there
+/// assert(history[0].points.back().theta(0) < 0 && history[1].points.front().theta(0) > 0);
+/// \endcode
 
 #include <plumbline/branch/trace.hpp>
 #include <plumbline/loaded/settle.hpp>

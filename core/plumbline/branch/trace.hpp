@@ -1,6 +1,18 @@
 #pragma once
 /// \file
 /// A branch from end to end, with the events on it.
+///
+/// \code{.cpp}
+/// // The equilibria of the paper's Z-chain from its unloaded shape on, its end point pushed in by up to 1.5.
+/// const std::vector<double> rest{-0.2417, 0.6821, -0.7958, 0.5170};
+/// const NominalModel<double> model(Chain<double>({1, 1, 1, 1}, {1, 1, 1, 1}, rest));
+/// const Loading<double> push{Control::end_point, end_point(model.chain(), rest), {-1, 0}};
+/// Brancher<NominalModel<double>> brancher(model, push, absolute_angles(rest));
+/// const auto start = brancher.start(0, absolute_angles(rest));
+/// const auto branch = Tracer<NominalModel<double>>(brancher, {.from = 0, .to = 1.5}).run(start);
+/// assert(branch.end == BranchEnd::load && branch.points.back().load == 1.5);
+/// assert(branch.events.size() == 1 && branch.events[0].kind == EventKind::quasi_buckling);
+/// \endcode
 
 #include <boost/math/tools/roots.hpp>
 #include <plumbline/branch/bifurcation.hpp>
@@ -18,16 +30,19 @@ enum class BranchEnd {
   points       ///< as many points as were allowed
 };
 
+/// Points of a branch in their order, what happens between them, and why it ends.
 template <Number Real>
 struct Branch {
-  std::vector<BranchPoint<Real>> points;
-  std::vector<BranchEvent<Real>> events;
-  BranchEnd end;
+  std::vector<BranchPoint<Real>> points;  ///< at least one
+  std::vector<BranchEvent<Real>> events;  ///< in the order of the points
+  BranchEnd end;                          ///< why it ends
 };
 
+/// How far a branch is followed, and in what steps.
 template <Number Real>
 struct TraceLimits {
-  Real from, to;                      ///< load window
+  Real from;                          ///< least load
+  Real to;                            ///< largest load
   Real longest = Real(1) / Real(20);  ///< longest way between points: root mean square turn of the links, in
                                       ///< radians
   std::size_t points = 100000;        ///< no stride is begun with more
@@ -44,8 +59,10 @@ struct TraceLimits {
 template <SmoothModel Model>
 class Tracer {
  public:
+  /// The number type.
   using Real = typename Model::Real;
 
+  /// With the model and the loading of a brancher, which has to outlive it.
   Tracer(Brancher<Model>& brancher, TraceLimits<Real> limits)
       : brancher_(&brancher), limits_(std::move(limits)) {}
 

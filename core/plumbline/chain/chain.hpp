@@ -1,6 +1,16 @@
 #pragma once
 /// \file
 /// The planar serial chain: rigid links, linear torsion springs at the joints.
+///
+/// \code{.cpp}
+/// const Chain<double> arch({0.3, 0.25}, {2.0, 1.5}, {0.4, -0.9});  // lengths, stiffnesses, rest angles
+/// assert(arch.size() == 2 && arch.stiffness()[1] == 1.5);
+///
+/// // a chain of decimals that are meant exactly, and what becomes of it in doubles
+/// const Chain<Rational> exact({Rational(1, 10), 1}, {0, 1});
+/// assert(exact.passive_joint(0) && mode_count(exact) == 1);
+/// assert(from_rational<double>(exact).length()[0] == 0.1);
+/// \endcode
 
 #include <algorithm>
 #include <cstddef>
@@ -43,12 +53,16 @@ class Chain {
 
   /// Number of links, n.
   [[nodiscard]] std::size_t size() const { return length_.size(); }
+  /// L_1 … L_n.
   [[nodiscard]] const std::vector<Real>& length() const { return length_; }
+  /// k_1 … k_n.
   [[nodiscard]] const std::vector<Real>& stiffness() const { return stiffness_; }
+  /// Joint angles of the unloaded shape.
   [[nodiscard]] const std::vector<Real>& rest() const { return rest_; }
 
   /// Whether joint i (from 0) has no spring.
   [[nodiscard]] bool passive_joint(std::size_t i) const { return !positive(stiffness_[i]); }
+  /// How many joints have no spring.
   [[nodiscard]] std::size_t passive_joints() const {
     return static_cast<std::size_t>(
         std::count_if(stiffness_.begin(), stiffness_.end(), [](const Real& k) { return !positive(k); }));

@@ -1,6 +1,15 @@
 #pragma once
 /// \file
 /// Direct kinematics of the planar chain, paper equations (4), (5), (12), (21), (23).
+///
+/// \code{.cpp}
+/// const Chain<double> chain({2, 1}, {1, 1});
+/// const double right_angle = std::acos(-1.0) / 2;
+/// const Point<double> tip = end_point(chain, {right_angle, -right_angle});  // up, then along x
+/// assert(std::abs(tip.x - 1) < 1e-15 && std::abs(tip.y - 2) < 1e-15);
+/// const Matrix<double> J = jacobian(chain, {right_angle, -right_angle});
+/// assert(J.cols() == 2 && std::abs(J(0, 0) + tip.y) < 1e-15);  // about the base the end point turns
+/// \endcode
 
 #include <plumbline/chain/chain.hpp>
 
@@ -9,7 +18,8 @@ namespace plumbline {
 /// End point in the base frame: x along the straight chain, y to its left.
 template <Number Real>
 struct Point {
-  Real x, y;
+  Real x;  ///< along the straight chain
+  Real y;  ///< to its left
 };
 
 /// Absolute link orientations theta_j = q_1 + … + q_j.

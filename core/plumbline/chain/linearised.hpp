@@ -3,6 +3,14 @@
 /// The straight chain to leading order in small joint angles, paper equations (25) to (33).
 ///
 /// The paper counts compression as positive F_x here: (29) reads K q + S1 q F_x + S0 F_y = 0.
+///
+/// \code{.cpp}
+/// // The critical force of two links on a passive base, 2 k / L, is a root of (33), in fractions.
+/// const Chain<Rational> chain({1, 1}, {0, 1});
+/// const Matrix<Rational> M = matrix_A(chain) * Rational(2) + matrix_B(chain);
+/// Eigen::FullPivLU<Matrix<Rational>> lu(M);
+/// assert(lu.rank() == 2);  // of 3
+/// \endcode
 
 #include <plumbline/chain/chain.hpp>
 #include <plumbline/chain/kinematics.hpp>

@@ -1,6 +1,14 @@
 #pragma once
 /// \file
 /// A buckling mode of the straight chain, paper equations (35) to (39), and the name of its shape.
+///
+/// \code{.cpp}
+/// // The U-shape of the paper's three-link chain (passive base): k / L, (16).
+/// const Chain<Rational> chain({1, 1, 1}, {0, 1, 1});
+/// const std::vector<Rational> q{1, -1, -1};
+/// assert(energy_factor(chain, q) == 1 && lateral_force(chain, Rational(1), q) == 0);
+/// assert(sign_pattern(q) == "+--" && shape_name("+--") == "U");
+/// \endcode
 
 #include <plumbline/chain/linearised.hpp>
 #include <string>

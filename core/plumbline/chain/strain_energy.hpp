@@ -1,6 +1,17 @@
 #pragma once
 /// \file
 /// Elastic energy and joint torques of the springs, paper equations (10) and (24).
+///
+/// \code{.cpp}
+/// // In equilibrium the springs' torques are J^T F: a chain that is held bent, and the force that holds it.
+/// const Chain<double> chain({1, 1}, {0, 2});
+/// const std::vector<double> q{0.25, -0.5};  // the end point lies on the x axis, and so does the force
+/// const double force = -2 * 0.5 / std::sin(0.25);
+/// const Vector<double> torque = spring_torque(chain, q);
+/// const Vector<double> needed = jacobian(chain, q).transpose() * Eigen::Vector2d(force, 0);
+/// assert((torque - needed).norm() < 1e-14);
+/// assert(strain_energy(chain, q) == 0.25);
+/// \endcode
 
 #include <plumbline/chain/chain.hpp>
 

@@ -7,12 +7,24 @@
 /// of the energy's Hessian on the tangent space of the constraint. Imposed force: theta is unknown, stability
 /// is the inertia of the full Hessian. What is stable under an imposed force is stable with its end point
 /// held; the converse fails.
+///
+/// \code{.cpp}
+/// // The paper's Z-chain, its end point pushed in by 0.1.
+/// const std::vector<double> rest{-0.2417, 0.6821, -0.7958, 0.5170};
+/// const NominalModel<double> model(Chain<double>({1, 1, 1, 1}, {1, 1, 1, 1}, rest));
+/// EquilibriumSolver<NominalModel<double>> solver(model);
+/// const Point<double> start = end_point(model.chain(), rest);
+/// const auto found = solver.at_end_point({start.x - 0.1, start.y}, absolute_angles(rest));
+/// assert(std::abs(found.end_point.x - (start.x - 0.1)) < 1e-12);
+/// assert(found.negative_directions == 0 && found.force.x < 0);  // stable; compression
+/// \endcode
 
 #include <plumbline/loaded/loaded_model.hpp>
 #include <plumbline/loaded/loading.hpp>
 
 namespace plumbline {
 
+/// A shape in which a loaded chain is at rest, stable or not.
 template <Number Real>
 struct Equilibrium {
   Vector<Real> theta;               ///< absolute angles, n
@@ -26,9 +38,12 @@ struct Equilibrium {
 template <LoadedModel Model>
 class EquilibriumSolver {
  public:
+  /// The number type.
   using Real = typename Model::Real;
+  /// Half-width of the model's Hessian.
   static constexpr int bandwidth = Model::bandwidth;
 
+  /// For a model, which has to outlive it.
   explicit EquilibriumSolver(const Model& model) : model_(&model) {}
 
   /// The equilibrium with its end point held at `place`, from a guess of shape and force.

@@ -37,9 +37,9 @@ concept LoadedModel = requires(const M& model, const Vector<typename M::Real>& t
 /// A change of shape, force and load; a tangent of a branch, for one.
 template <Number Real>
 struct Variation {
-  Vector<Real> theta;
-  Point<Real> force;
-  Real load;
+  Vector<Real> theta;  ///< of the absolute angles
+  Point<Real> force;   ///< of the force on the end point
+  Real load;           ///< of the load
 };
 
 /// A model whose branches can be followed: `second_derivative(at, F, v, w, moment, place)` gives, where the
@@ -60,14 +60,20 @@ concept SmoothModel = LoadedModel<M> && Floating<typename M::Real> &&
 template <Analytic Number_>
 class NominalModel {
  public:
+  /// The number type.
   using Real = Number_;
+  /// Half-width of the Hessian: neighbours alone share a spring.
   static constexpr int bandwidth = 1;
 
+  /// Of a chain, which is copied.
   explicit NominalModel(Chain<Real> chain) : chain_(std::move(chain)) {}
 
+  /// The chain.
   [[nodiscard]] const Chain<Real>& chain() const { return chain_; }
+  /// Number of links.
   [[nodiscard]] std::size_t size() const { return chain_.size(); }
 
+  /// The model at a shape and a force, to second order.
   void expand(const Vector<Real>& theta, const Point<Real>& force, Expansion<Real, 1>& at) const {
     using std::cos, std::sin;
     const auto n = static_cast<Eigen::Index>(size());
@@ -101,6 +107,7 @@ class NominalModel {
     at.compliance.setConstant(Real(0));
   }
 
+  /// Second derivative of the equations in the directions v and w: its moments, and of the end point.
   void second_derivative(const Expansion<Real, 1>& at, const Point<Real>& force, const Variation<Real>& v,
                          const Variation<Real>& w, Vector<Real>& moment, Point<Real>& place) const {
     const Eigen::Index n = v.theta.size();

@@ -1,6 +1,11 @@
 #pragma once
 /// \file
 /// How a chain is loaded.
+///
+/// \code{.cpp}
+/// const Loading<double> push{Control::end_point, {4, 0}, {-1, 0}};  // from (4, 0) on towards the base
+/// assert(push.at(0.5).x == 3.5);
+/// \endcode
 
 #include <plumbline/chain/kinematics.hpp>
 
@@ -13,10 +18,11 @@ enum class Control { end_point, force };
 /// unit vector, so the load is a length or a force.
 template <Number Real>
 struct Loading {
-  Control control;
-  Point<Real> start;
-  Point<Real> direction;
+  Control control;        ///< what the ray lies in
+  Point<Real> start;      ///< at load 0
+  Point<Real> direction;  ///< a unit vector
 
+  /// What is imposed at a load.
   [[nodiscard]] Point<Real> at(const Real& load) const {
     return {start.x + load * direction.x, start.y + load * direction.y};
   }

@@ -88,6 +88,7 @@ class BeadString {
     return largest_mass_ < limit && largest_spacing_ < limit && smallest_ > 1 / limit && normal_;
   }
 
+  /// The parts that interior passive joints cut the string into; one or two.
   [[nodiscard]] StringPieces<Real> pieces() const {
     StringPieces<Real> result;
     const std::span<const Real> mass(mass_.begin(), mass_.size()), spacing(spacing_.begin(), spacing_.size());

@@ -3,6 +3,12 @@
 /// Mode shapes of the straight chain at its critical forces, to high relative accuracy in each component: the
 /// string with beads (bead_string.hpp) is run from both ends, and the two runs are joined at the bead where
 /// they fit best (a twisted factorisation).
+///
+/// \code{.cpp}
+/// const Chain<double> chain({1, 1, 1, 1}, {1, 1, 1, 1});
+/// const std::vector<Mode<double>> modes = critical_modes(chain, 3);
+/// assert(shape_name(sign_pattern(modes[0].q)) == "U" && shape_name(sign_pattern(modes[2].q)) == "Z");
+/// \endcode
 
 #include <limits>
 #include <plumbline/straight/critical_force.hpp>
@@ -126,6 +132,7 @@ Mode<Real> mode_of(const Chain<Real>& chain, const StringPiece<Real>& string, co
   return {force, std::move(q), Real(fy / scale)};
 }
 
+/// Rounded; the force as force_in_double() has it.
 inline Mode<double> in_double(const Mode<long double>& mode) {
   return {force_in_double(mode.force), {mode.q.begin(), mode.q.end()}, static_cast<double>(mode.fy)};
 }

@@ -3,6 +3,17 @@
 /// Critical forces of the straight chain to high relative accuracy for any grading, each in O(n): the
 /// frequencies of a string with beads (bead_string.hpp), found by Laguerre's iteration inside brackets that
 /// counts of the critical forces below a force keep safe.
+///
+/// \code{.cpp}
+/// const Chain<double> chain({1, 1, 1, 1}, {1, 1, 1, 1});
+/// const std::vector<double> forces = critical_forces(chain, 3);
+/// assert(std::abs(forces[0] - 0.924027591295903) < 1e-15);
+///
+/// // two counts in fractions prove it: no critical force is below the first, one below the second
+/// const Chain<Rational> exact({1, 1, 1, 1}, {1, 1, 1, 1});
+/// assert(count_below(exact, Rational("924027591295903/1000000000000000")) == 0);
+/// assert(count_below(exact, Rational("924027591295904/1000000000000000")) == 1);
+/// \endcode
 
 #include <plumbline/chain/mode.hpp>
 #include <plumbline/straight/lowest_force.hpp>
@@ -115,6 +126,7 @@ std::optional<Chain<To>> narrowed(const Chain<From>& chain) {
   return Chain<To>(std::move(length), std::move(stiffness));
 }
 
+/// The same chain, with the exponents of long double.
 inline Chain<long double> widened(const Chain<double>& chain) {
   return convert<long double>(chain, [](double value) { return static_cast<long double>(value); });
 }

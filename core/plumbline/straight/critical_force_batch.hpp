@@ -2,6 +2,12 @@
 /// \file
 /// The lowest critical force of many small chains of equal n: eight chains at a time, one in each lane, on
 /// all cores.
+///
+/// \code{.cpp}
+/// const std::vector<double> length{1, 1, 1, 2}, stiffness{0, 1, 0, 1};  // two chains of two links
+/// const std::vector<double> forces = lowest_forces(ChainBatch{2, length, stiffness});
+/// assert(std::abs(forces[0] - 2) < 1e-15 && std::abs(forces[1] - 1.5) < 1e-15);
+/// \endcode
 
 #include <plumbline/straight/critical_force.hpp>
 #include <thread>
@@ -10,9 +16,11 @@ namespace plumbline {
 
 /// Chains of n links each, one after the other: entry i of chain c is element c n + i of both lists.
 struct ChainBatch {
-  std::size_t links;
-  std::span<const double> length, stiffness;
+  std::size_t links;                  ///< n, of every chain
+  std::span<const double> length;     ///< of all links
+  std::span<const double> stiffness;  ///< of all joints
 
+  /// Number of chains.
   [[nodiscard]] std::size_t size() const { return length.size() / links; }
   /// \throws Error as Chain does
   [[nodiscard]] Chain<double> chain(std::size_t c) const {

@@ -20,6 +20,7 @@ auto rough_ratio(const T& x, const T& y) {
     return x / y;
   }
 }
+/// The type of a quotient to double's digits.
 template <class T>
 using Rough = decltype(rough_ratio(std::declval<T>(), std::declval<T>()));
 

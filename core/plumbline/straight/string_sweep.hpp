@@ -178,12 +178,14 @@ std::array<Sweep<T, order>, several> run_from_left(const StringPiece<Real>& stri
       },
       all);
 }
+/// Along one string, for several forces.
 template <int order, class Real, class T, std::size_t several, class Safe>
 std::array<Sweep<T, order>, several> sweep(const StringPiece<Real>& string, const std::array<T, several>& F,
                                            const Safe& safe) {
   return safe.links < string.size() ? run_from_left<order, true>(string, F, safe)
                                     : run_from_left<order, false>(string, F, safe);
 }
+/// Along one string, for one force.
 template <int order, Floating Real>
 Sweep<Real, order> sweep(const StringPiece<Real>& string, const Real& F) {
   return sweep<order>(string, std::array{F}, SafeStretch<Real>(string, F))[0];
