@@ -99,9 +99,21 @@ def broken_links(path):
             yield f"{path.relative_to(ROOT)}: a link to {target}, which is not there"
 
 
+def broken_names(path):
+    """Workflows and folders that the text names and that are not there."""
+    text = path.read_text(encoding="utf-8")
+    presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))["workflowPresets"]
+    for name in re.findall(r"--preset (\w+)", text):
+        if name not in [preset["name"] for preset in presets]:
+            yield f"{path.relative_to(ROOT)}: no workflow {name}"
+    for folder in re.findall(r"`([a-z]+)/`", text):
+        if not (ROOT / folder).is_dir():
+            yield f"{path.relative_to(ROOT)}: no folder {folder}"
+
+
 all_faults = []
 for document in documents():
     with tempfile.TemporaryDirectory() as place:
-        all_faults += visit(document, Path(place)) + list(broken_links(document))
+        all_faults += [*visit(document, Path(place)), *broken_links(document), *broken_names(document)]
 print("\n".join(all_faults))
 sys.exit(1 if all_faults else 0)
