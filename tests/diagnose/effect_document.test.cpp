@@ -4,16 +4,17 @@
 
 #include <cmath>
 #include <map>
-#include <plumbline/kinematics.hpp>
+#include <plumbline/chain/kinematics.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
 
-#include "diagnose/effect_words.hpp"
-#include "diagnose/forward_model.hpp"
+#include "diagnose/model/history.hpp"
+#include "diagnose/report/effect_words.hpp"
 #include "files/text_file.hpp"
 
 using namespace plumbline;
+using namespace plumbline::diagnose;
 
 namespace {
 

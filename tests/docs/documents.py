@@ -11,6 +11,11 @@ def documents():
     return [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
 
 
+def texts():
+    """Every Markdown file of the repository."""
+    return [path for path in sorted(ROOT.rglob("*.md")) if not path.relative_to(ROOT).parts[0].startswith(("build", "."))]
+
+
 @dataclass
 class Block:
     """A fenced block: ```language name=value."""

@@ -1,4 +1,4 @@
-"""Every example in the documents, run as it stands there.
+"""Every example in the documents, run as it stands there; and what any text links to or names is there.
 
 usage: examples.test.py PLUMBLINE [--update]
 
@@ -17,7 +17,7 @@ from pathlib import Path
 
 from jsonschema import Draft202012Validator
 
-from documents import ROOT, SCHEMAS, blocks, documents
+from documents import ROOT, SCHEMAS, blocks, documents, texts
 
 SETUP = re.compile(r"(\./setup\.sh|cmake) .*")
 
@@ -114,6 +114,8 @@ def broken_names(path):
 all_faults = []
 for document in documents():
     with tempfile.TemporaryDirectory() as place:
-        all_faults += [*visit(document, Path(place)), *broken_links(document), *broken_names(document)]
+        all_faults += visit(document, Path(place))
+for text in texts():
+    all_faults += [*broken_links(text), *broken_names(text)]
 print("\n".join(all_faults))
 sys.exit(1 if all_faults else 0)

@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include <plumbline/error.hpp>
+#include <plumbline/base/error.hpp>
 #include <set>
 
 #include "files/json_file.hpp"

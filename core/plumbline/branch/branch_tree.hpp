@@ -4,7 +4,7 @@
 /// bifurcation.
 ///
 /// \code{.cpp}
-/// #include <plumbline/straight_start.hpp>
+/// #include <plumbline/branch/straight_start.hpp>
 ///
 /// // All shapes of a straight three-link chain that is shortened by up to 0.1: two arches and two zigzags.
 /// const Chain<double> chain({1, 1, 1}, {0, 1, 1});
