@@ -1,4 +1,4 @@
-"""Every example in the documents, run as it stands there; and what any text links to or names is there.
+"""Every example in the documents, run as it stands there; and what any text links to is there.
 
 usage: examples.test.py PLUMBLINE [--update]
 
@@ -99,14 +99,16 @@ def broken_links(path):
             yield f"{path.relative_to(ROOT)}: a link to {target}, which is not there"
 
 
-def broken_names(path):
-    """Workflows and folders that the text names and that are not there."""
-    text = path.read_text(encoding="utf-8")
-    presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))["workflowPresets"]
-    for name in re.findall(r"--preset (\w+)", text):
-        if name not in [preset["name"] for preset in presets]:
-            yield f"{path.relative_to(ROOT)}: no workflow {name}"
-    for folder in re.findall(r"`([a-z]+)/`", text):
+def unknown_presets(path):
+    presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
+    known = {preset["name"] for kind in ("configurePresets", "workflowPresets") for preset in presets[kind]}
+    for name in re.findall(r"--preset\s+(\w+)", path.read_text(encoding="utf-8")):
+        if name not in known:
+            yield f"{path.relative_to(ROOT)}: no preset {name}"
+
+
+def missing_folders(path):
+    for folder in re.findall(r"`([a-z]+)/`", path.read_text(encoding="utf-8")):
         if not (ROOT / folder).is_dir():
             yield f"{path.relative_to(ROOT)}: no folder {folder}"
 
@@ -114,8 +116,8 @@ def broken_names(path):
 all_faults = []
 for document in documents():
     with tempfile.TemporaryDirectory() as place:
-        all_faults += visit(document, Path(place))
+        all_faults += [*visit(document, Path(place)), *missing_folders(document)]
 for text in texts():
-    all_faults += [*broken_links(text), *broken_names(text)]
+    all_faults += [*broken_links(text), *unknown_presets(text)]
 print("\n".join(all_faults))
 sys.exit(1 if all_faults else 0)
