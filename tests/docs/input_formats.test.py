@@ -93,8 +93,11 @@ def repository_experiments():
     validator = Draft202012Validator(schema_of("experiment"))
     found = [path for path in ROOT.glob("**/experiment.toml") if not path.relative_to(ROOT).parts[0].startswith("build")]
     assert found
+    labels = Draft202012Validator(schema_of("label"))
     for path in found:
         validator.validate(tomllib.loads(path.read_text(encoding="utf-8")))
+        if (path.parent / "label.json").exists():
+            labels.validate(json.loads((path.parent / "label.json").read_text(encoding="utf-8")))
     for block in blocks(EXPERIMENTS):
         if block.attributes.get("file", "").endswith("press/experiment.toml"):
             validator.validate(tomllib.loads(block.text))
