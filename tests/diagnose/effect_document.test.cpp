@@ -6,15 +6,14 @@
 #include <map>
 #include <plumbline/chain/kinematics.hpp>
 #include <regex>
-#include <set>
 #include <sstream>
 
-#include "diagnose/model/history.hpp"
-#include "diagnose/report/effect_words.hpp"
+#include "diagnose/model/study.hpp"
 #include "files/text_file.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
+using files::read_text;
 
 namespace {
 
@@ -23,13 +22,14 @@ struct DocumentedParameter {
 };
 
 struct DocumentedEffect {
+  std::string id;
   bool at_joint;
   std::string words;
   std::vector<DocumentedParameter> parameters;
 };
 
 struct Document {
-  std::map<std::string, DocumentedEffect> effects;
+  std::vector<DocumentedEffect> effects;
   std::vector<std::pair<std::string, std::string>> equivalent;
 };
 
@@ -38,17 +38,15 @@ Document read_document() {
   static const std::regex parameter(R"(\| `(\w+)` \| ([^|]*) \| ([^|]*) \| ([^|]*) \|)");
   static const std::regex pair(R"(\| `(\w+)` \| `(\w+)` \| .*)");
   Document document;
-  DocumentedEffect* effect = nullptr;
   std::istringstream lines(read_text(PLUMBLINE_SOURCE_DIR "/docs/effects.md"));
   std::smatch found;
   for (std::string line; std::getline(lines, line);) {
     if (std::regex_match(line, found, heading)) {
-      CHECK_MESSAGE(!document.effects.contains(found[1]), found[1], " twice");
-      effect = &(document.effects[found[1]] = {found[2].matched, found[3], {}});
+      document.effects.push_back({found[1], found[2].matched, found[3], {}});
     } else if (std::regex_match(line, found, pair)) {
       document.equivalent.emplace_back(found[1], found[2]);
-    } else if (effect != nullptr && std::regex_match(line, found, parameter)) {
-      effect->parameters.push_back({found[1], found[2], found[3], found[4]});
+    } else if (!document.effects.empty() && std::regex_match(line, found, parameter)) {
+      document.effects.back().parameters.push_back({found[1], found[2], found[3], found[4]});
     }
   }
   return document;
@@ -99,34 +97,32 @@ std::string with_joint(const std::string& words, std::size_t joint) {
 
 }  // namespace
 
-TEST_CASE("the document names every effect of the catalogue, and no other") {
-  const Document document = read_document();
-  std::set<std::string> ids;
-  for (std::size_t e = 0; e < effect_count; ++e) ids.emplace(effect_name(static_cast<EffectId>(e)));
-  std::set<std::string> named;
-  for (const auto& [id, effect] : document.effects) named.insert(id);
+TEST_CASE("the document names every effect of the catalogue, in its order, and no other") {
+  std::vector<std::string> ids, named;
+  for (const Effect& row : catalogue()) ids.emplace_back(row.id);
+  for (const DocumentedEffect& effect : read_document().effects) named.push_back(effect.id);
   CHECK(named == ids);
 }
 
 TEST_CASE("words, places, parameters, units and ranges are those of the catalogue") {
   const Document document = read_document();
-  const Experiment experiment = two_links({2, 1}, {0.4, -0.9}, {{0.4, -0.9}, {0.5, -1.0}, {0.6, -1.1}});
+  const Study study(two_links({2, 1}, {0.4, -0.9}, {{0.4, -0.9}, {0.5, -1.0}, {0.6, -1.1}}));
   // By hand: the mean of 2 and 1; lengths 0.3 and 0.2; all forces 4; 0.3 4 0.5 / 1.5; times 0, 2, 4.
   const std::map<std::string, double> symbols{{"k", 1.5}, {"k_j", 1.0}, {"L", 0.5}, {"l", 0.25},
                                               {"f", 4.0}, {"phi", 0.4}, {"T", 4.0}, {"dt", 2.0}};
-  for (const auto& [id, documented] : document.effects) {
-    INFO(id);
-    const EffectId effect = effect_id(id);
-    CHECK(sits_at_joint(effect) == documented.at_joint);
-    const EffectAt at{effect, documented.at_joint ? std::size_t{2} : std::size_t{0}};
-    CHECK(in_words(at) == with_joint(documented.words, at.joint));
-    const std::vector<ParameterRange> ranges = parameter_ranges(experiment, at);
+  for (const DocumentedEffect& documented : document.effects) {
+    INFO(documented.id);
+    const Effect& row = effect(documented.id);
+    CHECK(row.at_joint == documented.at_joint);
+    const EffectAt at(row, documented.at_joint ? 2 : 0);
+    CHECK(at.in_words() == with_joint(documented.words, at.joint));
+    const std::vector<ParameterRange> ranges = study.ranges(at);
     REQUIRE(ranges.size() == documented.parameters.size());
     for (std::size_t p = 0; p < ranges.size(); ++p) {
       const DocumentedParameter& stated = documented.parameters[p];
       INFO(stated.name);
       CHECK(std::string(ranges[p].name) == stated.name);
-      CHECK(std::string(unit(effect, ranges[p].name)) == stated.unit);
+      CHECK(std::string(ranges[p].unit) == stated.unit);
       const double low = catalogue_value(ranges[p].coordinate, ranges[p].low);
       const double high = catalogue_value(ranges[p].coordinate, ranges[p].high);
       CHECK(std::min(low, high) == doctest::Approx(evaluate(stated.from, symbols)));
@@ -147,16 +143,15 @@ struct Same {
   double tolerance;
 };
 
-Trace predicted(const Experiment& experiment, const EffectAt& at, std::vector<double> values) {
-  const std::vector<ParameterRange> ranges = parameter_ranges(experiment, at);
+Trace predicted(const Study& study, const EffectAt& at, std::vector<double> values) {
+  const std::vector<ParameterRange> ranges = study.ranges(at);
   for (std::size_t p = 0; p < values.size(); ++p) values[p] = fitted_value(ranges[p].coordinate, values[p]);
-  const Prediction prediction = predict(experiment, {{at}}, values);
+  const Prediction prediction = predict(study, {{at}}, values);
   REQUIRE(prediction.reached);
   return prediction.runs.front();
 }
 
 std::vector<Same> same_predictions() {
-  using enum EffectId;
   const std::vector<double> rest{0.4, -0.9};
   const std::vector<std::vector<double>> from_rest{rest, {0.45, -1.0}, {0.5, -1.1}, {0.55, -1.2}};
   const std::vector<std::vector<double>> beyond{{0.5, -1.2}, {0.55, -1.3}, {0.6, -1.4}};
@@ -165,15 +160,15 @@ std::vector<Same> same_predictions() {
   const Experiment bent = two_links({2, 1.5}, rest, beyond);
   const double solved = 1e-8;  // equilibria are solved to ten digits
   return {
-      {{train_compliance}, {2e-3}, {base_compliance}, {2e-3, 0}, press, solved},
-      {{tip_payload}, {0.5}, {force_bias}, {-0.5 * 0.6, 0.5 * 0.8}, press, solved},
-      {{joint_stiffness, 2}, {0.3}, {force_gain}, {0.3}, one_spring, solved},
-      {{guide_friction}, {0.2}, {force_bias}, {-0.2, 0}, bent, solved},
-      {{backlash, 2}, {0.05}, {rest_angle, 2}, {-0.05}, bent, solved},
+      {{"train_compliance"}, {2e-3}, {"base_compliance"}, {2e-3, 0}, press, solved},
+      {{"tip_payload"}, {0.5}, {"force_bias"}, {-0.5 * 0.6, 0.5 * 0.8}, press, solved},
+      {{"joint_stiffness", 2}, {0.3}, {"force_gain"}, {0.3}, one_spring, solved},
+      {{"guide_friction"}, {0.2}, {"force_bias"}, {-0.2, 0}, bent, solved},
+      {{"backlash", 2}, {0.05}, {"rest_angle", 2}, {-0.05}, bent, solved},
       // The stop is touched after 0.001 rad of deflections of 0.3 rad and more.
-      {{joint_stop, 2}, {1e-3, 0.45}, {joint_stiffness, 2}, {0.3}, bent, 1e-3 / 0.3},
+      {{"joint_stop", 2}, {1e-3, 0.45}, {"joint_stiffness", 2}, {0.3}, bent, 1e-3 / 0.3},
       // In 6 s an arm of 1e6 s loses 6e-6 of its torque.
-      {{viscoelasticity}, {0.3, 1e6}, {joint_stiffness, 2}, {0.3}, one_spring, 6e-6},
+      {{"viscoelasticity"}, {0.3, 1e6}, {"joint_stiffness", 2}, {0.3}, one_spring, 6e-6},
   };
 }
 
@@ -183,11 +178,12 @@ TEST_CASE("effects that the document calls the same predict the same, and the no
   const std::vector<Same> all = same_predictions();
   std::vector<std::pair<std::string, std::string>> tested;
   for (const Same& one : all) {
-    tested.emplace_back(effect_name(one.first.effect), effect_name(one.second.effect));
+    tested.emplace_back(one.first.effect->id, one.second.effect->id);
     INFO(tested.back().first, " and ", tested.back().second);
-    const Trace first = predicted(one.experiment, one.first, one.first_values);
-    const Trace second = predicted(one.experiment, one.second, one.second_values);
-    const Trace nominal = predict(one.experiment, {}, {}).runs.front();
+    const Study study(one.experiment);
+    const Trace first = predicted(study, one.first, one.first_values);
+    const Trace second = predicted(study, one.second, one.second_values);
+    const Trace& nominal = study.nominal().runs.front();
     const double size = nominal.abs().maxCoeff();
     CHECK((first - second).abs().maxCoeff() <= one.tolerance * size);
     CHECK((first - nominal).abs().maxCoeff() > 10 * one.tolerance * size);

@@ -8,6 +8,7 @@
 #include "trial/label.hpp"
 
 using namespace plumbline;
+using namespace plumbline::files;
 using namespace plumbline::trial;
 
 namespace {
