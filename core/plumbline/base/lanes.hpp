@@ -4,6 +4,7 @@
 /// compiler splits them where the machine's registers are narrower; with -march=native it uses the widest
 /// there are. The functions take a single number as well, so that one text serves both.
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <concepts>
@@ -50,9 +51,12 @@ template <Vectorised V>
 V to_unit_scale(const V& x) {
   return (V)((INT64_C(2046) - ((Mask<V>)x >> 52)) << 52);
 }
+/// By Eigen, whose square roots are the machine's: std::sqrt lane by lane would stop to set errno.
 inline Lanes square_root(const Lanes& x) {
+  using Doubles = Eigen::Array<double, lane_count, 1>;
   Lanes root;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) root[lane] = std::sqrt(x[lane]);
+  Eigen::Map<Doubles>(reinterpret_cast<double*>(&root)) =
+      Eigen::Map<const Doubles>(reinterpret_cast<const double*>(&x)).sqrt();
   return root;
 }
 template <class T>
