@@ -12,6 +12,12 @@
 #include <cstdint>
 #include <utility>
 
+#if defined(__GNUC__) && !defined(__clang__)
+// How a vector is passed depends on the machine that is compiled for. None crosses a boundary between functions that
+// are compiled apart; GCC warns at the end of the file, so that the pragma cannot be taken back.
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+
 namespace plumbline {
 
 inline constexpr std::size_t lane_count = 8;
@@ -75,7 +81,8 @@ inline bool any(const Mask<Lanes>& mask) {
 }
 
 /// v_i + v_{i+1} + … + v_7 in lane i.
-inline Lanes suffix_sums(Lanes v) {
+inline Lanes suffix_sums(const Lanes& x) {
+  Lanes v = x;
   const Lanes none{};
   v += __builtin_shufflevector(v, none, 1, 2, 3, 4, 5, 6, 7, 8);
   v += __builtin_shufflevector(v, none, 2, 3, 4, 5, 6, 7, 8, 9);
