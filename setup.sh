@@ -1,11 +1,15 @@
 #!/usr/bin/env bash
-# Installs what Plumbline is built with: the Debian packages listed here, and nothing else. Says what it
-# installs; silent and instant when all are present.
+# Installs what Plumbline needs: the Debian packages listed here, and nothing else. Says what it installs; silent and
+# instant when all are present.
+#
+#   ./setup.sh           what the program is built with
+#   ./setup.sh --tests   and what its tests need
+#   ./setup.sh --bench   and what the benchmarks compare with
 set -euo pipefail
 
-packages=(
+program=(
   # tools
-  g++ cmake ninja-build ccache git python3
+  g++ cmake ninja-build git python3
   # the packages that the mechanics stand on
   libeigen3-dev libboost-dev libgmp-dev libmpfr-dev libmpfi-dev
   # symbolic algebra
@@ -14,19 +18,30 @@ packages=(
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libfmt-dev libssl-dev libkainjow-mustache-dev
   # least squares
   libceres-dev
-  # tests
-  doctest-dev librapidcheck-dev python3-jsonschema
-  # the rig of the blind trial
+)
+tests=(
+  ccache doctest-dev librapidcheck-dev python3-jsonschema
+  # the simulated bench of the blind trial
   libmujoco-dev
   # pages, in a browser
   chromium chromium-driver python3-selenium
   # drawings, at run time
   gnuplot-nox
+  # packages and what is installed, as a user meets them
+  dpkg-dev man-db zsh
 )
+bench=(liblapack-dev libopenblas-dev libspectra-dev python3-scipy auto-07p gfortran)
 
-# what the benchmarks compare with: ./setup.sh --bench
-peers=(liblapack-dev libopenblas-dev libspectra-dev python3-scipy auto-07p gfortran)
-[ "${1:-}" != --bench ] || packages+=("${peers[@]}")
+packages=("${program[@]}")
+case "${1:-}" in
+  "") ;;
+  --tests) packages+=("${tests[@]}") ;;
+  --bench) packages+=("${bench[@]}") ;;
+  *)
+    echo "setup: found $1, expected nothing, --tests or --bench" >&2
+    exit 2
+    ;;
+esac
 
 # what writes the reference of the library: ./setup.sh --docs
 [ "${1:-}" != --docs ] || packages+=(doxygen)

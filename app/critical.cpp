@@ -24,6 +24,8 @@ struct Options {
   bool all = false;
 };
 
+constexpr const char* example_chain_name = "examples/four-link.toml";
+
 bool is_table(const std::string& path) {
   return fs::path(path).extension() == ".csv";
 }

@@ -1,14 +1,43 @@
-# Installs the project into an empty folder and builds and runs a project that finds it there. Run with
-# cmake -DBINARY=<build tree> -DSOURCE=<this folder> -DCOMPILER=<C++ compiler>
-# -DGENERATOR=<CMake generator> -P build.cmake
-set(prefix ${BINARY}/tests/consumer/prefix)
-set(build ${BINARY}/tests/consumer/build)
-file(REMOVE_RECURSE ${prefix} ${build})
+# Builds and runs a project that uses the library. Run with cmake -DWAY=<way> -DSOURCE=<root of the project>
+# -DBINARY=<its build tree> -DCOMPILER=<C++ compiler> -DGENERATOR=<CMake generator> -P build.cmake, where the way is
+#   install     the whole project, installed into an empty folder: the program runs, the package is found
+#   core-only   the library alone, configured where no other package can be found, then installed
+#   subproject, fetch   by add_subdirectory, by FetchContent
+set(place ${BINARY}/tests/consumer/${WAY})
+set(prefix ${place}/prefix)
+file(REMOVE_RECURSE ${place})
 set(ENV{DESTDIR} "")
-execute_process(COMMAND ${CMAKE_COMMAND} --install ${BINARY} --prefix ${prefix} COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${build} -G ${GENERATOR} -DCMAKE_PREFIX_PATH=${prefix}
-                        -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF
-                COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${build} COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${build}/consumer COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${prefix}/bin/plumbline critical OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+
+function(run)
+  execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+function(configure source build)
+  run(${CMAKE_COMMAND} -S ${source} -B ${build} -G ${GENERATOR} -DCMAKE_CXX_COMPILER=${COMPILER} ${ARGN})
+endfunction()
+
+# What the library alone must do without.
+set(absent "")
+foreach(package GiNaC fmt nlohmann_json tomlplusplus CLI11 OpenSSL Ceres MuJoCo doctest Python3 LAPACK)
+  list(APPEND absent -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
+endforeach()
+
+set(way package)
+if(WAY STREQUAL install)
+  run(${CMAKE_COMMAND} --install ${BINARY} --prefix ${prefix})
+  run(${prefix}/bin/plumbline critical OUTPUT_QUIET)
+  foreach(file share/man/man1/plumbline.1 share/bash-completion/completions/plumbline
+               share/zsh/vendor-completions/_plumbline)
+    if(NOT EXISTS ${prefix}/${file})
+      message(FATAL_ERROR "found no ${file}, expected it installed")
+    endif()
+  endforeach()
+elseif(WAY STREQUAL core-only)
+  configure(${SOURCE} ${place}/library -DPLUMBLINE_CORE_ONLY=ON ${absent})
+  run(${CMAKE_COMMAND} --install ${place}/library --prefix ${prefix})
+else()
+  set(way ${WAY})
+endif()
+configure(${SOURCE}/tests/consumer ${place}/build -DWAY=${way} -DPLUMBLINE=${SOURCE} -DCMAKE_PREFIX_PATH=${prefix}
+          -DCMAKE_FIND_USE_PACKAGE_REGISTRY=OFF ${absent})
+run(${CMAKE_COMMAND} --build ${place}/build)
+run(${place}/build/consumer)

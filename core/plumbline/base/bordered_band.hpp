@@ -80,7 +80,7 @@ class BorderedBand {
   /// Takes the band; the borders come with border().
   void factor(const Band<Real, B>& T) {
     using std::abs, std::max, std::min, std::sqrt;
-    static const Real small = sqrt(sqrt(epsilon<Real>()));
+    const Real small = sqrt(sqrt(epsilon<Real>()));
     const Eigen::Index n = T.cols();
     L_ = T;
     shifts_.clear();

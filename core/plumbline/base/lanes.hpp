@@ -4,12 +4,19 @@
 /// compiler splits them where the machine's registers are narrower; with -march=native it uses the widest
 /// there are. The functions take a single number as well, so that one text serves both.
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
+
+#if defined(__GNUC__) && !defined(__clang__)
+// How a vector is passed depends on the machine that is compiled for. None crosses a boundary between functions that
+// are compiled apart; GCC warns at the end of the file, so that the pragma cannot be taken back.
+#pragma GCC diagnostic ignored "-Wpsabi"
+#endif
 
 namespace plumbline {
 
@@ -55,10 +62,12 @@ template <Vectorised V>
 V to_unit_scale(const V& x) {
   return (V)((INT64_C(2046) - ((Mask<V>)x >> 52)) << 52);
 }
-/// Lane by lane.
+/// Lane by lane; by Eigen, whose square roots are the machine's: std::sqrt would stop to set errno.
 inline Lanes square_root(const Lanes& x) {
+  using Doubles = Eigen::Array<double, lane_count, 1>;
   Lanes root;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) root[lane] = std::sqrt(x[lane]);
+  Eigen::Map<Doubles>(reinterpret_cast<double*>(&root)) =
+      Eigen::Map<const Doubles>(reinterpret_cast<const double*>(&x)).sqrt();
   return root;
 }
 /// Of a single number.
@@ -80,7 +89,8 @@ inline bool any(const Mask<Lanes>& mask) {
 }
 
 /// v_i + v_{i+1} + … + v_7 in lane i.
-inline Lanes suffix_sums(Lanes v) {
+inline Lanes suffix_sums(const Lanes& x) {
+  Lanes v = x;
   const Lanes none{};
   v += __builtin_shufflevector(v, none, 1, 2, 3, 4, 5, 6, 7, 8);
   v += __builtin_shufflevector(v, none, 2, 3, 4, 5, 6, 7, 8, 9);

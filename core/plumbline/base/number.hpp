@@ -151,4 +151,19 @@ template <>
 struct Eigen::NumTraits<plumbline::Mpfr> : plumbline::EigenScalar<plumbline::Mpfr> {};
 template <>
 struct Eigen::NumTraits<plumbline::Rational> : plumbline::EigenScalar<plumbline::Rational> {};
+
+// Products of fractions are computed entry by entry. Eigen's kernels for large products arrange numbers for registers
+// and caches, which fractions never see, and take a compiler longer than most files.
+template <class Left, class Right>
+  requires std::same_as<typename Left::Scalar, plumbline::Rational>
+struct Eigen::internal::generic_product_impl<Left, Right, Eigen::DenseShape, Eigen::DenseShape,
+                                             Eigen::GemmProduct>
+    : Eigen::internal::generic_product_impl<Left, Right, Eigen::DenseShape, Eigen::DenseShape,
+                                            Eigen::CoeffBasedProductMode> {};
+template <class Left, class Right>
+  requires std::same_as<typename Left::Scalar, plumbline::Rational>
+struct Eigen::internal::generic_product_impl<Left, Right, Eigen::DenseShape, Eigen::DenseShape,
+                                             Eigen::GemvProduct>
+    : Eigen::internal::generic_product_impl<Left, Right, Eigen::DenseShape, Eigen::DenseShape,
+                                            Eigen::CoeffBasedProductMode> {};
 /// \endcond

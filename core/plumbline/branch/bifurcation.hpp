@@ -49,7 +49,7 @@ class BifurcationSolver {
     T_[1] = direction;
     psi0_ = brancher_->weighted(critical(point.tangent, direction));
     Real last = std::numeric_limits<Real>::max();
-    static const Real enough = sqrt(epsilon<Real>());
+    const Real enough = sqrt(epsilon<Real>());
     for (int iteration = 0; iteration < 12; ++iteration) {
       if (!assemble(point)) return std::nullopt;
       Eigen::Matrix<Real, 2, 2> Q;

@@ -295,7 +295,7 @@ class Brancher {
   bool correct(BranchPoint<Real>& point, const Row& plane, const Variation<Real>& tangent,
                const Real& farthest) {
     using std::sqrt;
-    static const Real settled = sqrt(epsilon<Real>());
+    const Real settled = sqrt(epsilon<Real>());
     Real last(0);
     for (int iteration = 0; iteration < 8; ++iteration) {
       if (!assemble(point, plane)) return false;

@@ -134,7 +134,7 @@ class BranchSeries {
     go_to(s);
     using std::abs, std::sqrt;
     const Real force = curvature(push, s), distance = curvature(way, s);
-    static const Real near = sqrt(sqrt(epsilon<Real>()));
+    const Real near = sqrt(sqrt(epsilon<Real>()));
     const bool turns = abs(slope(push)) < near * abs(force) && abs(slope(way)) < near * abs(distance);
     return turns ? force / distance : slope(push) / slope(way);
   }

@@ -27,7 +27,7 @@ bool lies_on(Brancher<Model>& brancher, const Branch<typename Model::Real>& bran
              const BranchPoint<typename Model::Real>& point) {
   using Real = typename Model::Real;
   using std::sqrt;
-  static const Real same = sqrt(epsilon<Real>());
+  const Real same = sqrt(epsilon<Real>());
   for (std::size_t i = 1; i < branch.points.size(); ++i) {
     const BranchPoint<Real>&a = branch.points[i - 1], &b = branch.points[i];
     const Variation<Real> gap{point.theta - a.theta, {Real(0), Real(0)}, point.load - a.load};

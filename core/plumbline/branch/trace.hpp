@@ -274,7 +274,7 @@ class Tracer {
   /// it rounding blurs the turn.
   static Real beside_crossing(const Real& interval) {
     using std::max, std::min, std::sqrt;
-    static const Real blur = Real(64) * sqrt(epsilon<Real>());
+    const Real blur = Real(64) * sqrt(epsilon<Real>());
     return min(max(blur, Real(interval / Real(1000))), Real(interval / Real(2)));
   }
 

@@ -1,0 +1,18 @@
+#pragma once
+/// \file
+/// The command around the verbs.
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+namespace plumbline::app {
+
+/// `plumbline`, yet without a verb.
+std::unique_ptr<CLI::App> bare_command();
+/// `plumbline` with all its verbs.
+std::unique_ptr<CLI::App> whole_command();
+
+/// Does what the arguments say. \returns the exit status: 0 done, 1 a claim or a check failed, 2 bad input
+int run(CLI::App& command, int argc, char** argv);
+
+}  // namespace plumbline::app

@@ -1,0 +1,20 @@
+#include "app/command.hpp"
+#include "app/verbs.hpp"
+
+namespace plumbline::app {
+
+std::unique_ptr<CLI::App> whole_command() {
+  auto command = bare_command();
+  add_verify(*command);
+  add_critical(*command);
+  add_path(*command);
+  add_equilibria(*command);
+  add_figure(*command);
+  add_reference(*command);
+  add_check(*command);
+  add_diagnose(*command);
+  add_trial(*command);
+  return command;
+}
+
+}  // namespace plumbline::app

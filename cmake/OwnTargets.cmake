@@ -1,0 +1,62 @@
+# What every compiled target of the project shares and no user of the library gets: the standard, warnings, speed,
+# precompiled headers. A target of ours is made as usual and links plumbline-flags privately.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+if(PROJECT_IS_TOP_LEVEL)
+  set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+endif()
+
+# A compiler cache, if there is one; it is told what it needs to cache uses of precompiled headers.
+find_program(CCACHE ccache)
+if(CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+      CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE})
+endif()
+
+if(PLUMBLINE_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
+# Warnings are errors in our own code; the headers of other packages are not ours to judge.
+add_library(plumbline-flags INTERFACE)
+# -Wrestrict is not among them: GCC 12 raises it on every insertion of a literal into a std::string.
+target_compile_options(plumbline-flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+
+# Options of the packages whose headers are precompiled: all who use them must see the same macros.
+set(packages Eigen3::Eigen Boost::headers MPFI::MPFI fmt::fmt nlohmann_json::nlohmann_json tomlplusplus::tomlplusplus
+             CLI11::CLI11)
+foreach(package ${packages})
+  target_compile_definitions(plumbline-flags INTERFACE $<TARGET_PROPERTY:${package},INTERFACE_COMPILE_DEFINITIONS>)
+  target_compile_options(plumbline-flags INTERFACE $<TARGET_PROPERTY:${package},INTERFACE_COMPILE_OPTIONS>)
+endforeach()
+
+# The headers of other packages, parsed once for each way to compile.
+# plumbline_way(<way> FLAGS <option> ... HEADERS <header> ...) makes the targets plumbline-<way>-flags and
+# plumbline-<way>-headers.
+function(plumbline_way way)
+  cmake_parse_arguments(PARSE_ARGV 1 way "" "" "FLAGS;HEADERS")
+  add_library(plumbline-${way}-flags INTERFACE)
+  target_link_libraries(plumbline-${way}-flags INTERFACE plumbline-flags)
+  target_compile_options(plumbline-${way}-flags INTERFACE ${way_FLAGS})
+  set(empty ${CMAKE_CURRENT_BINARY_DIR}/${way}-headers.cpp)
+  file(CONFIGURE OUTPUT ${empty} CONTENT "")
+  add_library(plumbline-${way}-headers OBJECT ${empty})
+  target_link_libraries(plumbline-${way}-headers PRIVATE plumbline-${way}-flags ${packages})
+  target_precompile_headers(plumbline-${way}-headers PRIVATE
+    <Eigen/Dense> <boost/multiprecision/gmp.hpp> <boost/multiprecision/mpfi.hpp> <boost/multiprecision/mpfr.hpp>
+    <fmt/format.h> <fmt/ranges.h> <nlohmann/json.hpp> ${way_HEADERS})
+endfunction()
+# The first line of every target of ours: plumbline_own(<target> <way>).
+function(plumbline_own target way)
+  target_link_libraries(${target} PRIVATE plumbline-${way}-flags)
+  target_precompile_headers(${target} REUSE_FROM plumbline-${way}-headers)
+endfunction()
+
+# What computes; the claims, in symbols too; and where nothing takes time and the compiler's is worth more.
+plumbline_way(fast HEADERS <toml++/toml.h>)
+plumbline_way(claims FLAGS $<$<CONFIG:Release>:-O2> HEADERS <ginac/ginac.h>)
+plumbline_way(quick FLAGS $<$<CONFIG:Release>:-O1> HEADERS <toml++/toml.h> <CLI/CLI.hpp>)

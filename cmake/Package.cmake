@@ -1,0 +1,17 @@
+# `cpack --config build/CPackConfig.cmake`: a Debian package with the program, the headers, the man page and completions.
+if(NOT PLUMBLINE_INSTALL)
+  return()
+endif()
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT program)
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "The Plumbline developers <plumbline@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# to draw figures; to compile against the headers
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, libboost-dev, libgmp-dev, libmpfr-dev, libmpfi-dev")
+include(CPack)
