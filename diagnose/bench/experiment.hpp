@@ -3,6 +3,7 @@
 /// An experiment: what a lab writes down when it presses on a real chain. SI units, radians.
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,7 @@ struct Experiment {
   Bench bench;
   Noise noise;
   std::vector<Run> runs;
+  std::vector<std::filesystem::path> files = {};  ///< that it was read from
 };
 
 }  // namespace plumbline::diagnose
