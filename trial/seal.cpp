@@ -15,10 +15,6 @@ namespace {
 
 constexpr const char* format = "experiment-seals/1";
 
-nlohmann::json json_in(const std::filesystem::path& path) {
-  return files::parse_json(files::read_text(path), path.string());
-}
-
 }  // namespace
 
 Envelope envelope(const Label& label) {
@@ -37,15 +33,14 @@ std::string seals_text(const Seals& seals) {
 }
 
 Seals read_seals(const std::filesystem::path& path) {
-  const nlohmann::json file = json_in(path);
-  if (!file.is_object() || file.value("format", "") != format || !file.contains("seals"))
-    throw Error(path.string(), "no seals",
-                std::string("an object with \"format\": \"") + format + "\" and \"seals\"");
-  try {
-    return file["seals"].get<Seals>();
-  } catch (const nlohmann::json::exception&) {
-    throw Error(path.string() + ", key seals", "something else", "an object from names to digests");
-  }
+  const nlohmann::json json = files::parse_json(files::read_text(path), path.string());
+  const files::JsonValue file(json, path.string());
+  const std::string expected = std::string("an object with \"format\": \"") + format + "\" and \"seals\"";
+  if (const files::JsonValue found = file.at("format", expected); found.json() != format) found.refuse(expected);
+  Seals seals;
+  for (const auto& [name, digest] : file.at("seals", expected).members("an object from names to digests"))
+    seals[name] = digest.text("a digest");
+  return seals;
 }
 
 std::string envelope_text(const Envelope& envelope) {
@@ -53,12 +48,15 @@ std::string envelope_text(const Envelope& envelope) {
 }
 
 Envelope read_envelope(const std::filesystem::path& path) {
-  const nlohmann::json file = json_in(path);
-  try {
-    return {file.at("salt"), file.at("label")};
-  } catch (const nlohmann::json::exception& error) {
-    throw Error(path.string(), error.what(), "an object with the strings \"salt\" and \"label\"");
-  }
+  const nlohmann::json json = files::parse_json(files::read_text(path), path.string());
+  const files::JsonValue file(json, path.string());
+  const std::string expected = "an object with the strings \"salt\" and \"label\"";
+  const auto text = [&](const char* key) {  // as it is, for the seal is that of every byte
+    const files::JsonValue value = file.at(key, expected);
+    if (!value.json().is_string()) value.refuse(expected);
+    return value.json().get<std::string>();
+  };
+  return {text("salt"), text("label")};
 }
 
 }  // namespace plumbline::trial
