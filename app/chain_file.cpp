@@ -120,9 +120,18 @@ Chain<Rational> parse_chain(const std::string& text, const std::string& source) 
   }
 }
 
+bool is_chain_table(const std::string& text) {
+  try {
+    find_columns(files::parse_csv(text.substr(0, text.find('\n')), "").front(), "");
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 ChainTable parse_chain_table(const std::string& text, const std::string& source) {
   const std::vector<files::CsvRow> rows = files::parse_csv(text, source);
-  const std::vector<std::size_t> column = find_columns(rows.at(0), source);
+  const std::vector<std::size_t> column = find_columns(rows.front(), source);
   if (rows.size() == 1) throw Error(source, "a header and no chain", "a row for each chain");
   ChainTable table;
   std::set<std::string> names;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "app/chain_file.hpp"
+#include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "files/csv_file.hpp"
@@ -155,14 +156,14 @@ nlohmann::json as_json(const std::vector<verify::ForceAgreement>& values, std::s
 }
 
 void run(const Options& options) {
+  Outputs outputs({options.values, options.chains});
+  files::OutputFile* const json = outputs.open("--json", options.json);
   const Chains chains = read_chains(options.chains);
   const Submitted submitted = read_values(options.values, chains);
-  std::unique_ptr<files::OutputFile> json;
-  if (!options.json.empty()) json = std::make_unique<files::OutputFile>(options.json);
   const auto values = compare_all(submitted, chains);
   if (json) {
     json->write(as_json(values, submitted.size()).dump(2) + "\n");
-    json->commit();
+    outputs.commit();
   } else {
     fmt::print("{}", as_text(values, submitted.size()));
   }

@@ -8,6 +8,7 @@
 #include "app/chain_file.hpp"
 #include "app/critical_report.hpp"
 #include "app/example_chain.hpp"
+#include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "files/text_file.hpp"
@@ -90,39 +91,38 @@ std::string certificates(const Results& results, const Options& options) {
   return proofs::certificate_file(provenance, results.certificates).dump(1, ' ', true) + "\n";
 }
 
+/// Whether a file is a chain or a table of chains, not what was written here before.
+bool holds_chains(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return false;
+  if (fs::path(path).extension() == ".toml") return true;
+  return is_table(path) && is_chain_table(files::read_text(path));
+}
+
 /// `critical --csv CHAINS.csv` means that file as the chain, not as the output.
 void sort_out_files(Options& options) {
   for (std::string* output : {&options.csv, &options.json}) {
-    if (options.input.empty() && fs::exists(*output)) {
-      options.input = *output;
-      *output = "-";
-    }
-  }
-  for (const std::string* output : {&options.csv, &options.json, &options.certify}) {
-    std::error_code ignored;
-    if (fs::equivalent(*output, options.input, ignored))
-      throw Error(*output, "the input itself", "another file for the output");
+    if (!options.input.empty() || !holds_chains(*output)) continue;
+    options.input = *output;
+    *output = "-";
   }
 }
 
 void run(Options options) {
   sort_out_files(options);
+  Outputs outputs({options.input});
+  files::OutputFile *const csv = outputs.open("--csv", options.csv),
+                           *const json = outputs.open("--json", options.json),
+                           *const certify = outputs.open("--certify", options.certify);
   ChainTable table = read(options.input);
-  const auto open = [](const std::string& path) {
-    return path.empty() ? nullptr : std::make_unique<files::OutputFile>(path);
-  };
-  const auto csv = open(options.csv), json = open(options.json), certify = open(options.certify);
 
   const Results results = compute(table, options);
   for (const std::string& error : table.errors) fmt::print(stderr, "plumbline: {}\n", error);
-  const auto finish = [](files::OutputFile& file, const std::string& text) {
-    file.write(text);
-    file.commit();
-  };
   if (!results.chains.empty()) {
-    if (csv) finish(*csv, as_csv(results.chains));
-    if (json) finish(*json, as_json(results.chains, table.errors, options.digits).dump(2) + "\n");
-    if (certify) finish(*certify, certificates(results, options));
+    if (csv) csv->write(as_csv(results.chains));
+    if (json) json->write(as_json(results.chains, table.errors, options.digits).dump(2) + "\n");
+    if (certify) certify->write(certificates(results, options));
+    outputs.commit();
     if (!csv && !json)
       fmt::print("{}", is_table(options.input) ? as_text(results.chains) : as_text(results.chains[0]));
   }

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "app/loaded_input.hpp"
+#include "app/outputs.hpp"
 #include "app/verbs.hpp"
-#include "files/text_file.hpp"
 #include "proofs/census.hpp"
 #include "proofs/decimal.hpp"
 
@@ -185,16 +185,16 @@ nlohmann::ordered_json as_json(const Answer& answer, const Options& options, con
 }
 
 void run(Options options) {
+  Outputs outputs({options.chain.path});
+  files::OutputFile* const json = outputs.open("--json", options.json);
   options.chain.read();
-  options.chain.refuse_as_output(options.json);
   const Load load = load_of(options);
   const Answer answer = options.certify ? certified(options, load) : sampled(options, load);
-  if (options.json.empty()) {
-    fmt::print("{}", as_text(answer, options, load));
+  if (json) {
+    json->write(as_json(answer, options, load).dump(2) + "\n");
+    outputs.commit();
   } else {
-    files::OutputFile file(options.json);
-    file.write(as_json(answer, options, load).dump(2) + "\n");
-    file.commit();
+    fmt::print("{}", as_text(answer, options, load));
   }
   if (options.certify && !answer.complete) throw CLI::RuntimeError(1);
 }

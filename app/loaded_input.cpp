@@ -33,9 +33,4 @@ void LoadedChain::read() {
   name = std::filesystem::path(path).stem();
 }
 
-void LoadedChain::refuse_as_output(const std::string& output) const {
-  if (!output.empty() && output == path)
-    throw Error(output, "the input itself", "another file for the output");
-}
-
 }  // namespace plumbline::app

@@ -5,9 +5,9 @@
 #include "app/certified_report.hpp"
 #include "app/loaded_input.hpp"
 #include "app/located_report.hpp"
+#include "app/outputs.hpp"
 #include "app/path_report.hpp"
 #include "app/verbs.hpp"
-#include "files/text_file.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -43,9 +43,11 @@ std::pair<Loading<Real>, Real> loading_of(const Options& options, const Chain<Re
 }
 
 void run(Options options) {
+  Outputs outputs({options.chain.path});
+  files::OutputFile *const csv = outputs.open("--csv", options.csv),
+                           *const json = outputs.open("--json", options.json),
+                           *const svg = outputs.open("--svg", options.svg);
   options.chain.read();
-  for (const std::string* output : {&options.csv, &options.json, &options.svg})
-    options.chain.refuse_as_output(*output);
   const auto chain = from_rational<double>(options.chain.exact);
   const auto [loading, last] = loading_of(options, chain);
   if (!(last > 0) || !is_finite(last)) throw Error("load", "nothing to do", "a finite load that is not zero");
@@ -65,21 +67,16 @@ void run(Options options) {
     certified = certify(report, exact, loading_of(options, exact).first);
   }
   for (const std::string& warning : report.warnings) fmt::print(stderr, "plumbline: warning: {}\n", warning);
-  const auto write = [](const std::string& path, const std::string& text) {
-    files::OutputFile file(path);
-    file.write(text);
-    file.commit();
-  };
-  const std::string svg = options.svg.empty() ? "" : page::as_svg(as_drawing(report, chain), 2);
-  if (!options.csv.empty()) write(options.csv, as_csv(report));
-  if (!options.json.empty()) {
-    auto json = as_json(report);
-    if (options.digits > 0) json["events"] = as_json(located, options.digits);
-    if (options.certify) json["certificates"] = as_json(certified);
-    write(options.json, json.dump(2) + "\n");
+  if (svg) svg->write(page::as_svg(as_drawing(report, chain), 2));
+  if (csv) csv->write(as_csv(report));
+  if (json) {
+    auto all = as_json(report);
+    if (options.digits > 0) all["events"] = as_json(located, options.digits);
+    if (options.certify) all["certificates"] = as_json(certified);
+    json->write(all.dump(2) + "\n");
   }
-  if (!options.svg.empty()) write(options.svg, svg);
-  if (options.csv.empty() && options.json.empty() && options.svg.empty())
+  outputs.commit();
+  if (!csv && !json && !svg)
     fmt::print("{}{}{}", as_text(report), options.digits > 0 ? as_text(located, options.digits) : "",
                options.certify ? as_text(certified) : "");
   if (options.certify && !complete(certified)) throw CLI::RuntimeError(1);

@@ -2,9 +2,9 @@
 
 #include <memory>
 
+#include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "files/text_file.hpp"
 #include "verify/reference/loaded.hpp"
 #include "verify/reference/set.hpp"
 
@@ -45,14 +45,12 @@ std::vector<verify::NamedText> compute(const Options& options) {
 }
 
 void run(const Options& options) {
+  files::require_folder(options.out);
+  const auto texts = compute(options);
   files::make_folder(options.out);
-  const auto files = compute(options);
-  std::vector<std::unique_ptr<files::OutputFile>> written;
-  for (const verify::NamedText& file : files) {
-    written.push_back(std::make_unique<files::OutputFile>(options.out / file.name));
-    written.back()->write(file.text);
-  }
-  for (const auto& file : written) file->commit();
+  Outputs outputs({});
+  for (const verify::NamedText& text : texts) outputs.open("--out", options.out / text.name)->write(text.text);
+  outputs.commit();
 }
 
 }  // namespace

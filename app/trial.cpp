@@ -7,11 +7,13 @@
 #include <plumbline/base/error.hpp>
 #include <thread>
 
+#include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/secret_experiments.hpp"
 #include "app/verbs.hpp"
 #include "files/temporary_folder.hpp"
-#include "files/text_file.hpp"
+#include "files/output_file.hpp"
+#include "trial/experiment_files.hpp"
 #include "trial/report.hpp"
 #include "trial/run_trial.hpp"
 
@@ -80,24 +82,18 @@ trial::Circumstances circumstances(const Options& options, const trial::SealedFo
   return all;
 }
 
-std::unique_ptr<files::OutputFile> opened(const std::string& path) {
-  return path.empty() ? nullptr : std::make_unique<files::OutputFile>(path);
-}
-
-void write(const std::unique_ptr<files::OutputFile>& file, const std::string& text) {
-  if (!file) return;
-  file->write(text);
-  file->commit();
-}
-
 void run(const Options& options) {
-  const auto json = opened(options.json), markdown = opened(options.markdown);
+  Outputs outputs(trial::files_of(options.experiments));
+  files::OutputFile *const json = outputs.open("--json", options.json),
+                           *const markdown = outputs.open("--markdown", options.markdown);
   const bool quiet = options.json == "-" || options.markdown == "-";
   const Place place(options.out);
   SecretExperiments secret;
   if (options.experiments.empty()) secret = make(options, place.folder());
   const trial::SealedFolder folder(options.experiments.empty() ? place.folder()
                                                                : fs::path(options.experiments));
+  if (!options.experiments.empty())
+    for (const std::string& name : folder.names()) static_cast<void>(folder.open(name));
   if (folder.sealed() > 0 && !quiet) {
     fmt::print("{} experiments, their labels sealed. SHA-256 of the seals: {}\n\n", folder.sealed(),
                folder.digest());
@@ -108,8 +104,9 @@ void run(const Options& options) {
   publish(secret, place.folder());
   const std::vector<trial::Case> cases = trial::unseal(folder, reports, diagnosed);
   const trial::Circumstances about = circumstances(options, folder, secret);
-  write(json, trial::as_json(about, cases).dump(2) + "\n");
-  write(markdown, trial::as_text(about, cases, trial::Style::markdown));
+  if (json) json->write(trial::as_json(about, cases).dump(2) + "\n");
+  if (markdown) markdown->write(trial::as_text(about, cases, trial::Style::markdown));
+  outputs.commit();
   if (!quiet) fmt::print("{}", trial::as_text(about, cases, trial::Style::terminal));
   const trial::Score score = trial::score(cases);
   if (score.broken_seals + score.no_report > 0) throw CLI::RuntimeError(1);

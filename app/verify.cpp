@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <memory>
 
+#include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "files/text_file.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/figures/figures.hpp"
 #include "verify/report/report.hpp"
@@ -40,6 +40,9 @@ std::vector<verify::DrawnFigure> draw_figures(const std::vector<verify::Judged>&
 }
 
 void run(const Options& options) {
+  Outputs outputs({});
+  files::OutputFile *const json = outputs.open("--json", options.json),
+                           *const html = outputs.open("--html", options.html);
   const std::vector<verify::Claim> claims = verify::in_section(verify::all_claims(), options.section);
   const bool one = !options.claim.empty();
   std::vector<verify::Judged> judged =
@@ -51,13 +54,14 @@ void run(const Options& options) {
     const std::vector<verify::Judged> properties = verify::judge_sampled(sampled, options.seed);
     judged.insert(judged.end(), properties.begin(), properties.end());
   }
-  if (!options.json.empty()) files::write_text(options.json, as_json(judged).dump(2) + "\n");
-  if (!options.html.empty()) {
+  if (json) json->write(as_json(judged).dump(2) + "\n");
+  if (html) {
     const bool whole = !one && options.section.empty();
-    files::write_text(options.html, verify::as_html(judged, whole ? draw_figures(judged)
-                                                                  : std::vector<verify::DrawnFigure>{}));
+    html->write(
+        verify::as_html(judged, whole ? draw_figures(judged) : std::vector<verify::DrawnFigure>{}));
   }
-  if (options.json.empty() && options.html.empty())
+  outputs.commit();
+  if (!json && !html)
     fmt::print("{}", one ? verify::as_detail(judged.front(), with_colour())
                          : verify::as_table(judged, with_colour()));
   if (std::any_of(judged.begin(), judged.end(), [](const verify::Judged& j) { return !j.judgement; })) {
