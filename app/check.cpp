@@ -8,10 +8,12 @@
 #include <set>
 
 #include "app/chain_file.hpp"
+#include "app/complaints.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "files/csv_file.hpp"
+#include "files/printable.hpp"
 #include "files/text_file.hpp"
 #include "proofs/decimal.hpp"
 #include "verify/reference/agreement.hpp"
@@ -28,6 +30,12 @@ using Chains = std::map<std::string, Chain<Rational>>;
 using Submitted = std::map<std::string, std::vector<verify::SubmittedForce>>;
 
 /// The chains that values may be about: of a table, or of the reference set.
+/// Ends the verb where anything is wrong.
+void refuse(const std::vector<std::string>& errors) {
+  complain(errors);
+  if (!errors.empty()) throw CLI::RuntimeError(2);
+}
+
 Chains read_chains(const std::string& path) {
   Chains chains;
   if (path.empty()) {
@@ -37,7 +45,7 @@ Chains read_chains(const std::string& path) {
     return chains;
   }
   const ChainTable table = parse_chain_table(files::read_text(path), path);
-  if (!table.errors.empty()) throw Error(table.errors.front());
+  refuse(table.errors);
   for (const NamedChain& entry : table.chains) chains.emplace(entry.name, entry.chain);
   return chains;
 }
@@ -61,9 +69,9 @@ verify::SubmittedForce parse_force(const files::CsvRow& row, const std::string& 
   verify::SubmittedForce result{row.line, 0, force};
   const auto [end, error] = std::from_chars(mode.data(), mode.data() + mode.size(), result.mode);
   if (error != std::errc() || end != mode.data() + mode.size() || result.mode < 1 || result.mode > modes)
-    throw Error(place, fmt::format("mode \"{}\"", mode), fmt::format("a mode from 1 to {}", modes));
+    throw Error(place, fmt::format("mode \"{}\"", files::shown(mode)), fmt::format("a mode from 1 to {}", modes));
   if (!proofs::parse_decimal(force) && !not_a_number(force))
-    throw Error(place, fmt::format("force \"{}\"", force), "a decimal number");
+    throw Error(place, fmt::format("force \"{}\"", files::shown(force)), "a decimal number");
   return result;
 }
 
@@ -75,22 +83,30 @@ Submitted read_values(const std::string& path, const Chains& chains) {
   if (rows.size() == 1) throw Error(path, "no row below the header", "a row for each critical force");
   Submitted submitted;
   std::set<std::pair<std::string, std::size_t>> seen;
-  for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
-    const std::string place = fmt::format("{}:{}", path, row->line);
-    if (row->fields.size() != rows.front().fields.size())
-      throw Error(place, fmt::format("{} fields", row->fields.size()),
+  const auto take = [&](const files::CsvRow& row, const std::string& place) {
+    if (row.fields.size() != rows.front().fields.size())
+      throw Error(place, fmt::format("{} fields", row.fields.size()),
                   fmt::format("{} as in the header", rows.front().fields.size()));
-    const std::string& name = row->fields[chain_column];
+    const std::string& name = row.fields[chain_column];
     const auto chain = chains.find(name);
     if (chain == chains.end())
-      throw Error(place, fmt::format("chain \"{}\"", name),
+      throw Error(place, fmt::format("chain \"{}\"", files::shown(name)),
                   "a chain of the reference set (or name yours by --chains)");
-    const auto force = parse_force(*row, place, row->fields[mode_column], row->fields[force_column],
+    const auto force = parse_force(row, place, row.fields[mode_column], row.fields[force_column],
                                    mode_count(chain->second));
     if (!seen.emplace(name, force.mode).second)
       throw Error(place, fmt::format("mode {} of {} again", force.mode, name), "each mode once");
     submitted[name].push_back(force);
+  };
+  std::vector<std::string> errors;
+  for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
+    try {
+      take(*row, fmt::format("{}:{}", path, row->line));
+    } catch (const Error& error) {
+      errors.emplace_back(error.what());
+    }
   }
+  refuse(errors);
   return submitted;
 }
 

@@ -5,12 +5,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/arguments.hpp"
 #include "app/chain_file.hpp"
+#include "app/complaints.hpp"
 #include "app/critical_report.hpp"
 #include "app/example_chain.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
+#include "files/printable.hpp"
 #include "files/text_file.hpp"
 #include "proofs/certificate.hpp"
 
@@ -43,7 +46,7 @@ ChainTable read(const std::string& path) {
   if (extension != ".toml" && !fs::is_directory(path))
     throw Error(path, "a name that ends in \"" + extension + "\"",
                 ".toml (a chain) or .csv (a table of chains)");
-  return {{{fs::path(path).stem(), path, parse_chain(files::read_text(path), path)}}, {}};
+  return {{{files::printable(fs::path(path).stem().string()), path, parse_chain(files::read_text(path), path)}}, {}};
 }
 
 void require_straight(const Chain<Rational>& chain) {
@@ -62,7 +65,8 @@ struct Results {
 /// Computes every chain of the table; what cannot be computed joins its errors.
 Results compute(ChainTable& table, const Options& options) {
   Results results;
-  Progress progress("chains", table.chains.size());
+  const std::size_t count = table.chains.size();
+  Progress progress(count > 1 ? "chains" : "critical forces", count > 1 ? count : 0);
   for (const NamedChain& entry : table.chains) {
     try {
       require_straight(entry.chain);
@@ -117,7 +121,7 @@ void run(Options options) {
   ChainTable table = read(options.input);
 
   const Results results = compute(table, options);
-  for (const std::string& error : table.errors) fmt::print(stderr, "plumbline: {}\n", error);
+  complain(table.errors);
   if (!results.chains.empty()) {
     if (csv) csv->write(as_csv(results.chains));
     if (json) json->write(as_json(results.chains, table.errors, options.digits).dump(2) + "\n");
@@ -145,7 +149,7 @@ void add_critical(CLI::App& app) {
   verb->add_option("--digits", options->digits, "Significant digits of the forces, all correct")
       ->type_name("D")
       ->capture_default_str()
-      ->check(CLI::Range(1, 10000).description(""));
+      ->check(whole_number(1, 10000).description(""));
   verb->add_flag("--all", options->all,
                  "Every mode (else, at most the 20 lowest of a chain;\n"
                  "the lowest alone for a table, and in CSV)");

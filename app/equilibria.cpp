@@ -6,8 +6,10 @@
 #include <plumbline/loaded/equilibrium.hpp>
 #include <random>
 
+#include "app/arguments.hpp"
 #include "app/loaded_input.hpp"
 #include "app/outputs.hpp"
+#include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "proofs/census.hpp"
 #include "proofs/decimal.hpp"
@@ -148,6 +150,11 @@ Answer sampled(const Options& options, const Load& load) {
   return answer;
 }
 
+Answer answer_of(const Options& options, const Load& load) {
+  const Progress progress(options.certify ? "census" : "equilibria", 0);
+  return options.certify ? certified(options, load) : sampled(options, load);
+}
+
 std::string as_text(const Answer& answer, const Options& options, const Load& load) {
   std::string text =
       fmt::format("{}: {} ({:.6g}, {:.6g})\n{} equilibria, by energy; {}\n", options.chain.name,
@@ -189,7 +196,7 @@ void run(Options options) {
   files::OutputFile* const json = outputs.open("--json", options.json);
   options.chain.read();
   const Load load = load_of(options);
-  const Answer answer = options.certify ? certified(options, load) : sampled(options, load);
+  const Answer answer = answer_of(options, load);
   if (json) {
     json->write(as_json(answer, options, load).dump(2) + "\n");
     outputs.commit();
@@ -223,7 +230,7 @@ void add_equilibria(CLI::App& app) {
       "(each counted with the deflections of at most half a turn that make it); under a force, among all "
       "joint angles. Exit status 1 where something stays undecided");
   verb->add_option("--digits", options->digits, "Significant digits")
-      ->check(CLI::Range(1, 35))
+      ->check(whole_number(1, 35))
       ->capture_default_str();
   verb->add_option("--json", options->json, "Write everything as JSON (without FILE: to standard output)")
       ->type_name("[FILE]")

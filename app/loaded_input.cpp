@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/chain_file.hpp"
+#include "files/printable.hpp"
 #include "files/text_file.hpp"
 
 namespace plumbline::app {
@@ -30,7 +31,7 @@ void LoadedChain::read() {
   if (std::filesystem::path(path).extension() != ".toml" && !std::filesystem::is_directory(path))
     throw Error(path, "a name that does not end in .toml", "CHAIN.toml");
   exact = parse_chain(files::read_text(path), path);
-  name = std::filesystem::path(path).stem();
+  name = files::printable(std::filesystem::path(path).stem().string());
 }
 
 }  // namespace plumbline::app

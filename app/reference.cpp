@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "app/arguments.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
@@ -61,7 +62,9 @@ void add_reference(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   verb->add_option("--out", options->out, "Directory to write into")->type_name("DIR")->required();
   verb->add_flag("--compact", options->compact, "About a hundred chains instead of a few thousand");
-  verb->add_option("--seed", options->seed, "Of the random chains")->capture_default_str();
+  verb->add_option("--seed", options->seed, "Of the random chains")
+      ->check(whole_number(0))
+      ->capture_default_str();
   verb->footer("README.md in DIR says what the files hold.");
   verb->callback([options] { run(*options); });
 }

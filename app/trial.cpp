@@ -7,6 +7,7 @@
 #include <plumbline/base/error.hpp>
 #include <thread>
 
+#include "app/arguments.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/secret_experiments.hpp"
@@ -120,9 +121,11 @@ void add_trial(CLI::App& app) {
       "The blind trial: experiments whose effect is withheld from the diagnosis, then unsealed and scored");
   const auto options = std::make_shared<Options>();
   auto* trials = verb->add_option("--trials", options->trials, "How many experiments the simulated rig makes")
-                     ->check(CLI::PositiveNumber)
+                     ->check(whole_number(1, 100000))
                      ->capture_default_str();
-  auto* seed = verb->add_option("--seed", options->seed, "Of the random numbers")->capture_default_str();
+  auto* seed = verb->add_option("--seed", options->seed, "Of the random numbers")
+                   ->check(whole_number(0))
+                   ->capture_default_str();
   verb->add_option("--experiments", options->experiments,
                    "Diagnose and score the experiments in this folder instead: NAME/experiment.toml with "
                    "NAME/label.json, or sealed (trial/README.md)")
@@ -132,7 +135,7 @@ void add_trial(CLI::App& app) {
   verb->add_option("--out", options->out, "Keep experiments, seals, reports and labels in this folder")
       ->type_name("DIR");
   verb->add_option("--patience", options->patience, "Seconds after which a diagnosis is given up")
-      ->check(CLI::PositiveNumber)
+      ->check(number(0.001, 1e6))
       ->capture_default_str();
   verb->add_option("--json", options->json,
                    "Write the result as JSON too (without FILE: to standard output alone)")

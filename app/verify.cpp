@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <memory>
 
+#include "app/arguments.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
@@ -45,8 +46,12 @@ void run(const Options& options) {
                            *const html = outputs.open("--html", options.html);
   const std::vector<verify::Claim> claims = verify::in_section(verify::all_claims(), options.section);
   const bool one = !options.claim.empty();
-  std::vector<verify::Judged> judged =
-      verify::judge(one ? verify::with_id(claims, options.claim) : claims, options.precision);
+  const std::vector<verify::Claim> chosen = one ? verify::with_id(claims, options.claim) : claims;
+  std::vector<verify::Judged> judged;
+  {
+    Progress progress("claims", chosen.size());
+    judged = verify::judge(chosen, options.precision, [&] { progress.advance(); });
+  }
   if (options.chains > 0) {
     Progress progress("random chains", options.chains);
     const verify::SampledChains sampled =
@@ -81,12 +86,15 @@ void add_verify(CLI::App& app) {
       ->excludes("--section");
   verb->add_option("--precision", options->precision, "Significant digits of the values")
       ->capture_default_str()
-      ->check(CLI::Range(1, 50));
+      ->check(whole_number(1, 50));
   verb->add_option("--chains", options->chains,
                    "Check what is proved of every chain on so many random ones as well")
+      ->check(whole_number(0, 10000000))
       ->type_name("N")
       ->excludes("--claim");
-  verb->add_option("--seed", options->seed, "Which random chains")->capture_default_str();
+  verb->add_option("--seed", options->seed, "Which random chains")
+      ->check(whole_number(0))
+      ->capture_default_str();
   verb->add_option("--json", options->json, "Write the claims as JSON (without FILE: to standard output)")
       ->type_name("[FILE]")
       ->expected(0, 1)

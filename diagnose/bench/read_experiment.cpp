@@ -24,9 +24,7 @@ std::string shown(const toml::node& node) {
   if (const auto* value = node.as_floating_point()) return fmt::format("{}", value->get());
   std::ostringstream text;
   node.visit([&](const auto& value) { text << value; });
-  std::string line = text.str();
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  return line.size() > 60 ? line.substr(0, 57) + "..." : line;
+  return files::shown(text.str());
 }
 
 /// A table of the file, with the words that an error about it begins with.
@@ -41,7 +39,7 @@ class Section {
       if (keys.contains(std::string(key.str()))) continue;
       std::string expected = "one of";
       for (const std::string& known : keys) expected += " " + known;
-      throw Error(place(std::string(key.str())), "an unknown key", expected);
+      throw Error(place(files::shown(key.str())), "an unknown key", expected);
     }
   }
 
@@ -62,6 +60,7 @@ class Section {
   [[nodiscard]] std::string text(const std::string& key, const std::string& expected) const {
     const toml::node& node = required(key, expected);
     if (!node.is_string() || node.as_string()->get().empty()) throw Error(place(key), shown(node), expected);
+    files::require_printable(node.as_string()->get(), place(key));
     return node.as_string()->get();
   }
 
