@@ -8,6 +8,7 @@
 #include "app/verbs.hpp"
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/report/report.hpp"
+#include "trial/experiment_files.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -30,7 +31,7 @@ diagnose::Diagnosis diagnosis_of(const diagnose::Study& study, bool next) {
 void run(const Options& options) {
   diagnose::Experiment experiment =
       options.experiment.empty() ? example_experiment() : diagnose::read_experiment(options.experiment);
-  Outputs outputs(experiment.files);
+  Outputs outputs(trial::files_read(options.experiment));
   files::OutputFile *const json = outputs.open("--json", options.json),
                            *const html = outputs.open("--html", options.html);
   const diagnose::Study study(std::move(experiment));

@@ -15,4 +15,8 @@ constexpr std::size_t largest_file = std::size_t{1} << 28;
 ///         `largest_file`, empty, or not UTF-8 (with the line)
 std::string read_text(const std::filesystem::path& path);
 
+/// What every text from outside goes through.
+/// \throws Error that names the source: empty but for white space, or (with the line) not UTF-8
+void require_text(const std::string& text, const std::string& source);
+
 }  // namespace plumbline::files

@@ -50,12 +50,19 @@ std::vector<fs::path> experiment_files(const fs::path& folder) {
   return files;
 }
 
+std::vector<fs::path> files_read(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (folder.empty()) return files;
+  for (const fs::path& file : experiment_files(folder)) files.push_back(folder / file);
+  return files;
+}
+
 std::vector<fs::path> files_of(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     if (!fs::exists(entry.path() / "experiment.toml", error)) continue;
-    for (const fs::path& file : experiment_files(entry.path())) files.push_back(entry.path() / file);
+    for (const fs::path& file : files_read(entry.path())) files.push_back(file);
     files.push_back(entry.path() / "label.json");
   }
   files.push_back(folder / "seals.json");

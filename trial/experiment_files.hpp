@@ -11,6 +11,9 @@ namespace plumbline::trial {
 /// it names. Not what lies outside the folder (behind a link, too), is no plain file, or is the label.
 std::vector<std::filesystem::path> experiment_files(const std::filesystem::path& folder);
 
+/// The same with the folder before each; none of no folder.
+std::vector<std::filesystem::path> files_read(const std::filesystem::path& folder);
+
 /// Every file that a trial of this folder reads: experiments, labels, seals. None of no folder.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder);
 

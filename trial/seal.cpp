@@ -8,7 +8,6 @@
 
 #include "files/json_file.hpp"
 #include "files/sha256.hpp"
-#include "files/text_file.hpp"
 
 namespace plumbline::trial {
 namespace {
@@ -32,9 +31,9 @@ std::string seals_text(const Seals& seals) {
   return nlohmann::ordered_json{{"format", format}, {"seals", seals}}.dump(1) + "\n";
 }
 
-Seals read_seals(const std::filesystem::path& path) {
-  const nlohmann::json json = files::parse_json(files::read_text(path), path.string());
-  const files::JsonValue file(json, path.string());
+Seals parse_seals(const std::string& text, const std::string& source) {
+  const nlohmann::json json = files::parse_json(text, source);
+  const files::JsonValue file(json, source);
   const std::string expected = std::string("an object with \"format\": \"") + format + "\" and \"seals\"";
   if (const files::JsonValue found = file.at("format", expected); found.json() != format) found.refuse(expected);
   Seals seals;
@@ -47,16 +46,16 @@ std::string envelope_text(const Envelope& envelope) {
   return nlohmann::ordered_json{{"salt", envelope.salt}, {"label", envelope.label}}.dump(1) + "\n";
 }
 
-Envelope read_envelope(const std::filesystem::path& path) {
-  const nlohmann::json json = files::parse_json(files::read_text(path), path.string());
-  const files::JsonValue file(json, path.string());
+Envelope parse_envelope(const std::string& text, const std::string& source) {
+  const nlohmann::json json = files::parse_json(text, source);
+  const files::JsonValue file(json, source);
   const std::string expected = "an object with the strings \"salt\" and \"label\"";
-  const auto text = [&](const char* key) {  // as it is, for the seal is that of every byte
-    const files::JsonValue value = file.at(key, expected);
-    if (!value.json().is_string()) value.refuse(expected);
-    return value.json().get<std::string>();
+  const auto value = [&](const char* key) {  // as it is, for the seal is that of every byte
+    const files::JsonValue found = file.at(key, expected);
+    if (!found.json().is_string()) found.refuse(expected);
+    return found.json().get<std::string>();
   };
-  return {text("salt"), text("label")};
+  return {value("salt"), value("label")};
 }
 
 }  // namespace plumbline::trial

@@ -3,7 +3,6 @@
 /// An experiment: what a lab writes down when it presses on a real chain. SI units, radians.
 
 #include <array>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -47,7 +46,6 @@ struct Experiment {
   Bench bench;
   Noise noise;
   std::vector<Run> runs;
-  std::vector<std::filesystem::path> files = {};  ///< that it was read from
 };
 
 }  // namespace plumbline::diagnose

@@ -211,13 +211,9 @@ Experiment read_experiment(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored))
     throw Error(folder.string(), "no such folder", "an experiment's folder");
-  std::vector<fs::path> read;
-  Experiment experiment = read_experiment(folder, [&](const std::string& name, const std::string& place) {
-    read.push_back(file_inside(folder, name, place));
-    return files::read_text(read.back());
+  return read_experiment(folder, [&](const std::string& name, const std::string& place) {
+    return files::read_text(file_inside(folder, name, place));
   });
-  experiment.files = std::move(read);
-  return experiment;
 }
 
 Experiment read_experiment(const fs::path& folder, const ReadFile& read) {
