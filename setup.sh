@@ -16,6 +16,8 @@ packages=(
   libceres-dev
   # tests
   doctest-dev librapidcheck-dev python3-jsonschema
+  # fuzzing
+  clang
   # the rig of the blind trial
   libmujoco-dev
   # pages, in a browser
