@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/mman.h>
-#include <sys/pidfd.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -71,7 +71,7 @@ class MemoryFile {
 std::string wait_for(pid_t process, std::optional<std::chrono::duration<double>> patience) {
   int status = 0;
   if (patience) {
-    const int watch = pidfd_open(process, 0);
+    const int watch = static_cast<int>(syscall(SYS_pidfd_open, process, 0));
     pollfd ended{watch, POLLIN, 0};
     const auto limit = std::chrono::duration_cast<std::chrono::milliseconds>(*patience).count();
     const bool late = poll(&ended, 1, static_cast<int>(std::min<long>(limit, 1000000000))) == 0;
