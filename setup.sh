@@ -5,6 +5,8 @@
 #   ./setup.sh           what the program is built with
 #   ./setup.sh --tests   and what its tests need
 #   ./setup.sh --bench   and what the benchmarks compare with
+#   ./setup.sh --docs    and what writes the reference of the library
+#   ./setup.sh --fuzz    and the compiler of the fuzz targets
 set -euo pipefail
 
 program=(
@@ -30,6 +32,8 @@ tests=(
   # packages and what is installed, as a user meets them
   dpkg-dev man-db zsh
 )
+docs=(doxygen)
+fuzz=(clang)
 bench=(liblapack-dev libopenblas-dev libspectra-dev python3-scipy auto-07p gfortran)
 
 packages=("${program[@]}")
@@ -37,14 +41,13 @@ case "${1:-}" in
   "") ;;
   --tests) packages+=("${tests[@]}") ;;
   --bench) packages+=("${bench[@]}") ;;
+  --docs) packages+=("${docs[@]}") ;;
+  --fuzz) packages+=("${fuzz[@]}") ;;
   *)
-    echo "setup: found $1, expected nothing, --tests or --bench" >&2
+    echo "setup: found $1, expected nothing, --tests, --bench, --docs or --fuzz" >&2
     exit 2
     ;;
 esac
-
-# what writes the reference of the library: ./setup.sh --docs
-[ "${1:-}" != --docs ] || packages+=(doxygen)
 
 missing=()
 for package in "${packages[@]}"; do

@@ -6,15 +6,25 @@
 #include <sstream>
 
 #include "files/csv_file.hpp"
+#include "files/printable.hpp"
 #include "files/toml_file.hpp"
 #include "proofs/decimal.hpp"
 
 namespace plumbline::app {
 namespace {
 
+/// One number of a list. What the chain would refuse is refused here, where the text is still known.
 Rational parse_number(const std::string& text, const std::string& list, std::size_t i) {
-  if (const auto value = proofs::parse_decimal(text)) return *value;
-  throw Error(list + ", entry " + std::to_string(i + 1), text.empty() ? "nothing" : text, "a decimal number");
+  const auto refuse = [&](const std::string& why, const std::string& expected) {
+    throw Error(list + ", entry " + std::to_string(i + 1),
+                text.empty() ? "nothing" : files::shown(text) + why, expected);
+  };
+  const auto value = proofs::parse_decimal(text);
+  if (!value) refuse("", "a decimal number");
+  if (list.ends_with("lengths") && *value <= 0) refuse(", which is not positive", "a positive length");
+  if (list.ends_with("stiffness") && *value < 0)
+    refuse(", which is negative", "zero (passive) or positive");
+  return *value;
 }
 
 /// The text with every bare decimal quoted: a TOML parser rounds numbers to double and refuses those that
@@ -79,6 +89,7 @@ NamedChain parse_row(const files::CsvRow& row, const std::vector<std::size_t>& c
   const std::string& name = row.fields[column[0]];
   const std::string place = where + ": chain " + name;
   if (name.empty()) throw Error(where, "a chain without a name", "a name in the column chain");
+  files::require_printable(name, where + ": chain");
   if (!names.insert(name).second) throw Error(place, "a name that occurred before", "every chain once");
   try {
     return {name, place,
@@ -97,7 +108,7 @@ std::vector<std::size_t> find_columns(const files::CsvRow& header, const std::st
     if (found == header.fields.end() || header.fields.size() != 3) {
       std::string fields;
       for (const std::string& field : header.fields) fields += (fields.empty() ? "" : ",") + field;
-      throw Error(source + ":" + std::to_string(header.line), "the header " + fields,
+      throw Error(source + ":" + std::to_string(header.line), "the header " + files::shown(fields),
                   "chain,lengths,stiffness");
     }
     column.push_back(static_cast<std::size_t>(found - header.fields.begin()));
@@ -120,9 +131,18 @@ Chain<Rational> parse_chain(const std::string& text, const std::string& source) 
   }
 }
 
+bool is_chain_table(const std::string& text) {
+  try {
+    find_columns(files::parse_csv(text.substr(0, text.find('\n')), "").front(), "");
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 ChainTable parse_chain_table(const std::string& text, const std::string& source) {
   const std::vector<files::CsvRow> rows = files::parse_csv(text, source);
-  const std::vector<std::size_t> column = find_columns(rows.at(0), source);
+  const std::vector<std::size_t> column = find_columns(rows.front(), source);
   if (rows.size() == 1) throw Error(source, "a header and no chain", "a row for each chain");
   ChainTable table;
   std::set<std::string> names;

@@ -25,6 +25,9 @@ struct ChainTable {
   std::vector<std::string> errors;  ///< one line for each wrong row
 };
 
+/// Whether the text begins with the header line of a table of chains.
+bool is_chain_table(const std::string& text);
+
 /// A table from CSV text with the columns `chain,lengths,stiffness`, the latter two decimals joined by `;`.
 /// A row whose name has occurred before is wrong. \throws Error when the header line is wrong or no row
 /// follows

@@ -1,18 +1,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <map>
-#include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/chain_file.hpp"
+#include "app/complaints.hpp"
+#include "app/outputs.hpp"
 #include "app/progress.hpp"
+#include "app/submitted_values.hpp"
 #include "app/verbs.hpp"
-#include "files/csv_file.hpp"
 #include "files/text_file.hpp"
-#include "proofs/decimal.hpp"
 #include "verify/reference/agreement.hpp"
 #include "verify/reference/chains.hpp"
 
@@ -23,8 +20,11 @@ struct Options {
   std::string values, chains, json;
 };
 
-using Chains = std::map<std::string, Chain<Rational>>;
-using Submitted = std::map<std::string, std::vector<verify::SubmittedForce>>;
+/// Ends the verb where anything is wrong.
+void refuse(const std::vector<std::string>& errors) {
+  complain(errors);
+  if (!errors.empty()) throw CLI::RuntimeError(2);
+}
 
 /// The chains that values may be about: of a table, or of the reference set.
 Chains read_chains(const std::string& path) {
@@ -36,61 +36,9 @@ Chains read_chains(const std::string& path) {
     return chains;
   }
   const ChainTable table = parse_chain_table(files::read_text(path), path);
-  if (!table.errors.empty()) throw Error(table.errors.front());
+  refuse(table.errors);
   for (const NamedChain& entry : table.chains) chains.emplace(entry.name, entry.chain);
   return chains;
-}
-
-std::size_t column(const files::CsvRow& header, const std::string& name, const std::string& path) {
-  const auto found = std::find(header.fields.begin(), header.fields.end(), name);
-  if (found == header.fields.end())
-    throw Error(fmt::format("{}:{}", path, header.line), fmt::format("no column {}", name),
-                "the columns chain,mode,force");
-  return static_cast<std::size_t>(found - header.fields.begin());
-}
-
-bool not_a_number(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  static const std::set<std::string> names{"nan", "-nan", "inf", "-inf", "+inf", "infinity", "-infinity"};
-  return names.count(text) > 0;
-}
-
-verify::SubmittedForce parse_force(const files::CsvRow& row, const std::string& place,
-                                   const std::string& mode, const std::string& force, std::size_t modes) {
-  verify::SubmittedForce result{row.line, 0, force};
-  const auto [end, error] = std::from_chars(mode.data(), mode.data() + mode.size(), result.mode);
-  if (error != std::errc() || end != mode.data() + mode.size() || result.mode < 1 || result.mode > modes)
-    throw Error(place, fmt::format("mode \"{}\"", mode), fmt::format("a mode from 1 to {}", modes));
-  if (!proofs::parse_decimal(force) && !not_a_number(force))
-    throw Error(place, fmt::format("force \"{}\"", force), "a decimal number");
-  return result;
-}
-
-Submitted read_values(const std::string& path, const Chains& chains) {
-  const std::vector<files::CsvRow> rows = files::parse_csv(files::read_text(path), path);
-  const std::size_t chain_column = column(rows.front(), "chain", path),
-                    mode_column = column(rows.front(), "mode", path),
-                    force_column = column(rows.front(), "force", path);
-  if (rows.size() == 1) throw Error(path, "no row below the header", "a row for each critical force");
-  Submitted submitted;
-  std::set<std::pair<std::string, std::size_t>> seen;
-  for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
-    const std::string place = fmt::format("{}:{}", path, row->line);
-    if (row->fields.size() != rows.front().fields.size())
-      throw Error(place, fmt::format("{} fields", row->fields.size()),
-                  fmt::format("{} as in the header", rows.front().fields.size()));
-    const std::string& name = row->fields[chain_column];
-    const auto chain = chains.find(name);
-    if (chain == chains.end())
-      throw Error(place, fmt::format("chain \"{}\"", name),
-                  "a chain of the reference set (or name yours by --chains)");
-    const auto force = parse_force(*row, place, row->fields[mode_column], row->fields[force_column],
-                                   mode_count(chain->second));
-    if (!seen.emplace(name, force.mode).second)
-      throw Error(place, fmt::format("mode {} of {} again", force.mode, name), "each mode once");
-    submitted[name].push_back(force);
-  }
-  return submitted;
 }
 
 std::vector<verify::ForceAgreement> compare_all(const Submitted& submitted, const Chains& chains) {
@@ -155,14 +103,16 @@ nlohmann::json as_json(const std::vector<verify::ForceAgreement>& values, std::s
 }
 
 void run(const Options& options) {
+  Outputs outputs({options.values, options.chains});
+  files::OutputFile* const json = outputs.open("--json", options.json);
   const Chains chains = read_chains(options.chains);
-  const Submitted submitted = read_values(options.values, chains);
-  std::unique_ptr<files::OutputFile> json;
-  if (!options.json.empty()) json = std::make_unique<files::OutputFile>(options.json);
+  const SubmittedValues read = parse_values(files::read_text(options.values), options.values, chains);
+  refuse(read.errors);
+  const Submitted& submitted = read.values;
   const auto values = compare_all(submitted, chains);
   if (json) {
     json->write(as_json(values, submitted.size()).dump(2) + "\n");
-    json->commit();
+    outputs.commit();
   } else {
     fmt::print("{}", as_text(values, submitted.size()));
   }

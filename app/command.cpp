@@ -1,9 +1,41 @@
 #include "app/command.hpp"
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <filesystem>
 #include <iostream>
+#include <new>
 #include <plumbline/base/error.hpp>
 
+#include "app/arguments.hpp"
+#include "app/complaints.hpp"
+
 namespace plumbline::app {
+namespace {
+
+/// A file that is opened must not take the place of a standard stream that was closed.
+void hold_standard_streams() {
+  for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
+    if (fcntl(stream, F_GETFD) < 0) static_cast<void>(open("/dev/null", O_RDONLY));  // refuses what is written
+}
+
+/// The exception in flight, as one line that names the place, what was found and what was expected.
+std::string what_went_wrong() {
+  try {
+    throw;
+  } catch (const CLI::ParseError& error) {
+    return in_our_words(error);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return error.path1().string() + ": found " + error.code().message() + ", expected a file that can be used";
+  } catch (const std::bad_alloc&) {
+    return "memory: found no more, expected a smaller task or a larger machine";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
 
 std::unique_ptr<CLI::App> bare_command() {
   auto command =
@@ -15,6 +47,7 @@ std::unique_ptr<CLI::App> bare_command() {
 
 int run(CLI::App& command, int argc, char** argv) {
   constexpr int bad_input = 2;
+  hold_standard_streams();
   try {
     command.parse(argc, argv);
     if (command.get_subcommands().empty()) std::cout << command.help();
@@ -24,8 +57,8 @@ int run(CLI::App& command, int argc, char** argv) {
     return command.exit(help);
   } catch (const CLI::RuntimeError& status) {
     return status.get_exit_code();
-  } catch (const std::exception& error) {
-    std::cerr << "plumbline: " << error.what() << '\n';
+  } catch (...) {
+    complain(what_went_wrong());
     return bad_input;
   }
 }

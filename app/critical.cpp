@@ -5,11 +5,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/arguments.hpp"
 #include "app/chain_file.hpp"
+#include "app/complaints.hpp"
 #include "app/critical_report.hpp"
 #include "app/example_chain.hpp"
+#include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
+#include "files/printable.hpp"
 #include "files/text_file.hpp"
 #include "proofs/certificate.hpp"
 
@@ -44,7 +48,7 @@ ChainTable read(const std::string& path) {
   if (extension != ".toml" && !fs::is_directory(path))
     throw Error(path, "a name that ends in \"" + extension + "\"",
                 ".toml (a chain) or .csv (a table of chains)");
-  return {{{fs::path(path).stem(), path, parse_chain(files::read_text(path), path)}}, {}};
+  return {{{files::printable(fs::path(path).stem().string()), path, parse_chain(files::read_text(path), path)}}, {}};
 }
 
 void require_straight(const Chain<Rational>& chain) {
@@ -63,7 +67,8 @@ struct Results {
 /// Computes every chain of the table; what cannot be computed joins its errors.
 Results compute(ChainTable& table, const Options& options) {
   Results results;
-  Progress progress("chains", table.chains.size());
+  const std::size_t count = table.chains.size();
+  Progress progress(count > 1 ? "chains" : "critical forces", count > 1 ? count : 0);
   for (const NamedChain& entry : table.chains) {
     try {
       require_straight(entry.chain);
@@ -92,39 +97,38 @@ std::string certificates(const Results& results, const Options& options) {
   return proofs::certificate_file(provenance, results.certificates).dump(1, ' ', true) + "\n";
 }
 
+/// Whether a file is a chain or a table of chains, not what was written here before.
+bool holds_chains(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return false;
+  if (fs::path(path).extension() == ".toml") return true;
+  return is_table(path) && is_chain_table(files::read_text(path));
+}
+
 /// `critical --csv CHAINS.csv` means that file as the chain, not as the output.
 void sort_out_files(Options& options) {
   for (std::string* output : {&options.csv, &options.json}) {
-    if (options.input.empty() && fs::exists(*output)) {
-      options.input = *output;
-      *output = "-";
-    }
-  }
-  for (const std::string* output : {&options.csv, &options.json, &options.certify}) {
-    std::error_code ignored;
-    if (fs::equivalent(*output, options.input, ignored))
-      throw Error(*output, "the input itself", "another file for the output");
+    if (!options.input.empty() || !holds_chains(*output)) continue;
+    options.input = *output;
+    *output = "-";
   }
 }
 
 void run(Options options) {
   sort_out_files(options);
+  Outputs outputs({options.input});
+  files::OutputFile *const csv = outputs.open("--csv", options.csv),
+                           *const json = outputs.open("--json", options.json),
+                           *const certify = outputs.open("--certify", options.certify);
   ChainTable table = read(options.input);
-  const auto open = [](const std::string& path) {
-    return path.empty() ? nullptr : std::make_unique<files::OutputFile>(path);
-  };
-  const auto csv = open(options.csv), json = open(options.json), certify = open(options.certify);
 
   const Results results = compute(table, options);
-  for (const std::string& error : table.errors) fmt::print(stderr, "plumbline: {}\n", error);
-  const auto finish = [](files::OutputFile& file, const std::string& text) {
-    file.write(text);
-    file.commit();
-  };
+  complain(table.errors);
   if (!results.chains.empty()) {
-    if (csv) finish(*csv, as_csv(results.chains));
-    if (json) finish(*json, as_json(results.chains, table.errors, options.digits).dump(2) + "\n");
-    if (certify) finish(*certify, certificates(results, options));
+    if (csv) csv->write(as_csv(results.chains));
+    if (json) json->write(as_json(results.chains, table.errors, options.digits).dump(2) + "\n");
+    if (certify) certify->write(certificates(results, options));
+    outputs.commit();
     if (!csv && !json)
       fmt::print("{}", is_table(options.input) ? as_text(results.chains) : as_text(results.chains[0]));
   }
@@ -147,7 +151,7 @@ void add_critical(CLI::App& app) {
   verb->add_option("--digits", options->digits, "Significant digits of the forces, all correct")
       ->type_name("D")
       ->capture_default_str()
-      ->check(CLI::Range(1, 10000).description(""));
+      ->check(whole_number(1, 10000).description(""));
   verb->add_flag("--all", options->all,
                  "Every mode (else, at most the 20 lowest of a chain;\n"
                  "the lowest alone for a table, and in CSV)");

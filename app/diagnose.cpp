@@ -3,11 +3,12 @@
 #include <memory>
 
 #include "app/example_experiment.hpp"
+#include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/report/report.hpp"
-#include "files/text_file.hpp"
+#include "trial/experiment_files.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -28,16 +29,16 @@ diagnose::Diagnosis diagnosis_of(const diagnose::Study& study, bool next) {
 }
 
 void run(const Options& options) {
-  const diagnose::Study study(options.experiment.empty() ? example_experiment()
-                                                         : diagnose::read_experiment(options.experiment));
-  std::unique_ptr<files::OutputFile> json, html;
-  if (!options.json.empty()) json = std::make_unique<files::OutputFile>(options.json);
-  if (!options.html.empty()) html = std::make_unique<files::OutputFile>(options.html);
+  diagnose::Experiment experiment =
+      options.experiment.empty() ? example_experiment() : diagnose::read_experiment(options.experiment);
+  Outputs outputs(trial::files_read(options.experiment));
+  files::OutputFile *const json = outputs.open("--json", options.json),
+                           *const html = outputs.open("--html", options.html);
+  const diagnose::Study study(std::move(experiment));
   const diagnose::Diagnosis diagnosis = diagnosis_of(study, options.next);
   if (json) json->write(as_json(diagnosis).dump(2) + "\n");
   if (html) html->write(diagnose::as_html(study, diagnosis));
-  if (json) json->commit();
-  if (html) html->commit();
+  outputs.commit();
   if (options.json != "-" && options.html != "-") fmt::print("{}", as_text(diagnosis));
 }
 

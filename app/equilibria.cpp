@@ -6,9 +6,11 @@
 #include <plumbline/loaded/equilibrium.hpp>
 #include <random>
 
+#include "app/arguments.hpp"
 #include "app/loaded_input.hpp"
+#include "app/outputs.hpp"
+#include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "files/text_file.hpp"
 #include "proofs/census.hpp"
 #include "proofs/decimal.hpp"
 
@@ -148,6 +150,11 @@ Answer sampled(const Options& options, const Load& load) {
   return answer;
 }
 
+Answer answer_of(const Options& options, const Load& load) {
+  const Progress progress(options.certify ? "census" : "equilibria", 0);
+  return options.certify ? certified(options, load) : sampled(options, load);
+}
+
 std::string as_text(const Answer& answer, const Options& options, const Load& load) {
   std::string text =
       fmt::format("{}: {} ({:.6g}, {:.6g})\n{} equilibria, by energy; {}\n", options.chain.name,
@@ -185,16 +192,16 @@ nlohmann::ordered_json as_json(const Answer& answer, const Options& options, con
 }
 
 void run(Options options) {
+  Outputs outputs({options.chain.path});
+  files::OutputFile* const json = outputs.open("--json", options.json);
   options.chain.read();
-  options.chain.refuse_as_output(options.json);
   const Load load = load_of(options);
-  const Answer answer = options.certify ? certified(options, load) : sampled(options, load);
-  if (options.json.empty()) {
-    fmt::print("{}", as_text(answer, options, load));
+  const Answer answer = answer_of(options, load);
+  if (json) {
+    json->write(as_json(answer, options, load).dump(2) + "\n");
+    outputs.commit();
   } else {
-    files::OutputFile file(options.json);
-    file.write(as_json(answer, options, load).dump(2) + "\n");
-    file.commit();
+    fmt::print("{}", as_text(answer, options, load));
   }
   if (options.certify && !answer.complete) throw CLI::RuntimeError(1);
 }
@@ -223,7 +230,7 @@ void add_equilibria(CLI::App& app) {
       "(each counted with the deflections of at most half a turn that make it); under a force, among all "
       "joint angles. Exit status 1 where something stays undecided");
   verb->add_option("--digits", options->digits, "Significant digits")
-      ->check(CLI::Range(1, 35))
+      ->check(whole_number(1, 35))
       ->capture_default_str();
   verb->add_option("--json", options->json, "Write everything as JSON (without FILE: to standard output)")
       ->type_name("[FILE]")

@@ -1,16 +1,18 @@
 #include "app/example_experiment.hpp"
 
+#include <map>
+#include <string>
+
 #include "app/example_files.hpp"
 #include "diagnose/bench/read_experiment.hpp"
-#include "files/temporary_folder.hpp"
-#include "files/text_file.hpp"
 
 namespace plumbline::app {
 
 diagnose::Experiment example_experiment() {
-  const files::TemporaryFolder folder;
-  for (const auto& [name, text] : example_files) files::write_text(folder / name, text);
-  return diagnose::read_experiment(folder.path());
+  std::map<std::string, std::string> files;
+  for (const auto& [name, text] : example_files) files.emplace(name, text);
+  return diagnose::read_experiment(
+      "examples/experiment", [&](const std::string& name, const std::string&) { return files.at(name); });
 }
 
 }  // namespace plumbline::app

@@ -8,7 +8,7 @@
 
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "files/text_file.hpp"
+#include "files/output_file.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/figures/figures.hpp"
 
@@ -20,10 +20,6 @@ struct Options {
   std::string which = "all", out = ".";
 };
 
-void write(const verify::Figure& figure, const std::filesystem::path& path) {
-  files::write_text(path, page::as_svg(figure.draw(), figure.columns));
-}
-
 void run(const Options& options) {
   namespace fs = std::filesystem;
   std::vector<const verify::Figure*> chosen;
@@ -33,11 +29,13 @@ void run(const Options& options) {
     numbers += (numbers.empty() ? "" : ", ") + std::to_string(figure.number);
   }
   if (chosen.empty()) throw Error("figure", options.which, "all or one of " + numbers);
-  files::make_folder(options.out);
+  files::require_folder(options.out);
   Progress progress("figures", chosen.size());
   for (const verify::Figure* figure : chosen) {
     const fs::path path = fs::path(options.out) / fmt::format("figure-{:02}.svg", figure->number);
-    write(*figure, path);
+    const std::string drawing = page::as_svg(figure->draw(), figure->columns);
+    files::make_folder(options.out);
+    files::write_text(path, drawing);
     progress.advance();
     fmt::print("{}: {}\n  {}\n", path.string(), figure->title,
                sentence(*figure, verify::judge(claims_about(*figure), 10)));

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/chain_file.hpp"
+#include "files/printable.hpp"
 #include "files/text_file.hpp"
 
 namespace plumbline::app {
@@ -30,12 +31,7 @@ void LoadedChain::read() {
   if (std::filesystem::path(path).extension() != ".toml" && !std::filesystem::is_directory(path))
     throw Error(path, "a name that does not end in .toml", "CHAIN.toml");
   exact = parse_chain(files::read_text(path), path);
-  name = std::filesystem::path(path).stem();
-}
-
-void LoadedChain::refuse_as_output(const std::string& output) const {
-  if (!output.empty() && output == path)
-    throw Error(output, "the input itself", "another file for the output");
+  name = files::printable(std::filesystem::path(path).stem().string());
 }
 
 }  // namespace plumbline::app

@@ -16,8 +16,6 @@ struct LoadedChain {
   void add_to(CLI::App& verb);
   /// \throws Error that names the file and the line or key
   void read();
-  /// \throws Error where an output would overwrite the chain
-  void refuse_as_output(const std::string& output) const;
 };
 
 }  // namespace plumbline::app

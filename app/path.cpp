@@ -2,12 +2,15 @@
 
 #include <memory>
 
+#include "app/arguments.hpp"
 #include "app/certified_report.hpp"
+#include "app/complaints.hpp"
 #include "app/loaded_input.hpp"
 #include "app/located_report.hpp"
+#include "app/outputs.hpp"
 #include "app/path_report.hpp"
+#include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "files/text_file.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -42,44 +45,50 @@ std::pair<Loading<Real>, Real> loading_of(const Options& options, const Chain<Re
   return {{held ? Control::end_point : Control::force, start, {x / size, y / size}}, size};
 }
 
+struct Followed {
+  proofs::PathReport report;
+  LocatedReport located;
+  CertifiedReport certified;
+};
+
+Followed follow(const Options& options, const proofs::PathTask& task) {
+  const Progress progress("path", 0);
+  Followed all{options.branches == "stable" ? proofs::follow_slowly(task) : proofs::follow_all(task), {}, {}};
+  all.report.chain = options.chain.name;
+  if (options.digits > 0) {
+    const auto exact = from_rational<proofs::Located>(options.chain.exact);
+    all.located = locate(all.report, options.chain.exact, loading_of(options, exact).first);
+  }
+  if (options.certify) {
+    const auto exact = from_rational<Interval>(options.chain.exact);
+    all.certified = certify(all.report, exact, loading_of(options, exact).first);
+  }
+  return all;
+}
+
 void run(Options options) {
+  Outputs outputs({options.chain.path});
+  files::OutputFile *const csv = outputs.open("--csv", options.csv),
+                           *const json = outputs.open("--json", options.json),
+                           *const svg = outputs.open("--svg", options.svg);
   options.chain.read();
-  for (const std::string* output : {&options.csv, &options.json, &options.svg})
-    options.chain.refuse_as_output(*output);
   const auto chain = from_rational<double>(options.chain.exact);
   const auto [loading, last] = loading_of(options, chain);
   if (!(last > 0) || !is_finite(last)) throw Error("load", "nothing to do", "a finite load that is not zero");
   if (loading.control == Control::end_point) NominalModel<double>(chain).require_reach(loading.at(last));
   const proofs::PathTask task{chain, loading, last, options.step, options.side};
-  proofs::PathReport report =
-      options.branches == "stable" ? proofs::follow_slowly(task) : proofs::follow_all(task);
-  report.chain = options.chain.name;
-  LocatedReport located;
-  if (options.digits > 0) {
-    const auto exact = from_rational<proofs::Located>(options.chain.exact);
-    located = locate(report, options.chain.exact, loading_of(options, exact).first);
+  const auto [report, located, certified] = follow(options, task);
+  for (const std::string& warning : report.warnings) complain("warning: " + warning);
+  if (svg) svg->write(page::as_svg(as_drawing(report, chain), 2));
+  if (csv) csv->write(as_csv(report));
+  if (json) {
+    auto all = as_json(report);
+    if (options.digits > 0) all["events"] = as_json(located, options.digits);
+    if (options.certify) all["certificates"] = as_json(certified);
+    json->write(all.dump(2) + "\n");
   }
-  CertifiedReport certified;
-  if (options.certify) {
-    const auto exact = from_rational<Interval>(options.chain.exact);
-    certified = certify(report, exact, loading_of(options, exact).first);
-  }
-  for (const std::string& warning : report.warnings) fmt::print(stderr, "plumbline: warning: {}\n", warning);
-  const auto write = [](const std::string& path, const std::string& text) {
-    files::OutputFile file(path);
-    file.write(text);
-    file.commit();
-  };
-  const std::string svg = options.svg.empty() ? "" : page::as_svg(as_drawing(report, chain), 2);
-  if (!options.csv.empty()) write(options.csv, as_csv(report));
-  if (!options.json.empty()) {
-    auto json = as_json(report);
-    if (options.digits > 0) json["events"] = as_json(located, options.digits);
-    if (options.certify) json["certificates"] = as_json(certified);
-    write(options.json, json.dump(2) + "\n");
-  }
-  if (!options.svg.empty()) write(options.svg, svg);
-  if (options.csv.empty() && options.json.empty() && options.svg.empty())
+  outputs.commit();
+  if (!csv && !json && !svg)
     fmt::print("{}{}{}", as_text(report), options.digits > 0 ? as_text(located, options.digits) : "",
                options.certify ? as_text(certified) : "");
   if (options.certify && !complete(certified)) throw CLI::RuntimeError(1);
@@ -94,12 +103,16 @@ void add_path(CLI::App& app) {
   options->chain.add_to(*verb);
   auto* to =
       verb->add_option("--to", options->to, "Move the end point by DX against x: compression is positive")
+          ->check(number())
           ->type_name("DX");
-  auto* dy = verb->add_option("--dy", options->dy, "and by DY along y, in proportion")->type_name("DY");
+  auto* dy = verb->add_option("--dy", options->dy, "and by DY along y, in proportion")
+                 ->check(number())
+                 ->type_name("DY");
   verb->add_option(
           "--force", options->force,
           "Instead: load the end point with a force that grows from zero to (FX, FY); compression has FX < 0")
       ->type_name("FX,FY")
+      ->check(number())
       ->delimiter(',')
       ->expected(2)
       ->excludes(to)
@@ -108,18 +121,18 @@ void add_path(CLI::App& app) {
                    "stable: what a slowly loaded chain does, jumps included; all: every branch that hangs "
                    "together with "
                    "it or (up to five links) passes the last or the middle load")
-      ->check(CLI::IsMember({"stable", "all"}))
+      ->check(one_of({"stable", "all"}))
       ->capture_default_str();
   verb->add_option("--side", options->side, "Where a symmetric chain buckles: 1 or -1, the side it leaves to")
-      ->check(CLI::IsMember({1, -1}))
+      ->check(one_of({"1", "-1"}))
       ->capture_default_str();
   verb->add_option("--step", options->step,
                    "Longest way between points: root mean square turn of the links, in radians")
-      ->check(CLI::Range(1e-4, 0.5))
+      ->check(number(1e-4, 0.5))
       ->capture_default_str();
   verb->add_option("--digits", options->digits,
                    "Locate every event anew to so many digits, and list them (text and JSON)")
-      ->check(CLI::Range(1, proofs::located_digits));
+      ->check(whole_number(1, proofs::located_digits));
   verb->add_flag(
       "--certify", options->certify,
       "Prove by interval arithmetic what the points only suggest: that each part is one smooth "

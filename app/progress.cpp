@@ -3,32 +3,46 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
 #include <utility>
 
 namespace plumbline::app {
 
-Progress::Progress(std::string what, std::size_t total)
-    : what_(std::move(what)), total_(total), terminal_(isatty(STDERR_FILENO) != 0) {}
-
-Progress::~Progress() {
-  if (shown_) fmt::print(stderr, "\r\033[K");
+Progress::Progress(std::string what, std::size_t total) : what_(std::move(what)), total_(total) {
+  if (isatty(STDERR_FILENO) != 0) shown_ = std::jthread([this](const std::stop_token& end) { show(end); });
 }
 
-void Progress::advance() {
-  const std::scoped_lock lock(mutex_);
-  ++done_;
-  if (!terminal_ || Clock::now() < next_) return;
-  next_ = Clock::now() + std::chrono::milliseconds(100);
-  shown_ = true;
-  draw();
-}
+Progress::~Progress() = default;
 
-void Progress::draw() const {
-  constexpr std::size_t width = 40;
-  const std::size_t filled = total_ == 0 ? width : std::min(width, width * done_ / total_);
-  fmt::print(stderr, "\r\033[K{} [{}{}] {}/{}", what_, std::string(filled, '#'),
-             std::string(width - filled, '.'), done_, total_);
+/// Redraws the line above the cursor.
+void Progress::show(const std::stop_token& end) {
+  std::mutex mutex;
+  std::condition_variable_any wake;
+  std::unique_lock lock(mutex);
+  const auto pause = [&](std::chrono::milliseconds time) {
+    return wake.wait_for(lock, end, time, [] { return false; }) || end.stop_requested();
+  };
+  if (pause(std::chrono::seconds(1))) return;
+  fmt::print(stderr, "{}\n", line());
+  while (!pause(std::chrono::milliseconds(200))) fmt::print(stderr, "\033[A\r\033[K{}\n", line());
+  fmt::print(stderr, "\033[A\r\033[K");
   std::fflush(stderr);
+}
+
+std::string Progress::line() const {
+  using Seconds = std::chrono::duration<double>;
+  const double seconds = Seconds(std::chrono::steady_clock::now() - begin_).count();
+  const std::size_t done = done_;
+  if (total_ == 0) return fmt::format("{}: {:.0f} s", what_, seconds);
+  constexpr std::size_t width = 40;
+  const std::size_t filled = std::min(width, width * done / total_);
+  std::string text = fmt::format("{} [{}{}] {}/{}, {:.0f} s", what_, std::string(filled, '#'),
+                                 std::string(width - filled, '.'), done, total_, seconds);
+  if (done > 0 && done < total_)
+    text += fmt::format(" of about {:.0f}", seconds / static_cast<double>(done) * static_cast<double>(total_));
+  return text;
 }
 
 }  // namespace plumbline::app

@@ -2,9 +2,10 @@
 
 #include <memory>
 
+#include "app/arguments.hpp"
+#include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "files/text_file.hpp"
 #include "verify/reference/loaded.hpp"
 #include "verify/reference/set.hpp"
 
@@ -45,14 +46,12 @@ std::vector<verify::NamedText> compute(const Options& options) {
 }
 
 void run(const Options& options) {
+  files::require_folder(options.out);
+  const auto texts = compute(options);
   files::make_folder(options.out);
-  const auto files = compute(options);
-  std::vector<std::unique_ptr<files::OutputFile>> written;
-  for (const verify::NamedText& file : files) {
-    written.push_back(std::make_unique<files::OutputFile>(options.out / file.name));
-    written.back()->write(file.text);
-  }
-  for (const auto& file : written) file->commit();
+  Outputs outputs({});
+  for (const verify::NamedText& text : texts) outputs.open("--out", options.out / text.name)->write(text.text);
+  outputs.commit();
 }
 
 }  // namespace
@@ -63,7 +62,9 @@ void add_reference(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   verb->add_option("--out", options->out, "Directory to write into")->type_name("DIR")->required();
   verb->add_flag("--compact", options->compact, "About a hundred chains instead of a few thousand");
-  verb->add_option("--seed", options->seed, "Of the random chains")->capture_default_str();
+  verb->add_option("--seed", options->seed, "Of the random chains")
+      ->check(whole_number(0))
+      ->capture_default_str();
   verb->footer("README.md in DIR says what the files hold.");
   verb->callback([options] { run(*options); });
 }

@@ -7,7 +7,7 @@
 #include <plumbline/base/error.hpp>
 #include <plumbline/base/parallel.hpp>
 
-#include "files/text_file.hpp"
+#include "files/output_file.hpp"
 #ifdef PLUMBLINE_SIMULATOR
 #include "simulator/write_experiment.hpp"
 #endif

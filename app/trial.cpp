@@ -7,11 +7,14 @@
 #include <plumbline/base/error.hpp>
 #include <thread>
 
+#include "app/arguments.hpp"
+#include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/secret_experiments.hpp"
 #include "app/verbs.hpp"
 #include "files/temporary_folder.hpp"
-#include "files/text_file.hpp"
+#include "files/output_file.hpp"
+#include "trial/experiment_files.hpp"
 #include "trial/report.hpp"
 #include "trial/run_trial.hpp"
 
@@ -80,24 +83,18 @@ trial::Circumstances circumstances(const Options& options, const trial::SealedFo
   return all;
 }
 
-std::unique_ptr<files::OutputFile> opened(const std::string& path) {
-  return path.empty() ? nullptr : std::make_unique<files::OutputFile>(path);
-}
-
-void write(const std::unique_ptr<files::OutputFile>& file, const std::string& text) {
-  if (!file) return;
-  file->write(text);
-  file->commit();
-}
-
 void run(const Options& options) {
-  const auto json = opened(options.json), markdown = opened(options.markdown);
+  Outputs outputs(trial::files_of(options.experiments));
+  files::OutputFile *const json = outputs.open("--json", options.json),
+                           *const markdown = outputs.open("--markdown", options.markdown);
   const bool quiet = options.json == "-" || options.markdown == "-";
   const Place place(options.out);
   SecretExperiments secret;
   if (options.experiments.empty()) secret = make(options, place.folder());
   const trial::SealedFolder folder(options.experiments.empty() ? place.folder()
                                                                : fs::path(options.experiments));
+  if (!options.experiments.empty())
+    for (const std::string& name : folder.names()) static_cast<void>(folder.open(name));
   if (folder.sealed() > 0 && !quiet) {
     fmt::print("{} experiments, their labels sealed. SHA-256 of the seals: {}\n\n", folder.sealed(),
                folder.digest());
@@ -108,8 +105,9 @@ void run(const Options& options) {
   publish(secret, place.folder());
   const std::vector<trial::Case> cases = trial::unseal(folder, reports, diagnosed);
   const trial::Circumstances about = circumstances(options, folder, secret);
-  write(json, trial::as_json(about, cases).dump(2) + "\n");
-  write(markdown, trial::as_text(about, cases, trial::Style::markdown));
+  if (json) json->write(trial::as_json(about, cases).dump(2) + "\n");
+  if (markdown) markdown->write(trial::as_text(about, cases, trial::Style::markdown));
+  outputs.commit();
   if (!quiet) fmt::print("{}", trial::as_text(about, cases, trial::Style::terminal));
   const trial::Score score = trial::score(cases);
   if (score.broken_seals + score.no_report > 0) throw CLI::RuntimeError(1);
@@ -123,9 +121,11 @@ void add_trial(CLI::App& app) {
       "The blind trial: experiments whose effect is withheld from the diagnosis, then unsealed and scored");
   const auto options = std::make_shared<Options>();
   auto* trials = verb->add_option("--trials", options->trials, "How many experiments the simulated rig makes")
-                     ->check(CLI::PositiveNumber)
+                     ->check(whole_number(1, 100000))
                      ->capture_default_str();
-  auto* seed = verb->add_option("--seed", options->seed, "Of the random numbers")->capture_default_str();
+  auto* seed = verb->add_option("--seed", options->seed, "Of the random numbers")
+                   ->check(whole_number(0))
+                   ->capture_default_str();
   verb->add_option("--experiments", options->experiments,
                    "Diagnose and score the experiments in this folder instead: NAME/experiment.toml with "
                    "NAME/label.json, or sealed (trial/README.md)")
@@ -135,7 +135,7 @@ void add_trial(CLI::App& app) {
   verb->add_option("--out", options->out, "Keep experiments, seals, reports and labels in this folder")
       ->type_name("DIR");
   verb->add_option("--patience", options->patience, "Seconds after which a diagnosis is given up")
-      ->check(CLI::PositiveNumber)
+      ->check(number(0.001, 1e6))
       ->capture_default_str();
   verb->add_option("--json", options->json,
                    "Write the result as JSON too (without FILE: to standard output alone)")

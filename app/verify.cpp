@@ -5,9 +5,10 @@
 #include <cstdlib>
 #include <memory>
 
+#include "app/arguments.hpp"
+#include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "files/text_file.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/figures/figures.hpp"
 #include "verify/report/report.hpp"
@@ -40,10 +41,17 @@ std::vector<verify::DrawnFigure> draw_figures(const std::vector<verify::Judged>&
 }
 
 void run(const Options& options) {
+  Outputs outputs({});
+  files::OutputFile *const json = outputs.open("--json", options.json),
+                           *const html = outputs.open("--html", options.html);
   const std::vector<verify::Claim> claims = verify::in_section(verify::all_claims(), options.section);
   const bool one = !options.claim.empty();
-  std::vector<verify::Judged> judged =
-      verify::judge(one ? verify::with_id(claims, options.claim) : claims, options.precision);
+  const std::vector<verify::Claim> chosen = one ? verify::with_id(claims, options.claim) : claims;
+  std::vector<verify::Judged> judged;
+  {
+    Progress progress("claims", chosen.size());
+    judged = verify::judge(chosen, options.precision, [&] { progress.advance(); });
+  }
   if (options.chains > 0) {
     Progress progress("random chains", options.chains);
     const verify::SampledChains sampled =
@@ -51,13 +59,14 @@ void run(const Options& options) {
     const std::vector<verify::Judged> properties = verify::judge_sampled(sampled, options.seed);
     judged.insert(judged.end(), properties.begin(), properties.end());
   }
-  if (!options.json.empty()) files::write_text(options.json, as_json(judged).dump(2) + "\n");
-  if (!options.html.empty()) {
+  if (json) json->write(as_json(judged).dump(2) + "\n");
+  if (html) {
     const bool whole = !one && options.section.empty();
-    files::write_text(options.html, verify::as_html(judged, whole ? draw_figures(judged)
-                                                                  : std::vector<verify::DrawnFigure>{}));
+    html->write(
+        verify::as_html(judged, whole ? draw_figures(judged) : std::vector<verify::DrawnFigure>{}));
   }
-  if (options.json.empty() && options.html.empty())
+  outputs.commit();
+  if (!json && !html)
     fmt::print("{}", one ? verify::as_detail(judged.front(), with_colour())
                          : verify::as_table(judged, with_colour()));
   if (std::any_of(judged.begin(), judged.end(), [](const verify::Judged& j) { return !j.judgement; })) {
@@ -77,12 +86,15 @@ void add_verify(CLI::App& app) {
       ->excludes("--section");
   verb->add_option("--precision", options->precision, "Significant digits of the values")
       ->capture_default_str()
-      ->check(CLI::Range(1, 50));
+      ->check(whole_number(1, 50));
   verb->add_option("--chains", options->chains,
                    "Check what is proved of every chain on so many random ones as well")
+      ->check(whole_number(0, 10000000))
       ->type_name("N")
       ->excludes("--claim");
-  verb->add_option("--seed", options->seed, "Which random chains")->capture_default_str();
+  verb->add_option("--seed", options->seed, "Which random chains")
+      ->check(whole_number(0))
+      ->capture_default_str();
   verb->add_option("--json", options->json, "Write the claims as JSON (without FILE: to standard output)")
       ->type_name("[FILE]")
       ->expected(0, 1)

@@ -32,8 +32,8 @@ std::vector<CsvRow> parse_csv(const std::string& text, const std::string& source
   const std::unique_ptr<csv_parser, decltype(&csv_free)> guard(&parser, &csv_free);
   Rows result;
   const auto fail = [&](std::size_t line) {
-    throw Error(source + ":" + std::to_string(line), csv_strerror(csv_error(&parser)),
-                "comma-separated fields, a field with quotes in it quoted");
+    throw Error(source + ":" + std::to_string(line), "a quote inside a field, or one without its partner",
+                "comma-separated fields, quoted where they hold a quote, and that doubled");
   };
   std::size_t line = 1;
   const std::size_t mark = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // the byte order mark of spreadsheets
@@ -47,6 +47,7 @@ std::vector<CsvRow> parse_csv(const std::string& text, const std::string& source
     at = end;
   }
   if (csv_fini(&parser, end_of_field, end_of_row, &result) != 0) fail(line - 1);
+  if (result.rows.empty()) throw Error(source, "blank lines alone", "a header line and rows");
   return std::move(result.rows);
 }
 

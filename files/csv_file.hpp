@@ -14,7 +14,7 @@ struct CsvRow {
 };
 
 /// All rows of a text, the header line first; blank lines are passed over, blanks around fields dropped.
-/// \throws Error that names the source and the line where quotes do not match
+/// \throws Error that names the source and the line where quotes do not match, or where there is no row
 std::vector<CsvRow> parse_csv(const std::string& text, const std::string& source);
 
 /// A field, quoted where it has to be.

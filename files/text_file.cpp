@@ -1,80 +1,73 @@
 #include "files/text_file.hpp"
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <iostream>
 #include <plumbline/base/error.hpp>
-#include <sstream>
+#include <vector>
+
+#include "files/printable.hpp"
 
 namespace plumbline::files {
-namespace fs = std::filesystem;
+namespace {
 
-std::string read_text(const fs::path& path) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) throw Error(path.string(), "a directory", "a file");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw Error(path.string(), std::strerror(errno), "a file that can be read");
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (stream.bad()) throw Error(path.string(), "a failure while reading", "a file that can be read");
-  if (text.str().find_first_not_of(" \t\r\n") == std::string::npos)
-    throw Error(path.string(), "an empty file", "some content");
-  return text.str();
-}
-
-void make_folder(const std::filesystem::path& path) {
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (!std::filesystem::is_directory(path))
-    throw Error(path.string(), error ? error.message() : "no folder", "a folder, or a name to make one by");
-}
-
-OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
-  if (path_ == "-") return;
-  std::error_code ignored;
-  if (fs::is_directory(path_, ignored)) fail("a directory");
-  target_ = fs::weakly_canonical(path_, ignored);
-  if (target_.empty()) target_ = path_;
-  const bool device = fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored);
-  const bool refused = fs::exists(target_, ignored) && access(target_.c_str(), W_OK) != 0;
-  if (refused) fail(std::strerror(errno));
-  written_ = device ? target_ : fs::path(target_.string() + ".part" + std::to_string(getpid()));
-  stream_.open(written_, std::ios::binary);
-  if (!stream_) fail(std::strerror(errno));
-}
-
-OutputFile::~OutputFile() {
-  std::error_code ignored;
-  if (written_ != target_) fs::remove(written_, ignored);
-}
-
-void OutputFile::write(const std::string& text) {
-  (path_ == "-" ? std::cout : stream_) << text;
-}
-
-void OutputFile::commit() {
-  if (path_ == "-") {
-    if (!std::cout.flush()) fail("a failure while writing");
-    return;
+/// A descriptor, closed when it goes.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (number_ >= 0) close(number_);
   }
-  stream_.close();
-  if (!stream_) fail("a failure while writing");
-  std::error_code error;
-  if (written_ != target_) fs::rename(written_, target_, error);
-  if (error) fail(error.message());
-  written_ = target_;
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+std::string all_of(int file, const std::string& name) {
+  std::string text;
+  std::vector<char> block(std::size_t{1} << 16);
+  while (true) {
+    const ssize_t size = read(file, block.data(), block.size());
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) throw Error(name, std::strerror(errno), "a file that can be read");
+    if (size == 0) return text;
+    text.append(block.data(), static_cast<std::size_t>(size));
+    if (text.size() > largest_file)
+      throw Error(name, "more than " + std::to_string(largest_file >> 20) + " MB", "a smaller file");
+  }
 }
 
-void OutputFile::fail(const std::string& found) const {
-  throw Error(path_ == "-" ? "standard output" : path_.string(), found, "a file that can be written");
+}  // namespace
+
+std::string read_text(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  const Descriptor file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));  // no waiting for a writer
+  struct stat found = {};
+  if (file.number() < 0 || fstat(file.number(), &found) != 0)
+    throw Error(name, std::strerror(errno), "a file that can be read");
+  if (S_ISDIR(found.st_mode)) throw Error(name, "a directory", "a file");
+  if (!S_ISREG(found.st_mode) && !S_ISFIFO(found.st_mode)) throw Error(name, "a device", "a file");
+  fcntl(file.number(), F_SETFL, 0);
+  std::string text = all_of(file.number(), name);
+  require_text(text, name);
+  return text;
 }
 
-void write_text(const fs::path& path, const std::string& text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
+void require_text(const std::string& text, const std::string& source) {
+  const std::size_t content = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // the byte order mark of spreadsheets
+  if (text.find_first_not_of(" \t\r\n", content) == std::string::npos)
+    throw Error(source, "an empty file", "some content");
+  const std::size_t bad = first_bad_byte(text);
+  if (bad == std::string::npos) return;
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bad), '\n');
+  throw Error(source + ":" + std::to_string(line), "the byte " + printable(text.substr(bad, 1)), "text in UTF-8");
 }
 
 }  // namespace plumbline::files

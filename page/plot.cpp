@@ -2,12 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <cstdlib>
-#include <fstream>
 #include <plumbline/base/error.hpp>
 
-#include "files/temporary_folder.hpp"
-#include "files/text_file.hpp"
+#include "files/child_process.hpp"
+#include "files/printable.hpp"
 
 namespace plumbline::page {
 namespace {
@@ -31,7 +29,7 @@ std::string colour(int index) {
   return palette[static_cast<std::size_t>(index) % std::size(palette)];
 }
 
-/// Contour lines, as a file that gnuplot computes from the grid.
+/// Contour lines, which gnuplot computes from the grid.
 void add_contours(std::string& script, const Panel& panel) {
   script += "$grid << END\n";
   const std::size_t columns = panel.surface.size() / panel.surface_rows;
@@ -41,7 +39,7 @@ void add_contours(std::string& script, const Panel& panel) {
     if ((i + 1) % columns == 0) script += "\n";
   }
   script +=
-      "END\nset contour base\nunset surface\nset cntrparam levels auto 24\nset table 'contours'\n"
+      "END\nset contour base\nunset surface\nset cntrparam levels auto 24\nset table $contours\n"
       "splot $grid using 1:2:3\nunset table\nunset contour\nset surface\n";
 }
 
@@ -53,7 +51,7 @@ void add_panel(std::string& script, const Panel& panel) {
   std::string data, plots;
   if (!panel.surface.empty()) {
     add_contours(script, panel);
-    plots = "plot 'contours' using 1:2:3 with lines lc palette lw 0.8 notitle";
+    plots = "plot $contours using 1:2:3 with lines lc palette lw 0.8 notitle";
   }
   for (const Curve& curve : panel.curves) {
     plots += fmt::format("{}'-' with lines lc rgb '{}' lw {} dt {} {}", plots.empty() ? "plot " : ", ",
@@ -73,31 +71,33 @@ void add_panel(std::string& script, const Panel& panel) {
   script += plots + "\n" + data;
 }
 
+std::string drawn(const std::string& script) {
+  const files::Ended gnuplot = files::run_program({"gnuplot", "--default-settings", "-"}, script);
+  const std::string expected = "a drawing (the program comes with the package gnuplot-nox)";
+  if (!gnuplot.failure.empty()) {
+    const std::string why = files::shown(gnuplot.err.substr(0, gnuplot.err.find('\n')));
+    throw Error("gnuplot", gnuplot.failure + (why.empty() ? "" : ": " + why), expected);
+  }
+  const std::size_t end = gnuplot.out.find_last_not_of('\n');
+  if (end == std::string::npos || !std::string_view(gnuplot.out).substr(0, end + 1).ends_with("</svg>"))
+    throw Error("gnuplot", "a drawing that breaks off", expected);
+  return gnuplot.out;
+}
+
 }  // namespace
 
 std::string as_svg(const std::vector<Panel>& panels, std::size_t columns) {
   const std::size_t rows = (panels.size() + columns - 1) / columns;
   std::string script = fmt::format(
       "set encoding utf8\nset terminal svg size {},{} enhanced font 'Helvetica,12' background rgb "
-      "'white'\nset output "
-      "'plot.svg'\n"
+      "'white'\n"
       "set palette defined (0 '#08306b', 1 '#9ecae1')\nunset colorbox\nset grid lc rgb '#dddddd' dt 1\nset "
       "border lc rgb '#444444'\nset key top left samplen 2\n"
       "set multiplot layout {},{}\n",
       520 * columns, 400 * rows, rows, columns);
   for (const Panel& panel : panels) add_panel(script, panel);
   script += "unset multiplot\n";
-  const files::TemporaryFolder scratch;
-  std::ofstream(scratch / "plot.gp") << script;
-  const std::string command = "cd '" + scratch.path().string() + "' && gnuplot plot.gp 2>errors";
-  const int status = std::system(command.c_str());
-  if (status != 0) {
-    std::string why;
-    std::getline(std::ifstream(scratch / "errors"), why);
-    throw Error("gnuplot", why.empty() ? "exit status " + std::to_string(status) : why,
-                "a drawing (the program comes with the package gnuplot-nox)");
-  }
-  return files::read_text(scratch / "plot.svg");
+  return drawn(script);
 }
 
 }  // namespace plumbline::page

@@ -3,9 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
-#include <plumbline/chain/chain.hpp>
-#include <plumbline/chain/kinematics.hpp>
 
 namespace plumbline::simulator {
 namespace {
@@ -117,16 +116,28 @@ bool reachable(const PlannedRun& run, double reach) {
   });
 }
 
+/// Where the links of the bench end at these joint angles.
+Pair unloaded_end(const std::vector<double>& length, const std::vector<double>& rest) {
+  Pair end{0, 0};
+  double heading = 0;
+  for (std::size_t i = 0; i < length.size(); ++i) {
+    heading += rest[i];
+    end[0] += length[i] * std::cos(heading);
+    end[1] += length[i] * std::sin(heading);
+  }
+  return end;
+}
+
 PlannedRun draw_run(const Plan& plan, std::size_t number, Random& random) {
   const Nominal& chain = plan.nominal;
   const Shape shape = draw_shape(chain, random);
-  const Point<double> end = end_point(Chain<double>(chain.length, chain.stiffness), shape.rest);
+  const Pair end = unloaded_end(chain.length, shape.rest);
   const bool mechanism = chain.stiffness.front() == 0;  // under a force, with a passive base
   PlannedRun run;
   run.rest = shape.rest;
   run.force_controlled = !mechanism && random.chance(0.15);
   const Pair start =
-      run.force_controlled ? Pair{0, 0} : Pair{rounded(end.x, place_unit), rounded(end.y, place_unit)};
+      run.force_controlled ? Pair{0, 0} : Pair{rounded(end[0], place_unit), rounded(end[1], place_unit)};
   std::string motion = "push", profile;
   Pair way;
   if (run.force_controlled) {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "files/text_file.hpp"
+#include "files/output_file.hpp"
 
 namespace plumbline::simulator {
 namespace {

@@ -9,7 +9,7 @@
 namespace plumbline::trial {
 namespace {
 
-using Json = nlohmann::json;
+using files::JsonValue;
 using Names = std::vector<std::string>;
 
 std::string parameter_key(const std::string& effect, const std::string& name) {
@@ -47,39 +47,42 @@ Names truth_of(const Label& label) {
   return truth;
 }
 
-template <class Value>
-std::optional<Value> largest(const Json& list, const char* key) {
-  const Json* best = nullptr;
-  for (const Json& one : list)
-    if (!best || one.at("share").get<double>() > best->at("share").get<double>()) best = &one;
-  return best ? std::optional<Value>(best->at(key).get<Value>()) : std::nullopt;
+const char* const expected = "a report in the format \"gap-diagnosis/1\"";
+
+JsonValue at(const JsonValue& object, const char* key) {
+  return object.at(key, expected);
 }
 
-Report parsed(const Json& json) {
-  Report report;
-  const Json& cause = json.at("cause");
-  report.verdict = cause.at("verdict");
-  for (const Json& effect : cause.at("effects")) {
-    const std::string key = effect_key(effect);
-    report.effects.push_back(key);
-    for (const auto& [name, value] : effect.at("parameters").items()) {
-      if (!value.at("low").is_number() || !value.at("high").is_number()) continue;
-      const auto [low, high] = std::minmax({value["low"].get<double>(), value["high"].get<double>()});
-      report.bounds[parameter_key(key, name)] = {low, high};
-    }
+double number(const JsonValue& object, const char* key) {
+  return at(object, key).number(expected);
+}
+
+/// The entry of a list with the largest share.
+std::optional<JsonValue> largest(const JsonValue& list) {
+  std::optional<JsonValue> best;
+  for (const JsonValue& one : list.list(expected))
+    if (!best || number(one, "share") > number(*best, "share")) best = one;
+  return best;
+}
+
+void read_bounds(const JsonValue& effect, const std::string& key, Report& report) {
+  for (const auto& [name, value] : at(effect, "parameters").members(expected)) {
+    if (!at(value, "low").json().is_number() || !at(value, "high").json().is_number()) continue;
+    const auto [low, high] = std::minmax({number(value, "low"), number(value, "high")});
+    report.bounds[parameter_key(key, name)] = {low, high};
   }
-  for (const Json& alternative : cause.at("equivalent"))
+}
+
+void read_cause(const JsonValue& cause, Report& report) {
+  report.verdict = at(cause, "verdict").text(expected);
+  for (const JsonValue& effect : at(cause, "effects").list(expected)) {
+    report.effects.push_back(effect_key(effect));
+    read_bounds(effect, report.effects.back(), report);
+  }
+  for (const JsonValue& alternative : at(cause, "equivalent").list(expected))
     report.equivalent.push_back(effect_keys(alternative));
-  for (const Json& one : cause.at("ranking"))
-    report.ranking.push_back({effect_keys(one.at("effects")), one.at("probability")});
-  const Json& where = json.at("where");
-  report.joint = largest<std::size_t>(where.at("joints"), "joint");
-  report.channel = largest<std::string>(where.at("channels"), "channel").value_or("");
-  if (const Json& shrink = json.at("shrink"); shrink.is_object()) {
-    const double floor = shrink.value("noise_floor_ratio", 0.0);
-    if (floor > 0) report.shrunk = shrink.at("ratio").get<double>() / floor;
-  }
-  return report;
+  for (const JsonValue& one : at(cause, "ranking").list(expected))
+    report.ranking.push_back({effect_keys(at(one, "effects")), number(one, "probability")});
 }
 
 std::string words(const Report& report) {
@@ -161,11 +164,18 @@ void judge_probabilities(const Report& report, const std::function<bool(const Na
 }  // namespace
 
 Report report_from(const nlohmann::json& json, const std::string& source) {
-  try {
-    return parsed(json);
-  } catch (const nlohmann::json::exception& error) {
-    throw Error(source, error.what(), "a report in the format \"gap-diagnosis/1\"");
+  const JsonValue file(json, source);
+  Report report;
+  read_cause(at(file, "cause"), report);
+  const JsonValue where = at(file, "where");
+  if (const auto joint = largest(at(where, "joints")))
+    report.joint = static_cast<std::size_t>(number(*joint, "joint"));
+  if (const auto channel = largest(at(where, "channels"))) report.channel = at(*channel, "channel").text(expected);
+  if (const JsonValue shrink = at(file, "shrink"); shrink.json().is_object()) {
+    const double floor = shrink.number_or("noise_floor_ratio", 0.0);
+    if (floor > 0) report.shrunk = number(shrink, "ratio") / floor;
   }
+  return report;
 }
 
 const char* answer_word(Answer answer) {

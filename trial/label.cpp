@@ -1,23 +1,31 @@
 #include "trial/label.hpp"
 
-#include <plumbline/base/error.hpp>
-
 namespace plumbline::trial {
 namespace {
 
 /// Counted from 1; 0 where there is none, or null.
-std::size_t joint_of(const nlohmann::json& effect) {
-  const nlohmann::json joint = effect.value("joint", nlohmann::json());
-  return joint.is_null() ? 0 : joint.get<std::size_t>();
+std::size_t joint_of(const files::JsonValue& effect) {
+  constexpr std::size_t most = 1000000;
+  if (!effect.has("joint")) return 0;
+  const files::JsonValue joint = effect.at("joint", "");
+  const bool whole = joint.json().is_number_unsigned();
+  if (!whole || joint.json().get<std::size_t>() < 1 || joint.json().get<std::size_t>() > most)
+    joint.refuse("the number of a joint, counted from 1, or null");
+  return joint.json().get<std::size_t>();
 }
 
-TrueEffect effect_from(const nlohmann::json& json) {
+std::string id_of(const files::JsonValue& effect) {
+  return effect.at("id", "an effect of the catalogue, or \"unknown\"").text("the name of an effect");
+}
+
+TrueEffect effect_from(const files::JsonValue& json) {
   TrueEffect effect;
-  effect.id = json.at("id");
+  effect.id = id_of(json);
   effect.joint = joint_of(json);
-  if (json.contains("parameters"))
-    for (const auto& [name, value] : json["parameters"].items()) effect.parameters.emplace_back(name, value);
-  effect.strength = json.value("strength_sigma", 0.0);
+  if (json.has("parameters"))
+    for (const auto& [name, value] : json.at("parameters", "").members("parameters by name"))
+      effect.parameters.emplace_back(name, value.number("a number"));
+  effect.strength = json.number_or("strength_sigma", 0.0);
   return effect;
 }
 
@@ -27,14 +35,14 @@ std::string effect_key(const std::string& id, std::size_t joint) {
   return joint > 0 ? id + "(" + std::to_string(joint) + ")" : id;
 }
 
-std::string effect_key(const nlohmann::json& effect) {
-  return effect.is_string() ? effect.get<std::string>() : effect_key(effect.at("id"), joint_of(effect));
+std::string effect_key(const files::JsonValue& effect) {
+  return effect.json().is_string() ? effect.text("") : effect_key(id_of(effect), joint_of(effect));
 }
 
-std::vector<std::string> effect_keys(const nlohmann::json& effects) {
-  if (!effects.is_array()) return {effect_key(effects)};
+std::vector<std::string> effect_keys(const files::JsonValue& effects) {
+  if (!effects.json().is_array()) return {effect_key(effects)};
   std::vector<std::string> keys;
-  for (const nlohmann::json& effect : effects) keys.push_back(effect_key(effect));
+  for (const files::JsonValue& effect : effects.list("")) keys.push_back(effect_key(effect));
   return keys;
 }
 
@@ -64,22 +72,21 @@ nlohmann::ordered_json as_json(const Label& label) {
 }
 
 Label label_from(const nlohmann::json& json, const std::string& source) {
-  try {
-    Label label;
-    label.name = json.value("name", "");
-    for (const auto& effect : json.at("effects")) label.effects.push_back(effect_from(effect));
-    for (const auto& alternative : json.value("equivalent", nlohmann::json::array()))
+  const files::JsonValue file(json, source);
+  const std::string effects = "a list \"effects\" of objects with \"id\" and \"joint\"";
+  Label label;
+  label.name = file.text_or("name", "");
+  for (const auto& effect : file.at("effects", effects).list(effects))
+    label.effects.push_back(effect_from(effect));
+  if (file.has("equivalent"))
+    for (const auto& alternative : file.at("equivalent", "").list("a list of explanations"))
       label.equivalent.push_back(effect_keys(alternative));
-    label.strength = json.value("strength_sigma", 0.0);
-    label.noise = json.value("noise", "");
-    label.noise_scale = json.value("noise_scale", json.value("noise_factor", 1.0));
-    label.description = json.value("description", "");
-    label.channel = json.value("channel", "");
-    return label;
-  } catch (const nlohmann::json::exception& error) {
-    throw Error(source, error.what(),
-                "a label: an object with \"effects\", a list of objects with \"id\" and \"joint\"");
-  }
+  label.strength = file.number_or("strength_sigma", 0.0);
+  label.noise = file.text_or("noise", "");
+  label.noise_scale = file.number_or("noise_scale", file.number_or("noise_factor", 1.0));
+  label.description = file.text_or("description", "");
+  label.channel = file.text_or("channel", "");
+  return label;
 }
 
 }  // namespace plumbline::trial

@@ -3,10 +3,11 @@
 /// What is withheld from the diagnosis: the true effects of an experiment.
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "files/json_file.hpp"
 
 namespace plumbline::trial {
 
@@ -31,9 +32,9 @@ struct Label {
 /// "id" or "id(joint)".
 std::string effect_key(const std::string& id, std::size_t joint);
 /// The key of an effect in JSON, where it is its key or an object with "id" and "joint"; the keys of a list
-/// of them, or of one alone. \throws nlohmann::json::exception for anything else
-std::string effect_key(const nlohmann::json& effect);
-std::vector<std::string> effect_keys(const nlohmann::json& effects);
+/// of them, or of one alone. \throws Error at the place of anything else
+std::string effect_key(const files::JsonValue& effect);
+std::vector<std::string> effect_keys(const files::JsonValue& effects);
 
 /// Whether the one effect is in no catalogue.
 bool outside_catalogue(const Label& label);

@@ -8,16 +8,11 @@
 
 #include "files/json_file.hpp"
 #include "files/sha256.hpp"
-#include "files/text_file.hpp"
 
 namespace plumbline::trial {
 namespace {
 
 constexpr const char* format = "experiment-seals/1";
-
-nlohmann::json json_in(const std::filesystem::path& path) {
-  return files::parse_json(files::read_text(path), path.string());
-}
 
 }  // namespace
 
@@ -36,29 +31,31 @@ std::string seals_text(const Seals& seals) {
   return nlohmann::ordered_json{{"format", format}, {"seals", seals}}.dump(1) + "\n";
 }
 
-Seals read_seals(const std::filesystem::path& path) {
-  const nlohmann::json file = json_in(path);
-  if (!file.is_object() || file.value("format", "") != format || !file.contains("seals"))
-    throw Error(path.string(), "no seals",
-                std::string("an object with \"format\": \"") + format + "\" and \"seals\"");
-  try {
-    return file["seals"].get<Seals>();
-  } catch (const nlohmann::json::exception&) {
-    throw Error(path.string() + ", key seals", "something else", "an object from names to digests");
-  }
+Seals parse_seals(const std::string& text, const std::string& source) {
+  const nlohmann::json json = files::parse_json(text, source);
+  const files::JsonValue file(json, source);
+  const std::string expected = std::string("an object with \"format\": \"") + format + "\" and \"seals\"";
+  if (const files::JsonValue found = file.at("format", expected); found.json() != format) found.refuse(expected);
+  Seals seals;
+  for (const auto& [name, digest] : file.at("seals", expected).members("an object from names to digests"))
+    seals[name] = digest.text("a digest");
+  return seals;
 }
 
 std::string envelope_text(const Envelope& envelope) {
   return nlohmann::ordered_json{{"salt", envelope.salt}, {"label", envelope.label}}.dump(1) + "\n";
 }
 
-Envelope read_envelope(const std::filesystem::path& path) {
-  const nlohmann::json file = json_in(path);
-  try {
-    return {file.at("salt"), file.at("label")};
-  } catch (const nlohmann::json::exception& error) {
-    throw Error(path.string(), error.what(), "an object with the strings \"salt\" and \"label\"");
-  }
+Envelope parse_envelope(const std::string& text, const std::string& source) {
+  const nlohmann::json json = files::parse_json(text, source);
+  const files::JsonValue file(json, source);
+  const std::string expected = "an object with the strings \"salt\" and \"label\"";
+  const auto value = [&](const char* key) {  // as it is, for the seal is that of every byte
+    const files::JsonValue found = file.at(key, expected);
+    if (!found.json().is_string()) found.refuse(expected);
+    return found.json().get<std::string>();
+  };
+  return {value("salt"), value("label")};
 }
 
 }  // namespace plumbline::trial

@@ -2,7 +2,6 @@
 /// \file
 /// Seals: a label is committed to before the diagnosis and shown after it.
 
-#include <filesystem>
 #include <map>
 #include <string>
 
@@ -28,12 +27,12 @@ using Seals = std::map<std::string, std::string>;
 
 /// The seals as a file, and back. The published digest of a trial is the SHA-256 of this text.
 std::string seals_text(const Seals& seals);
-/// \throws Error for what is not such a file
-Seals read_seals(const std::filesystem::path& path);
+/// \throws Error that names the source, for what is not such a file
+Seals parse_seals(const std::string& text, const std::string& source);
 
 /// An envelope as a file, and back.
 std::string envelope_text(const Envelope& envelope);
-/// \throws Error for what is not such a file
-Envelope read_envelope(const std::filesystem::path& path);
+/// \throws Error that names the source, for what is not such a file
+Envelope parse_envelope(const std::string& text, const std::string& source);
 
 }  // namespace plumbline::trial

@@ -19,14 +19,16 @@ Label label_in(const std::string& text, const fs::path& file) {
 }  // namespace
 
 SealedFolder::SealedFolder(fs::path folder) : folder_(std::move(folder)) {
-  if (!fs::is_directory(folder_)) throw Error(folder_.string(), "no such folder", "a folder of experiments");
+  std::error_code ignored;
+  if (!fs::is_directory(folder_, ignored)) throw Error(folder_.string(), "no such folder", "a folder of experiments");
   for (const auto& entry : fs::directory_iterator(folder_))
-    if (fs::exists(entry.path() / "experiment.toml")) names_.push_back(entry.path().filename().string());
+    if (fs::exists(entry.path() / "experiment.toml", ignored)) names_.push_back(entry.path().filename().string());
   std::sort(names_.begin(), names_.end());
   if (names_.empty()) throw Error(folder_.string(), "no experiment", "subfolders with experiment.toml");
   if (const fs::path file = folder_ / "seals.json"; fs::exists(file)) {
-    seals_ = read_seals(file);
-    digest_ = files::sha256(files::read_text(file));
+    const std::string text = files::read_text(file);
+    seals_ = parse_seals(text, file.string());
+    digest_ = files::sha256(text);
   }
   for (const std::string& name : names_) {
     if (!seals_.contains(name) && !fs::exists(folder_ / name / "label.json"))
@@ -42,7 +44,7 @@ Case SealedFolder::open(const std::string& name) const {
   if (sealed == seals_.end()) {
     result.label = label_in(files::read_text(file), file);
   } else {
-    const Envelope opened = read_envelope(file);
+    const Envelope opened = parse_envelope(files::read_text(file), file.string());
     result.seal_holds = seal(opened) == sealed->second;
     result.label = label_in(opened.label, file);
   }

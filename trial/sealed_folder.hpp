@@ -27,7 +27,8 @@ class SealedFolder {
   /// SHA-256 of the file of the seals; empty without one.
   [[nodiscard]] const std::string& digest() const { return digest_; }
 
-  /// Opens what was sealed.
+  /// Opens what was sealed. Best tried before the diagnoses where the labels are there: a label that is none
+  /// shows at once then.
   /// \throws Error for a label that is missing or none
   [[nodiscard]] Case open(const std::string& name) const;
 

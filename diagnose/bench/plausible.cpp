@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <plumbline/base/error.hpp>
 
@@ -82,6 +83,29 @@ void require_noise(const Run& run, const Noise& noise) {
     require("q", noise.q, [&](const Reading& r) { return r.q[j]; });
 }
 
+/// A noise below the rounding of what is measured is no noise, and residuals in units of it overflow. Sizes that
+/// are measured: the reach, a radian, the force that turns a joint by one.
+void require_resolved(const Experiment& experiment, double reach) {
+  double turning = 0;
+  for (const double k : experiment.joint_stiffness) turning = std::max(turning, k / reach);
+  Noise size{reach, reach, turning, turning, 1};
+  for (const Run& run : experiment.runs)
+    for (const Reading& r : run.readings) {
+      size.x = std::fmax(size.x, std::abs(r.x)), size.y = std::fmax(size.y, std::abs(r.y));
+      size.Fx = std::fmax(size.Fx, std::abs(r.Fx)), size.Fy = std::fmax(size.Fy, std::abs(r.Fy));
+      for (const double q : r.q) size.q = std::fmax(size.q, std::abs(q));
+    }
+  const auto require = [](const char* name, double sigma, double measured) {
+    const double least = measured * std::numeric_limits<double>::epsilon();
+    if (sigma > 0 && sigma < least)
+      throw Error(std::string("noise.") + name, fmt::format("{:.4g}", sigma),
+                  fmt::format("more than the rounding of what it is the noise of, {:.2g}", least));
+  };
+  const Noise& noise = experiment.noise;
+  require("x", noise.x, size.x), require("y", noise.y, size.y), require("q", noise.q, size.q);
+  require("Fx", noise.Fx, size.Fx), require("Fy", noise.Fy, size.Fy);
+}
+
 std::size_t measured_values(const Run& run) {
   const bool displacement = run.control == ControlMode::displacement;
   std::size_t count = 0;
@@ -108,6 +132,7 @@ void require_physical(const Experiment& experiment) {
     throw Error("nominal.joint_stiffness", std::to_string(passive) + " passive joints",
                 "at most two: with more the chain is a mechanism even with its end point held");
   const Reach limits = reach(experiment.link_length);
+  require_resolved(experiment, limits.largest);
   std::size_t values = 0;
   for (const Run& run : experiment.runs) {
     require_reach(run, limits);

@@ -11,6 +11,7 @@
 
 #include "diagnose/bench/plausible.hpp"
 #include "diagnose/bench/read_samples.hpp"
+#include "files/printable.hpp"
 #include "files/text_file.hpp"
 #include "files/toml_file.hpp"
 
@@ -23,9 +24,7 @@ std::string shown(const toml::node& node) {
   if (const auto* value = node.as_floating_point()) return fmt::format("{}", value->get());
   std::ostringstream text;
   node.visit([&](const auto& value) { text << value; });
-  std::string line = text.str();
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  return line.size() > 60 ? line.substr(0, 57) + "..." : line;
+  return files::shown(text.str());
 }
 
 /// A table of the file, with the words that an error about it begins with.
@@ -40,7 +39,7 @@ class Section {
       if (keys.contains(std::string(key.str()))) continue;
       std::string expected = "one of";
       for (const std::string& known : keys) expected += " " + known;
-      throw Error(place(std::string(key.str())), "an unknown key", expected);
+      throw Error(place(files::shown(key.str())), "an unknown key", expected);
     }
   }
 
@@ -61,6 +60,7 @@ class Section {
   [[nodiscard]] std::string text(const std::string& key, const std::string& expected) const {
     const toml::node& node = required(key, expected);
     if (!node.is_string() || node.as_string()->get().empty()) throw Error(place(key), shown(node), expected);
+    files::require_printable(node.as_string()->get(), place(key));
     return node.as_string()->get();
   }
 
@@ -163,16 +163,19 @@ Noise read_noise(const Section& noise) {
           noise.non_negative("Fy"), noise.non_negative("q")};
 }
 
-fs::path sample_file(const Section& run, const fs::path& folder) {
-  const std::string name = run.text("samples", "the name of a sample file");
-  const fs::path inside =
-      fs::weakly_canonical(folder / name).lexically_relative(fs::weakly_canonical(folder));
-  if (inside.empty() || *inside.begin() == "..")
-    throw Error(run.place("samples"), "\"" + name + "\"", "a file inside the experiment's folder");
+/// \throws Error at the place for what is not inside the folder, behind all links, or no plain file
+fs::path file_inside(const fs::path& folder, const std::string& name, const std::string& place) {
+  std::error_code error;
+  const fs::path file = fs::weakly_canonical(folder / name, error);
+  const fs::path inside = file.lexically_relative(fs::weakly_canonical(folder));
+  if (error || inside.empty() || *inside.begin() == "..")
+    throw Error(place, "\"" + files::shown(name) + "\"", "a file inside the experiment's folder");
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error))
+    throw Error(place, "\"" + files::shown(name) + "\", which is no plain file", "a file with samples");
   return folder / name;
 }
 
-Run read_run(const Section& section, const fs::path& folder, std::size_t n) {
+Run read_run(const Section& section, const fs::path& folder, const ReadFile& read, std::size_t n) {
   section.allow_only({"id", "control", "rest", "samples"});
   Run run;
   run.id = section.text("id", "a name");
@@ -182,18 +185,20 @@ Run read_run(const Section& section, const fs::path& folder, std::size_t n) {
     throw Error(section.place("control"), "\"" + control + "\"", expected);
   run.control = control == "force" ? ControlMode::force : ControlMode::displacement;
   run.rest = section.numbers("rest", n);
-  run.readings = read_samples(sample_file(section, folder), run.control, n);
+  const std::string name = section.text("samples", "the name of a sample file");
+  run.readings =
+      parse_samples(read(name, section.place("samples")), (folder / name).string(), run.control, n);
   return run;
 }
 
-std::vector<Run> read_runs(const Section& root, const fs::path& folder, std::size_t n) {
+std::vector<Run> read_runs(const Section& root, const fs::path& folder, const ReadFile& read, std::size_t n) {
   const toml::node& node = root.required("run", "at least one [[run]]");
   if (!node.is_array_of_tables()) throw Error(root.place("run"), shown(node), "at least one [[run]]");
   std::vector<Run> runs;
   std::set<std::string> ids;
   for (const toml::node& entry : *node.as_array()) {
     const Section section(*entry.as_table(), root.place("run[" + std::to_string(runs.size() + 1) + "]."));
-    runs.push_back(read_run(section, folder, n));
+    runs.push_back(read_run(section, folder, read, n));
     if (!ids.insert(runs.back().id).second)
       throw Error(section.place("id"), "\"" + runs.back().id + "\" again", "an id that no other run has");
   }
@@ -203,10 +208,18 @@ std::vector<Run> read_runs(const Section& root, const fs::path& folder, std::siz
 }  // namespace
 
 Experiment read_experiment(const fs::path& folder) {
-  if (!fs::is_directory(folder)) throw Error(folder.string(), "no such folder", "an experiment's folder");
-  const fs::path file = folder / "experiment.toml";
-  const toml::table table = files::parse_toml(files::read_text(file), file.string());
-  const Section root(table, file.string() + ": ");
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored))
+    throw Error(folder.string(), "no such folder", "an experiment's folder");
+  return read_experiment(folder, [&](const std::string& name, const std::string& place) {
+    return files::read_text(file_inside(folder, name, place));
+  });
+}
+
+Experiment read_experiment(const fs::path& folder, const ReadFile& read) {
+  const std::string settings = "experiment.toml", file = (folder / settings).string();
+  const toml::table table = files::parse_toml(read(settings, file), file);
+  const Section root(table, file + ": ");
   const std::string format = root.text("format", "\"chain-experiment/1\"");
   if (format != "chain-experiment/1")
     throw Error(root.place("format"), "\"" + format + "\"", "\"chain-experiment/1\"");
@@ -217,7 +230,7 @@ Experiment read_experiment(const fs::path& folder) {
   experiment.bench =
       root.has("bench") ? read_bench(root.table("bench")) : Bench{Bench::Plane::unknown, {0.0, 0.0}, false};
   experiment.noise = read_noise(root.table("noise"));
-  experiment.runs = read_runs(root, folder, experiment.link_length.size());
+  experiment.runs = read_runs(root, folder, read, experiment.link_length.size());
   require_physical(experiment);
   return experiment;
 }

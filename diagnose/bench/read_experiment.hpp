@@ -3,6 +3,8 @@
 /// Reading an experiment folder: experiment.toml and the sample files that it names.
 
 #include <filesystem>
+#include <functional>
+#include <string>
 
 #include "diagnose/bench/experiment.hpp"
 
@@ -14,5 +16,13 @@ namespace plumbline::diagnose {
 ///         number, a negative length or stiffness, a repeated run id, a sample file outside the folder,
 ///         readings that the chain cannot reach, or too few of them to judge anything
 Experiment read_experiment(const std::filesystem::path& folder);
+
+/// The text of experiment.toml, or of a sample file that it names.
+/// \throws Error at the place where the name stands, or that names the file
+using ReadFile = std::function<std::string(const std::string& name, const std::string& place)>;
+
+/// The same from wherever its files are.
+/// \param folder  named in errors
+Experiment read_experiment(const std::filesystem::path& folder, const ReadFile& read);
 
 }  // namespace plumbline::diagnose

@@ -7,15 +7,15 @@
 #include <system_error>
 
 #include "files/csv_file.hpp"
-#include "files/text_file.hpp"
+#include "files/printable.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
 using Fields = std::vector<std::string>;
 
-std::string place(const std::filesystem::path& file, std::size_t line) {
-  return file.string() + ":" + std::to_string(line);
+std::string place(const std::string& source, std::size_t line) {
+  return source + ":" + std::to_string(line);
 }
 
 double number(const std::string& field, const std::string& where) {
@@ -24,7 +24,7 @@ double number(const std::string& field, const std::string& where) {
   const char* end = field.data() + field.size();
   const auto [stop, fault] = std::from_chars(field.data() + (field.front() == '+' ? 1 : 0), end, value);
   if (fault != std::errc() || stop != end || !std::isfinite(value))
-    throw Error(where, "'" + field + "'", "a finite number or an empty field");
+    throw Error(where, "'" + files::shown(field) + "'", "a finite number or an empty field");
   return value;
 }
 
@@ -40,9 +40,9 @@ std::string joined(const Fields& fields) {
   return text;
 }
 
-void require_header(const files::CsvRow& found, const std::filesystem::path& file, std::size_t joints) {
+void require_header(const files::CsvRow& found, const std::string& source, std::size_t joints) {
   if (found.fields == expected_header(0) || found.fields == expected_header(joints)) return;
-  throw Error(place(file, found.line), "the header '" + joined(found.fields) + "'",
+  throw Error(place(source, found.line), "the header '" + files::shown(joined(found.fields)) + "'",
               "'" + joined(expected_header(0)) + "' or '" + joined(expected_header(joints)) + "'");
 }
 
@@ -61,17 +61,16 @@ void require_given(const Reading& r, ControlMode control, const std::string& whe
 
 }  // namespace
 
-std::vector<Reading> read_samples(const std::filesystem::path& file, ControlMode control,
-                                  std::size_t joints) {
-  const std::vector<files::CsvRow> rows = files::parse_csv(files::read_text(file), file.string());
-  if (rows.empty()) throw Error(file.string(), "blank lines alone", "a header line and readings");
+std::vector<Reading> parse_samples(const std::string& text, const std::string& source, ControlMode control,
+                                   std::size_t joints) {
+  const std::vector<files::CsvRow> rows = files::parse_csv(text, source);
   const Fields& header = rows.front().fields;
-  require_header(rows.front(), file, joints);
-  if (rows.size() == 1) throw Error(file.string(), "a header alone", "at least one reading");
+  require_header(rows.front(), source, joints);
+  if (rows.size() == 1) throw Error(source, "a header alone", "at least one reading");
   std::vector<Reading> readings;
   for (std::size_t r = 1; r < rows.size(); ++r) {
     const Fields& fields = rows[r].fields;
-    const std::string where = place(file, rows[r].line);
+    const std::string where = place(source, rows[r].line);
     if (fields.size() != header.size()) {
       throw Error(where, std::to_string(fields.size()) + " fields",
                   std::to_string(header.size()) + ", as in the header");

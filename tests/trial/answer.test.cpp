@@ -134,3 +134,21 @@ TEST_CASE("a report is read from the machine format; what is not one is refused"
   CHECK_THROWS_WITH_AS(report_from(nlohmann::json::object(), "report.json"), doctest::Contains("report.json"),
                        plumbline::Error);
 }
+
+TEST_CASE("of two ranked explanations that are both right, one is expected to have all the probability") {
+  const Label either = truth({{"backlash", 2, {}, 9}}, {{"rest_angle(2)"}});
+  Report report = said("ambiguous", {"backlash(2)"}, {{"rest_angle(2)"}});
+  report.ranking = {{{"backlash(2)"}, 0.6}, {{"rest_angle(2)"}, 0.3}, {{"gravity"}, 0.1}};
+  // (0.6 - 1)^2 + 0.3^2 + 0.1^2
+  CHECK(judge(either, report).brier == doctest::Approx(0.26));
+  report.ranking = {{{"gravity"}, 1.0}};  // the truth is not ranked: 1^2, and 1^2 for what it lacks
+  CHECK(judge(either, report).brier == doctest::Approx(2));
+}
+
+TEST_CASE("a shrink is worth something only where the cause is right") {
+  Report report = said("identified", {"gravity"});
+  report.shrunk = 1.2;
+  CHECK(!judge(backlash, report).shrunk);
+  report.effects = {"backlash(2)"};
+  CHECK(judge(backlash, report).shrunk == 1.2);
+}

@@ -87,6 +87,40 @@ TEST_CASE("stated probabilities are binned beside how often they were right") {
   }
 }
 
+TEST_CASE("a probability on the edge of two bins counts once, in the upper one") {
+  std::vector<Case> cases = a_trial();
+  for (Case& each : cases) each.judgement.stated.reset();
+  cases[2].judgement.stated = {0.9, true};
+  std::size_t total = 0;
+  for (const Reliability& bin : score(cases).reliability) {
+    total += bin.right.total;
+    CHECK(bin.right.total == (bin.low == 0.9 ? 1 : 0));
+  }
+  CHECK(total == 1);
+}
+
+TEST_CASE("median, ninth decile and worst of eleven known values") {
+  std::vector<Case> cases;
+  for (int i = 10; i >= 0; --i) {
+    cases.push_back(one("a", {}, 0, Answer::right, "none"));
+    cases.back().seconds = i;
+  }
+  const Spread seconds = score(cases).seconds;  // 0, 1, ..., 10
+  CHECK(seconds.median == 5);
+  CHECK(seconds.ninth_decile == 9);
+  CHECK(seconds.worst == 10);
+}
+
+TEST_CASE("the Brier score is the mean over the cases that state a probability") {
+  std::vector<Case> cases = a_trial();
+  for (Case& each : cases) each.judgement.stated.reset();
+  cases[2].judgement.stated = {0.8, true};
+  cases[2].judgement.brier = 0.08;
+  cases[4].judgement.stated = {0.6, false};
+  cases[4].judgement.brier = 0.52;
+  CHECK(score(cases).brier == doctest::Approx((0.08 + 0.52) / 2));
+}
+
 TEST_CASE("the failures come first, the worst first, and a broken seal is one") {
   std::vector<Case> cases = a_trial();
   cases[0].seal_holds = false;

@@ -41,23 +41,19 @@ TEST_CASE("the same label never has the same seal: nobody can look for it among 
 }
 
 TEST_CASE("labels, envelopes and seals survive their files") {
-  const Folder folder;
   const Envelope closed = envelope(label);
-  folder.write("envelope.json", envelope_text(closed));
-  const Envelope opened = read_envelope(folder.path() / "envelope.json");
+  const Envelope opened = parse_envelope(envelope_text(closed), "envelope.json");
   CHECK(seal(opened) == seal(closed));
   const Label read = label_from(nlohmann::json::parse(opened.label), "label");
   CHECK(as_json(read) == as_json(label));
-  folder.write("seals.json", seals_text({{"one", seal(closed)}}));
-  CHECK(read_seals(folder.path() / "seals.json").at("one") == seal(closed));
+  CHECK(parse_seals(seals_text({{"one", seal(closed)}}), "seals.json").at("one") == seal(closed));
 }
 
 TEST_CASE("what is no label, envelope or file of seals is refused with its name") {
-  const Folder folder;
-  folder.write("other.json", "{\"format\": \"else\"}");
-  CHECK_THROWS_WITH_AS(read_seals(folder.path() / "other.json"), doctest::Contains("other.json"),
+  const std::string other = "{\"format\": \"else\"}";
+  CHECK_THROWS_WITH_AS(parse_seals(other, "other.json"), doctest::Contains("other.json"),
                        plumbline::Error);
-  CHECK_THROWS_WITH_AS(read_envelope(folder.path() / "other.json"), doctest::Contains("salt"),
+  CHECK_THROWS_WITH_AS(parse_envelope(other, "other.json"), doctest::Contains("salt"),
                        plumbline::Error);
   CHECK_THROWS_WITH_AS(label_from(nlohmann::json::object(), "a label"), doctest::Contains("effects"),
                        plumbline::Error);

@@ -11,7 +11,8 @@
 
 namespace plumbline::verify {
 
-std::vector<Judged> judge(const std::vector<Claim>& claims, int digits) {
+std::vector<Judged> judge(const std::vector<Claim>& claims, int digits,
+                          const std::function<void()>& advance) {
   std::vector<Judged> result;
   for (const Claim& claim : claims) {
     try {
@@ -19,6 +20,7 @@ std::vector<Judged> judge(const std::vector<Claim>& claims, int digits) {
     } catch (const std::exception& error) {
       result.push_back({claim, std::nullopt, error.what()});
     }
+    advance();
   }
   return result;
 }

@@ -1,0 +1,43 @@
+#include "app/outputs.hpp"
+
+#include <plumbline/base/error.hpp>
+
+namespace plumbline::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A terminal or /dev/null takes whatever comes.
+bool is_device(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_character_file(path, ignored);
+}
+
+}  // namespace
+
+Outputs::Outputs(const std::vector<fs::path>& inputs) {
+  for (const fs::path& input : inputs)
+    if (!input.empty()) taken_.emplace(files::identity(input), "the input itself");
+}
+
+files::OutputFile* Outputs::open(const std::string& option, const fs::path& path) {
+  if (path.empty()) return nullptr;
+  const bool printed = files::is_standard_output(path);
+  if (printed || !is_device(path)) {
+    const std::string name = printed ? "standard output" : path.string();
+    const auto take = [&](const files::FileIdentity& file) {
+      const auto [other, free] = taken_.emplace(file, "the file of " + option + " too");
+      if (!free) throw Error(option + " " + name, other->second, "another file for the output");
+    };
+    if (printed) take({0, 0, "-"});
+    if (!printed || !is_device("/dev/stdout")) take(files::identity(printed ? "-" : path));
+  }
+  return &files_.emplace_back(path);
+}
+
+void Outputs::commit() {
+  for (files::OutputFile& file : files_) file.complete();
+  for (files::OutputFile& file : files_) file.commit();
+}
+
+}  // namespace plumbline::app

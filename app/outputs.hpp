@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// The files that a verb writes: none is one that it reads, no two are the same, and all are found to be
+/// writable before the work.
+
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "files/file_identity.hpp"
+#include "files/output_file.hpp"
+
+namespace plumbline::app {
+
+class Outputs {
+ public:
+  /// \param inputs  every file that the verb reads; an empty path is none
+  explicit Outputs(const std::vector<std::filesystem::path>& inputs);
+
+  /// \param option  that names the file, for messages
+  /// \param path    "-" for standard output
+  /// \returns nothing for an empty path
+  /// \throws Error where the file is read or written already, by whatever name or link, or cannot be written
+  files::OutputFile* open(const std::string& option, const std::filesystem::path& path);
+
+  /// Lets all files appear, once all are on the disk. \throws Error when one does not fit: then none does
+  void commit();
+
+ private:
+  std::map<files::FileIdentity, std::string> taken_;  ///< and what for
+  std::deque<files::OutputFile> files_;
+};
+
+}  // namespace plumbline::app

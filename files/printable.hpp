@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// Text from files, as it may be shown: in a terminal, in one line of an error, on a page.
+
+#include <string>
+#include <string_view>
+
+namespace plumbline::files {
+
+/// Where the first byte stands that is no UTF-8, or the first NUL; npos where all is text.
+std::size_t first_bad_byte(std::string_view text);
+
+/// The text with every control character, line break, mark that turns the direction of writing and byte that
+/// is no UTF-8 written out: "\x1b", "\u202e".
+std::string printable(std::string_view text);
+
+/// A value as an error shows it: printable, and cut where it is longer than a line can take.
+std::string shown(std::string_view text);
+
+/// A name that reaches terminals and pages.
+/// \throws Error at the place where it holds anything that printable() writes out
+void require_printable(const std::string& name, const std::string& place);
+
+}  // namespace plumbline::files

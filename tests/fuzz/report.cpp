@@ -1,0 +1,8 @@
+#include "tests/fuzz/target.hpp"
+#include "trial/answer.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  return offer(bytes, size, [](const std::string& text) {
+    plumbline::trial::report_from(plumbline::files::parse_json(text, "f"), "f");
+  });
+}
