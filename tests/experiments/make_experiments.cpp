@@ -53,7 +53,7 @@ void make(std::uint64_t seed, const std::filesystem::path& folder) {
     plumbline::simulator::Random random(seed, i);
     const auto made = plumbline::simulator::make_experiment(wanted[i].wish, wanted[i].name, random);
     plumbline::simulator::write_experiment(made, folder / wanted[i].name);
-    plumbline::write_text(folder / wanted[i].name / "label.json", as_json(made.label).dump(1) + "\n");
+    plumbline::files::write_text(folder / wanted[i].name / "label.json", as_json(made.label).dump(1) + "\n");
   });
 }
 
