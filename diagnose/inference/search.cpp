@@ -86,9 +86,12 @@ class Searcher {
     return fit_from(study_, rest.candidate, {}, rest.parameters);
   }
 
-  /// Keeps what converged, unless its parameters are too many for so few readings: three for each.
+  /// Keeps what converged, unless its parameters are too many for so few readings: three for each. Those
+  /// that are held by tolerances count as one.
   void keep(std::vector<Fit>& fits, Fit one) const {
-    if (one.converged && 3 * one.parameters.size() <= study_.measurements().size())
+    std::size_t free = 0, held = 0;
+    for (const ParameterRange& range : study_.ranges(one.candidate)) ++(range.tolerance > 0 ? held : free);
+    if (one.converged && 3 * (free + std::min<std::size_t>(held, 1)) <= study_.measurements().size())
       fits.push_back(std::move(one));
   }
 

@@ -133,11 +133,13 @@ double probability_of_unknown(double p_value) {
   return odds / (1 + odds);
 }
 
-/// Whether an explanation of as many effects comes near the best.
+/// Whether an explanation comes near the best: in evidence; or, of no more effects and parameters, in
+/// likelihood. More parameters always come as near as one likes.
 bool near(const Hypothesis& best, const Hypothesis& other) {
-  return other.fit.candidate.effects.size() == best.fit.candidate.effects.size() &&
-         (other.log_likelihood > best.log_likelihood - told_apart ||
-          other.log_evidence > best.log_evidence - told_apart);
+  const bool simpler = other.fit.candidate.effects.size() == best.fit.candidate.effects.size() &&
+                       other.fit.parameters.size() <= best.fit.parameters.size() + 1;
+  return other.log_evidence > best.log_evidence - told_apart ||
+         (simpler && other.log_likelihood > best.log_likelihood - told_apart);
 }
 
 }  // namespace
