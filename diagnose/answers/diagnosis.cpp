@@ -28,7 +28,7 @@ GapAnswer ask_for_gap(const Measurements& measurements, const std::vector<double
   std::map<std::string, double> count;
   double sum = 0;
   for (const Series& series : measurements.series()) {
-    const double scale = gap.test.noise.of(series.channel.sensor());
+    const double scale = gap.test.noise.of(series.channel);
     for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i) {
       gap.rms[series.channel.label()] += std::pow(series.sigma * clean[i], 2);
       count[series.channel.label()] += 1;

@@ -1,7 +1,6 @@
 #include "diagnose/inference/verdict.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -79,16 +78,10 @@ std::size_t first_of(const std::vector<Ranked>& ranking, std::size_t effects) {
   return static_cast<std::size_t>(place - ranking.begin());
 }
 
-/// The absolute test of a fit: for structure in what it leaves, and for its size beyond what a mis-declared
-/// sigma explains, counting the parameters that it has spent.
-double fit_p_value(const Measurements& measurements, const Fit& fit, const NoiseModel& noise) {
+/// The absolute test of a fit: for structure in what it leaves.
+double fit_p_value(const Measurements& measurements, const Fit& fit) {
   if (fit.parameters.size() >= measurements.size()) return 0;
-  NoiseModel widest = noise;
-  widest.scale.fill(largest_scale);
-  const auto free = static_cast<double>(measurements.size() - fit.parameters.size());
-  const double square = free * chi2_per_dof(measurements, fit, widest);
-  const double size = boost::math::gamma_q(free / 2, square / 2);
-  return std::min(size, test_gap(measurements, fit.residual).p_value);
+  return test_gap(measurements, fit.residual).p_value;
 }
 
 /// Log-likelihood that a fit gains over a simpler one, in the noise that the simpler one leaves: in its own,
@@ -101,7 +94,7 @@ double gain(const Measurements& measurements, const Fit& simpler, const Fit& ful
 
 /// The simplest explanation that leaves no structure, unless one more effect is significant at all the places
 /// where it could have been found; the end of the ranking when none suffices.
-std::size_t choose(const Study& study, const NoiseModel& noise, std::vector<Ranked>& ranking) {
+std::size_t choose(const Study& study, std::vector<Ranked>& ranking) {
   const double significant = told_apart + std::log(static_cast<double>(possible_effects(study).size()));
   std::size_t chosen = ranking.size();
   for (std::size_t effects = 1; effects <= 3; ++effects) {
@@ -109,7 +102,7 @@ std::size_t choose(const Study& study, const NoiseModel& noise, std::vector<Rank
     if (place == ranking.size()) continue;
     Hypothesis& one = ranking[place].hypothesis;
     if (!genuine(study, one.fit)) continue;
-    one.p_value = fit_p_value(study.measurements(), one.fit, noise);
+    one.p_value = fit_p_value(study.measurements(), one.fit);
     if (*one.p_value < fit_level) continue;
     if (chosen == ranking.size()) {
       chosen = place;
@@ -159,7 +152,7 @@ Cause judge(const Study& study, const Findings& findings) {
   Cause cause;
   cause.ranking = ranked(study, findings);
   cause.verdict = CauseVerdict::unknown;
-  const std::size_t chosen = choose(study, findings.noise, cause.ranking);
+  const std::size_t chosen = choose(study, cause.ranking);
   double p_value = 0;
   for (const Ranked& one : cause.ranking) p_value = std::max(p_value, one.hypothesis.p_value.value_or(0));
   cause.unknown = probability_of_unknown(p_value);
