@@ -70,7 +70,7 @@ TorqueEffect torque_effect(const Study& study, const std::vector<double>& residu
   TorqueEffect effect{Eigen::VectorXd(count), Eigen::VectorXd(count),
                       deflections(study.experiment(), predicted, joint)};
   for (const Series& series : study.measurements().series()) {
-    const double scale = noise.of(series.channel.sensor());
+    const double scale = noise.of(series.channel);
     for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i) {
       effect.residual(static_cast<Eigen::Index>(i)) = residual[i] / scale;
       effect.per_torque(static_cast<Eigen::Index>(i)) = per_torque[i] / scale;

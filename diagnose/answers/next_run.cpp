@@ -111,7 +111,7 @@ Imitation new_rows(const Prediction& truth, const Prediction& imitator, const No
   result.slope.resize(rows * columns, static_cast<Eigen::Index>(imitator.sensitivity.size()));
   for (Eigen::Index c = column_Fx; c < last; ++c) {
     const double declared = c == column_Fx ? sigma.Fx : (c == column_Fy ? sigma.Fy : sigma.q);
-    const double real = declared * noise.of(c < column_q ? Sensor::force : Sensor::angle);
+    const double real = declared * noise.scale[static_cast<std::size_t>(std::min<Eigen::Index>(c, column_q))];
     const Eigen::Index at = (c - column_Fx) * rows;
     result.difference.segment(at, rows) = ((a.col(c) - b.col(c)) / real).matrix();
     for (std::size_t p = 0; p < imitator.sensitivity.size(); ++p)

@@ -102,7 +102,7 @@ std::map<std::string, ChannelShrink> by_channel(const Measurements& measurements
   for (std::size_t s = 0; s < values.size(); ++s) {
     const Channel& channel = measurements.series()[s].channel;
     parts[channel.label()].push_back(values[s]);
-    scale[channel.label()] = noise.of(channel.sensor());
+    scale[channel.label()] = noise.of(channel);
   }
   std::map<std::string, ChannelShrink> result;
   for (const auto& [channel, part] : parts) {
@@ -182,7 +182,7 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
       count[channel] += 1;
       all.before += before[i] * before[i];
       all.after += after[i] * after[i];
-      floor += std::pow(noise.of(series.channel.sensor()), 2);
+      floor += std::pow(noise.of(series.channel), 2);
       total += 1;
     }
   }

@@ -121,7 +121,8 @@ Experiment as_measured(Experiment experiment, const Prediction& predicted) {
 }
 
 std::vector<JointShare> shares_by_missing_torque(const Experiment& experiment, const NoiseModel& noise) {
-  const double scale = std::max(noise.of(Sensor::angle), noise.of(Sensor::force));
+  using Name = Channel::Name;
+  const double scale = std::max({noise.of({Name::q, 0}), noise.of({Name::Fx, 0}), noise.of({Name::Fy, 0})});
   std::vector<double> weight;
   for (const auto& torques : missing_torques(experiment)) weight.push_back(excess(torques, scale));
   const bool any = std::any_of(weight.begin(), weight.end(), [](double w) { return w > 0; });

@@ -15,7 +15,7 @@ std::vector<double> excess(const Measurements& measurements, const std::vector<d
   const std::vector<bool> outlier = outliers(measurements, residual);
   std::vector<double> result(residual.size(), 0.0);
   for (const Series& series : measurements.series()) {
-    const double scale = noise.of(series.channel.sensor());
+    const double scale = noise.of(series.channel);
     for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i)
       if (!outlier[i]) result[i] = std::pow(residual[i] / scale, 2) - 1;
   }
@@ -85,7 +85,8 @@ std::string joint_evidence_words(JointEvidence evidence) {
   return "chance to be the one place of an unknown torque";
 }
 
-Where locate(const Study& study, const Prediction& nominal, const std::vector<double>& residual, const NoiseModel& noise) {
+Where locate(const Study& study, const Prediction& nominal, const std::vector<double>& residual,
+             const NoiseModel& noise) {
   const std::vector<double> beyond = excess(study.measurements(), residual, noise);
   return {by_channel(study.measurements(), beyond), by_run(study, beyond), along_path(study, nominal, beyond),
           shares_by_missing_torque(study.experiment(), noise), JointEvidence::measured};

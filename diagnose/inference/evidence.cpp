@@ -26,10 +26,16 @@ bool has_natural_zero(const ParameterRange& range) {
 
 /// Width of a parameter's prior.
 double prior_width(const ParameterRange& range) {
+  if (range.tolerance > 0) return range.tolerance;
   return has_natural_zero(range) ? range.scale : range.high - range.low;
 }
 
 double log_parameter_prior(const ParameterRange& range, double value) {
+  if (range.tolerance > 0) {
+    const double sides = range.low < 0 ? 1 : 2;
+    return std::log(sides / (range.tolerance * std::sqrt(2 * std::numbers::pi))) -
+           std::pow(value / range.tolerance, 2) / 2;
+  }
   if (!has_natural_zero(range)) return -std::log(prior_width(range));
   const double ratio = value / range.scale;
   const double sides = range.low < 0 ? 1 : 2;

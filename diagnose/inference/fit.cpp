@@ -15,6 +15,14 @@ namespace {
 
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// What the priors of tolerances charge: the squares of parameters in units of their tolerances.
+double penalty(const std::vector<ParameterRange>& ranges, const std::vector<double>& parameters) {
+  double sum = 0;
+  for (std::size_t p = 0; p < ranges.size(); ++p)
+    if (ranges[p].tolerance > 0) sum += std::pow(parameters[p] / ranges[p].tolerance, 2);
+  return sum;
+}
+
 /// A candidate's residuals and their Jacobian at the parameters of the last call.
 class Problem {
  public:
@@ -36,7 +44,7 @@ class Problem {
     if (!predicted.reached) return std::numeric_limits<double>::infinity();
     const std::vector<double> white =
         whiten(study_.measurements(), study_.residual(predicted), settings_.noise);
-    double sum = 0;
+    double sum = penalty(ranges_, parameters);
     for (std::size_t i = 0; i < white.size(); ++i)
       if (visible(static_cast<Eigen::Index>(i))) sum += huber(white[i], settings_.outlier_bound);
     return sum;
@@ -68,7 +76,7 @@ class Problem {
   }
 
   [[nodiscard]] double cost() const {
-    double sum = 0;
+    double sum = penalty(ranges_, at_);
     for (const double z : white_) sum += huber(z, settings_.outlier_bound);
     return sum;
   }
@@ -89,13 +97,14 @@ class Problem {
   RowMatrix jacobian_;
 };
 
-/// The problem as Ceres sees it: parameters in units of their scales, residuals whose squares are the losses.
-/// Parameters that are held fixed are not among its unknowns.
+/// The problem as Ceres sees it: parameters in units of their scales, residuals whose squares are the losses,
+/// and behind them one a free parameter for its prior. Parameters that are held fixed are not among its
+/// unknowns.
 class Scaled final : public ceres::CostFunction {
  public:
   Scaled(Problem& problem, std::vector<double> base, std::vector<std::size_t> free, double bound, int values)
       : problem_(problem), base_(std::move(base)), free_(std::move(free)), bound_(bound) {
-    set_num_residuals(values);
+    set_num_residuals(values + static_cast<int>(free_.size()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(free_.size()));
   }
 
@@ -122,10 +131,23 @@ class Scaled final : public ceres::CostFunction {
             slope * problem_.jacobian()(i, static_cast<Eigen::Index>(p)) * problem_.ranges()[p].scale;
       }
     }
+    add_priors(
+        scaled[0], residuals + white.size(),
+        jacobians == nullptr || jacobians[0] == nullptr ? nullptr : jacobians[0] + white.size() * columns);
     return true;
   }
 
  private:
+  void add_priors(const double* scaled, double* residuals, double* jacobian) const {
+    for (std::size_t f = 0; f < free_.size(); ++f) {
+      const ParameterRange& range = problem_.ranges()[free_[f]];
+      const double per_scale = range.tolerance > 0 ? range.scale / range.tolerance : 0;
+      residuals[f] = per_scale * scaled[f];
+      for (std::size_t g = 0; jacobian != nullptr && g < free_.size(); ++g)
+        jacobian[f * free_.size() + g] = f == g ? per_scale : 0;
+    }
+  }
+
   Problem& problem_;
   std::vector<double> base_;
   std::vector<std::size_t> free_;

@@ -29,7 +29,8 @@ struct Fit {
   /// Information that the visible values hold on each parameter, J_p . J_p in whitened units. Zero: the runs
   /// never exercised it.
   Eigen::VectorXd information;
-  double cost = 0;               ///< twice the loss: the chi-square, but for outliers
+  /// Twice the loss: the chi-square, but for outliers, and what the priors of tolerances charge.
+  double cost = 0;
   std::vector<double> residual;  ///< (measured - predicted) / declared sigma, flat, all values
   std::vector<double> whitened;  ///< the same, whitened
   bool converged = false;        ///< a minimum was found, at which the rig can follow the experiment

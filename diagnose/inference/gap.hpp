@@ -18,10 +18,10 @@ struct GapTest {
 /// one. Gaps of any use are far beyond it.
 inline constexpr double gap_level = 0.01;
 
-/// Tests whether a residual is noise: of any scale up to a factor of 1.5 from the declared one, correlated by
-/// at most 0.7 between neighbours, with a few isolated outliers. Looks at the energy of the six slowest
-/// cosine components of every series, together and one by one, against the noise that the differences of
-/// neighbours show, and at a scale beyond what a mis-declared sigma explains; the p-value covers all of it.
+/// Tests whether a residual is noise: of any scale, correlated between neighbours up to a limit, with
+/// isolated outliers. Looks at the energy of the six slowest cosine components of every series, together and
+/// one by one, and at the energy of all of them, against the noise that the differences of neighbours show;
+/// the p-value covers all three.
 /// The null distribution comes from simulated noise of the same layout that runs through the same estimators.
 GapTest test_gap(const Measurements& measurements, const std::vector<double>& residual);
 

@@ -32,62 +32,101 @@ double robust_variance(const std::vector<double>& differences) {
   return variance;
 }
 
-/// Differences of values `lag` apart, of all series of one sensor.
+using Name = Channel::Name;
+
+constexpr std::array<Name, channel_names> names{Name::x, Name::y, Name::Fx, Name::Fy, Name::q};
+
+/// Differences of values `lag` apart, of all series of one name.
 std::vector<double> differences(const Measurements& measurements, const std::vector<double>& residual,
-                                Sensor sensor, std::size_t lag) {
+                                Name name, std::size_t lag) {
   std::vector<double> result;
   for (const Series& series : measurements.series()) {
-    if (series.channel.sensor() != sensor) continue;
+    if (series.channel.name != name) continue;
     for (std::size_t i = lag; i < series.readings.size(); ++i)
       result.push_back(residual[series.first + i] - residual[series.first + i - lag]);
   }
   return result;
 }
 
-constexpr std::array<Sensor, 3> sensors{Sensor::position, Sensor::force, Sensor::angle};
+/// Differences of neighbouring differences.
+std::vector<double> second_differences(const Measurements& measurements, const std::vector<double>& residual,
+                                       Name name) {
+  std::vector<double> result;
+  for (const Series& series : measurements.series()) {
+    if (series.channel.name != name) continue;
+    for (std::size_t i = series.first + 2; i < series.first + series.readings.size(); ++i)
+      result.push_back(residual[i - 2] - 2 * residual[i - 1] + residual[i]);
+  }
+  return result;
+}
 
-/// Median of the up to five values around place i of a series.
+/// Median of the values around place i of a series: of nine, or of five where the series is short.
 double local_median(const Series& series, const std::vector<double>& residual, std::size_t i) {
   const std::size_t count = series.readings.size();
-  const std::size_t width = std::min<std::size_t>(5, count);
-  const std::size_t from = std::min(i >= 2 ? i - 2 : 0, count - width);
+  const std::size_t width = count >= 18 ? 9 : std::min<std::size_t>(5, count), half = width / 2;
+  const std::size_t from = std::min(i >= half ? i - half : 0, count - width);
   const auto begin = residual.begin() + static_cast<std::ptrdiff_t>(series.first + from);
   return median(std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(width)));
 }
 
-/// Combines a measured logarithm of a scale with its prior, log-normal with a spread of 0.25: 1.5 either way
-/// is then 1.6 of its deviations.
+/// Takes back the marks of three neighbours or more that are off to the same side: that is no chance, but
+/// something that lasts (a snap that comes too late, say).
+void keep_what_lasts(const Series& series, const std::vector<double>& off, std::vector<bool>& marked) {
+  const std::size_t end = series.first + series.readings.size();
+  for (std::size_t i = series.first; i < end;) {
+    std::size_t next = i + 1;
+    while (next < end && marked[i] && marked[next] && (off[next] > 0) == (off[i] > 0)) ++next;
+    if (marked[i] && next - i > 2)
+      std::fill(marked.begin() + static_cast<std::ptrdiff_t>(i),
+                marked.begin() + static_cast<std::ptrdiff_t>(next), false);
+    i = next;
+  }
+}
+
+/// Combines a measured scale with its prior: log-normal about one, with a spread of 0.25, or as wide as the
+/// readings themselves ask for. A declared sigma is right to a third in most labs, and wrong by any factor in
+/// the others.
 double with_prior(double scale, double values) {
-  constexpr double spread = 0.25;
+  const double spread = std::max(0.25, std::abs(std::log(scale)));
   const double information = values;  // the variance of ln s from m differences is about 1/m
-  const double log_scale = std::log(scale) * information / (information + 1 / (spread * spread));
-  return std::exp(std::clamp(log_scale, -std::log(largest_scale), std::log(largest_scale)));
+  return std::exp(std::log(scale) * information / (information + 1 / (spread * spread)));
 }
 
 }  // namespace
 
-std::vector<bool> outliers(const Measurements& measurements, const std::vector<double>& residual) {
-  std::array<double, 3> scale{1.0, 1.0, 1.0};
-  for (const Sensor sensor : sensors) {
-    const std::vector<double> steps = differences(measurements, residual, sensor, 1);
-    if (!steps.empty()) scale[static_cast<std::size_t>(sensor)] = std::sqrt(robust_variance(steps) / 2);
-  }
-  constexpr double limit = 5;  // one false mark in a million readings of normal noise
+namespace {
+
+/// Marks what stands off the local median by more than `limit` standard deviations of its channel.
+std::vector<bool> marks(const Measurements& measurements, const std::vector<double>& residual,
+                        const std::array<double, channel_names>& scale, double limit) {
   std::vector<bool> marked(residual.size(), false);
+  std::vector<double> off(residual.size(), 0.0);
   for (const Series& series : measurements.series()) {
-    const double tolerance =
-        limit * std::max(scale[static_cast<std::size_t>(series.channel.sensor())], 1 / largest_scale);
+    const double tolerance = limit * scale[static_cast<std::size_t>(series.channel.name)];
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
-      const double value = residual[series.first + i];
-      marked[series.first + i] =
-          series.readings.size() >= 5 && std::abs(value - local_median(series, residual, i)) > tolerance;
+      off[series.first + i] = residual[series.first + i] - local_median(series, residual, i);
+      marked[series.first + i] = series.readings.size() >= 5 && std::abs(off[series.first + i]) > tolerance;
     }
+    keep_what_lasts(series, off, marked);
   }
   return marked;
 }
 
-std::vector<double> without_outliers(const Measurements& measurements, const std::vector<double>& residual) {
-  const std::vector<bool> marked = outliers(measurements, residual);
+/// Standard deviations by channel, as far as differences of neighbours show them.
+std::array<double, channel_names> rough_scales(const Measurements& measurements,
+                                               const std::vector<double>& residual) {
+  constexpr double least = 2.0 / 3.0;  // of the declared sigma: coarse readings can repeat
+  std::array<double, channel_names> scale{};
+  for (const Name name : names) {
+    const std::vector<double> steps = differences(measurements, residual, name, 1);
+    const double found = steps.empty() ? 0 : std::sqrt(robust_variance(steps) / 2);
+    scale[static_cast<std::size_t>(name)] = std::max(found, least);
+  }
+  return scale;
+}
+
+std::vector<double> smoothed_over(const Measurements& measurements, const std::vector<double>& residual,
+                                  const std::vector<bool>& marked) {
   std::vector<double> clean = residual;
   for (const Series& series : measurements.series()) {
     for (std::size_t i = 0; i < series.readings.size(); ++i)
@@ -96,26 +135,74 @@ std::vector<double> without_outliers(const Measurements& measurements, const std
   return clean;
 }
 
+}  // namespace
+
+std::vector<bool> outliers(const Measurements& measurements, const std::vector<double>& residual) {
+  constexpr double limit = 5;  // one false mark in a million readings of normal noise
+  constexpr double heavy_limit = 3, heavy_share = 0.015;
+  const std::vector<bool> marked = marks(measurements, residual, rough_scales(measurements, residual), limit);
+  const auto count = static_cast<double>(std::count(marked.begin(), marked.end(), true));
+  if (count <= heavy_share * static_cast<double>(residual.size())) return marked;
+  // So many far out have more between them and the rest.
+  const std::vector<double> clean = smoothed_over(measurements, residual, marked);
+  return marks(measurements, residual, rough_scales(measurements, clean), heavy_limit);
+}
+
+std::vector<double> without_outliers(const Measurements& measurements, const std::vector<double>& residual) {
+  return smoothed_over(measurements, residual, outliers(measurements, residual));
+}
+
+namespace {
+
+/// Variance of one channel's noise times 1 - phi, as first differences show it, and how much larger
+/// differences over two readings are.
+struct Steps {
+  double near = 0, ratio = 1, curved = 0, values = 0;
+};
+
+Steps steps_of(const Measurements& measurements, const std::vector<double>& residual, Name name) {
+  const std::vector<double> near = differences(measurements, residual, name, 1);
+  const std::vector<double> far = differences(measurements, residual, name, 2);
+  Steps steps;
+  steps.values = static_cast<double>(near.size());
+  if (near.empty() || far.empty()) return steps;
+  steps.near = robust_variance(near) / 2;
+  if (!(steps.near > 0)) return steps;
+  steps.ratio = robust_variance(far) / (2 * steps.near);
+  steps.curved = robust_variance(second_differences(measurements, residual, name)) / 2;
+  return steps;
+}
+
+}  // namespace
+
+double largest_correlation(const Measurements& measurements) {
+  std::vector<double> lengths;
+  for (const Series& series : measurements.series())
+    lengths.push_back(static_cast<double>(series.readings.size()));
+  return std::min(0.9, std::exp(-10 / median(lengths)));
+}
+
 RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual) {
   RawNoise noise;
   double ratio = 0, weight = 0;
-  std::array<double, 3> step{};
-  for (const Sensor sensor : sensors) {
-    const auto s = static_cast<std::size_t>(sensor);
-    const std::vector<double> near = differences(measurements, residual, sensor, 1);
-    const std::vector<double> far = differences(measurements, residual, sensor, 2);
-    noise.values[s] = static_cast<double>(near.size());
-    if (near.empty() || far.empty()) continue;
-    step[s] = robust_variance(near);
-    if (!(step[s] > 0)) continue;
-    ratio += noise.values[s] * robust_variance(far) / step[s];
-    weight += noise.values[s];
+  std::array<Steps, channel_names> steps;
+  for (const Name name : names) {
+    const auto c = static_cast<std::size_t>(name);
+    steps[c] = steps_of(measurements, residual, name);
+    noise.values[c] = steps[c].values;
+    // Differences over two readings that exceed twice those over one are of a slope, not of noise.
+    if (!(steps[c].near > 0) || steps[c].ratio > 2) continue;
+    ratio += steps[c].values * steps[c].ratio;
+    weight += steps[c].values;
   }
   // (1 - phi^2) / (1 - phi) = 1 + phi
   noise.correlation = weight > 0 ? ratio / weight - 1 : 0.0;
-  const double phi = std::clamp(noise.correlation, 0.0, largest_correlation);
-  for (std::size_t s = 0; s < sensors.size(); ++s)
-    if (step[s] > 0) noise.scale[s] = std::sqrt(step[s] / (2 * (1 - phi)));
+  const double phi = std::clamp(noise.correlation, 0.0, largest_correlation(measurements));
+  for (std::size_t c = 0; c < steps.size(); ++c) {
+    if (!(steps[c].near > 0)) continue;
+    const double straight = steps[c].near / (1 - phi), curved = steps[c].curved / ((1 - phi) * (3 - phi));
+    noise.scale[c] = std::sqrt(steps[c].ratio > 2 && curved > 0 ? std::min(straight, curved) : straight);
+  }
   return noise;
 }
 
@@ -127,11 +214,14 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
   // The estimate's variance is about 1/values; the prior's spread, 0.3, makes 0.6 a rare but possible
   // correlation.
   const double weight = values / (values + 1 / (0.3 * 0.3));
-  noise.correlation = std::clamp(weight * raw.correlation, 0.0, largest_correlation);
-  const double taken = std::clamp(raw.correlation, 0.0, largest_correlation);
-  for (std::size_t s = 0; s < sensors.size(); ++s) {
-    const double scale = raw.scale[s] * std::sqrt((1 - taken) / (1 - noise.correlation));
-    noise.scale[s] = raw.values[s] > 0 ? with_prior(scale, raw.values[s] / 2) : 1.0;
+  const double largest = largest_correlation(measurements);
+  noise.correlation = std::clamp(weight * raw.correlation, 0.0, largest);
+  const double taken = std::clamp(raw.correlation, 0.0, largest);
+  for (std::size_t c = 0; c < noise.scale.size(); ++c) {
+    const double scale = raw.scale[c] * std::sqrt((1 - taken) / (1 - noise.correlation));
+    noise.scale[c] = raw.values[c] > 0 && scale > 0 ? with_prior(scale, raw.values[c] / 2) : 1.0;
+    // Large and slow at once is a gap, not noise.
+    if (noise.correlation > 0.5) noise.scale[c] = std::min(noise.scale[c], 1.5);
   }
   return noise;
 }
@@ -142,7 +232,7 @@ std::vector<double> whiten(const Measurements& measurements, const std::vector<d
   const double phi = noise.correlation;
   const double innovation = std::sqrt(1 - phi * phi);
   for (const Series& series : measurements.series()) {
-    const double scale = noise.of(series.channel.sensor());
+    const double scale = noise.of(series.channel);
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
       const double value = residual[series.first + i];
       white[series.first + i] =

@@ -9,39 +9,45 @@
 
 namespace plumbline::diagnose {
 
-/// What labs do to a declared sigma, and how long readings remember each other. These are the priors on
-/// noise: a declared sigma is wrong by a factor of 1.5 at most, and neighbouring readings correlate by 0.7 at
-/// most.
-inline constexpr double largest_scale = 1.5;
-inline constexpr double largest_correlation = 0.7;
-
-/// First-order autoregressive noise: true sigma = scale · declared sigma, correlation between neighbours.
+/// First-order autoregressive noise: true sigma = scale · declared sigma, correlation between neighbours; of
+/// some readings the noise is ten times as wide.
 struct NoiseModel {
-  std::array<double, 3> scale{1.0, 1.0, 1.0};  ///< by Sensor
+  std::array<double, channel_names> scale{1.0, 1.0, 1.0, 1.0, 1.0};  ///< by Channel::Name
   double correlation = 0.0;
+  double outlier_share = 0.02;
 
-  [[nodiscard]] double of(Sensor sensor) const { return scale[static_cast<std::size_t>(sensor)]; }
+  [[nodiscard]] double of(const Channel& channel) const {
+    return scale[static_cast<std::size_t>(channel.name)];
+  }
 };
 
 /// What the differences of neighbouring residuals say, before any prior or limit.
 struct RawNoise {
-  std::array<double, 3> scale{1.0, 1.0, 1.0};
-  std::array<double, 3> values{0.0, 0.0, 0.0};  ///< number of differences behind each scale
+  std::array<double, channel_names> scale{1.0, 1.0, 1.0, 1.0, 1.0};
+  std::array<double, channel_names> values{};  ///< number of differences behind each scale
   double correlation = 0.0;
 };
 
-/// Marks isolated readings that stand off both their neighbours (Hampel's identifier, five readings wide).
+/// Marks readings that stand off their neighbours, alone or in twos (Hampel's identifier, nine readings
+/// wide, five where a series is short).
 /// \param residual  flat, in declared sigmas
 std::vector<bool> outliers(const Measurements& measurements, const std::vector<double>& residual);
 
 /// The residual with each outlier replaced by the median of its neighbourhood.
 std::vector<double> without_outliers(const Measurements& measurements, const std::vector<double>& residual);
 
-/// Scale and correlation from first and second-neighbour differences of a residual free of outliers, so that
-/// a slowly varying gap does not enter: E(e_t - e_{t-m})^2 = 2 sigma^2 (1 - phi^m).
+/// Scale and correlation from differences of a residual free of outliers, so that a slowly varying gap does
+/// not enter: E(e_t - e_{t-m})^2 = 2 sigma^2 (1 - phi^m). Where first differences grow with their distance as
+/// no such noise does, a gap with a slope is in them, and the scale is that of second differences,
+/// E(e_{t-1} - 2 e_t + e_{t+1})^2 = 2 sigma^2 (1 - phi)(3 - phi).
 RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual);
 
-/// The same with the priors: a log-normal scale and a half-normal correlation, both within their limits.
+/// By how much neighbouring readings can correlate at most: noise that remembers longer than a tenth of a run
+/// cannot be told from a gap.
+double largest_correlation(const Measurements& measurements);
+
+/// The same with the priors: a scale near one unless the readings say otherwise, and a half-normal
+/// correlation.
 NoiseModel estimate_noise(const Measurements& measurements, const std::vector<double>& residual);
 
 /// Standardised innovations: independent and of unit variance when the residual is this noise.

@@ -108,7 +108,8 @@ double best_step(const Weighing& weighing, const std::vector<Eigen::VectorXd>& c
       const std::size_t p = probe.growing[c];
       const double square = columns[c].squaredNorm();
       if (!(square * ranges[p].scale * ranges[p].scale > 1e-6)) continue;  // never exercised
-      const double wanted = start[p] + columns[c].dot(left) / square;
+      const double prior = ranges[p].tolerance > 0 ? std::pow(ranges[p].tolerance, -2) : 0;
+      const double wanted = (start[p] * square + columns[c].dot(left)) / (square + prior);
       const double step = std::clamp(wanted, ranges[p].low, ranges[p].high) - start[p];
       start[p] += step;
       left -= step * columns[c];

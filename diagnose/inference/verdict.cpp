@@ -1,7 +1,6 @@
 #include "diagnose/inference/verdict.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -79,16 +78,10 @@ std::size_t first_of(const std::vector<Ranked>& ranking, std::size_t effects) {
   return static_cast<std::size_t>(place - ranking.begin());
 }
 
-/// The absolute test of a fit: for structure in what it leaves, and for its size beyond what a mis-declared
-/// sigma explains, counting the parameters that it has spent.
-double fit_p_value(const Measurements& measurements, const Fit& fit, const NoiseModel& noise) {
+/// The absolute test of a fit: for structure in what it leaves.
+double fit_p_value(const Measurements& measurements, const Fit& fit) {
   if (fit.parameters.size() >= measurements.size()) return 0;
-  NoiseModel widest = noise;
-  widest.scale.fill(largest_scale);
-  const auto free = static_cast<double>(measurements.size() - fit.parameters.size());
-  const double square = free * chi2_per_dof(measurements, fit, widest);
-  const double size = boost::math::gamma_q(free / 2, square / 2);
-  return std::min(size, test_gap(measurements, fit.residual).p_value);
+  return test_gap(measurements, fit.residual).p_value;
 }
 
 /// Log-likelihood that a fit gains over a simpler one, in the noise that the simpler one leaves: in its own,
@@ -101,7 +94,7 @@ double gain(const Measurements& measurements, const Fit& simpler, const Fit& ful
 
 /// The simplest explanation that leaves no structure, unless one more effect is significant at all the places
 /// where it could have been found; the end of the ranking when none suffices.
-std::size_t choose(const Study& study, const NoiseModel& noise, std::vector<Ranked>& ranking) {
+std::size_t choose(const Study& study, std::vector<Ranked>& ranking) {
   const double significant = told_apart + std::log(static_cast<double>(possible_effects(study).size()));
   std::size_t chosen = ranking.size();
   for (std::size_t effects = 1; effects <= 3; ++effects) {
@@ -109,7 +102,7 @@ std::size_t choose(const Study& study, const NoiseModel& noise, std::vector<Rank
     if (place == ranking.size()) continue;
     Hypothesis& one = ranking[place].hypothesis;
     if (!genuine(study, one.fit)) continue;
-    one.p_value = fit_p_value(study.measurements(), one.fit, noise);
+    one.p_value = fit_p_value(study.measurements(), one.fit);
     if (*one.p_value < fit_level) continue;
     if (chosen == ranking.size()) {
       chosen = place;
@@ -133,11 +126,13 @@ double probability_of_unknown(double p_value) {
   return odds / (1 + odds);
 }
 
-/// Whether an explanation of as many effects comes near the best.
+/// Whether an explanation comes near the best: in evidence; or, of no more effects and parameters, in
+/// likelihood. More parameters always come as near as one likes.
 bool near(const Hypothesis& best, const Hypothesis& other) {
-  return other.fit.candidate.effects.size() == best.fit.candidate.effects.size() &&
-         (other.log_likelihood > best.log_likelihood - told_apart ||
-          other.log_evidence > best.log_evidence - told_apart);
+  const bool simpler = other.fit.candidate.effects.size() == best.fit.candidate.effects.size() &&
+                       other.fit.parameters.size() <= best.fit.parameters.size() + 1;
+  return other.log_evidence > best.log_evidence - told_apart ||
+         (simpler && other.log_likelihood > best.log_likelihood - told_apart);
 }
 
 }  // namespace
@@ -153,11 +148,36 @@ std::size_t best_partial(const Measurements& measurements, const std::vector<con
   return static_cast<std::size_t>(place - fits.begin());
 }
 
+void settle_on(Cause& cause, std::size_t chosen, double unknown) {
+  double sum = 0;
+  const double leading = cause.ranking.front().hypothesis.log_evidence;
+  for (Ranked& one : cause.ranking) sum += one.probability = std::exp(one.hypothesis.log_evidence - leading);
+  for (Ranked& one : cause.ranking) one.probability *= (1 - unknown) / sum;
+  cause.unknown = unknown;
+  cause.best = chosen;
+  cause.equivalent.clear();
+  const Hypothesis& best = cause.ranking[chosen].hypothesis;
+  double with_equals = cause.ranking[chosen].probability;
+  for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
+    if (i == chosen || !near(best, cause.ranking[i].hypothesis)) continue;
+    cause.equivalent.push_back(i);
+    with_equals += cause.ranking[i].probability;
+  }
+  // What is less probable than not, even with its equals, is not named alone.
+  for (std::size_t i = 0; i < cause.ranking.size() && with_equals < 0.5; ++i) {
+    const auto& known = cause.equivalent;
+    if (i == chosen || std::find(known.begin(), known.end(), i) != known.end()) continue;
+    cause.equivalent.push_back(i);
+    with_equals += cause.ranking[i].probability;
+  }
+  cause.verdict = cause.equivalent.empty() ? CauseVerdict::identified : CauseVerdict::ambiguous;
+}
+
 Cause judge(const Study& study, const Findings& findings) {
   Cause cause;
   cause.ranking = ranked(study, findings);
   cause.verdict = CauseVerdict::unknown;
-  const std::size_t chosen = choose(study, findings.noise, cause.ranking);
+  const std::size_t chosen = choose(study, cause.ranking);
   double p_value = 0;
   for (const Ranked& one : cause.ranking) p_value = std::max(p_value, one.hypothesis.p_value.value_or(0));
   cause.unknown = probability_of_unknown(p_value);
@@ -168,12 +188,7 @@ Cause judge(const Study& study, const Findings& findings) {
     if (!partial.empty()) cause.best = best_partial(study.measurements(), partial);
     return cause;
   }
-  cause.best = chosen;
-  const Hypothesis& best = cause.ranking[chosen].hypothesis;
-  for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
-    if (i != chosen && near(best, cause.ranking[i].hypothesis)) cause.equivalent.push_back(i);
-  }
-  cause.verdict = cause.equivalent.empty() ? CauseVerdict::identified : CauseVerdict::ambiguous;
+  settle_on(cause, chosen, cause.unknown);
   return cause;
 }
 

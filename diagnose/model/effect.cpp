@@ -35,17 +35,17 @@ double fitted_value(Coordinate coordinate, double catalogue_units) {
 
 ParameterRange both_ways(std::string_view name, std::string_view unit, double scale, double low,
                          double high) {
-  return {name, unit, Coordinate::plain, scale, low, high};
+  return {name, unit, Coordinate::plain, scale, low, high, 0};
 }
 
 ParameterRange one_way(std::string_view name, std::string_view unit, double scale, double high) {
-  return {name, unit, Coordinate::plain, scale, 0, high};
+  return {name, unit, Coordinate::plain, scale, 0, high, 0};
 }
 
 const std::vector<Effect>& catalogue() {
   static const std::vector<Effect> all = [] {
     std::vector<Effect> rows;
-    for (const auto& group : {joint_effects, link_effects, bench_effects, load_cell_effects})
+    for (const auto& group : {joint_effects, link_effects, bench_effects, load_cell_effects, common_effects})
       for (Effect& row : group()) rows.push_back(std::move(row));
     return rows;
   }();

@@ -27,6 +27,8 @@ struct ParameterRange {
   Coordinate coordinate;
   double scale;      ///< what a lab would call a sizeable effect; the difference step is a share of it
   double low, high;  ///< physical bounds
+  /// Standard deviation of its prior, a Gaussian about zero, where it is a tolerance; 0 where it is not.
+  double tolerance = 0;
 };
 
 /// A parameter that may have either sign, one that cannot be negative: zero is the nominal model.

@@ -13,6 +13,9 @@ namespace plumbline::diagnose {
 /// What kind of sensor a value comes from: each kind shares one correction of its declared noise.
 enum class Sensor { position, force, angle };
 
+/// How many names of channels there are: x, y, Fx, Fy, q.
+inline constexpr std::size_t channel_names = 5;
+
 /// A column of a sample file that carries measured values.
 struct Channel {
   enum class Name { x, y, Fx, Fy, q } name;

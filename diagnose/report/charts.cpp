@@ -59,7 +59,7 @@ double largest(const std::vector<double>& values) {
 page::Chart residual_chart(const Explained& explained, std::size_t place, double most) {
   const Series& series = explained.series(place);
   const Run& run = explained.experiment.runs[series.run];
-  const double sigma = explained.diagnosis.noise.of(series.channel.sensor());
+  const double sigma = explained.diagnosis.noise.of(series.channel);
   page::Layer before{Kind::rings, "nominal", {}, 1.7}, after{Kind::dots, "corrected", {}, 2};
   for (std::size_t i = 0; i < series.readings.size(); ++i) {
     const auto reading = static_cast<double>(series.readings[i]);

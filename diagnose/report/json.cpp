@@ -13,17 +13,17 @@ Json effect_names(const Candidate& candidate) {
   return names;
 }
 
-/// The noise of the sensors that measured something, over the declared.
+/// The noise of the channels that measured something, over the declared.
 Json noise(const NoiseModel& model, const std::map<std::string, double>& by_channel) {
-  const auto measured = [&](const std::string& initials) {
-    return std::any_of(by_channel.begin(), by_channel.end(), [&](const auto& channel) {
-      return initials.find(channel.first[0]) != std::string::npos;
-    });
-  };
   Json result = Json::object();
-  if (measured("F")) result["force"] = model.of(Sensor::force);
-  if (measured("xy")) result["position"] = model.of(Sensor::position);
-  if (measured("q")) result["angle"] = model.of(Sensor::angle);
+  for (const Channel::Name name :
+       {Channel::Name::x, Channel::Name::y, Channel::Name::Fx, Channel::Name::Fy, Channel::Name::q}) {
+    const Channel channel{name, 0};
+    const std::string label = name == Channel::Name::q ? "q" : channel.label();
+    const bool measured = std::any_of(by_channel.begin(), by_channel.end(),
+                                      [&](const auto& one) { return one.first.starts_with(label); });
+    if (measured) result[label] = model.of(channel);
+  }
   result["correlation"] = model.correlation;
   return result;
 }

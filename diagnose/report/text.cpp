@@ -26,6 +26,24 @@ std::string by_channel(const std::map<std::string, double>& values) {
   return text;
 }
 
+/// How the noise compares with the declared; said in words where it is another.
+std::string scatter(const NoiseModel& noise, const std::map<std::string, double>& measured) {
+  using Name = Channel::Name;
+  std::string text = "  noise over declared:", words;
+  for (const Name name : {Name::x, Name::y, Name::Fx, Name::Fy, Name::q}) {
+    const Channel channel{name, 0};
+    const std::string label = name == Name::q ? "q" : channel.label();
+    const auto carries = [&](const auto& one) { return one.first.starts_with(label); };
+    if (std::none_of(measured.begin(), measured.end(), carries)) continue;
+    const double scale = noise.of(channel);
+    text += fmt::format(" {} {:.2f},", label, scale);
+    if (scale > 1.5 || scale < 1 / 1.5)
+      words += fmt::format("  the readings of {} scatter {:.1f} times what was declared\n", label, scale);
+  }
+  text.back() = ';';
+  return text + fmt::format(" neighbours correlate by {:.2f}\n", noise.correlation) + words;
+}
+
 std::string gap(const Diagnosis& diagnosis) {
   const GapAnswer& answer = diagnosis.gap;
   const NoiseModel& noise = diagnosis.noise;
@@ -33,10 +51,7 @@ std::string gap(const Diagnosis& diagnosis) {
       fmt::format("Is there a gap?  {} ({}; chi-square per value {:.3g}; rms {})\n",
                   answer.present ? "Yes" : "No, the nominal model explains the readings to the noise",
                   chance(answer.test.p_value), answer.chi2_per_value, by_channel(answer.rms));
-  text += fmt::format(
-      "  noise over declared: force {:.2f}, position {:.2f}, angle {:.2f}; neighbours correlate by {:.2f}\n",
-      noise.of(Sensor::force), noise.of(Sensor::position), noise.of(Sensor::angle), noise.correlation);
-  return text;
+  return text + scatter(noise, answer.rms);
 }
 
 template <class Share, class Name>

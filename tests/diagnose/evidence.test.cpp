@@ -74,7 +74,7 @@ TEST_CASE("the likelihood of one value: normal, and two in a hundred ten times a
   // 900 sigma away exp() underflows: -z^2 / 200 is left
   CHECK(log_likelihood(measurements, {900.0}, {}) == doctest::Approx(std::log(0.002) - 900.0 * 900 / 200));
   NoiseModel wide;
-  wide.scale = {1, 2, 1};
+  wide.scale = {1, 1, 2, 2, 1};
   CHECK(log_likelihood(measurements, {3.0}, wide) == doctest::Approx(density(1.5)));
 }
 

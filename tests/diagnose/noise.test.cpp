@@ -22,7 +22,7 @@ TEST_CASE("scale and correlation of noise are found again, with outliers among t
         std::vector<double> noise = correlated_noise(measurements, scale, correlation, random);
         add_outliers(noise, 0.015, 12, random);
         const NoiseModel found = estimate_noise(measurements, without_outliers(measurements, noise));
-        mean_scale += found.of(Sensor::force) / draws;
+        mean_scale += found.of({Channel::Name::Fx, 0}) / draws;
         mean_correlation += found.correlation / draws;
       }
       // 460 values: each estimate spreads by about 5 %; the priors pull by a few percent more.
@@ -41,7 +41,7 @@ TEST_CASE("a slow gap ten sigmas high does not pass for noise") {
     for (std::size_t i = 0; i < series.readings.size(); ++i)
       residual[series.first + i] +=
           10 * std::sin(3.0 * static_cast<double>(i) / static_cast<double>(series.readings.size()));
-  CHECK(estimate_noise(measurements, residual).of(Sensor::force) < 1.15);
+  CHECK(estimate_noise(measurements, residual).of({Channel::Name::Fx, 0}) < 1.15);
 }
 
 TEST_CASE("an outlier is marked, the readings beside it and a step are not") {
@@ -60,7 +60,7 @@ TEST_CASE("innovations of correlated noise are white") {
   const Measurements measurements(experiment);
   std::mt19937_64 random(3);
   NoiseModel noise;
-  noise.scale = {1.3, 1.3, 1.3};
+  noise.scale.fill(1.3);
   noise.correlation = 0.5;
   const std::vector<double> white =
       whiten(measurements, correlated_noise(measurements, 1.3, 0.5, random), noise);
@@ -79,14 +79,14 @@ TEST_CASE("the scale of a hundred thousand normal numbers is found to a third of
   std::mt19937_64 random(5);
   // A variance from m differences of neighbours spreads by sqrt(3/m), a scale by half of that: 0.2 % of 2e5.
   const RawNoise found = raw_noise(measurements, correlated_noise(measurements, 1.2, 0.0, random));
-  CHECK(found.scale[1] == doctest::Approx(1.2).epsilon(0.006));
+  CHECK(found.scale[2] == doctest::Approx(1.2).epsilon(0.006));
 }
 
 TEST_CASE("innovations of a short series give its exact Gaussian density: r' C^-1 r, C_ij = s^2 phi^|i-j|") {
   const Experiment experiment = blank_experiment({6});
   const Measurements measurements(experiment);
   NoiseModel noise;
-  noise.scale = {9, 1.3, 9};
+  noise.scale = {9, 9, 1.3, 1.3, 9};
   noise.correlation = 0.6;
   Eigen::MatrixXd covariance(6, 6);
   for (Eigen::Index i = 0; i < 6; ++i)

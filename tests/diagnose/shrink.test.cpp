@@ -41,7 +41,7 @@ TEST_CASE("the shrink of four held-out readings, by hand") {
   experiment.noise.Fy = 2;
   const Measurements measurements(experiment);  // series: Fx, Fy of the first run, Fx, Fy of the second
   NoiseModel noise;
-  noise.scale = {9, 1.5, 9};
+  noise.scale = {9, 9, 1.5, 1.5, 9};
   // What the first run leaves was seen and does not count.
   const std::vector<double> before = by_series(measurements, {50, 70, 6, 8}),
                             after = by_series(measurements, {30, 40, 1, 2});

@@ -48,7 +48,7 @@ TEST_CASE("shares are of the squared residual beyond noise, by hand") {
   const Experiment experiment = blank_experiment({10, 10});
   const Measurements measurements(experiment);  // Fx, Fy of the first run, Fx, Fy of the second
   NoiseModel noise;
-  noise.scale = {9, 2, 9};
+  noise.scale = {9, 9, 2, 2, 9};
   std::vector<double> residual(measurements.size());
   fill(measurements, 0, 2, residual);  // noise of scale 2: 0 beyond it
   fill(measurements, 1, 1, residual);  // less than noise: 10 (1/4 - 1) = -7.5

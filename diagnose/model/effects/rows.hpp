@@ -11,5 +11,6 @@ std::vector<Effect> joint_effects();
 std::vector<Effect> link_effects();
 std::vector<Effect> bench_effects();
 std::vector<Effect> load_cell_effects();
+std::vector<Effect> common_effects();
 
 }  // namespace plumbline::diagnose
