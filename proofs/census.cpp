@@ -121,7 +121,8 @@ struct Isolated {
 /// The sorting of what the search found, in the chain's own units.
 class Listing {
  public:
-  Listing(const Chain<Interval>& chain, const EquilibriumBox& system) : chain_(&chain), system_(&system) {}
+  Listing(const Chain<Interval>& chain, const EquilibriumBox& system, const Window& window)
+      : chain_(&chain), system_(&system), window_(&window) {}
 
   void add(const CertifiedEquilibrium& one, const Box& box) {
     bool known = false, meets = false;
@@ -174,15 +175,17 @@ class Listing {
 
   /// What lies on the edge of the window as far as fifty digits tell is listed.
   [[nodiscard]] bool certainly_outside(const std::vector<Interval>& q) const {
-    for (std::size_t i = 0; i < q.size(); ++i) {
-      const Span angle(q[i]), &range = system_->range(i);
-      if (!chain_->passive_joint(i) && (angle.high < range.low || angle.low > range.high)) return true;
+    for (std::size_t i = 0; i < window_->size(); ++i) {
+      const Interval& range = (*window_)[i];
+      if (!chain_->passive_joint(i) && (q[i].upper() < range.lower() || range.upper() < q[i].lower()))
+        return true;
     }
     return false;
   }
 
   const Chain<Interval>* chain_;
   const EquilibriumBox* system_;
+  const Window* window_;
 };
 
 /// Joint angles of a box of absolute angles.
@@ -232,22 +235,20 @@ Census take(const Chain<Interval>& given, Control control, const Point<Interval>
   const EquilibriumBox system(chain, control, load, window);
   Search search(system, limits);
   search.run();
-  Listing listing(chain, system);
+  Listing listing(chain, system, window);
   for (const Box& box : search.isolated) {
     if (const auto one = enclose(chain, control, load, box))
       listing.add(*one, box);
     else
       listing.undecided.push_back(joint_angles_of(box, system.links()));
   }
-  for (const Box& box : search.undecided)
-    listing.undecided.push_back(joint_angles_of(box, system.links()));
+  for (const Box& box : search.undecided) listing.undecided.push_back(joint_angles_of(box, system.links()));
   Census census{{}, std::move(listing.undecided), window, search.boxes(), false};
   for (const Isolated& found : listing.found) census.equilibria.push_back(restored(found.one, chain, units));
   std::sort(census.equilibria.begin(), census.equilibria.end(),
             [](const auto& a, const auto& b) { return a.energy.middle() < b.energy.middle(); });
   const long under_force = chain.passive_joints() > 0 ? 0 : 1;
-  census.balanced = balance(
-      census, control == Control::force ? under_force : index_sum(chain, load, window));
+  census.balanced = balance(census, control == Control::force ? under_force : index_sum(chain, load, window));
   return census;
 }
 

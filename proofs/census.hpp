@@ -41,9 +41,9 @@ struct CertifiedEquilibrium {
 struct Census {
   std::vector<CertifiedEquilibrium> equilibria;  ///< by energy
   std::vector<std::vector<Interval>> undecided;  ///< boxes of joint angles that may hold further ones
-  Window window;        ///< the joint angles counted; empty under a force: all
-  std::size_t boxes;    ///< visited by the search
-  bool balanced;        ///< whether topology has a law for the count here, which then holds
+  Window window;                                 ///< the joint angles counted; empty under a force: all
+  std::size_t boxes;                             ///< visited by the search
+  bool balanced;  ///< whether topology has a law for the count here, which then holds
 
   /// Whether `equilibria` is all there is in the window.
   [[nodiscard]] bool complete() const { return undecided.empty(); }
@@ -55,10 +55,11 @@ struct CensusLimits {
   std::size_t listed = 10000;    ///< so many equilibria, or places left undecided, and no more
 };
 
-/// All equilibria with the end point held at a place, in a window of joint angles, `unwound` if none is given.
-/// \throws Error out of reach; where some shape with all links in one line has this end point, or nearly (the
-///         force is not bounded); for more than `most_links`; where lengths or stiffnesses differ by more than
-///         1e60; when a limit is reached; when the count contradicts topology
+/// All equilibria with the end point held at a place, in a window of joint angles, `unwound` if none is
+/// given. \throws Error out of reach; where some shape with all links in one line has this end point, or
+/// nearly (the
+///         force is not bounded); for more than `most_links`; where lengths or stiffnesses differ by more
+///         than 1e60; when a limit is reached; when the count contradicts topology
 Census census_at_end_point(const Chain<Interval>& chain, const Point<Interval>& place,
                            const Window& window = {}, const CensusLimits& limits = {});
 

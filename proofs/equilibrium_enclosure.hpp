@@ -11,7 +11,7 @@ namespace plumbline::proofs {
 /// \param chain     in units of its own (proofs/units.hpp)
 /// \param isolated  a box that holds exactly one root; the root near its middle is enclosed
 /// \returns nothing where the root does not let itself be enclosed, such as beside a fold
-std::optional<CertifiedEquilibrium> enclose(const Chain<Interval>& chain, Control control, const Point<Interval>& load,
-                                            const Box& isolated);
+std::optional<CertifiedEquilibrium> enclose(const Chain<Interval>& chain, Control control,
+                                            const Point<Interval>& load, const Box& isolated);
 
 }  // namespace plumbline::proofs

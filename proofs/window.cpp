@@ -21,11 +21,13 @@ bool out_of_reach(const std::vector<Interval>& links, const Interval& span) {
   });
 }
 
-/// Whether no shape with a joint at this angle has this end point.
+/// Whether no shape with a joint at this angle, or so near that a census may not tell, has this end point.
 bool unreachable(const Chain<Interval>& chain, const Point<Interval>& place, std::size_t joint,
-                 const Interval& angle) {
+                 const Interval::End& angle) {
+  const Interval::End near("1e-9");
+  const Interval around(angle - near, angle + near);
   std::vector<Interval> links = chain.length();
-  const Interval c = cos(angle), s = sin(angle), moved = links[joint];
+  const Interval c = cos(around), s = sin(around), moved = links[joint];
   links.erase(links.begin() + static_cast<std::ptrdiff_t>(joint));
   if (joint == 0) return out_of_reach(links, distance(place.x - moved * c, place.y - moved * s));
   Interval& merged = links[joint - 1];
@@ -81,10 +83,10 @@ std::optional<long> index_sum(const Chain<Interval>& chain, const Point<Interval
   for (std::size_t i = 0; i < chain.size(); ++i) {
     sides.push_back(static_cast<double>(chain.length()[i].middle()));
     if (chain.passive_joint(i)) continue;
-    const Interval low(window[i].lower(), window[i].lower()), high(window[i].upper(), window[i].upper());
-    const double turns = std::round(static_cast<double>(((high - low) / turn).middle()));
-    const Interval rest = (high - low) - turn * whole(turns);
-    if (std::abs(static_cast<double>(rest.middle())) > 1e-30) return std::nullopt;
+    const Interval::End low = window[i].lower(), high = window[i].upper();
+    const Interval width = Interval(high, high) - Interval(low, low);
+    const double turns = std::round(static_cast<double>((width / turn).middle()));
+    if (!(abs((width - turn * whole(turns)).middle()) < Interval::End("1e-30"))) return std::nullopt;
     if (!unreachable(chain, place, i, low) || !unreachable(chain, place, i, high)) return std::nullopt;
     copies *= static_cast<long>(turns);
   }
