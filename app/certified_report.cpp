@@ -21,10 +21,11 @@ std::string_view title(const proofs::PathCertificate& one) {
 }
 
 std::string stiffness_elsewhere(const proofs::PathCertificate& one) {
-  if (!one.counted) return "  how often the tangent stiffness is least stays open\n";
-  if (!one.softest.empty()) return "";
-  return one.softens ? "  the tangent stiffness falls all along\n"
-                     : "  the tangent stiffness has no minimum\n";
+  std::string text = one.finite ? "" : "  the tangent stiffness is not finite all along: it has poles\n";
+  if (!one.counted) return text + "  how many local minima the tangent stiffness has stays open\n";
+  if (!one.softest.empty()) return text;
+  return text + (one.softens ? "  the tangent stiffness falls all along\n"
+                             : "  the tangent stiffness has no local minimum\n");
 }
 
 nlohmann::ordered_json pairs(const std::vector<proofs::Span>& loads) {
@@ -58,10 +59,11 @@ std::string as_text(const CertifiedReport& report) {
     for (const proofs::CertifiedRun& run : one.runs) all += text(run);
     for (const proofs::Span& fold : one.folds) all += "  the load turns once in " + text(fold, digits) + "\n";
     for (const proofs::Span& least : one.softest)
-      all += "  the tangent stiffness is least once in " + text(least, digits) + "\n";
+      all += "  the tangent stiffness has one local minimum in " + text(least, digits) + "\n";
     if (one.certified()) all += stiffness_elsewhere(one);
     for (const proofs::Span& gap : one.gaps)
-      all += "  not covered, around a bifurcation: " + text(gap, digits) + "\n";
+      all += "  not covered, a bifurcation or nearly one, across which the branch is not proved to be one: " +
+             text(gap, digits) + "\n";
     if (one.failed_at)
       all += fmt::format("  NOT proved from {} on: {}\n", text(*one.failed_at, digits), one.failure);
   }
@@ -83,6 +85,7 @@ nlohmann::ordered_json as_json(const CertifiedReport& report) {
                     {"farthest_point", one.distance},
                     {"runs", runs},
                     {"folds", pairs(one.folds)},
+                    {"finite_stiffness", one.finite},
                     {"least_stiffness", pairs(one.softest)},
                     {"least_stiffness_counted", one.certified() && one.counted},
                     {"gaps", pairs(one.gaps)},

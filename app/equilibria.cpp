@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <plumbline/loaded/equilibrium.hpp>
@@ -12,7 +13,10 @@
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "proofs/census.hpp"
+#include "proofs/certain_digits.hpp"
 #include "proofs/decimal.hpp"
+#include "proofs/span.hpp"
+#include "proofs/units.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -22,7 +26,7 @@ struct Options {
   std::vector<std::string> at, place, force;
   std::string json;
   bool certify = false;
-  int digits = 12;
+  int digits = 12, turns = 0;
 };
 
 struct Load {
@@ -40,8 +44,12 @@ struct Answer {
   std::vector<Entry> equilibria;
   std::vector<std::vector<std::string>> undecided;  ///< boxes of joint angles
   std::string note;                                 ///< what is known of completeness
-  bool complete = false;
+  proofs::Window window;                            ///< of the joint angles counted; empty: all
+  std::string zero;                                 ///< "0" stands for less than this, where it does
+  bool complete = false, balanced = false;
 };
+
+constexpr std::size_t most_sampled = 1000;  ///< equilibria that are listed without --certify
 
 Interval exact(const std::string& text, const char* option) {
   const auto value = proofs::parse_decimal(text);
@@ -67,12 +75,36 @@ std::string type_name(std::optional<std::size_t> negative) {
   return *negative == 0 ? "stable" : fmt::format("unstable ({})", *negative);
 }
 
+/// The decimals of an answer, and how small what is written as 0 is.
+class Decimals {
+ public:
+  explicit Decimals(int digits) : digits_(digits) {}
+  std::string operator()(const Interval& x) {
+    if (x.contains_zero()) nothing_ = std::max(nothing_, proofs::magnitude(x));
+    return proofs::certain_digits(x, digits_);
+  }
+  [[nodiscard]] std::string zero() const {
+    return nothing_ > 0 ? hull(Interval(0), Interval(nothing_, nothing_)).text(2) : "";
+  }
+
+ private:
+  int digits_;
+  Interval::End nothing_{0};
+};
+
+std::string completeness(const proofs::Census& census) {
+  if (!census.complete()) return "certified, but for the undecided boxes";
+  return census.window.empty() ? "certified: these are all"
+                               : "certified: these are all with joint angles in the window";
+}
+
 Answer certified(const Options& options, const Load& load) {
   const auto chain = from_rational<Interval>(options.chain.exact);
-  const proofs::Census census = load.control == Control::force
-                                    ? proofs::census_under_force(chain, load.value)
-                                    : proofs::census_at_end_point(chain, load.value);
-  const auto text = [&](const Interval& x) { return x.middle().str(options.digits); };
+  const proofs::Census census =
+      load.control == Control::force
+          ? proofs::census_under_force(chain, load.value)
+          : proofs::census_at_end_point(chain, load.value, proofs::unwound(chain, options.turns));
+  Decimals text(options.digits);
   Answer answer;
   for (const proofs::CertifiedEquilibrium& one : census.equilibria) {
     Entry entry{{},
@@ -92,61 +124,100 @@ Answer certified(const Options& options, const Load& load) {
     answer.undecided.push_back(std::move(q));
   }
   answer.complete = census.complete();
-  answer.note = fmt::format(
-      "{} ({} boxes searched; every number is certified to the digits shown)",
-      answer.complete ? "certified: these are all" : "certified, but for the undecided boxes", census.boxes);
+  answer.balanced = census.balanced;
+  answer.window = census.window;
+  answer.zero = text.zero();
+  answer.note = fmt::format("{} ({} boxes searched; every digit shown is certain{})", completeness(census),
+                            census.boxes, census.balanced ? "; even less odd ones as topology demands" : "");
   return answer;
 }
 
+/// What floating point finds: equilibria that differ by more than full turns of passive joints.
+class Found {
+ public:
+  Found(const Chain<double>& chain, const proofs::Window& window) : chain_(&chain), window_(&window) {}
+
+  void add(Equilibrium<double> one) {
+    auto q = joint_angles(one.theta);
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      if (chain_->passive_joint(i)) q[i] = std::remainder(q[i], 2 * M_PI);
+    }
+    if (!counted(q) ||
+        std::any_of(all.begin(), all.end(), [&](const auto& other) { return same(q, other.second); }))
+      return;
+    all.emplace_back(std::move(one), std::move(q));
+  }
+
+  std::vector<std::pair<Equilibrium<double>, std::vector<double>>> all;
+
+ private:
+  [[nodiscard]] bool counted(const std::vector<double>& q) const {
+    for (std::size_t i = 0; i < window_->size(); ++i) {
+      const proofs::Span range((*window_)[i]);
+      if (!chain_->passive_joint(i) && !range.contains(q[i])) return false;
+    }
+    return true;
+  }
+  [[nodiscard]] bool same(const std::vector<double>& a, const std::vector<double>& b) const {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const double apart = a[i] - b[i];
+      if (std::abs(chain_->passive_joint(i) ? std::remainder(apart, 2 * M_PI) : apart) > 1e-6) return false;
+    }
+    return true;
+  }
+
+  const Chain<double>* chain_;
+  const proofs::Window* window_;
+};
+
 /// Newton's method from many random shapes: fast, for any n, and never sure to be complete.
 Answer sampled(const Options& options, const Load& load) {
-  const auto chain = from_rational<double>(options.chain.exact);
+  const auto given = from_rational<Interval>(options.chain.exact);
+  const proofs::Units units = proofs::own_units(given);
+  const auto middle = [](const Interval& x) { return static_cast<double>(x.middle()); };
+  const auto chain = convert<double>(proofs::in_units(given, units), middle);
+  const Point<Interval> measured = proofs::in_units(load.value, load.control, units);
   const NominalModel<double> model(chain);
   EquilibriumSolver<NominalModel<double>> solver(model);
-  const auto middle = [](const Interval& x) { return static_cast<double>(x.middle()); };
-  const Point<double> at{middle(load.value.x), middle(load.value.y)};
-  if (load.control == Control::end_point) model.require_reach(at);
+  const Point<double> at{middle(measured.x), middle(measured.y)};
+  const bool held = load.control == Control::end_point;
+  if (held) model.require_reach(at);
+  Answer answer;
+  if (held) answer.window = proofs::unwound(given, options.turns);
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> turn(-3.14159, 3.14159);
-  std::vector<Equilibrium<double>> found;
+  Found found(chain, answer.window);
   const std::size_t n = chain.size(), trials = 1000 * n;
-  for (std::size_t trial = 0; trial < trials; ++trial) {
+  std::size_t trial = 0;
+  for (; trial < trials && found.all.size() < most_sampled; ++trial) {
     std::vector<double> q = chain.rest();
-    for (double& angle : q) angle += turn(random) * (trial % 3 == 0 ? 1 : 0.4);
+    for (double& angle : q) angle += turn(random) * (trial % 3 == 0 ? 1 : 0.4) * (1 + 2 * options.turns);
     if (trial == 0) q = chain.rest();
     try {
       const auto theta = absolute_angles(q);
-      const auto one =
-          load.control == Control::force ? solver.under_force(at, theta) : solver.at_end_point(at, theta);
-      const auto angles = joint_angles(one.theta);
-      bool counted = true, known = false;
-      for (std::size_t i = 0; i < n; ++i) {
-        const double d = chain.stiffness()[i] > 0 ? angles[i] - chain.rest()[i] : angles[i];
-        counted = counted && (load.control == Control::force && chain.stiffness()[i] > 0
-                                  ? true
-                                  : std::abs(d) <= 3.1415926535897936);
-      }
-      for (const auto& other : found) known = known || (other.theta - one.theta).cwiseAbs().maxCoeff() < 1e-6;
-      if (counted && !known) found.push_back(one);
+      found.add(held ? solver.at_end_point(at, theta) : solver.under_force(at, theta));
     } catch (const Error&) {  // this start leads to no equilibrium
     }
   }
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.energy < b.energy; });
-  const auto text = [&](double x) { return fmt::format("{:.{}g}", x, std::min(options.digits, 15)); };
-  Answer answer;
-  for (const auto& one : found) {
+  std::sort(found.all.begin(), found.all.end(),
+            [](const auto& a, const auto& b) { return a.first.energy < b.first.energy; });
+  const auto text = [&](double x, const Interval& unit) {
+    return (Interval::from_double(x) * unit).middle().str(std::min(options.digits, 15));
+  };
+  for (const auto& [one, q] : found.all) {
     Entry entry{{},
-                text(one.end_point.x),
-                text(one.end_point.y),
-                text(one.force.x),
-                text(one.force.y),
-                text(one.energy),
+                text(one.end_point.x, units.length),
+                text(one.end_point.y, units.length),
+                text(one.force.x, units.force()),
+                text(one.force.y, units.force()),
+                text(one.energy, units.stiffness),
                 type_name(one.negative_directions)};
-    for (const double angle : joint_angles(one.theta)) entry.q.push_back(text(angle));
+    for (const double angle : q) entry.q.push_back(text(angle, Interval(1)));
     answer.equilibria.push_back(std::move(entry));
   }
-  answer.note = fmt::format(
-      "found from {} random shapes; --certify proves that there are no others, or finds them", trials);
+  answer.note = fmt::format("found from {} random shapes; {}", trial,
+                            trial < trials ? "stopped at so many: there are more, perhaps a continuum"
+                                           : "--certify proves that there are no others, or finds them");
   return answer;
 }
 
@@ -155,12 +226,36 @@ Answer answer_of(const Options& options, const Load& load) {
   return options.certify ? certified(options, load) : sampled(options, load);
 }
 
+/// "joint angles counted: q1 in [-3.1416, 3.1416], …".
+std::string window_text(const Answer& answer, const Chain<Rational>& chain) {
+  if (answer.window.empty()) return "joint angles counted: all, passive joints once around\n";
+  std::string text = "joint angles counted:";
+  for (std::size_t i = 0; i < answer.window.size(); ++i) {
+    const proofs::Span range(answer.window[i]);
+    text += fmt::format("{} q{} in [{:.5g}, {:.5g}]{}", i > 0 ? "," : "", i + 1, range.low, range.high,
+                        chain.passive_joint(i) ? " (passive: once around)" : "");
+  }
+  return text + "\n  shapes that are wound up further have more energy and are left out: --turns\n";
+}
+
+nlohmann::ordered_json window_json(const Answer& answer) {
+  if (answer.window.empty()) return "all";
+  auto list = nlohmann::ordered_json::array();
+  for (const Interval& range : answer.window) {
+    const proofs::Span angle(range);
+    list.push_back({angle.low, angle.high});
+  }
+  return list;
+}
+
 std::string as_text(const Answer& answer, const Options& options, const Load& load) {
   std::string text =
       fmt::format("{}: {} ({:.6g}, {:.6g})\n{} equilibria, by energy; {}\n", options.chain.name,
                   load.control == Control::force ? "force" : "end point held at",
                   static_cast<double>(load.value.x.middle()), static_cast<double>(load.value.y.middle()),
                   answer.equilibria.size(), answer.note);
+  text += window_text(answer, options.chain.exact);
+  if (!answer.zero.empty()) text += "0 stands for an absolute value in " + answer.zero + "\n";
   for (std::size_t i = 0; i < answer.equilibria.size(); ++i) {
     const Entry& one = answer.equilibria[i];
     text +=
@@ -188,6 +283,7 @@ nlohmann::ordered_json as_json(const Answer& answer, const Options& options, con
   }
   return {{"chain", options.chain.name},  {"control", load.control == Control::force ? "force" : "end_point"},
           {"certified", options.certify}, {"complete", answer.complete},
+          {"balanced", answer.balanced},  {"joint_angles_counted", window_json(answer)},
           {"equilibria", list},           {"undecided", answer.undecided}};
 }
 
@@ -224,11 +320,18 @@ void add_equilibria(CLI::App& app) {
   pair("--force", options->force, "FX,FY", "Instead: a force on the end point; compression has FX < 0")
       ->excludes(at)
       ->excludes(place);
-  verb->add_flag(
-      "--certify", options->certify,
-      "Prove by interval arithmetic that the list is complete: with the end point held, among all shapes "
-      "(each counted with the deflections of at most half a turn that make it); under a force, among all "
-      "joint angles. Exit status 1 where something stays undecided");
+  verb->add_flag("--certify", options->certify,
+                 "Prove by interval arithmetic that the list is complete: under a force among all joint "
+                 "angles, with the "
+                 "end point held among those in the window that is printed. Exit status 1 where something "
+                 "stays undecided");
+  verb->add_option(
+          "--turns", options->turns,
+          "With the end point held: count also shapes whose joints are wound up by so many full turns "
+          "more. Without: each joint within half a turn of straight (of folded, if it rests nearer to "
+          "that; of its rest, at the base)")
+      ->check(CLI::Range(0, 100))
+      ->capture_default_str();
   verb->add_option("--digits", options->digits, "Significant digits")
       ->check(whole_number(1, 35))
       ->capture_default_str();

@@ -106,7 +106,7 @@ StiffnessChange BranchEquations::stiffness(const Vector<Span>& u, const std::arr
     way[k] = load(rates[k]);
   }
   if (!held_) way = way_of_end_point(u, rates);
-  return {push[0] * way[0], push[1] * way[0] - push[0] * way[1], push[2] * way[0] - push[0] * way[2]};
+  return {way[0], push[0] * way[0], push[1] * way[0] - push[0] * way[1], push[2] * way[0] - push[0] * way[2]};
 }
 
 std::array<Span, 3> BranchEquations::way_of_end_point(const Vector<Span>& u,

@@ -11,6 +11,7 @@ namespace plumbline::proofs {
 
 /// With push and way, force and way along the loading's direction, the tangent stiffness is push'/way'.
 struct StiffnessChange {
+  Span way;    ///< way': where it vanishes the tangent stiffness is infinite
   Span value;  ///< has its sign: push' way'
   Span slope;  ///< has the sign of its derivative: push'' way' - push' way''
   Span bend;   ///< derivative of the slope

@@ -1,7 +1,10 @@
 #include "proofs/census.hpp"
 
+#include <fmt/core.h>
+
 #include "proofs/equilibrium_box.hpp"
 #include "proofs/equilibrium_enclosure.hpp"
+#include "proofs/units.hpp"
 
 namespace plumbline::proofs {
 
@@ -69,6 +72,7 @@ class Search {
     for (std::size_t j = 0; j < system_->unknowns(); ++j) point[j] = Span((*root)[j]);
     if (known(point)) return;
     if (const auto box = system_->isolate(*root)) isolated.push_back(*box);
+    require_few(isolated.size(), "equilibria");
   }
 
   void halve(const Box& z) {
@@ -92,6 +96,14 @@ class Search {
       return;
     }
     undecided.push_back(z);
+    require_few(undecided.size(), "undecided places");
+  }
+
+  void require_few(std::size_t number, const char* what) const {
+    if (number > limits_.listed) {
+      throw Error("census", fmt::format("more than {} {}", limits_.listed, what),
+                  "a load under which the equilibria can be listed");
+    }
   }
 
   const EquilibriumBox* system_;
@@ -100,66 +112,156 @@ class Search {
   std::size_t boxes_ = 0;
 };
 
-/// Whether joint angles lie in the range counted: certainly, certainly not, or on its edge.
-enum class Place { inside, outside, edge };
+/// An equilibrium and the box in which it is the only one.
+struct Isolated {
+  CertifiedEquilibrium one;
+  Box box;
+};
 
-Place place_of(const CertifiedEquilibrium& one, const EquilibriumBox& system) {
-  Place place = Place::inside;
-  for (std::size_t i = 0; i < one.q.size(); ++i) {
-    const Span q(one.q[i]);
-    const Span& range = system.range(i);
-    if (q.high < range.low || q.low > range.high) return Place::outside;
-    if (!q.inside(range)) place = Place::edge;
+/// The sorting of what the search found, in the chain's own units.
+class Listing {
+ public:
+  Listing(const Chain<Interval>& chain, const EquilibriumBox& system, const Window& window)
+      : chain_(&chain), system_(&system), window_(&window) {}
+
+  void add(const CertifiedEquilibrium& one, const Box& box) {
+    bool known = false, meets = false;
+    for (const Isolated& other : found) {
+      const std::vector<Interval> q = turned_towards(other.one.q, one.q);
+      known = known || inside(q, one, other.box);
+      meets = meets || touch(q, one, other.one);
+    }
+    if (known || certainly_outside(one.q)) return;
+    if (meets)
+      undecided.push_back(one.q);  // two that may be one
+    else
+      found.push_back({one, box});
   }
-  return place;
+
+  std::vector<Isolated> found;
+  std::vector<std::vector<Interval>> undecided;
+
+ private:
+  /// Joint angles, those of passive joints by full turns as close as can be to others.
+  [[nodiscard]] std::vector<Interval> turned_towards(const std::vector<Interval>& others,
+                                                     std::vector<Interval> q) const {
+    const Interval turn = Interval(2) * Interval::pi();
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      if (!chain_->passive_joint(i)) continue;
+      const double turns = std::round(static_cast<double>(((q[i] - others[i]) / turn).middle()));
+      q[i] -= Interval::from_double(turns) * turn;
+    }
+    return q;
+  }
+
+  [[nodiscard]] bool inside(const std::vector<Interval>& q, const CertifiedEquilibrium& one,
+                            const Box& box) const {
+    Interval theta(0);
+    for (std::size_t j = 0; j < q.size(); ++j) {
+      theta += q[j];
+      if (!Span(theta).inside(box[j])) return false;
+    }
+    return system_->unknowns() == q.size() ||
+           (Span(one.fx).inside(box[q.size()]) && Span(one.fy).inside(box[q.size() + 1]));
+  }
+
+  static bool touch(const std::vector<Interval>& q, const CertifiedEquilibrium& one,
+                    const CertifiedEquilibrium& other) {
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      if (!intersection(q[i], other.q[i])) return false;
+    }
+    return intersection(one.fx, other.fx) && intersection(one.fy, other.fy);
+  }
+
+  /// What lies on the edge of the window as far as fifty digits tell is listed.
+  [[nodiscard]] bool certainly_outside(const std::vector<Interval>& q) const {
+    for (std::size_t i = 0; i < window_->size(); ++i) {
+      const Interval& range = (*window_)[i];
+      if (!chain_->passive_joint(i) && (q[i].upper() < range.lower() || range.upper() < q[i].lower()))
+        return true;
+    }
+    return false;
+  }
+
+  const Chain<Interval>* chain_;
+  const EquilibriumBox* system_;
+  const Window* window_;
+};
+
+/// Joint angles of a box of absolute angles.
+std::vector<Interval> joint_angles_of(const Box& box, std::size_t links) {
+  std::vector<Interval> q;
+  for (std::size_t j = 0; j < links; ++j) {
+    const Span angle = j > 0 ? box[j] - box[j - 1] : box[j];
+    q.emplace_back(Interval::End(angle.low), Interval::End(angle.high));
+  }
+  return q;
 }
 
-/// Isolating boxes can overlap; two that hold the same root have enclosures that meet inside both.
-bool same(const CertifiedEquilibrium& a, const CertifiedEquilibrium& b) {
-  for (std::size_t i = 0; i < a.q.size(); ++i) {
-    if (!intersection(a.q[i], b.q[i])) return false;
+/// Back from the chain's own units, passive joints within half a turn.
+CertifiedEquilibrium restored(CertifiedEquilibrium one, const Chain<Interval>& chain, const Units& units) {
+  const Interval pi = Interval::pi();
+  for (std::size_t i = 0; i < one.q.size(); ++i) {
+    if (!chain.passive_joint(i)) continue;
+    if (certainly_less(pi, one.q[i])) one.q[i] -= Interval(2) * pi;
+    if (certainly_less(one.q[i], -pi)) one.q[i] += Interval(2) * pi;
+  }
+  one.fx *= units.force(), one.fy *= units.force();
+  one.x *= units.length, one.y *= units.length;
+  one.energy *= units.stiffness;
+  return one;
+}
+
+/// \throws Error where the count contradicts topology
+bool balance(const Census& census, std::optional<long> law) {
+  if (!law || !census.complete()) return false;
+  long sum = 0;
+  for (const CertifiedEquilibrium& one : census.equilibria) {
+    if (!one.negative_directions) return false;
+    sum += *one.negative_directions % 2 == 0 ? 1 : -1;
+  }
+  if (sum != *law) {
+    throw Error("census", fmt::format("{} even less odd equilibria", sum),
+                fmt::format("the Euler characteristic of the space of shapes, {}", *law));
   }
   return true;
 }
 
-Census take(const Chain<Interval>& chain, Control control, const Point<Interval>& load,
-            const CensusLimits& limits) {
-  const EquilibriumBox system(chain, control, load);
+Census take(const Chain<Interval>& given, Control control, const Point<Interval>& given_load,
+            const Window& window, const CensusLimits& limits) {
+  const Units units = own_units(given);
+  const Chain<Interval> chain = in_units(given, units);
+  const Point<Interval> load = in_units(given_load, control, units);
+  const EquilibriumBox system(chain, control, load, window);
   Search search(system, limits);
   search.run();
-  Census census;
-  census.boxes = search.boxes();
+  Listing listing(chain, system, window);
   for (const Box& box : search.isolated) {
-    const CertifiedEquilibrium one = enclose(chain, control, load, box);
-    const auto twin = [&](const CertifiedEquilibrium& other) { return same(one, other); };
-    if (std::any_of(census.equilibria.begin(), census.equilibria.end(), twin)) continue;
-    const Place place = place_of(one, system);
-    if (place == Place::inside) census.equilibria.push_back(one);
-    if (place == Place::edge) census.undecided.push_back(one.q);
+    if (const auto one = enclose(chain, control, load, box))
+      listing.add(*one, box);
+    else
+      listing.undecided.push_back(joint_angles_of(box, system.links()));
   }
-  for (const Box& box : search.undecided) {
-    std::vector<Interval> q;
-    for (std::size_t j = 0; j < system.links(); ++j) {
-      const Span angle = j > 0 ? box[j] - box[j - 1] : box[j];
-      q.emplace_back(Interval::End(angle.low), Interval::End(angle.high));
-    }
-    census.undecided.push_back(std::move(q));
-  }
+  for (const Box& box : search.undecided) listing.undecided.push_back(joint_angles_of(box, system.links()));
+  Census census{{}, std::move(listing.undecided), window, search.boxes(), false};
+  for (const Isolated& found : listing.found) census.equilibria.push_back(restored(found.one, chain, units));
   std::sort(census.equilibria.begin(), census.equilibria.end(),
             [](const auto& a, const auto& b) { return a.energy.middle() < b.energy.middle(); });
+  const long under_force = chain.passive_joints() > 0 ? 0 : 1;
+  census.balanced = balance(census, control == Control::force ? under_force : index_sum(chain, load, window));
   return census;
 }
 
 }  // namespace
 
-Census census_at_end_point(const Chain<Interval>& chain, const Point<Interval>& place,
+Census census_at_end_point(const Chain<Interval>& chain, const Point<Interval>& place, const Window& window,
                            const CensusLimits& limits) {
-  return take(chain, Control::end_point, place, limits);
+  return take(chain, Control::end_point, place, window.empty() ? unwound(chain) : window, limits);
 }
 
 Census census_under_force(const Chain<Interval>& chain, const Point<Interval>& force,
                           const CensusLimits& limits) {
-  return take(chain, Control::force, force, limits);
+  return take(chain, Control::force, force, {}, limits);
 }
 
 }  // namespace plumbline::proofs

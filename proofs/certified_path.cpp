@@ -33,6 +33,7 @@ struct Segment {
   Span load;
   int way;           ///< sign of the load's change, 0 where it may vanish
   int bend;          ///< then: sign of its second derivative
+  bool finite;       ///< the tangent stiffness
   int stiffness;     ///< sign of the tangent stiffness along the load, 0 where it is open
   int slope;         ///< sign of its derivative along the path, 0 where it may vanish
   int slope_change;  ///< then: sign of the second one, as it counts where the first vanishes
@@ -123,6 +124,7 @@ std::optional<Segment> Prover::segment(const BranchPoint<double>& a, const Branc
     return std::nullopt;
   }
   const StiffnessChange change = equations_.stiffness(everywhere, derivative);
+  found.finite = sign(change.way) != 0;
   found.stiffness = sign(change.value);
   found.slope = sign(change.slope);
   found.slope_change = found.slope == 0 ? sign(change.bend) : 0;
@@ -176,8 +178,9 @@ bool Prover::settle(int way, double load) {
 
 bool Prover::account(const Segment& segment, const BranchPoint<double>& a) {
   ++result_.segments;
-  result_.stiff = result_.stiff && segment.stiffness > 0;
-  result_.softens = result_.softens && segment.slope < 0;
+  result_.finite = result_.finite && segment.finite;
+  result_.stiff = result_.stiff && segment.finite && segment.stiffness > 0;
+  result_.softens = result_.softens && segment.finite && segment.slope < 0;
   count(segment);
   result_.tube = std::max(result_.tube, segment.tube.image.head(a.theta.size()).maxCoeff());
   if (segment.way != 0) return settle(segment.way, a.load);
@@ -186,11 +189,12 @@ bool Prover::account(const Segment& segment, const BranchPoint<double>& a) {
   return true;
 }
 
-/// Minima of the tangent stiffness: where its slope may vanish it only rises, or only falls, through zero.
+/// Minima of the tangent stiffness: where its slope may vanish it is finite, and the slope only rises, or
+/// only falls, through zero.
 void Prover::count(const Segment& segment) {
   if (segment.slope == 0) {
     const bool same = !least_ || least_->sign == segment.slope_change;
-    if (segment.slope_change == 0 || slope_ == 0 || !same) result_.counted = false;
+    if (!segment.finite || segment.slope_change == 0 || slope_ == 0 || !same) result_.counted = false;
     least_ = Bend{same ? segment.slope_change : 0, least_ ? hull(least_->load, segment.load) : segment.load};
     return;
   }

@@ -34,9 +34,10 @@ struct PathCertificate {
   std::vector<Span> gaps;  ///< loads around the bifurcations, where equilibria are not regular: not covered
   std::optional<Span> failed_at;  ///< loads where the first tube, or its type, is not proved
   std::string failure;            ///< why not
-  bool stiff = true;              ///< the tangent stiffness along the load is positive all along
-  bool softens = true;            ///< it falls all along the path
-  std::vector<Span> softest;      ///< loads: in each it has exactly one minimum along the path
+  bool finite = true;             ///< the tangent stiffness along the load is finite all along
+  bool stiff = true;              ///< it is finite and positive all along
+  bool softens = true;            ///< it is finite and falls all along the path
+  std::vector<Span> softest;      ///< loads: in each it has exactly one local minimum along the path
   bool counted = true;            ///< these are all its minima, but for the gaps
   std::size_t segments = 0;       ///< tubes
   double tube = 0;                ///< widest, in radians: so far from the chord a link may point

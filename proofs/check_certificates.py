@@ -6,6 +6,8 @@ from fractions import Fraction
 from itertools import accumulate
 from math import ceil, floor, lcm
 
+if hasattr(sys, "set_int_max_str_digits"): sys.set_int_max_str_digits(0)  # certificates may have any number of digits
+
 def require(holds, what):
     if not holds: raise ValueError(what)
 
@@ -13,8 +15,16 @@ def fields(entry, required, optional=""):
     found = set(entry) if isinstance(entry, dict) else {"no object"}
     require(set(required.split()) <= found <= set((required + " " + optional).split()), f"fields {sorted(found)}")
 
+def once(pairs):
+    """An object of which no member is stated twice: readers differ in which of the two they would take."""
+    require(len({key for key, _ in pairs}) == len(pairs), f"a member stated twice among {[key for key, _ in pairs]}")
+    return dict(pairs)
+
+def read(text):
+    return json.loads(text, parse_float=str, object_pairs_hook=once)
+
 def number(text):
-    good = isinstance(text, str) and re.fullmatch(r"-?\d+(/0*[1-9]\d*|(\.\d+)?(e[+-]?\d{1,4})?)", text, re.ASCII)
+    good = isinstance(text, str) and re.fullmatch(r"-?\d+(/0*[1-9]\d*|(\.\d+)?(e[+-]?\d{1,6})?)", text, re.ASCII)
     require(good, f"{text!r} where a decimal or a fraction is expected")
     return Fraction(text)
 
@@ -76,23 +86,28 @@ class Chain:
             h = outward([a + z * b for a, b in zip(h, q[i + 1])], bits)
         return q
 
-    def check_force(self, entry):
+    def check_force(self, entry, tied):
+        """`tied` has the modes that equal another one, as proved by ties."""
         fields(entry, "mode digits low high below_low below_high", "shape")
-        low, high = number(entry["low"]), number(entry["high"])
+        mode, low, high = entry["mode"], number(entry["low"]), number(entry["high"])
         require(0 < low < high and 2 * (high - low) < unit(low, entry["digits"]) <= low, "bounds too wide")
         counts = [[self.recursion(block, force)[0] for block in self.blocks] for force in (low, high)]
-        require([entry["below_low"], entry["below_high"]] == [*map(sum, counts)], "counts")
-        require(entry["below_low"] < entry["mode"] <= entry["below_high"], "mode not within the bounds")
-        if "shape" in entry: self.check_shape(entry["shape"], (low, high), counts)
+        below = [*map(sum, counts)]
+        require([entry["below_low"], entry["below_high"]] == below, "counts")
+        require(below[0] < mode <= below[1], "mode not within the bounds")
+        if "shape" not in entry: return
+        require(below[1] == below[0] + (2 if mode in tied else 1), "a shape where the bounds hold another mode too")
+        self.check_shape(entry["shape"], (low, high), counts)
 
     def check_shape(self, shape, force, counts):
         fields(shape, "first last digits q")
         block, digits = (shape["first"] - 1, shape["last"] - 1), shape["digits"]
         part, one, q = self.blocks.index(block), shape["q"].index("1"), self.shape(block, force)
         require(counts[1][part] == counts[0][part] + 1, "not one mode of this part of the chain within the bounds")
-        require(digits > 0 and len(shape["q"]) == self.n and q[one][0] * q[one][1] > 0, "q")
+        require(digits > 1 and len(shape["q"]) == self.n and q[one][0] * q[one][1] > 0, "q")
         for text, angle in zip(shape["q"], q):
             v, (low, high) = number(text), times(angle, (1 / q[one][1], 1 / q[one][0]))
+            require(abs(v) <= 1 and low <= 1 and high >= -1, "an angle larger than the one that is 1")
             require(v - unit(v, digits) <= low <= high <= v + unit(v, digits), f"q {text}")
 
     def check_tie(self, tie):
@@ -134,8 +149,11 @@ def check(document):
             fields(entry, "chain lengths stiffness forces", "ties matrices")
             chain, modes = Chain(entry["lengths"], entry["stiffness"]), [force["mode"] for force in entry["forces"]]
             require(modes == sorted(set(modes)), "modes out of order")
-            for force in entry["forces"]: chain.check_force(force)
             for tie in entry.get("ties", []): chain.check_tie(tie)
+            tied = {mode: tie["mode"] for tie in entry.get("ties", []) for mode in (tie["mode"], tie["mode"] + 1)}
+            for force in entry["forces"]: chain.check_force(force, tied)
+            bent = [(tied[f["mode"]], f["shape"]["first"]) for f in entry["forces"] if f["mode"] in tied and "shape" in f]
+            require(len(bent) == len(set(bent)), "two shapes of equal forces in one part")
             if "matrices" in entry: chain.check_matrices(entry["matrices"], entry["forces"])
         except (ValueError, TypeError, KeyError, IndexError) as error:
             raise ValueError(f"chain {entry['chain']}: {error}") from None
@@ -144,7 +162,7 @@ def check(document):
 if __name__ == "__main__":
     for name in sys.argv[1:]:
         try:
-            with open(name, encoding="utf-8") as file: document = json.load(file, parse_float=str)
+            with open(name, encoding="utf-8") as file: document = read(file.read())
             print(f"{name}: {check(document)} chains, every statement holds")
         except (OSError, ValueError, TypeError, KeyError) as error:
             sys.exit(f"{name}: {error}")

@@ -7,6 +7,7 @@
 #include "proofs/enclosure.hpp"
 #include "proofs/exact_count.hpp"
 #include "proofs/exactly.hpp"
+#include "proofs/tie.hpp"
 #include "proofs/working_precision.hpp"
 
 namespace plumbline::proofs {
@@ -21,10 +22,36 @@ std::string rounded(const ForceEnclosure& force, const Chain<Rational>& chain, i
   return ExactCount(chain).below(half_way) >= force.index ? low : high;
 }
 
-/// The lowest modes, computed with so many digits.
-std::vector<Mode<Mpfr>> modes_with(int working_digits, const Chain<Rational>& chain, std::size_t lowest) {
-  const WorkingPrecision precision(working_digits);
-  return critical_modes(from_rational<Mpfr>(chain), lowest);
+std::size_t first_bent(const Mode<Mpfr>& mode) {
+  return static_cast<std::size_t>(
+      std::find_if(mode.q.begin(), mode.q.end(), [](const Mpfr& q) { return q != 0; }) - mode.q.begin());
+}
+
+/// Whether two forces that so many digits hardly tell apart are equal.
+bool tied(const Chain<Rational>& chain, std::size_t index, const Mpfr& first, const Mpfr& second,
+          int digits) {
+  const Rational slack = 1 + shifted(Rational(1), 12 - digits);
+  const ExactCount count(chain);
+  const Rational low = exactly(first) / slack, high = exactly(second) * slack;
+  const ForceEnclosure bounds{index, low, high, count.below(low), count.below(high)};
+  return bounds.below_low + 1 == index && bounds.below_high == index + 1 && find_tie(chain, bounds);
+}
+
+/// The lowest modes, computed with so many digits, in the order of their forces; those of equal forces in the
+/// order of the parts that bend. Nothing where the digits do not tell the order.
+std::optional<std::vector<Mode<Mpfr>>> modes_with(int digits, const Chain<Rational>& chain,
+                                                  std::size_t lowest) {
+  const WorkingPrecision precision(digits);
+  // one more, which may be as low as the last one wanted
+  auto modes = critical_modes(from_rational<Mpfr>(chain), std::min(lowest, mode_count(chain)) + 1);
+  const Mpfr close = pow(Mpfr(10), 8 - digits);
+  for (std::size_t m = 0; m + 1 < modes.size(); ++m) {
+    if (modes[m + 1].force - modes[m].force > close * modes[m].force) continue;
+    if (!tied(chain, m + 1, modes[m].force, modes[m + 1].force, digits)) return std::nullopt;
+    if (first_bent(modes[m + 1]) < first_bent(modes[m])) std::swap(modes[m], modes[m + 1]);
+  }
+  if (modes.size() > lowest) modes.resize(lowest);
+  return modes;
 }
 
 /// A joint that does not turn comes out as whatever rounding leaves; more digits leave something else.
@@ -47,18 +74,24 @@ Mpfr largest_angle(const std::vector<Mpfr>& q) {
 
 std::vector<CriticalMode> modes_in_decimals(const Chain<Rational>& chain, std::size_t lowest, int digits) {
   const std::vector<ForceEnclosure> forces = enclose_critical_forces(chain, lowest, digits);
-  const int working_digits = digits + 30, factor_digits = std::min(digits, 15);
-  std::vector<Mode<Mpfr>> modes = modes_with(working_digits, chain, lowest);
-  const std::vector<Mode<Mpfr>> again = modes_with(working_digits + 20, chain, lowest);
+  const int factor_digits = std::min(digits, 15);
+  int working_digits = digits + 30;
+  auto found = modes_with(working_digits, chain, lowest);
+  auto again = modes_with(working_digits + 20, chain, lowest);
+  while (!found || !again) {
+    working_digits *= 2;
+    found = modes_with(working_digits, chain, lowest);
+    again = modes_with(working_digits + 20, chain, lowest);
+  }
+  std::vector<Mode<Mpfr>>& modes = *found;
   const WorkingPrecision precision(working_digits);
-  const auto approximate = from_rational<Mpfr>(chain);
   std::vector<CriticalMode> result;
   for (std::size_t m = 0; m < modes.size(); ++m) {
     std::vector<Mpfr>& q = modes[m].q;
-    clear_noise(q, again[m].q);
+    clear_noise(q, (*again)[m].q);
     const Mpfr scale = largest_angle(q);
     result.push_back({rounded(forces[m], chain, digits),
-                      to_decimal(exactly(energy_factor(approximate, q)), factor_digits),
+                      rounded(forces[m], chain, factor_digits),
                       {},
                       exactly(modes[m].fy / scale),
                       {}});

@@ -11,7 +11,7 @@ namespace plumbline::proofs {
 /// A buckling mode as it is shown.
 struct CriticalMode {
   std::string force;          ///< correctly rounded decimal (a force half-way between two goes to the larger)
-  std::string energy_factor;  ///< (39), from the joint angles, to 15 digits or as many as the force if fewer
+  std::string energy_factor;  ///< (39), which is the force, to 15 digits or as many as the force if fewer
   std::vector<double> q;  ///< joint angles; the largest is 1 or -1, the first that is not zero is positive
   Rational fy;            ///< lateral force F_y at these angles
   std::string signs;      ///< of q, "0" where a joint does not turn

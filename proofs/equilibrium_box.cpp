@@ -12,9 +12,13 @@ constexpr double half_turn = 3.1415926535897936;  // above pi
 /// A passive joint's circle is cut where no symmetric shape lies.
 constexpr double cut = 0.1234567;
 
+/// Wider ranges hold more equilibria than can be listed.
+constexpr double widest_range = 1e5;
+
 }  // namespace
 
-EquilibriumBox::EquilibriumBox(const Chain<Interval>& chain, Control control, const Point<Interval>& load)
+EquilibriumBox::EquilibriumBox(const Chain<Interval>& chain, Control control, const Point<Interval>& load,
+                               const Window& window)
     : n_(chain.size()),
       size_(chain.size() + (control == Control::end_point ? 2 : 0)),
       held_(control == Control::end_point),
@@ -36,12 +40,16 @@ EquilibriumBox::EquilibriumBox(const Chain<Interval>& chain, Control control, co
     if (passive_.back()) {
       range_.emplace_back(-half_turn + cut, half_turn + cut);
     } else {
-      double turn = half_turn;
-      if (!held_) {
-        const Span bound = Span(z[i]) * Span(load_x_.magnitude() + load_y_.magnitude()) / k;
-        turn = Span::up(bound.high);
+      if (held_) {
+        range_.emplace_back(window[i]);
+      } else {
+        const double turn = (Span(z[i]) * Span(load_x_.magnitude() + load_y_.magnitude()) / k).high;
+        range_.push_back(rest_.back() + Span(-turn, turn));
       }
-      range_.push_back(rest_.back() + Span(-turn, turn));
+      if (!(range_.back().magnitude() < widest_range)) {
+        throw Error("census", "joint " + std::to_string(i + 1) + " turned by more than 1e5 rad",
+                    "a load that the springs can bear, and rest angles of a few turns");
+      }
       softness += 1 / k.low;
     }
   }
@@ -57,7 +65,7 @@ double EquilibriumBox::force_bound(const Chain<Interval>& chain, const Point<Int
   double gap = distance, bend = 0, moment = 0, rounding = 0;
   for (std::size_t i = 0; i < n_; ++i) {
     bend += 4 / length_[i].low;
-    if (!passive_[i]) moment = std::max(moment, stiffness_[i].high * half_turn);
+    if (!passive_[i]) moment = std::max(moment, (stiffness_[i] * (range_[i] - rest_[i])).magnitude());
     rounding += length_[i].width() + 1e-15 * length_[i].high;
   }
   rounding += load_x_.width() + load_y_.width();
@@ -72,7 +80,7 @@ double EquilibriumBox::force_bound(const Chain<Interval>& chain, const Point<Int
     throw Error("end point", "distance " + std::to_string(distance) + " from the base",
                 "one that no shape with all links in one line has: there the force is not bounded");
   }
-  const double delta = (std::sqrt(1 + 4 * bend * gap) - 1) / (2 * bend);  // bend delta^2 + delta = gap
+  const double delta = 2 * gap / (1 + std::sqrt(1 + 4 * bend * gap));  // bend delta^2 + delta = gap
   return 1.001 * moment / delta;
 }
 
@@ -202,6 +210,11 @@ bool EquilibriumBox::inverse_of_middle(const SpanMatrix& A, Matrix& inverse) con
         M.entry[i][j] -= factor * M.entry[k][j];
         inverse.entry[i][j] -= factor * inverse.entry[k][j];
       }
+    }
+  }
+  for (std::size_t i = 0; i < size_; ++i) {
+    for (std::size_t j = 0; j < size_; ++j) {
+      if (!std::isfinite(inverse.entry[i][j])) return false;
     }
   }
   return true;

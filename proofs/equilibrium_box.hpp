@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "proofs/span.hpp"
+#include "proofs/window.hpp"
 
 namespace plumbline::proofs {
 
@@ -22,8 +23,13 @@ using Midpoint = std::array<double, most_links + 2>;
 
 class EquilibriumBox {
  public:
-  /// \param load  the place of the end point, or the force
-  EquilibriumBox(const Chain<Interval>& chain, Control control, const Point<Interval>& load);
+  /// \param chain   in units of its own (proofs/units.hpp)
+  /// \param load    the place of the end point, or the force
+  /// \param window  of the elastic joints where the end point is held; under a force |k_i (q_i - rest_i)| <=
+  ///                |F| z_i bounds them
+  /// \throws Error where the search would have no bounds, or too wide ones
+  EquilibriumBox(const Chain<Interval>& chain, Control control, const Point<Interval>& load,
+                 const Window& window);
 
   [[nodiscard]] std::size_t links() const { return n_; }
   [[nodiscard]] std::size_t unknowns() const { return size_; }

@@ -119,18 +119,20 @@ std::optional<std::size_t> negative_directions(const Equations& e, Control contr
 
 }  // namespace
 
-CertifiedEquilibrium enclose(const Chain<Interval>& chain, Control control, const Point<Interval>& load,
-                             const Box& isolated) {
+std::optional<CertifiedEquilibrium> enclose(const Chain<Interval>& chain, Control control,
+                                            const Point<Interval>& load, const Box& isolated) {
   const Exact model(chain);
-  const std::vector<Mpfr50> root = refine(chain, control, load, isolated);
   std::optional<Unknowns> z;
-  // from the tightest box that Newton's last digits allow; wider where the root is ill conditioned
-  for (Mpfr50 radius("1e-45"); !z && radius < Mpfr50("1e-9"); radius *= 1000)
-    z = krawczyk(model, control, load, root, radius);
-  if (!z) throw Error("census", "a root that does not let itself be enclosed", "an isolated equilibrium");
+  try {
+    const std::vector<Mpfr50> root = refine(chain, control, load, isolated);
+    // from the tightest box that Newton's last digits allow; wider where the root is ill conditioned
+    for (Mpfr50 radius("1e-45"); !z && radius < Mpfr50("1e-9"); radius *= 1000)
+      z = krawczyk(model, control, load, root, radius);
+  } catch (const Error&) {  // Newton's method does not settle
+  }
+  if (!z) return std::nullopt;
   for (std::size_t j = 0; j < z->size(); ++j) {
-    if (!isolated[j].contains(static_cast<double>((*z)[j].middle())))
-      throw Error("census", "Newton's method outside its box", "the root inside");
+    if (!Span((*z)[j]).inside(isolated[j])) return std::nullopt;
   }
   const Equations e = equations(model, control, load, *z);
   CertifiedEquilibrium found;

@@ -8,8 +8,10 @@
 
 namespace plumbline::proofs {
 
+/// \param chain     in units of its own (proofs/units.hpp)
 /// \param isolated  a box that holds exactly one root; the root near its middle is enclosed
-CertifiedEquilibrium enclose(const Chain<Interval>& chain, Control control, const Point<Interval>& load,
-                             const Box& isolated);
+/// \returns nothing where the root does not let itself be enclosed, such as beside a fold
+std::optional<CertifiedEquilibrium> enclose(const Chain<Interval>& chain, Control control,
+                                            const Point<Interval>& load, const Box& isolated);
 
 }  // namespace plumbline::proofs

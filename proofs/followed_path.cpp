@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <plumbline/branch/branch_tree.hpp>
+#include <plumbline/branch/point_at_load.hpp>
 #include <plumbline/branch/slow_loading.hpp>
 #include <plumbline/branch/straight_start.hpp>
 
@@ -78,15 +79,21 @@ PathReport follow_all(const PathTask& task) {
   return report;
 }
 
-BranchPoint<double> state_at(const PathTask& task, std::span<const Branch<double>> branches, double load) {
-  const BranchPoint<double>* nearest = &branches[0].points[0];
-  for (const auto& branch : branches) {
-    for (const auto& point : branch.points)
-      if (std::abs(point.load - load) < std::abs(nearest->load - load)) nearest = &point;
-  }
+BranchPoint<double> state_at(const PathTask& task, const Branch<double>& branch, double load) {
+  return state_at(task, std::vector{branch}, load);
+}
+
+BranchPoint<double> state_at(const PathTask& task, const std::vector<Branch<double>>& stretches,
+                             double load) {
   const Model model(task.chain);
   Brancher<Model> brancher(model, task.loading, absolute_angles(task.chain.rest()));
-  return brancher.at_load(*nearest, load).value_or(*nearest);
+  if (const auto found = state_at_load(brancher, stretches, load)) return *found;
+  const BranchPoint<double>* nearest = &stretches.front().points.front();
+  for (const auto& stretch : stretches) {
+    for (const auto& point : stretch.points)
+      if (std::abs(point.load - load) < std::abs(nearest->load - load)) nearest = &point;
+  }
+  return *nearest;
 }
 
 }  // namespace plumbline::proofs

@@ -36,8 +36,9 @@ PathReport follow_slowly(const PathTask& task);
 /// links).
 PathReport follow_all(const PathTask& task);
 
-/// The state at a load on the nearest of some branches; the nearest point itself where they end before it, or
-/// cross there.
-BranchPoint<double> state_at(const PathTask& task, std::span<const Branch<double>> branches, double load);
+/// The state at a load on a branch, and of a slowly loaded chain on its stretches; the nearest stored point
+/// where they do not reach it.
+BranchPoint<double> state_at(const PathTask& task, const Branch<double>& branch, double load);
+BranchPoint<double> state_at(const PathTask& task, const std::vector<Branch<double>>& stretches, double load);
 
 }  // namespace plumbline::proofs

@@ -5,7 +5,7 @@
 /// The contract is that of Interval: every result contains the true value. Sums, products and quotients are
 /// rounded to nearest, each within half a unit in the last place, and widened by a whole one; no rounding
 /// mode is switched. Sine and cosine trust the C library to four units in the last place (glibc documents
-/// one).
+/// one). Where doubles overflow the result is the whole line, or not a number, which contains everything.
 
 #include <algorithm>
 #include <cmath>
@@ -30,28 +30,43 @@ struct Span {
   [[nodiscard]] double magnitude() const { return std::max(std::abs(low), std::abs(high)); }
   [[nodiscard]] bool contains(double x) const { return low <= x && x <= high; }
   [[nodiscard]] bool inside(const Span& other) const { return other.low <= low && high <= other.high; }
-  [[nodiscard]] bool empty() const { return !(low <= high); }
+  /// Certainly nothing; an end that is not a number excludes nothing.
+  [[nodiscard]] bool empty() const { return low > high; }
+  static Span everything() {
+    return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  }
 
   static constexpr double ulp = 2.3e-16, tiny = 5e-324;
   static double down(double x, double ulps = 1) { return x - (std::abs(x) * (ulp * ulps) + tiny); }
   static double up(double x, double ulps = 1) { return x + (std::abs(x) * (ulp * ulps) + tiny); }
 
+  /// The whole line where an end is not a number.
+  static Span lined(double low, double high) {
+    return std::isnan(low + high) ? everything() : Span(low, high);
+  }
+
   friend Span operator-(const Span& a) { return {-a.high, -a.low}; }
-  friend Span operator+(const Span& a, const Span& b) { return {down(a.low + b.low), up(a.high + b.high)}; }
-  friend Span operator-(const Span& a, const Span& b) { return {down(a.low - b.high), up(a.high - b.low)}; }
+  friend Span operator+(const Span& a, const Span& b) {
+    return lined(down(a.low + b.low), up(a.high + b.high));
+  }
+  friend Span operator-(const Span& a, const Span& b) {
+    return lined(down(a.low - b.high), up(a.high - b.low));
+  }
   friend Span operator*(const Span& a, const Span& b) {
     const double p = a.low * b.low, q = a.low * b.high, r = a.high * b.low, s = a.high * b.high;
+    if (std::isnan(p + q + r + s)) return everything();
     return {down(std::min(std::min(p, q), std::min(r, s))), up(std::max(std::max(p, q), std::max(r, s)))};
   }
   friend Span operator*(double a, const Span& b) {
     const double p = a * b.low, q = a * b.high;
+    if (std::isnan(p + q)) return everything();
     return {down(std::min(p, q)), up(std::max(p, q))};
   }
   /// The whole line where the divisor contains zero.
   friend Span operator/(const Span& a, const Span& b) {
-    if (b.contains(0))
-      return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    if (b.contains(0)) return everything();
     const double p = a.low / b.low, q = a.low / b.high, r = a.high / b.low, s = a.high / b.high;
+    if (std::isnan(p + q + r + s)) return everything();
     return {down(std::min(std::min(p, q), std::min(r, s))), up(std::max(std::max(p, q), std::max(r, s)))};
   }
   friend bool certainly_positive(const Span& x) { return x.low > 0; }

@@ -51,3 +51,8 @@ TEST_CASE("a decimal that is written and read again is within half a unit of its
     RC_ASSERT(to_decimal(read, digits) == text);
   });
 }
+
+TEST_CASE("where exponents begin") {
+  CHECK(to_decimal(Rational(12, 1000000), 2) == "0.000012");
+  CHECK(to_decimal(Rational(12, 10000000), 2) == "1.2e-6");
+}

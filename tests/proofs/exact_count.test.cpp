@@ -60,3 +60,12 @@ TEST_CASE("long chains, counted in intervals, give the count of a hundred digits
     RC_ASSERT(ExactCount(chain).below(F) == count_below(from_rational<Mpfr>(chain), from_rational<Mpfr>(F)));
   });
 }
+
+TEST_CASE("a force exactly at which a long chain buckles is not below itself") {
+  // "Equal links": F_m = 4 sin^2(m pi / 2n), which is 1 for n = 102, m = 34; counted in intervals, an open sign
+  std::vector<Rational> ones(102, 1), stiffness = ones;
+  stiffness[0] = 0;
+  const ExactCount count(Chain<Rational>(ones, stiffness));
+  CHECK(count.below(1) == 33);
+  CHECK(count.below(1 + Rational(1, 1000000)) == 34);
+}

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <plumbline/base/error.hpp>
 #include <set>
 
@@ -16,6 +17,16 @@ namespace {
 
 Verdict verdict_on(const Claim& claim, const Printed& printed) {
   return claim.check(printed, 10).verdict;
+}
+
+/// The headings of proofs/theorems.md.
+std::set<std::string> theorems() {
+  std::ifstream file(PLUMBLINE_SOURCE_DIR "/proofs/theorems.md");
+  std::set<std::string> names;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("## ") && line != "## Notation") names.insert(line.substr(3));
+  }
+  return names;
 }
 
 Claim find(const std::string& id) {
@@ -35,6 +46,8 @@ TEST_CASE("ids are unique, and every claim says where it stands") {
 
 TEST_CASE(
     "every claim can be judged, with evidence, the strongest first, and a truth where the print is not") {
+  const std::set<std::string> proved = theorems();
+  REQUIRE(proved.contains("Simple modes"));
   for (const Judged& judged : judge(all_claims(), 50)) {
     INFO(judged.claim.id, ": ", judged.problem);
     REQUIRE(judged.judgement);
@@ -42,6 +55,12 @@ TEST_CASE(
     REQUIRE_FALSE(evidence.empty());
     CHECK(std::is_sorted(evidence.begin(), evidence.end(),
                          [](const Evidence& a, const Evidence& b) { return a.kind < b.kind; }));
+    for (const Evidence& one : evidence) {
+      // "theorem" is what theorems.md proves: the evidence begins with its name
+      INFO(one.detail);
+      if (one.kind == EvidenceKind::theorem)
+        CHECK(proved.contains(one.detail.substr(0, one.detail.find(':'))));
+    }
     CHECK(judged.judgement->truth.empty() == (judged.judgement->verdict == Verdict::confirmed));
   }
 }

@@ -33,7 +33,7 @@ Judgement invertible(const Printed& printed, int) {
   return judge_word(printed.at(0), nonzero ? "nonzero" : "zero", {"nonzero", "zero"},
                     "det B = -sum_i z_i^2 prod_{j != i} k_j",
                     {{EvidenceKind::theorem,
-                      "Definiteness: det B = -sum_i z_i^2 prod_{j != i} k_j, negative unless two joints "
+                      "Closed form: det B = -sum_i z_i^2 prod_{j != i} k_j, negative unless two joints "
                       "or more are passive"},
                      {EvidenceKind::symbolic, "n = 2 … 6: the determinant by minors equals that sum"}});
 }
@@ -174,7 +174,7 @@ Judgement shape_count(const Printed& printed, int) {
       "two shapes, of opposite sign, for each of the n - 1 critical forces", EvidenceKind::exact,
       "distinct roots of det(A F + B), L_i = (3i-1)/i");
   return with_evidence(result, EvidenceKind::theorem,
-                       "Definiteness and Simple modes: n - 1 distinct critical forces");
+                       "Simple modes: n - 1 critical forces, by Definiteness, all distinct");
 }
 
 /// Negative directions of E - F delta_x on the shapes with delta_y = 0, by exact elimination.
@@ -218,8 +218,9 @@ Judgement buckles_at(const Printed& printed, int) {
       printed.at(0), first ? "lowest" : "another", {"lowest", "highest", "another"},
       "the straight shape loses its stability at the lowest critical force",
       {{EvidenceKind::theorem,
-        "Definiteness: E - F delta_x is positive definite on delta_y = 0 just below the "
-        "lowest critical force, and each further one adds a negative direction"},
+        "Stable below the lowest force: E - F delta_x on delta_y = 0 has as many negative directions as "
+        "there "
+        "are critical forces below F"},
        {EvidenceKind::exact, "unit chain of four links, negative directions by elimination: " + found}});
 }
 
@@ -348,7 +349,7 @@ Judgement generality(const Printed& printed, int) {
                 : "it serves " + domain +
                       ": two passive joints make B singular (a mechanism), a single link has no "
                       "non-zero eigenvalue",
-          {{EvidenceKind::theorem, "Definiteness: det B != 0 exactly when at most one joint is passive"},
+          {{EvidenceKind::theorem, "Closed form: det B != 0 exactly when at most one joint is passive"},
            {EvidenceKind::exact,
             fmt::format("tried: elastic {}, passive base {}, passive interior joint {}, two passive joints "
                         "{}, one link {}",

@@ -105,7 +105,8 @@ Judgement energy_count(const Printed& printed, int) {
       printed.at(0), [](std::size_t n) { return proofs::distinct_critical_forces(unequal_chain(n)); },
       "n - 1 energies E_i = F_i delta_x, each of two mirrored shapes", EvidenceKind::exact,
       "distinct roots of det(A F + B), L_i = (3i-1)/i");
-  return with_evidence(result, EvidenceKind::theorem, "Energy factor and Simple modes");
+  return with_evidence(result, EvidenceKind::theorem,
+                       "Energy factor: mu_i = F_i; by Simple modes they are distinct");
 }
 
 }  // namespace

@@ -77,7 +77,8 @@ Judgement stability(const Printed& printed, int) {
       printed.at(1), found, {"stable", "unstable"},
       "the minima (U) are the stable, the maxima (Z) the unstable equilibria: the words are interchanged",
       {{EvidenceKind::theorem,
-        "Lagrange-Dirichlet: with the end point held, stable is where E has a strict minimum"},
+        "Stability: with the end point held, stable is where E has a strict minimum, and what has a negative "
+        "direction is not"},
        {EvidenceKind::interval, summary()}});
 }
 

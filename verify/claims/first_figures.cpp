@@ -45,7 +45,7 @@ Judgement straight_below(const Printed& printed, int) {
       printed.at(0), straight ? "none" : "some", {"none", "some"},
       "below F_c the only stable shape is the straight one",
       {{EvidenceKind::theorem,
-        "F <= 2k/L: V >= (2k - FL) q^2, with equality at q = 0 only (V as in (3), alpha = 0)"},
+        "Two links: for F <= 2k/L V >= (2k - FL) q^2, with equality at q = 0 only (V as in (3), alpha = 0)"},
        {EvidenceKind::interval, fmt::format("F = 1.99 k/L: minima of V for -pi < q < pi isolated: {}, {}",
                                             at.size(), straight ? "q = 0" : "not at q = 0")}});
 }
@@ -123,7 +123,8 @@ Judgement resists(const Printed& printed, int) {
       printed.at(0), pushed == 1 && pulled == 1 ? "resists" : "does not", {"resists", "does not"},
       "the force has the sign of the deflection",
       {{EvidenceKind::theorem,
-        "0 < alpha + q < pi: F = 2kq/(L sin(alpha+q)) and Delta = 2L(cos alpha - cos(alpha+q)) both have the "
+        "Two links: for 0 < alpha + q < pi F = 2kq/(L sin(alpha+q)) and Delta = 2L(cos alpha - cos(alpha+q)) "
+        "both have the "
         "sign of q"},
        {EvidenceKind::interval, "alpha = pi/6: F Delta > 0 for q in [-0.52, -0.01] and [0.01, 2.6]"}});
 }
@@ -168,12 +169,12 @@ Judgement like_column(const Printed& printed, int) {
   // (16): mode 1 has F = k/L and the orientations (1, 0, -1)
   const Interval curvature = post_buckling_curvature<Interval>(
       chain, {Interval(1), {Interval(1), Interval(-1), Interval(-1)}, Interval(0)});
-  return judge_word(printed.at(0), certainly_positive(curvature) ? "supercritical" : "subcritical",
-                    {"supercritical", "subcritical"},
-                    "bent shapes exist on the other side of the critical force",
-                    {{EvidenceKind::theorem,
-                      "Supercritical: F = F_m + F_2 a^2 + …, and Euler's column has F_2 > 0 as well"},
-                     {EvidenceKind::interval, "F_2 of the U-shape in " + curvature.text(5) + " k/L"}});
+  return judge_word(
+      printed.at(0), certainly_positive(curvature) ? "supercritical" : "subcritical",
+      {"supercritical", "subcritical"}, "bent shapes exist on the other side of the critical force",
+      {{EvidenceKind::theorem,
+        "Supercritical: F = F_m + F_2 a^2 + … with F_2 > 0 on a passive base, and so for Euler's column"},
+       {EvidenceKind::interval, "F_2 of the U-shape in " + curvature.text(5) + " k/L"}});
 }
 
 /// The U-shape that a nearly straight chain takes, by the sign of both rest angles.
@@ -290,7 +291,8 @@ Judgement beyond(const Printed& printed, int) {
       printed.at(0), continuous ? "continuously" : "with a jump", {"continuously", "with a jump"},
       "the shape jumps again",
       {{EvidenceKind::theorem,
-        "F = k phi/(L sin phi) and Delta = 2L(1 - cos phi) are analytic and strictly increasing for 0 < phi "
+        "U of three links: F = k phi/(L sin phi) and Delta = 2L(1 - cos phi) are analytic and strictly "
+        "increasing for 0 < phi "
         "< "
         "2 pi/3: N = sin phi - phi cos phi has N(0) = 0, N' = phi sin phi > 0"},
        {EvidenceKind::symbolic, "(phi, -phi, -phi) satisfies (6) with that force; Delta/L -> " +

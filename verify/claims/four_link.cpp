@@ -217,7 +217,7 @@ Judgement stabilities(const Printed& printed, int) {
   return {wrong.empty() ? Verdict::confirmed : Verdict::refuted,
           fmt::format("{}", fmt::join(wrong, "; ")),
           {{EvidenceKind::theorem,
-            "the modes diagonalise E and delta_x together (Simple modes): at the small shape of mode m the "
+            "Count of shapes: the modes diagonalise E and delta_x together; at the small shape of mode m the "
             "second variation along mode j has the sign of F_j - F_m"},
            {EvidenceKind::interval, fmt::format("{}", fmt::join(found, "; "))}},
           ""};
@@ -260,8 +260,8 @@ Judgement straight_below(const Printed& printed, int) {
       printed.at(0), above ? "below" : "above", {"below", "above"},
       "near the straight shape each bent shape exists only above its critical force",
       {{EvidenceKind::theorem,
-        "Definiteness: below the lowest critical force the straight chain is stable; "
-        "Supercritical: the sign of F_2 decides on which side bent shapes exist"},
+        "Stable below the lowest force: the straight chain is stable exactly there; and by "
+        "Supercritical the sign of F_2 decides on which side bent shapes exist"},
        {EvidenceKind::interval, fmt::format("F = F_m + F_2 a^2 + … along theta = a phi, |v| = 1: F_2 = {}; "
                                             "near the straight shape only",
                                             fmt::join(found, ", "))}});

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <boost/math/tools/roots.hpp>
+#include <plumbline/branch/point_at_load.hpp>
 #include <plumbline/branch/sharpen.hpp>
 #include <plumbline/branch/slow_loading.hpp>
 
@@ -46,13 +47,15 @@ std::string in_words(const proofs::PathCertificate& proved) {
   for (const proofs::Span& fold : proved.folds)
     words += "; the deflection turns exactly once in " + text(fold, 12);
   for (const proofs::Span& least : proved.softest)
-    words += "; the tangent stiffness is least exactly once in " + text(least, 8);
+    words += "; the tangent stiffness has exactly one local minimum in " + text(least, 8);
   if (proved.certified() && proved.counted)
     words += proved.softens           ? "; the tangent stiffness falls all along"
-             : proved.softest.empty() ? "; the tangent stiffness has no minimum"
+             : proved.softest.empty() ? "; the tangent stiffness has no local minimum"
                                       : ", and nowhere else";
-  for (const proofs::Span& gap : proved.gaps) words += "; not covered, around a bifurcation: " + text(gap, 8);
+  for (const proofs::Span& gap : proved.gaps)
+    words += "; not covered, a bifurcation or nearly one: " + text(gap, 8);
   if (proved.failed_at) words += "; not proved from " + text(*proved.failed_at, 8) + " on: " + proved.failure;
+  if (!proved.finite) words += "; the tangent stiffness has poles";
   return words + (proved.stiff ? "; the force grows all along" : "");
 }
 
@@ -179,14 +182,12 @@ Evidence SlowPath::evidence() const {
 }
 
 BranchPoint<proofs::Located> SlowPath::at(const Rational& deflection) const {
-  const auto load = from_rational<double>(deflection);
-  const BranchPoint<double>* nearest = &stretches[0].points[0];
-  for (const Branch<double>& stretch : stretches) {
-    for (const BranchPoint<double>& point : stretch.points) {
-      if (std::abs(point.load - load) < std::abs(nearest->load - load)) nearest = &point;
-    }
-  }
-  return proofs::locate_at(chain, loading, *nearest, from_rational<proofs::Located>(deflection));
+  using Model = NominalModel<double>;
+  const Model model(convert<double>(enclosed, rounded));
+  Brancher<Model> brancher(model, inwards(rounded(reach)), unloaded_shape(model.chain()));
+  const auto near = state_at_load(brancher, stretches, from_rational<double>(deflection));
+  if (!near) throw Error("path", "no state at deflection " + deflection.str(), "one that it reaches");
+  return proofs::locate_at(chain, loading, *near, from_rational<proofs::Located>(deflection));
 }
 
 SlowPath compress_slowly(const Chain<Interval>& chain, const Interval& reach, double last, int side) {

@@ -22,13 +22,14 @@ std::string located(const proofs::Located& number, int digits) {
 Judgement z_smooth(const Printed& printed, int) {
   const bool smooth = z_path().regular();
   const std::string found = smooth ? "smooth" : "not smooth";
-  Judgement result{Verdict::confirmed,
-                   "",
-                   {{EvidenceKind::theorem,
-                     "implicit function theorem: where the Hessian on the tangent space is "
-                     "definite, shape and force are analytic in the deflection"},
-                    z_path().evidence()},
-                   ""};
+  Judgement result{
+      Verdict::confirmed,
+      "",
+      {z_path().evidence(),
+       {EvidenceKind::interval,
+        "there the Hessian on the tangent space is definite, so by the implicit function theorem "
+        "shape and force are analytic in the deflection"}},
+      ""};
   if (printed.at(0) == found) return result;
   result.verdict = printed.at(0) == "not very smooth" && smooth ? Verdict::imprecise : Verdict::refuted;
   result.truth = "the curve is " + found + ": it bends sharply, but has no kink and no jump";
@@ -189,17 +190,18 @@ Judgement under_force(const Printed& printed, int) {
     }
   }
   const std::string list = fmt::format("{}", fmt::join(unstable, ", "));
-  Judgement result{Verdict::confirmed,
-                   "",
-                   {{EvidenceKind::theorem,
-                     "with and without the constraint the equations of equilibrium are the same; "
-                     "what is stable under the force is stable with its end point held"},
-                    {EvidenceKind::interval,
-                     "certified censuses: under the force that holds them, as a dead load, the second "
-                     "variation is negative for "
-                     "some turns of the links of " +
-                         (list.empty() ? "none" : list)}},
-                   ""};
+  Judgement result{
+      Verdict::confirmed,
+      "",
+      {{EvidenceKind::theorem,
+        "Held and loaded: with and without the constraint the equations of equilibrium are the same; "
+        "what is stable under the force is stable with its end point held"},
+       {EvidenceKind::interval,
+        "certified censuses: under the force that holds them, as a dead load, the second "
+        "variation is negative for "
+        "some turns of the links of " +
+            (list.empty() ? "none" : list)}},
+      ""};
   if (printed.at(0) == (unstable.empty() ? "similar" : "the same equilibria, stable less often"))
     return result;
   result.verdict = printed.at(0) == "similar" ? Verdict::imprecise : Verdict::refuted;

@@ -180,14 +180,15 @@ Judgement inverse_kinematics(const Printed& printed, int) {
   }
   GiNaC::Digits = digits;
   const bool right = worst < proofs::Located("1e-45");
-  return {right ? Verdict::confirmed : Verdict::refuted,
-          right ? "" : "the printed angles do not bring the end point to its place",
-          {{EvidenceKind::theorem,
-            "the direction to the end point less the angle at the base of the triangle of two "
-            "links; full turns apart, which (10) has to remove"},
-           {EvidenceKind::mp50, fmt::format("{} shapes with both signs of S_2: largest |sin(error / 2)| {}",
-                                            shapes, worst.str(2))}},
-          ""};
+  return {
+      right ? Verdict::confirmed : Verdict::refuted,
+      right ? "" : "the printed angles do not bring the end point to its place",
+      {{EvidenceKind::mp50,
+        fmt::format("the direction to the end point less the angle at the base of the triangle of two links, "
+                    "up to full turns, which (10) has to remove: {} shapes with both signs of S_2: largest "
+                    "|sin(error / 2)| {}",
+                    shapes, worst.str(2))}},
+      ""};
 }
 
 /// Whether stable (or unstable) equilibria are just the absolute extremum of E over phi.

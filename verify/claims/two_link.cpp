@@ -111,7 +111,7 @@ Judgement straight_curve(const Printed& printed, int) {
       printed.at(0), same ? "increasing" : direction(away), {"increasing", "decreasing", "not monotonic"},
       "F grows with Delta for 0 < q < pi",
       {{EvidenceKind::theorem,
-        "N(q) = sin q - q cos q has N(0) = 0 and N' = q sin q > 0 on (0, pi); "
+        "Two links: N(q) = sin q - q cos q has N(0) = 0 and N' = q sin q > 0 on (0, pi); "
         "dF/dq = 2k N / (L sin^2 q), dDelta/dq = 2L sin q > 0"},
        {EvidenceKind::interval, fmt::format("N > 0 on [1/8, 25/8] by subdivision; N = {} q^{} + ... at 0",
                                             proofs::text(leading), order)}});
@@ -127,7 +127,7 @@ Judgement curved_monotonic(const Printed& printed, int) {
   return judge_word(printed.at(0), found, {"monotonic", "not monotonic"},
                     "dF/dq has the sign of sin(alpha+q) - q cos(alpha+q), which is positive",
                     {{EvidenceKind::theorem,
-                      "N(q) = sin(alpha+q) - q cos(alpha+q) has N' = q sin(alpha+q), so its least "
+                      "Two links: N(q) = sin(alpha+q) - q cos(alpha+q) has N' = q sin(alpha+q), so its least "
                       "value on 0 < alpha + q < pi is N(0) = sin alpha > 0; dDelta/dq = 2L sin(alpha+q) > 0"},
                      {EvidenceKind::interval,
                       "alpha = pi/6: N > 0 and sin(alpha+q) > 0 for q in [-0.52, 2.6] by subdivision"}});
@@ -196,7 +196,9 @@ Judgement extrema(const Printed& printed, int) {
       printed.at(1), computed, {"stable", "unstable"},
       fmt::format("a {} of the potential energy is {}, a {} is {}: the words are interchanged", below.first,
                   below.second, above.first, above.second),
-      {{EvidenceKind::theorem, "Lagrange-Dirichlet: a strict minimum of the potential energy is stable"},
+      {{EvidenceKind::theorem,
+        "Stability: a strict minimum of the potential energy is stable, what has a negative direction is "
+        "not"},
        {EvidenceKind::exact, fmt::format("k = L = 1, q = 0: F = 1 is a {} and drives q = 1/1000 back ({}); "
                                          "F = 3 is a {} and drives it away ({})",
                                          below.first, below.second, above.first, above.second)}});
@@ -212,7 +214,7 @@ Judgement stable_up_to(const Printed& printed, int) {
   return {right ? Verdict::confirmed : Verdict::refuted,
           right ? "" : "V''(0)/2 = " + proofs::text(boundary) + " vanishes at F = 2k/L",
           {{EvidenceKind::theorem,
-            "for F <= 2k/L: V = 2kq^2 - 2FL(1 - cos q) >= (2k - FL) q^2 >= 0 since 1 - cos q <= "
+            "Two links: for F <= 2k/L V = 2kq^2 - 2FL(1 - cos q) >= (2k - FL) q^2 >= 0 since 1 - cos q <= "
             "q^2/2, with equality at q = 0 only; for F > 2k/L: V''(0) < 0"},
            {EvidenceKind::symbolic, "at the printed force V = (" + proofs::text(quadratic) + ") q^2 + (" +
                                         proofs::text(quartic) + ") q^4 + ..., in general V = (" +

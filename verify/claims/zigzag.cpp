@@ -63,8 +63,8 @@ Judgement count(const Printed& printed, int) {
       printed.at(0), found, {"2 stable, 2 unstable", "changes", found},
       fmt::format("at 0.02 L {}, at 0.2 L {}", types(before), types(after)),
       {{EvidenceKind::interval,
-        fmt::format("certified censuses; every shape, each with joint deflections of at most half a "
-                    "turn; {} and {} boxes",
+        fmt::format("certified censuses of every shape with joint angles within half a turn; {} and {} "
+                    "boxes",
                     before.boxes, after.boxes)}});
 }
 
@@ -99,14 +99,13 @@ Judgement jump(const Printed& printed, int digits) {
 
 Judgement smooth(const Printed& printed, int digits) {
   const auto [before, after] = stiffnesses();
-  Judgement result =
-      judge_word(printed.at(0), certainly_less(after * Interval(10), before) ? "not smooth" : "smooth",
-                 {"not smooth", "smooth"}, "the slope does not jump",
-                 {{EvidenceKind::theorem,
-                   "at a pitchfork the energy of the branch that crosses is less by c (Delta - Delta_c)^2 + "
-                   "…, c > 0: the "
-                   "slope of F = dE/dDelta falls at once by 2c"},
-                  {EvidenceKind::interval, next_to_bifurcation()}});
+  Judgement result = judge_word(
+      printed.at(0), certainly_less(after * Interval(10), before) ? "not smooth" : "smooth",
+      {"not smooth", "smooth"}, "the slope does not jump",
+      {{EvidenceKind::interval, next_to_bifurcation()},
+       {EvidenceKind::mp50,
+        "the bifurcation, located to fifty digits, is a pitchfork: the energy of the branch that crosses "
+        "is less by c (Delta - Delta_c)^2 + …, c > 0, and the slope of F = dE/dDelta falls at once by 2c"}});
   result.value = located(buckling().point.load, digits);
   return result;
 }
@@ -286,7 +285,7 @@ Judgement local_minimum(const Printed& printed, int) {
       "both minima have the same energy at every deflection, for the chain turned by half a turn and "
       "read backwards is the same chain: neither is only local",
       {{EvidenceKind::theorem,
-        "turned by half a turn and read backwards, three links with the rest angles (a, -a) "
+        "Reversal: turned by half a turn and read backwards, three links with the rest angles (a, -a) "
         "and equal springs are the same chain"},
        {EvidenceKind::interval, "certified censuses at 0.05, 0.2 and 0.55 L: energies equal to 40 digits"}});
 }

@@ -104,7 +104,7 @@ std::vector<page::Panel> force_curves(const Chain<double>& chain) {
     }
     int colour = 1;
     for (const double at : {0.0, 0.1, 0.4, 0.8, 1.5}) {
-      const BranchPoint<double> p = proofs::state_at(task, {&stretch, 1}, at);
+      const BranchPoint<double> p = proofs::state_at(task, stretch, at);
       shapes.curves.push_back(
           {outline(chain, p.theta), colour++, false, fmt::format("δ_x = {:.2g} L", p.load), 2.4});
     }
@@ -170,7 +170,7 @@ std::vector<page::Panel> draw_figure_15() {
                       true};
     int colour = 1;
     for (const double at : {0.05, 0.2, 0.4, 0.6}) {
-      const BranchPoint<double> p = proofs::state_at(task, {&branch, 1}, at);
+      const BranchPoint<double> p = proofs::state_at(task, branch, at);
       panel.curves.push_back({outline(chain, p.theta), colour++, p.negative_directions > 0,
                               fmt::format("δ_x = {:.2g} L", p.load), 2.4});
     }

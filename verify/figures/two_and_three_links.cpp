@@ -156,8 +156,7 @@ std::vector<page::Panel> draw_figure_6() {
   const proofs::PathReport report = proofs::follow_all(task);
   for (const auto& branch : report.branches) {
     std::vector<BranchPoint<double>> shapes;
-    for (const double load : {0.05, 0.2, 0.4, 0.6})
-      shapes.push_back(proofs::state_at(task, {&branch, 1}, load));
+    for (const double load : {0.05, 0.2, 0.4, 0.6}) shapes.push_back(proofs::state_at(task, branch, load));
     panels.push_back(shapes_panel(branch.points.back().negative_directions == 0 ? "stable" : "unstable",
                                   task.chain, shapes));
   }

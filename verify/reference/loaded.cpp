@@ -4,6 +4,7 @@
 #include <plumbline/branch/trace.hpp>
 
 #include "proofs/census.hpp"
+#include "proofs/certain_digits.hpp"
 #include "verify/reference/draw.hpp"
 #include "verify/reference/set.hpp"
 
@@ -106,14 +107,11 @@ json description(const LoadedCase& loaded) {
           {"control", loaded.control == Control::end_point ? "end_point" : "force"}};
 }
 
-/// As many digits, 50 at most, as both ends share when rounded; "0" where both are within 1e-50 of it.
+/// "0" stands for what is within 1e-50 of it.
 std::string certain_digits(const Interval& x) {
-  const Interval::End low = x.lower(), high = x.upper(), none("1e-50");
-  if (abs(low) < none && abs(high) < none) return "0";
-  for (int digits = reference_digits; digits > 0; --digits) {
-    if (low.str(digits) == high.str(digits)) return low.str(digits);
-  }
-  throw Error("equilibrium", x.text(6), "an enclosure of a digit or more");
+  if (x.contains_zero() && !(proofs::magnitude(x) < Interval::End("1e-50")))
+    throw Error("equilibrium", x.text(6), "zero to fifty digits");
+  return proofs::certain_digits(x, reference_digits);
 }
 
 Branch<Mpfr50> compressed(const LoadedCase& loaded, const Mpfr50& longest_step) {
