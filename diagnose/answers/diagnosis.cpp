@@ -130,6 +130,20 @@ void demand_prediction(const Study& study, const std::vector<double>& residual, 
   cause.unknown = refuted;
 }
 
+/// Where no known effect explains the gap: a law that closes it, if one predicts.
+void offer_law_to(const Study& study, const HeldOut& heldout, const Findings& chosen, Diagnosis& diagnosis) {
+  std::vector<const Fit*> fits;
+  for (const Hypothesis& hypothesis : chosen.hypotheses) fits.push_back(&hypothesis.fit);
+  std::vector<Instance> bases;
+  if (!fits.empty()) {
+    const Fit& partial =
+        *fits[best_partial(Study(without(study.experiment(), heldout)).measurements(), fits)];
+    bases.push_back({partial.candidate, partial.parameters});
+  }
+  diagnosis.law = offer_law(study, heldout, diagnosis.noise, bases);
+  if (diagnosis.law && diagnosis.law->shrink) diagnosis.shrink = diagnosis.law->shrink;
+}
+
 void explain(const Study& study, const std::vector<double>& residual, Diagnosis& diagnosis,
              const Report& progress) {
   const HeldOut heldout = choose_heldout(study.experiment());
@@ -138,6 +152,7 @@ void explain(const Study& study, const std::vector<double>& residual, Diagnosis&
   if (chosen.hypotheses.empty()) {
     diagnosis.cause.verdict = CauseVerdict::unknown;
     diagnosis.cause.unknown = 1;
+    offer_law_to(study, heldout, chosen, diagnosis);
     return;
   }
   const bool structured = leaves_structure(seen.measurements(), chosen);
@@ -160,6 +175,8 @@ void explain(const Study& study, const std::vector<double>& residual, Diagnosis&
   }
   demand_prediction(study, residual, heldout, findings.noise, diagnosis.cause);
   diagnosis.noise = findings.noise;
+  if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.or_unknown)
+    offer_law_to(study, heldout, chosen, diagnosis);
   diagnosis.not_exercised = never_exercised(study, chosen);
   if (!diagnosis.cause.ranking.empty())
     diagnosis.estimates =

@@ -14,7 +14,7 @@ struct History {
 
 void slide(const LawSpan& span, double turn, History& history) {
   for (Eigen::Index m = 0; m < slider_terms; ++m) {
-    const double limit = slip_shares[m] * span.stroke;
+    const double limit = slip_shares[m] * span.stroke();
     history.slider(m) = std::clamp(history.slider(m) + turn / limit, -1.0, 1.0);
   }
 }
@@ -24,25 +24,25 @@ void relax(const LawSpan& span, double turn, double dt, History& history) {
   for (Eigen::Index m = 0; m < arm_terms; ++m) {
     const double ratio = dt / (time_shares[m] * span.duration);
     const double decay = std::exp(-ratio), gain = ratio > 0 ? -std::expm1(-ratio) / ratio : 1.0;
-    history.arm(m) = decay * history.arm(m) + gain * turn / span.deflection;
+    history.arm(m) = decay * history.arm(m) + gain * turn / span.deflection();
   }
 }
 
 }  // namespace
 
 double knot_place(const LawSpan& span, Eigen::Index knot) {
-  return span.deflection * (2.0 * static_cast<double>(knot) / static_cast<double>(finest_knots - 1) - 1.0);
+  return span.deflection() * (2.0 * static_cast<double>(knot) / static_cast<double>(finest_knots - 1) - 1.0);
 }
 
 Eigen::MatrixXd law_terms(const LawSpan& span, const Run& run, const Eigen::VectorXd& deflection) {
   Eigen::MatrixXd terms = Eigen::MatrixXd::Zero(deflection.size(), law_terms_count);
-  if (!(span.stroke > 0)) return terms;
+  if (!(span.stroke() > 0)) return terms;
   History history;
   double last = 0, last_time = run.readings.empty() ? 0 : run.readings.front().t;
   for (Eigen::Index i = 0; i < deflection.size(); ++i) {
     const double d = deflection(i);
     if (!std::isfinite(d)) continue;
-    const double place = (d / span.deflection + 1) / 2 * static_cast<double>(finest_knots - 1);
+    const double place = (d / span.deflection() + 1) / 2 * static_cast<double>(finest_knots - 1);
     const auto left =
         static_cast<Eigen::Index>(std::clamp(place, 0.0, static_cast<double>(finest_knots - 2)));
     terms(i, left) = 1 - (place - static_cast<double>(left));

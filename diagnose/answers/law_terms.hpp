@@ -3,6 +3,8 @@
 /// The terms of a free torque law at a joint: hat functions of the deflection, sliders and relaxing arms.
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 #include "diagnose/bench/experiment.hpp"
@@ -11,9 +13,13 @@ namespace plumbline::diagnose {
 
 /// How far a joint was bent and how long: what the terms are laid out over.
 struct LawSpan {
-  double deflection = 0;  ///< largest |d|, rad: the knots lie evenly over both signs
-  double stroke = 0;      ///< half the range of d, rad: unit of the sliders
-  double duration = 0;    ///< of the longest run, s: unit of the time constants
+  double low = 0, high = 0;  ///< range of the deflection, rad, with zero in it
+  double duration = 0;       ///< of the longest run, s: unit of the time constants
+
+  /// The knots lie evenly over both signs, up to here.
+  [[nodiscard]] double deflection() const { return std::max(high, -low); }
+  /// Unit of the sliders.
+  [[nodiscard]] double stroke() const { return (high - low) / 2; }
 };
 
 /// The finest knots; 3, 5, 9 and 17 knots are every 16th, 8th, 4th and 2nd of them.

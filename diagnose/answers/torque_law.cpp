@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 namespace plumbline::diagnose {
 namespace {
@@ -16,8 +16,8 @@ constexpr std::size_t folds = 5;
 /// The base model and how its channels answer to a torque at each elastic joint.
 struct Response {
   Prediction base;
-  std::vector<std::size_t> joints;               ///< elastic, from 0
-  std::vector<std::vector<Trace>> per_torque;    ///< [joint][run], by 1 N m
+  std::vector<std::size_t> joints;             ///< elastic, from 0
+  std::vector<std::vector<Trace>> per_torque;  ///< [joint][run], by 1 N m
 };
 
 Response response(const Study& study, const Instance& base) {
@@ -33,8 +33,14 @@ Response response(const Study& study, const Instance& base) {
   all.per_torque = std::move(nominal.sensitivity);
   for (std::size_t a = 0; a < all.joints.size(); ++a)
     for (Trace& trace : all.per_torque[a]) trace /= -study.experiment().joint_stiffness[all.joints[a]];
-  all.base = base.candidate.effects.empty() ? study.nominal() : predict(study, base.candidate, base.parameters);
+  all.base =
+      base.candidate.effects.empty() ? study.nominal() : predict(study, base.candidate, base.parameters);
   return all;
+}
+
+std::size_t place_of(const Response& rig, std::size_t joint) {
+  return static_cast<std::size_t>(std::find(rig.joints.begin(), rig.joints.end(), joint) -
+                                  rig.joints.begin());
 }
 
 /// A joint's deflection in a run as the base model has it.
@@ -45,29 +51,26 @@ Vector deflection(const Study& study, const Prediction& base, std::size_t run, s
 
 LawSpan span_of(const Study& study, const Prediction& base, const std::vector<std::size_t>& joints) {
   LawSpan span;
-  double low = 0, high = 0;
   for (std::size_t r = 0; r < base.runs.size(); ++r) {
     for (const std::size_t j : joints)
       for (const double d : deflection(study, base, r, j))
-        if (std::isfinite(d)) low = std::min(low, d), high = std::max(high, d);
+        if (std::isfinite(d)) span.low = std::min(span.low, d), span.high = std::max(span.high, d);
     const std::vector<Reading>& readings = study.experiment().runs[r].readings;
     span.duration = std::max(span.duration, readings.back().t - readings.front().t);
   }
-  span.deflection = std::max(high, -low);
-  span.stroke = (high - low) / 2;
   return span;
 }
 
-/// Adds to every channel, in traces, what one law's terms with these coefficients change; calls
-/// `add(joint's part, run, terms)` for each joint and run.
+/// Calls `add(place of the joint among the elastic ones, run, terms)` for each joint that has the law and
+/// each run.
 template <class Add>
 void for_each_part(const Study& study, const Response& rig, const JointTorqueLaw& law, Add add) {
   for (const std::size_t number : law.joints) {
     const std::size_t j = number - 1;
-    const auto a = static_cast<std::size_t>(std::find(rig.joints.begin(), rig.joints.end(), j) - rig.joints.begin());
     const double share = study.experiment().joint_stiffness[j] / law.stiffness;
     for (std::size_t r = 0; r < study.experiment().runs.size(); ++r)
-      add(a, r, share * law_terms(law.span, study.experiment().runs[r], deflection(study, rig.base, r, j)));
+      add(place_of(rig, j), r,
+          share * law_terms(law.span, study.experiment().runs[r], deflection(study, rig.base, r, j)));
   }
 }
 
@@ -77,19 +80,24 @@ using Placement = std::vector<JointTorqueLaw>;
 JointTorqueLaw blank(const Study& study, const Response& rig, const std::vector<std::size_t>& joints) {
   JointTorqueLaw law;
   law.span = span_of(study, rig.base, joints);
+  double readings = 0;
   for (const std::size_t j : joints) {
     law.joints.push_back(j + 1);
     law.stiffness += study.experiment().joint_stiffness[j] / static_cast<double>(joints.size());
+    for (const Trace& trace : rig.per_torque[place_of(rig, j)])
+      for (const double turn : trace.col(column_q + static_cast<Eigen::Index>(j)))
+        if (std::isfinite(turn)) law.yield += turn, readings += 1;
   }
+  law.yield /= std::max(1.0, readings);
   return law;
 }
 
 /// One joint; all of them with one law, in proportion to their stiffness; each its own.
-std::vector<Placement> places(const Study& study, const Response& rig) {
+std::vector<Placement> placements(const Study& study, const Response& rig) {
   constexpr std::size_t most_own = 6;
   std::vector<Placement> all;
   for (const std::size_t j : rig.joints)
-    if (JointTorqueLaw law = blank(study, rig, {j}); law.span.stroke > 0) all.push_back({std::move(law)});
+    if (JointTorqueLaw law = blank(study, rig, {j}); law.span.stroke() > 0) all.push_back({std::move(law)});
   if (all.size() < 2) return all;
   all.push_back({blank(study, rig, rig.joints)});
   if (rig.joints.size() > most_own) return all;
@@ -166,27 +174,29 @@ std::vector<Sums> sums_of(const Study& study, const Response& rig, const Placeme
   return by_fold;
 }
 
-/// Which terms a law may use and how smooth it is.
+/// Which terms a law may use.
 struct Shape {
   Eigen::Index knots;
   std::vector<Eigen::Index> sliders, arms;
-  double smoothness;
 
   [[nodiscard]] Eigen::Index terms() const {
     return knots + static_cast<Eigen::Index>(sliders.size() + arms.size());
   }
 };
 
+/// What is held against curvature, over the squares of a knot's term.
+constexpr double smoothnesses[] = {1e-6, 1e-4, 1e-2, 1.0};
+
 std::vector<Shape> shapes() {
-  std::vector<std::vector<Eigen::Index>> slider_sets{{}}, arm_sets{{}, {0}, {1}, {2}, {0, 1, 2}};
+  std::vector<std::vector<Eigen::Index>> slider_sets{{}};
   for (Eigen::Index m = 0; m < slider_terms; ++m) slider_sets.push_back({m});
   slider_sets.push_back({0, 2, 4});
   slider_sets.push_back({0, 1, 2, 3, 4, 5});
+  const std::vector<std::vector<Eigen::Index>> arm_sets{{}, {0}, {1}, {2}, {0, 1, 2}};
   std::vector<Shape> all;
   for (const Eigen::Index knots : {3, 5, 9, 17, 33})
     for (const auto& sliders : slider_sets)
-      for (const auto& arms : arm_sets)
-        for (const double smoothness : {1e-6, 1e-4, 1e-2, 1.0}) all.push_back({knots, sliders, arms, smoothness});
+      for (const auto& arms : arm_sets) all.push_back({knots, sliders, arms});
   return all;
 }
 
@@ -196,7 +206,8 @@ Matrix selection(const Shape& shape) {
   const double stride = static_cast<double>(finest_knots - 1) / static_cast<double>(shape.knots - 1);
   for (Eigen::Index fine = 0; fine < finest_knots; ++fine)
     for (Eigen::Index k = 0; k < shape.knots; ++k)
-      chosen(fine, k) = std::max(0.0, 1 - std::abs(static_cast<double>(fine) / stride - static_cast<double>(k)));
+      chosen(fine, k) =
+          std::max(0.0, 1 - std::abs(static_cast<double>(fine) / stride - static_cast<double>(k)));
   Eigen::Index column = shape.knots;
   for (const Eigen::Index m : shape.sliders) chosen(finest_knots + m, column++) = 1;
   for (const Eigen::Index m : shape.arms) chosen(finest_knots + slider_terms + m, column++) = 1;
@@ -205,14 +216,14 @@ Matrix selection(const Shape& shape) {
 
 /// What is held against a law: curvature, and an even part that is no constant, so that a side that was never
 /// bent answers as the other; sliders and arms of any size a little.
-Matrix penalty(const Shape& shape) {
+Matrix penalty(const Shape& shape, double smoothness) {
   constexpr double evenness = 1e-3, size = 1e-6;
   Matrix weight = size * Matrix::Identity(shape.terms(), shape.terms());
   for (Eigen::Index k = 1; k + 1 < shape.knots; ++k) {
     Vector bend = Vector::Zero(shape.terms());
     bend(k - 1) = bend(k + 1) = 1;
     bend(k) = -2;
-    weight += shape.smoothness * bend * bend.transpose();
+    weight += smoothness * bend * bend.transpose();
   }
   const Eigen::Index middle = shape.knots / 2;
   for (Eigen::Index k = 1; k <= middle; ++k) {
@@ -221,91 +232,83 @@ Matrix penalty(const Shape& shape) {
     even(middle) = -2;
     weight += evenness * even * even.transpose();
   }
-  for (Eigen::Index m = shape.knots; m < shape.terms(); ++m) weight(m, m) += 0.1 * shape.smoothness;
+  for (Eigen::Index m = shape.knots; m < shape.terms(); ++m) weight(m, m) += 0.1 * smoothness;
   return weight;
 }
 
+/// The same for each of several laws, along the diagonal.
+Matrix repeated(const Matrix& one, std::size_t laws) {
+  const auto count = static_cast<Eigen::Index>(laws);
+  Matrix all = Matrix::Zero(count * one.rows(), count * one.cols());
+  for (Eigen::Index b = 0; b < count; ++b)
+    all.block(b * one.rows(), b * one.cols(), one.rows(), one.cols()) = one;
+  return all;
+}
+
+Sums reduced(const Matrix& chosen, const Sums& full) {
+  return {chosen.transpose() * full.terms * chosen, chosen.transpose() * full.with_residual, full.residual};
+}
+
 /// Least squares in the coefficients of a shape; sliders and arms dissipate, so none is negative.
-class ShapedFit {
- public:
-  ShapedFit(const Shape& shape, std::size_t laws) : shape_(shape) {
-    const auto count = static_cast<Eigen::Index>(laws);
-    const Matrix one = selection(shape), weight = penalty(shape);
-    chosen_ = Matrix::Zero(count * one.rows(), count * one.cols());
-    penalty_ = Matrix::Zero(count * one.cols(), count * one.cols());
-    for (Eigen::Index b = 0; b < count; ++b) {
-      chosen_.block(b * one.rows(), b * one.cols(), one.rows(), one.cols()) = one;
-      penalty_.block(b * one.cols(), b * one.cols(), one.cols(), one.cols()) = weight;
-    }
+Vector solve(const Shape& shape, const Sums& sums, const Matrix& held_against) {
+  Matrix normal = sums.terms + held_against;
+  Vector right = sums.with_residual;
+  while (true) {
+    const Vector solution = normal.ldlt().solve(right);
+    Eigen::Index worst = -1;
+    for (Eigen::Index i = 0; i < solution.size(); ++i)
+      if (i % shape.terms() >= shape.knots && solution(i) < 0 && (worst < 0 || solution(i) < solution(worst)))
+        worst = i;
+    if (worst < 0) return solution;
+    normal.row(worst).setZero();
+    normal.col(worst).setZero();
+    normal(worst, worst) = 1;
+    right(worst) = 0;
   }
+}
 
-  [[nodiscard]] Sums reduced(const Sums& full) const {
-    return {chosen_.transpose() * full.terms * chosen_, chosen_.transpose() * full.with_residual, full.residual};
-  }
-
-  [[nodiscard]] Vector finest(const Vector& coefficients) const { return chosen_ * coefficients; }
-
-  /// \param scale  of the squares of a knot's term over all values: unit of the penalty
-  [[nodiscard]] Vector solve(const Sums& sums, double scale) const {
-    Matrix normal = sums.terms + scale * penalty_;
-    Vector right = sums.with_residual;
-    for (Eigen::Index round = 0; round <= static_cast<Eigen::Index>(shape_.sliders.size() + shape_.arms.size());
-         ++round) {
-      const Vector solution = normal.ldlt().solve(right);
-      Eigen::Index worst = -1;
-      for (Eigen::Index i = 0; i < solution.size(); ++i)
-        if (i % shape_.terms() >= shape_.knots && solution(i) < 0 && (worst < 0 || solution(i) < solution(worst)))
-          worst = i;
-      if (worst < 0) return solution;
-      normal.row(worst).setZero();
-      normal.col(worst).setZero();
-      normal(worst, worst) = 1;
-      right(worst) = 0;
-    }
-    return normal.ldlt().solve(right);
-  }
-
-  [[nodiscard]] double scale(const Sums& all) const {
-    double sum = 0;
-    for (Eigen::Index k = 0; k < shape_.knots; ++k) sum += all.terms(k, k);
-    return sum / static_cast<double>(shape_.knots);
-  }
-
- private:
-  Shape shape_;
-  Matrix chosen_, penalty_;
-};
+/// The mean square of a knot's term.
+double knot_scale(const Shape& shape, const Sums& all) {
+  return all.terms.diagonal().head(shape.knots).mean();
+}
 
 /// A law on trial: what it leaves of each fold that its fit had not seen.
 struct Trial {
   double left = 0;
-  std::vector<double> by_fold;
   TorqueLaw law;
 };
 
-Trial try_shape(const Shape& shape, const Placement& place, const std::vector<Sums>& by_fold, const Sums& all) {
-  const ShapedFit fit(shape, place.size());
-  const Sums whole = fit.reduced(all);
-  const double scale = fit.scale(whole);
-  Trial trial;
-  for (const Sums& part : by_fold) {
-    const Sums fold = fit.reduced(part);
-    Sums rest = whole;
-    rest -= fold;
-    trial.by_fold.push_back(fold.left(fit.solve(rest, scale)));
-    trial.left += trial.by_fold.back();
+/// The best of a shape, over how smooth it is.
+Trial try_shape(const Shape& shape, const Placement& place, const std::vector<Sums>& by_fold,
+                const Sums& all) {
+  const Matrix chosen = repeated(selection(shape), place.size());
+  const Sums whole = reduced(chosen, all);
+  std::vector<Sums> parts;
+  for (const Sums& part : by_fold) parts.push_back(reduced(chosen, part));
+  Trial best;
+  for (const double smoothness : smoothnesses) {
+    const Matrix held_against = knot_scale(shape, whole) * repeated(penalty(shape, smoothness), place.size());
+    double left = 0;
+    for (const Sums& part : parts) {
+      Sums rest = whole;
+      rest -= part;
+      left += part.left(solve(shape, rest, held_against));
+    }
+    if (!best.law.laws.empty() && !(left < best.left)) continue;
+    best.left = left;
+    best.law.laws = place;
+    best.law.knots = shape.knots;
+    const Vector coefficients = chosen * solve(shape, whole, held_against);
+    for (std::size_t b = 0; b < place.size(); ++b)
+      best.law.laws[b].coefficients =
+          coefficients.segment(static_cast<Eigen::Index>(b) * law_terms_count, law_terms_count);
   }
-  trial.law.laws = place;
-  trial.law.knots = shape.knots;
-  const Vector coefficients = fit.finest(fit.solve(whole, scale));
-  for (std::size_t b = 0; b < place.size(); ++b)
-    trial.law.laws[b].coefficients =
-        coefficients.segment(static_cast<Eigen::Index>(b) * law_terms_count, law_terms_count);
-  return trial;
+  return best;
 }
 
-double square_sum(const std::vector<double>& by_fold) {
-  return std::accumulate(by_fold.begin(), by_fold.end(), 0.0);
+/// Fewer than two values a term tell nothing.
+bool affordable(const Shape& shape, const Placement& place, std::size_t values) {
+  return 2 * static_cast<std::size_t>(shape.terms()) * place.size() <= std::max<std::size_t>(values, 8);
 }
 
 }  // namespace
@@ -316,21 +319,19 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
   all_bases.insert(all_bases.end(), bases.begin(), bases.end());
   const std::vector<Shape> all_shapes = shapes();
   std::optional<Trial> best;
-  std::vector<double> nominal;
+  double nominal = 0, alone = std::numeric_limits<double>::infinity();
   for (const Instance& base : all_bases) {
     const Response rig = response(seen, base);
     if (!rig.base.reached) continue;
     const std::vector<double> residual = without_outliers(seen.measurements(), seen.residual(rig.base));
-    for (const Placement& place : places(seen, rig)) {
+    for (const Placement& place : placements(seen, rig)) {
       const std::vector<Sums> by_fold = sums_of(seen, rig, place, residual, noise);
       Sums all = by_fold.front();
       for (std::size_t f = 1; f < folds; ++f) all += by_fold[f];
-      if (nominal.empty())
-        for (const Sums& part : by_fold) nominal.push_back(part.residual);
+      if (nominal == 0) nominal = all.residual;
+      alone = std::min(alone, all.residual);
       for (const Shape& shape : all_shapes) {
-        if (2 * shape.terms() * static_cast<Eigen::Index>(place.size()) >
-            static_cast<Eigen::Index>(std::max<std::size_t>(residual.size(), 8)))
-          continue;
+        if (!affordable(shape, place, residual.size())) continue;
         Trial trial = try_shape(shape, place, by_fold, all);
         if (best && !(trial.left < best->left)) continue;
         best = std::move(trial);
@@ -339,9 +340,10 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
     }
   }
   if (!best) return std::nullopt;
-  best->law.cross_validated = std::sqrt(best->left / square_sum(nominal));
+  best->law.cross_validated = std::sqrt(best->left / nominal);
+  best->law.without_law = std::sqrt(alone / nominal);
   constexpr double worth = 0.9;
-  if (!(best->law.cross_validated < worth)) return std::nullopt;
+  if (!(best->law.cross_validated < worth * best->law.without_law)) return std::nullopt;
   return best->law;
 }
 
@@ -355,6 +357,38 @@ Prediction predict_with_law(const Study& study, const TorqueLaw& law) {
       with.runs[run] += rig.per_torque[a][run].colwise() * torque;
     });
   return with;
+}
+
+std::vector<LawTrace> law_traces(const Study& study, const TorqueLaw& law) {
+  const Response rig = response(study, law.base);
+  const Prediction with = predict_with_law(study, law);
+  std::vector<LawTrace> traces;
+  for (const JointTorqueLaw& one : law.laws)
+    for_each_part(study, rig, one, [&](std::size_t a, std::size_t run, const Matrix& terms) {
+      const std::size_t joint = rig.joints[a];
+      const Vector bent = deflection(study, with, run, joint);
+      traces.push_back({joint + 1, run, bent,
+                        study.experiment().joint_stiffness[joint] * bent + terms * one.coefficients});
+    });
+  return traces;
+}
+
+bool covers(const Study& study, const TorqueLaw& law, const HeldOut& heldout) {
+  constexpr double margin = 0.1, most = 0.9;
+  const Response rig = response(study, law.base);
+  double inside = 0, all = 0;
+  for (const JointTorqueLaw& one : law.laws)
+    for (const std::size_t joint : one.joints)
+      for (std::size_t r = 0; r < heldout.reading.size(); ++r) {
+        const Vector bent = deflection(study, rig.base, r, joint - 1);
+        for (std::size_t i = 0; i < heldout.reading[r].size(); ++i) {
+          const double d = bent(static_cast<Eigen::Index>(i)), slack = margin * one.span.stroke();
+          if (!heldout.reading[r][i] || !std::isfinite(d)) continue;
+          all += 1;
+          inside += d >= one.span.low - slack && d <= one.span.high + slack ? 1 : 0;
+        }
+      }
+  return inside >= most * all;
 }
 
 }  // namespace plumbline::diagnose
