@@ -141,7 +141,7 @@ void offer_law_to(const Study& study, const HeldOut& heldout, const Findings& ch
     bases.push_back({partial.candidate, partial.parameters});
   }
   diagnosis.law = offer_law(study, heldout, diagnosis.noise, bases);
-  if (diagnosis.law && diagnosis.law->shrink) diagnosis.shrink = diagnosis.law->shrink;
+  if (diagnosis.offers_law()) diagnosis.shrink = diagnosis.law->shrink;
 }
 
 void explain(const Study& study, const std::vector<double>& residual, Diagnosis& diagnosis,

@@ -311,6 +311,13 @@ bool affordable(const Shape& shape, const Placement& place, std::size_t values) 
   return 2 * static_cast<std::size_t>(shape.terms()) * place.size() <= std::max<std::size_t>(values, 8);
 }
 
+/// What a law may leave of the rms and still be offered. The gain of a law that says nothing scatters by
+/// about one over the root of the values, and it is the luckiest of many.
+double worth_at_most(std::size_t values) {
+  constexpr double usual = 0.9;
+  return std::min(usual, std::sqrt(std::max(0.0, 1 - 2 / std::sqrt(static_cast<double>(values)))));
+}
+
 }  // namespace
 
 std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noise,
@@ -342,8 +349,8 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
   if (!best) return std::nullopt;
   best->law.cross_validated = std::sqrt(best->left / nominal);
   best->law.without_law = std::sqrt(alone / nominal);
-  constexpr double worth = 0.9;
-  if (!(best->law.cross_validated < worth * best->law.without_law)) return std::nullopt;
+  if (!(best->law.cross_validated < worth_at_most(seen.measurements().size()) * best->law.without_law))
+    return std::nullopt;
   return best->law;
 }
 
