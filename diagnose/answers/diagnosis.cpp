@@ -149,6 +149,20 @@ void demand_prediction(const Study& study, const HeldOut& heldout, const NoiseMo
   cause.unknown = refuted;
 }
 
+/// Where no known effect explains the gap: a law that closes it, if one predicts.
+void offer_law_to(const Study& study, const HeldOut& heldout, const Findings& chosen, Diagnosis& diagnosis) {
+  std::vector<const Fit*> fits;
+  for (const Hypothesis& hypothesis : chosen.hypotheses) fits.push_back(&hypothesis.fit);
+  std::vector<Instance> bases;
+  if (!fits.empty()) {
+    const Fit& partial =
+        *fits[best_partial(Study(without(study.experiment(), heldout)).measurements(), fits)];
+    bases.push_back({partial.candidate, partial.parameters});
+  }
+  diagnosis.law = offer_law(study, heldout, diagnosis.noise, bases);
+  if (diagnosis.offers_law()) diagnosis.shrink = diagnosis.law->shrink;
+}
+
 void explain(const Study& study, const std::vector<double>& residual, Diagnosis& diagnosis,
              const Report& progress) {
   const HeldOut heldout = choose_heldout(study.experiment());
@@ -157,6 +171,7 @@ void explain(const Study& study, const std::vector<double>& residual, Diagnosis&
   if (chosen.hypotheses.empty()) {
     diagnosis.cause.verdict = CauseVerdict::unknown;
     diagnosis.cause.unknown = 1;
+    offer_law_to(study, heldout, chosen, diagnosis);
     return;
   }
   const bool structured = leaves_structure(seen.measurements(), chosen);
@@ -180,6 +195,8 @@ void explain(const Study& study, const std::vector<double>& residual, Diagnosis&
   accept_remainder(study, heldout, findings.noise, diagnosis.cause);
   demand_prediction(study, heldout, findings.noise, diagnosis.cause);
   diagnosis.noise = findings.noise;
+  if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.or_unknown)
+    offer_law_to(study, heldout, chosen, diagnosis);
   diagnosis.not_exercised = never_exercised(study, chosen);
   if (!diagnosis.cause.ranking.empty())
     diagnosis.estimates =

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "diagnose/answers/next_run.hpp"
+#include "diagnose/answers/offered_law.hpp"
 #include "diagnose/answers/shrink.hpp"
 #include "diagnose/answers/unexplained.hpp"
 #include "diagnose/inference/verdict.hpp"
@@ -36,8 +37,14 @@ struct Diagnosis {
   std::vector<std::vector<Estimate>> estimates;  ///< [effect of the best explanation][parameter]
   std::vector<EffectAt> not_exercised;           ///< effects that these runs could not have shown
   std::optional<Shrink> shrink;
+  std::optional<OfferedLaw> law;    ///< where the cause may be unknown: a law that closes the gap
   std::optional<Missing> missing;   ///< for `unknown`: what is missing, without a catalogue
   std::vector<Proposal> proposals;  ///< for `ambiguous`, or on request: what to measure next
+
+  /// Whether the law stands in for a cause: `shrink` is then the law's.
+  [[nodiscard]] bool offers_law() const {
+    return cause.verdict == CauseVerdict::unknown && law && law->shrink;
+  }
 };
 
 /// \param progress  called now and then with the share of the work that is done

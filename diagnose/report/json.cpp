@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "diagnose/report/law.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -142,13 +144,15 @@ Json next(const std::vector<Proposal>& proposals) {
 Json as_json(const Diagnosis& diagnosis) {
   Json places = where(diagnosis.where);
   if (diagnosis.missing) places["missing"] = missing(*diagnosis.missing);
-  return {{"format", "gap-diagnosis/1"},
-          {"experiment", diagnosis.experiment},
-          {"gap", gap(diagnosis.gap, diagnosis.noise)},
-          {"where", places},
-          {"cause", cause(diagnosis)},
-          {"shrink", diagnosis.shrink ? shrink(*diagnosis.shrink) : Json(nullptr)},
-          {"next", next(diagnosis.proposals)}};
+  Json report = {{"format", "gap-diagnosis/1"},
+                 {"experiment", diagnosis.experiment},
+                 {"gap", gap(diagnosis.gap, diagnosis.noise)},
+                 {"where", places},
+                 {"cause", cause(diagnosis)},
+                 {"shrink", diagnosis.shrink ? shrink(*diagnosis.shrink) : Json(nullptr)},
+                 {"next", next(diagnosis.proposals)}};
+  if (diagnosis.law) report["law"] = law_as_json(*diagnosis.law);
+  return report;
 }
 
 }  // namespace plumbline::diagnose

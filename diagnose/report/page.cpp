@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "diagnose/report/charts.hpp"
+#include "diagnose/report/law.hpp"
 #include "diagnose/report/page_texts.hpp"
 #include "diagnose/report/report.hpp"
 #include "page/markup.hpp"
@@ -193,6 +194,7 @@ void add_charts(Json& view, const Explained& explained) {
   view["angle_residuals"] = section(charts(residuals, true));
   view["shapes"] = charts(shape_charts(explained), false);
   view["loops"] = section(charts(loop_charts(explained), false));
+  if (view.contains("law")) view["law"]["charts"] = charts(law_charts(explained), false);
 }
 
 }  // namespace
@@ -211,6 +213,7 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
     view["shrink"]["by_channel"] = shrink_channels(view["shrink"]);
     const CauseVerdict verdict = diagnosis.cause.verdict;
     view["shrink"]["explains"] = verdict == CauseVerdict::identified || verdict == CauseVerdict::ambiguous;
+    view["shrink"]["of_law"] = diagnosis.offers_law();
     view["shrink"]["heldout_names"] = joined(diagnosis.shrink->heldout, ", ", ", ");
   }
   view["proposals"] = {{"any", !diagnosis.proposals.empty()}};

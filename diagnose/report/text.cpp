@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "diagnose/report/law.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/report/sketch.hpp"
 
@@ -112,6 +113,7 @@ std::string unexplained(const Diagnosis& diagnosis) {
     text += fmt::format("  best partial explanation: {} (chi-square per degree of freedom {:.3g})\n",
                         partial.hypothesis.fit.candidate.label(), partial.chi2_per_dof);
   }
+  if (diagnosis.law) text += law_as_text(*diagnosis.law);
   return text;
 }
 
@@ -131,11 +133,18 @@ std::string what(const Diagnosis& diagnosis) {
     text +=
         "  or a cause outside the catalogue: fitted without the held-out readings, it does not predict "
         "them\n";
+  if (diagnosis.law) text += law_as_text(*diagnosis.law);
   std::string idle;
   for (const EffectAt& at : diagnosis.not_exercised) idle += (idle.empty() ? "" : ", ") + at.label();
   if (!idle.empty())
     text += "  neither excluded nor blamed, for the runs never exercise them: " + idle + "\n";
   return text;
+}
+
+/// What the shrink was measured with.
+std::string what_shrinks(const Diagnosis& diagnosis) {
+  if (diagnosis.offers_law()) return "the torque law";
+  return diagnosis.cause.verdict == CauseVerdict::unknown ? "the best partial explanation" : "this cause";
 }
 
 std::string how_far(const Diagnosis& diagnosis) {
@@ -144,11 +153,12 @@ std::string how_far(const Diagnosis& diagnosis) {
   std::string held;
   for (const std::string& name : shrink.heldout) held += (held.empty() ? "" : ", ") + name;
   return fmt::format(
-      "How far?  On held-out readings ({}) the residual shrinks to {:.3g} of itself (95 %: {:.3g} to {:.3g}; "
+      "How far?  On held-out readings ({}), with {}, the residual shrinks to {:.3g} of itself (95 %: {:.3g} "
+      "to {:.3g}; "
       "noise floor "
       "{:.3g})\n  rms before: {}\n  rms after:  {}\n",
-      held, shrink.ratio, shrink.ratio_low, shrink.ratio_high, shrink.noise_floor_ratio,
-      by_channel(shrink.rms_before), by_channel(shrink.rms_after));
+      held, what_shrinks(diagnosis), shrink.ratio, shrink.ratio_low, shrink.ratio_high,
+      shrink.noise_floor_ratio, by_channel(shrink.rms_before), by_channel(shrink.rms_after));
 }
 
 std::string what_next(const Diagnosis& diagnosis) {

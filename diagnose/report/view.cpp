@@ -37,6 +37,12 @@ Explained::Explained(const Study& studied, const Diagnosis& diagnosed)
       after(before),
       best(best_explanation(diagnosed.cause)),
       model("nominal model") {
+  if (diagnosed.offers_law()) {
+    model = "torque law";
+    corrected = predict_with_law(study, diagnosed.law->law);
+    after = measurements.residual(experiment, corrected);
+    return;
+  }
   if (best == nullptr) return;
   model = diagnosed.cause.verdict == CauseVerdict::unknown ? "best partial explanation" : "corrected model";
   corrected = predict(study, best->candidate, best->parameters);

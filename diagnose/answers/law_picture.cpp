@@ -1,0 +1,145 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/answers/offered_law.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// Knots, the ends of what was exercised among them.
+std::vector<LawPicture::Knot> drawn_knots(const JointTorqueLaw& law, Eigen::Index count) {
+  const Eigen::Index stride = (finest_knots - 1) / (count - 1);
+  std::vector<LawPicture::Knot> knots;
+  for (Eigen::Index k = 0; k < finest_knots; k += stride) {
+    const double d = knot_place(law.span, k), added = law.coefficients(k);
+    // A little beyond the exercised, as the last hat reaches.
+    const double step = knot_place(law.span, stride) - knot_place(law.span, 0);
+    if (d < law.span.low - step || d > law.span.high + step) continue;
+    // The joint stands where its own torque lets it.
+    const double bent = d + law.yield * added;
+    knots.push_back({bent, law.stiffness * bent + added});
+  }
+  return knots;
+}
+
+double slope(const LawPicture::Knot& a, const LawPicture::Knot& b) {
+  return b.deflection != a.deflection ? (b.torque - a.torque) / (b.deflection - a.deflection) : 0;
+}
+
+/// The stiffness between neighbouring knots.
+std::vector<double> slopes(const std::vector<LawPicture::Knot>& knots) {
+  std::vector<double> all;
+  for (std::size_t i = 1; i < knots.size(); ++i) all.push_back(slope(knots[i - 1], knots[i]));
+  return all;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+using Parts = std::vector<std::string>;
+
+void add_stiffness(const JointTorqueLaw& law, const std::vector<double>& stiffness, Parts& parts) {
+  constexpr double noticeable = 0.05;
+  const double ratio = median(stiffness) / law.stiffness;
+  if (std::abs(ratio - 1) > noticeable)
+    parts.push_back(fmt::format("{:.2g} times as stiff as the nominal spring", ratio));
+}
+
+/// Where around zero the joint carries next to nothing.
+void add_slack(const std::vector<LawPicture::Knot>& knots, const std::vector<double>& stiffness,
+               Parts& parts) {
+  constexpr double soft = 0.25;
+  const double usual = *std::max_element(stiffness.begin(), stiffness.end());
+  std::size_t zero = 0;
+  while (zero + 1 < stiffness.size() && knots[zero + 1].deflection < 0) ++zero;
+  std::size_t from = zero, to = zero;
+  const auto slack = [&](std::size_t i) { return stiffness[i] < soft * usual; };
+  if (!slack(zero)) return;
+  while (from > 0 && slack(from - 1)) --from;
+  while (to + 1 < stiffness.size() && slack(to + 1)) ++to;
+  if (from == 0 && to + 1 == stiffness.size()) return;
+  parts.push_back(
+      fmt::format("slack of {:.2g} rad about zero", knots[to + 1].deflection - knots[from].deflection));
+}
+
+/// One side: where the stiffness leaves that near zero for good, and how far.
+void add_side(const std::vector<LawPicture::Knot>& knots, const std::vector<double>& stiffness, double sign,
+              Parts& parts) {
+  constexpr double change = 1.4;
+  std::vector<std::size_t> outward;
+  for (std::size_t i = 0; i < stiffness.size(); ++i)
+    if (sign * (knots[i].deflection + knots[i + 1].deflection) > 0) outward.push_back(i);
+  if (outward.size() < 2) return;
+  if (sign < 0) std::reverse(outward.begin(), outward.end());
+  const double inner = stiffness[outward.front()], outer = stiffness[outward.back()];
+  if (!(inner > 0)) return;
+  const bool harder = outer > change * inner, softer = change * outer < inner;
+  if (!harder && !softer) return;
+  std::size_t from = outward.size() - 1;
+  while (from > 0 && (harder ? stiffness[outward[from - 1]] > change * inner
+                             : change * stiffness[outward[from - 1]] < inner))
+    --from;
+  const LawPicture::Knot& near = sign > 0 ? knots[outward[from]] : knots[outward[from] + 1];
+  parts.push_back(fmt::format("{} from {:.2g} rad, {:.2g} times the stiffness near zero at {:.2g} rad",
+                              harder ? "hardening" : "softening", near.deflection, outer / inner,
+                              sign > 0 ? knots.back().deflection : knots.front().deflection));
+}
+
+void add_rest(const std::vector<LawPicture::Knot>& knots, const JointTorqueLaw& law, Parts& parts) {
+  constexpr double noticeable = 0.02;  // of the range
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const auto [d0, t0] = knots[i - 1];
+    const auto [d1, t1] = knots[i];
+    if (!(t0 * t1 <= 0) || t0 == t1) continue;
+    const double rest = d0 - t0 * (d1 - d0) / (t1 - t0);
+    if (std::abs(rest) > noticeable * 2 * law.span.stroke())
+      parts.push_back(fmt::format("at ease at {:.2g} rad", rest));
+    return;
+  }
+}
+
+void add_memory(const LawPicture& picture, Parts& parts) {
+  double loop = 0, widest = 0;
+  for (const LawPicture::Slider& one : picture.sliders) loop += 2 * one.torque, widest = one.slips_at;
+  if (loop > 0)
+    parts.push_back(fmt::format("loop of {:.2g} N m, closed {:.2g} rad after a reversal", loop, 2 * widest));
+  for (const LawPicture::Arm& one : picture.arms)
+    parts.push_back(
+        fmt::format("{:.2g} N m/rad that relax within {:.2g} s", one.stiffness, one.time_constant));
+}
+
+std::string joined(const Parts& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text.empty() ? "close to the nominal spring" : text;
+}
+
+}  // namespace
+
+LawPicture picture_of(const JointTorqueLaw& law, Eigen::Index knots) {
+  LawPicture picture{law.joints, drawn_knots(law, knots), {}, {}, ""};
+  for (Eigen::Index m = 0; m < slider_terms; ++m)
+    if (const double torque = law.coefficients(finest_knots + m); torque > 0)
+      picture.sliders.push_back({slip_shares[m] * law.span.stroke(), torque});
+  for (Eigen::Index m = 0; m < arm_terms; ++m)
+    if (const double torque = law.coefficients(finest_knots + slider_terms + m); torque > 0)
+      picture.arms.push_back({time_shares[m] * law.span.duration, torque / law.span.deflection()});
+  Parts parts;
+  if (const std::vector<double> stiffness = slopes(picture.knots); stiffness.size() > 1) {
+    add_stiffness(law, stiffness, parts);
+    add_slack(picture.knots, stiffness, parts);
+    add_side(picture.knots, stiffness, 1, parts);
+    add_side(picture.knots, stiffness, -1, parts);
+    add_rest(picture.knots, law, parts);
+  }
+  add_memory(picture, parts);
+  picture.words = joined(parts);
+  return picture;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// The terms of a free torque law at a joint: hat functions of the deflection, sliders and relaxing arms.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+#include "diagnose/bench/experiment.hpp"
+
+namespace plumbline::diagnose {
+
+/// How far a joint was bent and how long: what the terms are laid out over.
+struct LawSpan {
+  double low = 0, high = 0;  ///< range of the deflection, rad, with zero in it
+  double duration = 0;       ///< of the longest run, s: unit of the time constants
+
+  /// The knots lie evenly over both signs, up to here.
+  [[nodiscard]] double deflection() const { return std::max(high, -low); }
+  /// Unit of the sliders.
+  [[nodiscard]] double stroke() const { return (high - low) / 2; }
+};
+
+/// The finest knots; 3, 5, 9 and 17 knots are every 16th, 8th, 4th and 2nd of them.
+inline constexpr Eigen::Index finest_knots = 33;
+/// Deflections at which the sliders begin to slip, over the stroke.
+inline constexpr double slip_shares[] = {0.02, 0.05, 0.1, 0.2, 0.4, 0.7};
+/// Time constants of the arms, over the duration.
+inline constexpr double time_shares[] = {0.03, 0.15, 0.6};
+
+inline constexpr Eigen::Index slider_terms = std::size(slip_shares);
+inline constexpr Eigen::Index arm_terms = std::size(time_shares);
+inline constexpr Eigen::Index law_terms_count = finest_knots + slider_terms + arm_terms;
+
+/// Deflection of a knot, rad.
+double knot_place(const LawSpan& span, Eigen::Index knot);
+
+/// Every term at every reading of a run, a row a reading: hats (outside of the knots they go on straight),
+/// then sliders (stop operators of Prandtl and Ishlinskii: +-1 where they slip), then Maxwell arms, in units
+/// of a spring's torque at the largest deflection. The run starts from rest at d = 0, all at ease.
+/// \param deflection  by reading; NaN where unknown: the row is zero and history passes over it
+Eigen::MatrixXd law_terms(const LawSpan& span, const Run& run, const Eigen::VectorXd& deflection);
+
+}  // namespace plumbline::diagnose

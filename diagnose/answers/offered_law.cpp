@@ -1,0 +1,22 @@
+#include "diagnose/answers/offered_law.hpp"
+
+#include <cmath>
+
+namespace plumbline::diagnose {
+
+std::optional<OfferedLaw> offer_law(const Study& study, const HeldOut& heldout, const NoiseModel& noise,
+                                    const std::vector<Instance>& bases) {
+  if (heldout.empty()) return std::nullopt;
+  const Study seen(without(study.experiment(), heldout));
+  const std::optional<TorqueLaw> law = fit_torque_law(seen, noise, bases);
+  if (!law) return std::nullopt;
+  OfferedLaw offered{*law, {}, std::nullopt, law_traces(study, *law)};
+  for (const JointTorqueLaw& one : law->laws) offered.pictures.push_back(picture_of(one, law->knots));
+  const Prediction after = predict_with_law(study, *law);
+  if (after.reached && covers(study, *law, heldout))
+    offered.shrink =
+        measure_shrink(study.measurements(), heldout, study.nominal_residual(), study.residual(after), noise);
+  return offered;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,57 @@
+#pragma once
+/// \file
+/// A model that closes the gap where no known effect does: a free torque law at the joints. It says what a
+/// joint does, never why.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnose/answers/law_terms.hpp"
+#include "diagnose/answers/shrink.hpp"
+
+namespace plumbline::diagnose {
+
+/// One law, which one joint or several have. Torques are added to those of the nominal spring, in the sense
+/// of a spring: positive resists a positive deflection.
+struct JointTorqueLaw {
+  std::vector<std::size_t> joints;  ///< from 1
+  LawSpan span;
+  Eigen::VectorXd coefficients;  ///< of the terms, N m, at a joint of stiffness `stiffness`
+  double stiffness = 0;          ///< of the joint, or the mean of the joints': the law scales with their own
+  double yield =
+      0;  ///< how far the joint gives way to its own torque where the end is held as it was, rad/(N m)
+};
+
+struct TorqueLaw {
+  Instance base;  ///< effects that it stands beside; none: on the nominal model
+  std::vector<JointTorqueLaw> laws;
+  Eigen::Index knots = 0;      ///< of each law
+  double cross_validated = 1;  ///< rms left on blocks that the fit had not seen, over the nominal model's
+  double without_law = 1;      ///< rms that the best base leaves alone, over the nominal model's
+};
+
+/// Chooses a law blind and fits it: the joints, the number of knots, the sliders, the arms and how smooth it
+/// is are those that predict best the blocks of readings that are left out in turn. The channels answer to a
+/// torque as the nominal model's derivative says, so the law is linear in its coefficients.
+/// \param seen   without the readings that are held out
+/// \param bases  explanations fitted to the readings seen, on which the law may stand; the nominal model is
+///               always one
+/// \returns nothing where no law predicts surely better than the nominal model and the bases
+std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noise,
+                                        const std::vector<Instance>& bases);
+
+/// What the rig would give with this law.
+Prediction predict_with_law(const Study& study, const TorqueLaw& law);
+
+/// What one joint carries along one run, law and nominal spring together.
+struct LawTrace {
+  std::size_t joint, run;              ///< joint from 1
+  Eigen::VectorXd deflection, torque;  ///< by reading, rad and N m
+};
+std::vector<LawTrace> law_traces(const Study& study, const TorqueLaw& law);
+
+/// Whether the readings held out bend the joints no farther than those seen: beyond, a law says nothing.
+bool covers(const Study& study, const TorqueLaw& law, const HeldOut& heldout);
+
+}  // namespace plumbline::diagnose

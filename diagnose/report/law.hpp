@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// What a report says of a torque law that is offered where nothing known fits.
+
+#include <nlohmann/json.hpp>
+
+#include "diagnose/report/charts.hpp"
+
+namespace plumbline::diagnose {
+
+/// The key `law` of the report.
+nlohmann::ordered_json law_as_json(const OfferedLaw& offered);
+
+/// The lines of the text report.
+std::string law_as_text(const OfferedLaw& offered);
+
+/// The law with the nominal spring and the paths of the runs over the deflection, and, where arms relax, the
+/// torque over time.
+std::vector<PageChart> law_charts(const Explained& explained);
+
+}  // namespace plumbline::diagnose
