@@ -1,11 +1,14 @@
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <memory>
+#include <plumbline/base/error.hpp>
 
 #include "app/example_experiment.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/inference/conventions.hpp"
 #include "diagnose/report/report.hpp"
 #include "files/text_file.hpp"
 
@@ -14,7 +17,7 @@ namespace {
 
 struct Options {
   std::string experiment, json, html;
-  bool next = false;
+  bool next = false, as_is = false;
 };
 
 diagnose::Diagnosis diagnosis_of(const diagnose::Study& study, bool next) {
@@ -27,9 +30,26 @@ diagnose::Diagnosis diagnosis_of(const diagnose::Study& study, bool next) {
   return diagnose::diagnose(study, show, next);
 }
 
+/// A search among causes is wasted on numbers that were meant otherwise.
+/// \throws Error with the question, where a unit, sign, axis or order is in doubt
+void ask_for_conventions(const diagnose::Study& study) {
+  const std::optional<diagnose::Doubt> doubt = diagnose::doubtful_convention(study);
+  if (!doubt) return;
+  std::string where = study.experiment().name + ", ";
+  if (!doubt->runs.empty())
+    where += fmt::format("run{} {}, ", doubt->runs.size() > 1 ? "s" : "", fmt::join(doubt->runs, ", "));
+  std::string found = "what looks like " + doubt->looks_like;
+  for (const std::string& other : doubt->or_else) found += ", or " + other;
+  found += fmt::format(" (the nominal model then misses {:.2g} % instead of {:.2g} %)", 100 * doubt->left,
+                       100 * doubt->left_as_is);
+  throw Error(where + doubt->what, found,
+              doubt->expected + ": convert the numbers, or pass --as-is if they are right");
+}
+
 void run(const Options& options) {
   const diagnose::Study study(options.experiment.empty() ? example_experiment()
                                                          : diagnose::read_experiment(options.experiment));
+  if (!options.as_is) ask_for_conventions(study);
   std::unique_ptr<files::OutputFile> json, html;
   if (!options.json.empty()) json = std::make_unique<files::OutputFile>(options.json);
   if (!options.html.empty()) html = std::make_unique<files::OutputFile>(options.html);
@@ -62,6 +82,8 @@ void add_diagnose(CLI::App& app) {
       ->type_name("FILE");
   verb->add_flag("--next", options->next,
                  "Say which run to make next even where the cause is clear: to tell the best two apart");
+  verb->add_flag("--as-is", options->as_is,
+                 "Take the numbers as they stand, even where they look like another unit, sign or axis");
   verb->callback([options] { run(*options); });
 }
 
