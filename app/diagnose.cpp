@@ -1,12 +1,15 @@
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <memory>
+#include <plumbline/base/error.hpp>
 
 #include "app/example_experiment.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/inference/conventions.hpp"
 #include "diagnose/report/report.hpp"
 #include "trial/experiment_files.hpp"
 
@@ -15,7 +18,7 @@ namespace {
 
 struct Options {
   std::string experiment, json, html;
-  bool next = false;
+  bool next = false, as_is = false;
 };
 
 diagnose::Diagnosis diagnosis_of(const diagnose::Study& study, bool next) {
@@ -28,6 +31,22 @@ diagnose::Diagnosis diagnosis_of(const diagnose::Study& study, bool next) {
   return diagnose::diagnose(study, show, next);
 }
 
+/// A search among causes is wasted on numbers that were meant otherwise.
+/// \throws Error with the question, where a unit, sign, axis or order is in doubt
+void ask_for_conventions(const diagnose::Study& study) {
+  const std::optional<diagnose::Doubt> doubt = diagnose::doubtful_convention(study);
+  if (!doubt) return;
+  std::string where = study.experiment().name + ", ";
+  if (!doubt->runs.empty())
+    where += fmt::format("run{} {}, ", doubt->runs.size() > 1 ? "s" : "", fmt::join(doubt->runs, ", "));
+  std::string found = "what looks like " + doubt->looks_like;
+  for (const std::string& other : doubt->or_else) found += ", or " + other;
+  found += fmt::format(" (the nominal model then misses {:.2g} % instead of {:.2g} %)", 100 * doubt->left,
+                       100 * doubt->left_as_is);
+  throw Error(where + doubt->what, found,
+              doubt->expected + ": convert the numbers, or pass --as-is if they are right");
+}
+
 void run(const Options& options) {
   diagnose::Experiment experiment =
       options.experiment.empty() ? example_experiment() : diagnose::read_experiment(options.experiment);
@@ -35,6 +54,7 @@ void run(const Options& options) {
   files::OutputFile *const json = outputs.open("--json", options.json),
                            *const html = outputs.open("--html", options.html);
   const diagnose::Study study(std::move(experiment));
+  if (!options.as_is) ask_for_conventions(study);
   const diagnose::Diagnosis diagnosis = diagnosis_of(study, options.next);
   if (json) json->write(as_json(diagnosis).dump(2) + "\n");
   if (html) html->write(diagnose::as_html(study, diagnosis));
@@ -63,6 +83,8 @@ void add_diagnose(CLI::App& app) {
       ->type_name("FILE");
   verb->add_flag("--next", options->next,
                  "Say which run to make next even where the cause is clear: to tell the best two apart");
+  verb->add_flag("--as-is", options->as_is,
+                 "Take the numbers as they stand, even where they look like another unit, sign or axis");
   verb->callback([options] { run(*options); });
 }
 

@@ -1,0 +1,226 @@
+#include "diagnose/inference/conventions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/bench/conversion.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// Columns whose misfit is below this share of what it could be are not worth a question.
+constexpr double misfit_in_doubt = 0.05;
+/// A conversion must leave no more than this share of the misfit.
+constexpr double left_at_most = 0.05;
+
+/// Sums of squares of a measured column of one run, from the unloaded state on, against the prediction.
+struct Column {
+  Channel channel{};
+  double measured = 0, predicted = 0, product = 0;
+
+  [[nodiscard]] double energy() const { return measured + predicted; }
+  [[nodiscard]] double difference() const { return std::max(0.0, energy() - 2 * product); }
+};
+
+using Columns = std::vector<Column>;  ///< of one run
+
+/// What is missing in the prediction counts as unloaded.
+Column compare(const Series& series, const Run& run, const Trace& predicted, double unloaded) {
+  Column column{series.channel};
+  for (const std::size_t i : series.readings) {
+    const double m = series.channel.of(run.readings[i]) - unloaded;
+    const double value = predicted(static_cast<Eigen::Index>(i), series.channel.column());
+    const double p = std::isfinite(value) ? value - unloaded : 0;
+    column.measured += m * m;
+    column.predicted += p * p;
+    column.product += m * p;
+  }
+  return column;
+}
+
+double unloaded_value(const Channel& channel, const Vector2& end, const std::vector<double>& rest) {
+  switch (channel.name) {
+    case Channel::Name::x:
+      return end.x();
+    case Channel::Name::y:
+      return end.y();
+    case Channel::Name::q:
+      return rest[channel.joint];
+    default:
+      return 0;
+  }
+}
+
+std::vector<Columns> compare(const Experiment& experiment, const Measurements& measurements,
+                             const Prediction& prediction) {
+  std::vector<Columns> runs(experiment.runs.size());
+  for (const Series& series : measurements.series()) {
+    const Run& run = experiment.runs[series.run];
+    const double unloaded = unloaded_value(series.channel, unloaded_end(experiment, run.rest), run.rest);
+    runs[series.run].push_back(compare(series, run, prediction.runs[series.run], unloaded));
+  }
+  return runs;
+}
+
+/// 0 where a column agrees, 1 where it has nothing to do with the prediction, 2 where it is its mirror image;
+/// whatever the unit. A column that is small beside the others of its sensor counts less.
+double misfit(const Columns& columns, const Column& one) {
+  constexpr double beside = 0.05;
+  double sensor = 0;
+  for (const Column& other : columns)
+    if (other.channel.sensor() == one.channel.sensor()) sensor += other.energy();
+  return sensor > 0 ? one.difference() / (one.energy() + beside * sensor) : 0;
+}
+
+double worst(const Columns& columns) {
+  double most = 0;
+  for (const Column& one : columns) most = std::max(most, misfit(columns, one));
+  return most;
+}
+
+/// Whether the nominal model predicts the same for both: then it need not be asked again.
+bool same_command(const Experiment& a, const Experiment& b) {
+  const auto same_run = [](const Run& one, const Run& other) {
+    const auto same_reading = [&](const Reading& r, const Reading& s) {
+      return one.control == ControlMode::displacement ? r.x == s.x && r.y == s.y
+                                                      : r.Fx == s.Fx && r.Fy == s.Fy;
+    };
+    return one.rest == other.rest && std::equal(one.readings.begin(), one.readings.end(),
+                                                other.readings.begin(), same_reading);
+  };
+  return a.link_length == b.link_length && a.joint_stiffness == b.joint_stiffness &&
+         a.link_mass == b.link_mass &&
+         std::equal(a.runs.begin(), a.runs.end(), b.runs.begin(), b.runs.end(), same_run);
+}
+
+/// How far the runs start from their unloaded end points, in lengths of the chain.
+double distance_at_start(const Experiment& experiment) {
+  double length = 0, sum = 0;
+  for (const double one : experiment.link_length) length += one;
+  for (const Run& run : experiment.runs) {
+    if (run.control != ControlMode::displacement || run.readings.empty()) continue;
+    const Reading& first = run.readings.front();
+    sum += (Vector2(first.x, first.y) - unloaded_end(experiment, run.rest)).norm() / length;
+  }
+  return sum;
+}
+
+/// A conversion that was tried.
+struct Trial {
+  const Conversion* conversion;
+  std::vector<std::size_t> runs;  ///< that it mends
+  double misfit = 0;              ///< left in all runs
+  double left_as_is = 0, left = 0;
+};
+
+class Check {
+ public:
+  explicit Check(const Study& study)
+      : study_(study),
+        as_is_(compare(study.experiment(), study.measurements(), study.nominal())),
+        start_(distance_at_start(study.experiment())) {}
+
+  [[nodiscard]] bool in_doubt() const {
+    return !study_.nominal().reached || std::any_of(as_is_.begin(), as_is_.end(), [](const Columns& run) {
+      return worst(run) > misfit_in_doubt;
+    });
+  }
+
+  [[nodiscard]] std::vector<Trial> suspected() const {
+    std::vector<Trial> found;
+    for (const Conversion& conversion : conversions())
+      if (const std::optional<Trial> trial = attempt(conversion)) found.push_back(*trial);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Trial& a, const Trial& b) { return a.misfit < b.misfit; });
+    return found;
+  }
+
+ private:
+  [[nodiscard]] std::optional<Trial> attempt(const Conversion& conversion) const {
+    const Experiment experiment = converted(study_.experiment(), conversion);
+    constexpr double rounding = 1e-3;
+    if (distance_at_start(experiment) > start_ + rounding) return {};
+    Prediction predicted;
+    if (same_command(experiment, study_.experiment())) {
+      predicted = study_.nominal();
+    } else {
+      predicted = simulate(experiment, nominal_rig(experiment), {});
+    }
+    if (!predicted.reached) return {};
+    return judge(conversion, compare(experiment, study_.measurements(), predicted));
+  }
+
+  /// The columns that the conversion changes, in the runs that it mends, must agree.
+  [[nodiscard]] std::optional<Trial> judge(const Conversion& conversion,
+                                           const std::vector<Columns>& now) const {
+    Trial trial{&conversion, {}, 0, 0, 0};
+    double before = 0, after = 0;
+    Column was, is;
+    const auto add = [](Column& sum, const Column& one) {
+      sum.measured += one.measured, sum.predicted += one.predicted, sum.product += one.product;
+    };
+    for (std::size_t r = 0; r < now.size(); ++r) {
+      double run_before = 0, run_after = 0, all_before = 0, all_after = 0;
+      Column run_was, run_is;
+      for (std::size_t c = 0; c < now[r].size(); ++c) {
+        const double b = misfit(as_is_[r], as_is_[r][c]), a = misfit(now[r], now[r][c]);
+        all_before += b, all_after += a;
+        if (std::abs(a - b) < 1e-9) continue;
+        run_before += b, run_after += a;
+        add(run_was, as_is_[r][c]), add(run_is, now[r][c]);
+      }
+      const bool mended = run_after < run_before;
+      if (!mended && worst(as_is_[r]) > misfit_in_doubt) return {};
+      if (!mended && conversion.chain && run_before > 0) return {};
+      trial.misfit += mended ? all_after : all_before;
+      if (!mended) continue;
+      trial.runs.push_back(r);
+      before += run_before, after += run_after;
+      add(was, run_was), add(is, run_is);
+    }
+    if (trial.runs.empty() || after > left_at_most * before || before < misfit_in_doubt) return {};
+    if (!centred(is, conversion.tolerance)) return {};
+    trial.left_as_is = std::sqrt(was.difference() / was.measured);
+    trial.left = std::sqrt(is.difference() / is.measured);
+    return trial;
+  }
+
+  /// Of a factor: whether the best common factor that remains is one, within the tolerance or within what
+  /// scatters about that best one.
+  static bool centred(const Column& column, double tolerance) {
+    if (tolerance == 0) return true;
+    const double best = column.product / column.predicted;
+    const double scatter = std::sqrt(std::max(0.0, column.measured / column.predicted - best * best));
+    return best > 0 && std::abs(std::log(best)) < std::max(tolerance, scatter);
+  }
+
+  const Study& study_;
+  std::vector<Columns> as_is_;
+  double start_;
+};
+
+}  // namespace
+
+std::optional<Doubt> doubtful_convention(const Study& study) {
+  const Check check(study);
+  if (!check.in_doubt()) return {};
+  const std::vector<Trial> found = check.suspected();
+  if (found.empty()) return {};
+  const Trial& best = found.front();
+  Doubt doubt{{},
+              best.conversion->what,
+              best.conversion->looks_like,
+              best.conversion->expected,
+              {},
+              best.left_as_is,
+              best.left};
+  if (best.runs.size() < study.experiment().runs.size())
+    for (const std::size_t r : best.runs) doubt.runs.push_back(study.experiment().runs[r].id);
+  // The misfit is at most 2 a column: what differs by a thousandth cannot be told apart.
+  constexpr double alike = 1e-3;
+  for (std::size_t i = 1; i < found.size() && found[i].misfit < best.misfit + alike; ++i)
+    doubt.or_else.push_back(found[i].conversion->what + " like " + found[i].conversion->looks_like);
+  return doubt;
+}
+
+}  // namespace plumbline::diagnose

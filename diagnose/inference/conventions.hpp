@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// Before anything is fitted: do the numbers mean what the format says, or do they betray another unit, sign,
+/// axis or order?
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnose/model/study.hpp"
+
+namespace plumbline::diagnose {
+
+/// Numbers that look as if they were meant otherwise. A question, not a finding: the nominal model itself may
+/// be what is wrong.
+struct Doubt {
+  std::vector<std::string> runs;  ///< that look so; empty where all do
+  std::string what;               ///< the columns or keys, "Fx, Fy"
+  std::string looks_like;         ///< "kgf"
+  std::string expected;           ///< "N"
+  std::vector<std::string> or_else;  ///< other readings that fit as well: "joint_stiffness like N cm/rad"
+  double left_as_is, left;  ///< rms of what the nominal model leaves, over the readings' own: now and then
+};
+
+/// Compares the readings with the nominal model as they stand and under each of the closed list of
+/// conversions (bench/conversion.hpp); nothing is fitted. A conversion is suspected where it removes all but a
+/// twentieth of the squared misfit of every column that it changes, in every run that misfits, and where no
+/// common factor but its own would do: what is left is centred within its tolerance.
+std::optional<Doubt> doubtful_convention(const Study& study);
+
+}  // namespace plumbline::diagnose
