@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <plumbline/loaded/equilibrium.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 #include <random>
 
 #include "app/loaded_input.hpp"

@@ -5,6 +5,7 @@
 #include <plumbline/branch/branch_tree.hpp>
 #include <plumbline/branch/slow_loading.hpp>
 #include <plumbline/branch/straight_start.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 #include "proofs/census.hpp"
 

@@ -180,7 +180,7 @@ Run read_run(const Section& section, const fs::path& folder, std::size_t n) {
   const std::string control = section.text("control", expected);
   if (control != "displacement" && control != "force")
     throw Error(section.place("control"), "\"" + control + "\"", expected);
-  run.control = control == "force" ? ControlMode::force : ControlMode::displacement;
+  run.control = control == "force" ? Control::force : Control::end_point;
   run.rest = section.numbers("rest", n);
   run.readings = read_samples(sample_file(section, folder), run.control, n);
   return run;

@@ -12,6 +12,6 @@ namespace plumbline::diagnose {
 /// An empty measured field is NaN; time and the imposed channels may not be empty.
 /// \param joints  n
 /// \throws Error that names the file and the line
-std::vector<Reading> read_samples(const std::filesystem::path& file, ControlMode control, std::size_t joints);
+std::vector<Reading> read_samples(const std::filesystem::path& file, Control control, std::size_t joints);
 
 }  // namespace plumbline::diagnose

@@ -215,8 +215,7 @@ std::vector<ParameterRange> ranges(EffectId effect, const Typical& is, double ow
 bool measures_force(const Experiment& experiment) {
   for (const Run& run : experiment.runs) {
     for (const Reading& reading : run.readings) {
-      if (run.control == ControlMode::displacement &&
-          (std::isfinite(reading.Fx) || std::isfinite(reading.Fy)))
+      if (run.control == Control::end_point && (std::isfinite(reading.Fx) || std::isfinite(reading.Fy)))
         return true;
     }
   }

@@ -5,6 +5,7 @@
 #include <boost/math/tools/roots.hpp>
 #include <plumbline/branch/sharpen.hpp>
 #include <plumbline/branch/slow_loading.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 #include "proofs/exactly.hpp"
 #include "verify/judging/sign.hpp"

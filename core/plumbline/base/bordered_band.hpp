@@ -77,10 +77,14 @@ std::size_t negative_eigenvalues(Matrix<Real>& G) {
 template <Floating Real, int B>
 class BorderedBand {
  public:
+  BorderedBand() : BorderedBand(default_pivot()) {}
+  /// \param smallest_pivot  share of its row below which a pivot of T is enlarged: each elimination step may
+  ///        lose as many digits as that has
+  explicit BorderedBand(Real smallest_pivot) : small_(std::move(smallest_pivot)) {}
+
   /// Takes the band; the borders come with border().
   void factor(const Band<Real, B>& T) {
-    using std::abs, std::max, std::min, std::sqrt;
-    static const Real small = sqrt(sqrt(epsilon<Real>()));
+    using std::abs, std::max, std::min;
     const Eigen::Index n = T.cols();
     L_ = T;
     shifts_.clear();
@@ -93,7 +97,7 @@ class BorderedBand {
       if (!(scale > Real(0))) scale = scale_of_all > Real(0) ? scale_of_all : Real(1);
       scale_of_all = max(scale_of_all, scale);
       Real& pivot = L_(0, i);
-      if (!(abs(pivot) >= small * scale)) {
+      if (!(abs(pivot) >= small_ * scale)) {
         const Real shift = pivot < Real(0) ? Real(-scale) : scale;
         shifts_.emplace_back(i, shift);
         pivot += shift;
@@ -129,6 +133,12 @@ class BorderedBand {
     return factor_dense();
   }
 
+  /// Leaves the band without borders. False when it is singular.
+  bool no_border() {
+    const Eigen::Index n = L_.cols();
+    return border(Matrix<Real>(n, 0), Matrix<Real>(n, 0), Matrix<Real>(0, 0));
+  }
+
   /// Negative eigenvalues of the matrix with only the first so many borders; presumes it is symmetric there.
   [[nodiscard]] std::size_t negative(Eigen::Index borders) {
     scratch_ = G_.topLeftCorner(shifted() + borders, shifted() + borders);
@@ -159,6 +169,10 @@ class BorderedBand {
   }
 
  private:
+  static Real default_pivot() {
+    using std::sqrt;
+    return sqrt(sqrt(epsilon<Real>()));
+  }
   [[nodiscard]] Eigen::Index shifted() const { return static_cast<Eigen::Index>(shifts_.size()); }
 
   void eliminate(Eigen::Index i, Eigen::Index reach) {
@@ -238,6 +252,7 @@ class BorderedBand {
     }
   }
 
+  Real small_;
   Band<Real, B> L_;  // unit lower band below, reciprocals of the pivots in row 0
   std::vector<std::pair<Eigen::Index, Real>> shifts_;
   std::size_t negative_ = 0;
