@@ -14,7 +14,7 @@ struct Piece {
 };
 
 /// \param carried  weight, beside the end force
-Piece piece(double length, double phi, const Vector2& force, const Vector2& carried, double axial) {
+inline Piece piece(double length, double phi, const Vector2& force, const Vector2& carried, double axial) {
   const Vector2 u(std::cos(phi), std::sin(phi));
   const Vector2 n(-u.y(), u.x());
   const double pull = u.dot(carried), tension = u.dot(force) + pull, shear = n.dot(force + carried);
@@ -194,17 +194,23 @@ template <bool derivatives>
 void RigModel<Bandwidth>::add_end(const Vector<double>& angle, const Vector2& force, At& at) const {
   const RunRig& run = step_->run;
   const Eigen::Index tip = index(layout_.nodes()) - 1;
-  const double phi = angle(tip), turned = phi - run.rest_orientation, e = run.rig.eccentricity;
-  const Vector2 u(std::cos(phi), std::sin(phi)), n(-u.y(), u.x());
+  const double turned = angle(tip) - run.rest_orientation;
   const Vector2 yields = run.rig.base_compliance + Vector2(run.rig.train_compliance, 0);
-  at.residual(tip) += run.rig.tip_stiffness * turned + e * u.dot(force);
+  at.residual(tip) += run.rig.tip_stiffness * turned;
   at.end_point.x += yields.x() * force.x();
   at.end_point.y += yields.y() * force.y();
+  if constexpr (derivatives) {
+    at.energy += run.rig.tip_stiffness * turned * turned / 2 + force.dot(yields.cwiseProduct(force)) / 2;
+    at.hessian(0, tip) += run.rig.tip_stiffness;
+    at.compliance.diagonal() += yields;
+    at.force_gradient = at.end_point_gradient;
+  }
+  const double e = run.rig.eccentricity;
+  if (e == 0) return;
+  const Vector2 u(std::cos(angle(tip)), std::sin(angle(tip)));
+  at.residual(tip) += e * u.dot(force);
   if constexpr (!derivatives) return;
-  at.energy += run.rig.tip_stiffness * turned * turned / 2 + force.dot(yields.cwiseProduct(force)) / 2;
-  at.hessian(0, tip) += run.rig.tip_stiffness + e * n.dot(force);
-  at.compliance.diagonal() += yields;
-  at.force_gradient = at.end_point_gradient;
+  at.hessian(0, tip) += e * (u.x() * force.y() - u.y() * force.x());
   at.force_gradient.row(tip) -= e * u.transpose();
 }
 

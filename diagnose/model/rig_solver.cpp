@@ -18,6 +18,9 @@ constexpr double shortest_stride = 1e-3;  // share of the way between two readin
 constexpr int newton_limit = 40;
 constexpr int joint_changes = 8;  // iterations that may change all contacts at once
 constexpr int descent_limit = 400;
+// Joints in their play, and passive ones, may leave the stiffness singular. Dampers this weak, as a share of
+// the largest joint stiffness, keep such joints where they are; the residual knows nothing of them.
+constexpr double hold = 1e-8;
 // Beside a joint that sticks (JointLaw::sticking) one that slips leaves a pivot of a 1e-5th of its row.
 constexpr double smallest_pivot = 1e-6;
 
@@ -64,7 +67,7 @@ bool RigSolver<Bandwidth>::newton(const RigStep& step, const Imposed& imposed, P
   const double scale = step.run.largest_stiffness / step.run.rig.length.front();
   for (int i = 0; i < newton_limit; ++i) {
     system_.expand(posture.angle, posture.force);
-    if (!system_.factor(imposed.control)) return false;
+    if (!system_.factor(imposed.control, hold * step.run.largest_stiffness)) return false;
     const double turn = system_.step_to(point(imposed.value));
     if (!std::isfinite(turn)) return false;
     if (pace == Pace::careful && turn > std::max(allowed, felt_turn)) return false;

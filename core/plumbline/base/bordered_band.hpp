@@ -141,6 +141,11 @@ class BorderedBand {
 
   /// Negative eigenvalues of the matrix with only the first so many borders; presumes it is symmetric there.
   [[nodiscard]] std::size_t negative(Eigen::Index borders) {
+    if (shifts_.empty() && borders == 0) return negative_;
+    if (shifts_.empty() && borders == 2) {
+      const bool mixed = G_(0, 0) * G_(1, 1) < G_(0, 1) * G_(1, 0);
+      return negative_ + (mixed ? 1 : G_(0, 0) + G_(1, 1) < Real(0) ? 2 : 0);
+    }
     scratch_ = G_.topLeftCorner(shifted() + borders, shifted() + borders);
     std::size_t count = negative_ + negative_eigenvalues(scratch_);
     for (const auto& shift : shifts_) count -= shift.second < Real(0) ? 1 : 0;
@@ -152,6 +157,8 @@ class BorderedBand {
   void solve(V&& v, W&& w) {
     const Eigen::Index n = L_.cols(), m = shifted(), p = R_.cols();
     solve_band(v);
+    if (m + p == 0) return;
+    if (m == 0 && p == 2) return solve_two(v, w);
     z_.resize(m + p);
     for (Eigen::Index a = 0; a < m; ++a) z_(a) = -v(shifts_[static_cast<std::size_t>(a)].first);
     for (Eigen::Index a = 0; a < p; ++a) {
@@ -207,6 +214,24 @@ class BorderedBand {
       v(i) = x;
       keep(x);
     }
+  }
+
+  /// The rest of solve() with two borders and no enlarged pivot, an equilibrium's usual case: in registers.
+  template <class V, class W>
+  void solve_two(V& v, W& w) const {
+    Real a = w(0), b = w(1);
+    for (Eigen::Index i = 0; i < v.size(); ++i) {
+      a -= R_(i, 0) * v(i);
+      b -= R_(i, 1) * v(i);
+    }
+    if (rows_[0] == 1) std::swap(a, b);
+    b -= LU_(1, 0) * a;
+    b *= LU_(1, 1);
+    a -= LU_(0, 1) * b;
+    a *= LU_(0, 0);
+    for (Eigen::Index i = 0; i < v.size(); ++i) v(i) = Real(v(i) - X_(i, 0) * a) - X_(i, 1) * b;
+    w(0) = a;
+    w(1) = b;
   }
 
   bool factor_dense() {
