@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <plumbline/loaded/equilibrium.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 #include <random>
 
 #include "app/arguments.hpp"

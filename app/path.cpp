@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <plumbline/loaded/nominal_model.hpp>
 
 #include "app/arguments.hpp"
 #include "app/certified_report.hpp"

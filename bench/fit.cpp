@@ -15,6 +15,7 @@
 #include "files/temporary_folder.hpp"
 
 namespace plumbline::bench {
+using namespace diagnose;
 namespace {
 
 using Json = nlohmann::json;
@@ -25,7 +26,7 @@ struct Task {
 };
 
 Run press(const std::vector<double>& length, const std::vector<double>& rest, double by_x, double by_y) {
-  Run run{"press", ControlMode::displacement, rest, {}};
+  Run run{"press", Control::end_point, rest, {}};
   double theta = 0, x = 0, y = 0;
   for (std::size_t j = 0; j < rest.size(); ++j) {
     theta += rest[j];

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <plumbline/base/error.hpp>
 #include <plumbline/branch/trace.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 #include "bench/race.hpp"
 

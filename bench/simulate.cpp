@@ -20,6 +20,7 @@
 #include "diagnose/model/study.hpp"
 
 namespace plumbline::bench {
+using namespace diagnose;
 namespace {
 
 using Random = std::mt19937_64;
@@ -69,10 +70,10 @@ std::optional<Run> draw_run(Random& random, const Experiment& experiment, std::s
   double total = 0, stiffness = 0;
   for (const double length : experiment.link_length) total += length;
   for (const double k : experiment.joint_stiffness) stiffness = std::max(stiffness, k);
-  Run run{fmt::format("run-{}", number), ControlMode::displacement, {}, {}};
+  Run run{fmt::format("run-{}", number), Control::end_point, {}, {}};
   run.rest = rest_shape(random, experiment.link_length.size());
   const bool force = experiment.joint_stiffness[0] > 0 && chance(random, 0.2);
-  run.control = force ? ControlMode::force : ControlMode::displacement;
+  run.control = force ? Control::force : Control::end_point;
   const double angle = chance(random, 0.6) ? std::numbers::pi : between(random, 0, 2 * std::numbers::pi);
   const double size =
       force ? stiffness / total * between(random, 0.2, 0.9) : total * between(random, 0.04, 0.16);
@@ -142,10 +143,10 @@ void write_readings(Experiment& experiment, const Prediction& predicted) {
     for (std::size_t i = 0; i < run.readings.size(); ++i) {
       const auto row = predicted.runs[r].row(static_cast<Eigen::Index>(i));
       Reading& reading = run.readings[i];
-      (run.control == ControlMode::displacement ? reading.Fx : reading.x) =
-          row(run.control == ControlMode::displacement ? column_Fx : column_x);
-      (run.control == ControlMode::displacement ? reading.Fy : reading.y) =
-          row(run.control == ControlMode::displacement ? column_Fy : column_y);
+      (run.control == Control::end_point ? reading.Fx : reading.x) =
+          row(run.control == Control::end_point ? column_Fx : column_x);
+      (run.control == Control::end_point ? reading.Fy : reading.y) =
+          row(run.control == Control::end_point ? column_Fy : column_y);
       for (std::size_t j = 0; j < reading.q.size(); ++j)
         reading.q[j] = row(column_q + static_cast<Eigen::Index>(j));
     }
@@ -282,7 +283,7 @@ std::optional<Scenario> draw(std::uint64_t seed) {
     }
   }
   const auto pressed = std::count_if(experiment.runs.begin(), experiment.runs.end(),
-                                     [](const Run& run) { return run.control == ControlMode::displacement; });
+                                     [](const Run& run) { return run.control == Control::end_point; });
   const bool foreign = kind > 0.1 && kind < 0.18;
   if (foreign && pressed < 2) return std::nullopt;
   const Random frozen = random;

@@ -31,8 +31,7 @@ void write_labelled(const std::filesystem::path& folder, const Experiment& exper
   if (noise.q > 0) toml << fmt::format("q = {}\n", noise.q);
   for (const Run& run : experiment.runs) {
     toml << fmt::format("\n[[run]]\nid = \"{0}\"\ncontrol = \"{1}\"\nrest = {2}\nsamples = \"{0}.csv\"\n",
-                        run.id, run.control == ControlMode::displacement ? "displacement" : "force",
-                        list(run.rest));
+                        run.id, run.control == Control::end_point ? "displacement" : "force", list(run.rest));
     std::ofstream csv(folder / (run.id + ".csv"));
     csv << "t,x,y,Fx,Fy";
     for (std::size_t j = 0; j < run.readings[0].q.size(); ++j) csv << ",q" << j + 1;

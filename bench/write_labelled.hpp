@@ -8,6 +8,7 @@
 #include "diagnose/bench/experiment.hpp"
 
 namespace plumbline::bench {
+using namespace diagnose;
 
 /// Writes experiment.toml, a sample file a run, and label.json.
 void write_labelled(const std::filesystem::path& folder, const Experiment& experiment,

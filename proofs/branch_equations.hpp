@@ -4,6 +4,7 @@
 
 #include <array>
 #include <plumbline/branch/branch.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 #include "proofs/span.hpp"
 

@@ -1,6 +1,7 @@
 #include "proofs/equilibrium_box.hpp"
 
 #include <algorithm>
+#include <plumbline/loaded/nominal_model.hpp>
 #include <string>
 
 namespace plumbline::proofs {

@@ -1,6 +1,7 @@
 #include "proofs/equilibrium_enclosure.hpp"
 
 #include <Eigen/LU>
+#include <plumbline/loaded/nominal_model.hpp>
 
 #include "proofs/inertia.hpp"
 

@@ -6,6 +6,7 @@
 #include <plumbline/branch/point_at_load.hpp>
 #include <plumbline/branch/slow_loading.hpp>
 #include <plumbline/branch/straight_start.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 #include "proofs/census.hpp"
 

@@ -1,6 +1,7 @@
 #include "proofs/located_event.hpp"
 
 #include <plumbline/branch/sharpen.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 namespace plumbline::proofs {
 

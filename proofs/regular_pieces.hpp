@@ -3,6 +3,7 @@
 /// The parts of a branch on which its equilibria are regular.
 
 #include <plumbline/branch/trace.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 #include "proofs/span.hpp"
 

@@ -3,18 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <plumbline/loaded/equilibrium.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 namespace plumbline::simulator {
 
 double nominal_error(const Plan& plan, const std::vector<std::vector<State>>& states, const Sigma& sigma) {
-  if (!plan.nominal.mass.empty()) throw Error("rig", "a nominal model with weights", "one without");
+  std::vector<Point<double>> weight;
+  for (const double mass : plan.nominal.mass)
+    weight.push_back({mass * plan.nominal.gravity[0], mass * plan.nominal.gravity[1]});
   double worst = 0;
   const auto compare = [&](double one, double other, double unit) {
     if (unit > 0) worst = std::max(worst, std::abs(one - other) / unit);
   };
   for (std::size_t r = 0; r < states.size(); ++r) {
     const PlannedRun& run = plan.runs[r];
-    const NominalModel<double> model(Chain<double>(plan.nominal.length, plan.nominal.stiffness, run.rest));
+    const NominalModel<double> model(Chain<double>(plan.nominal.length, plan.nominal.stiffness, run.rest),
+                                     weight);
     EquilibriumSolver solver(model);
     for (std::size_t i = 0; i < states[r].size(); ++i) {
       const State& state = states[r][i];

@@ -45,7 +45,7 @@ Extent extent(const Study& study) {
     so_far.deflection = std::max(so_far.deflection, largest_deflection(trace, run.rest));
     for (Eigen::Index i = 0; i < trace.rows(); ++i) {
       const double way = (Vector2(trace(i, column_x), trace(i, column_y)) - start).norm();
-      if (run.control == ControlMode::displacement) so_far.travel = std::max(so_far.travel, way);
+      if (run.control == Control::end_point) so_far.travel = std::max(so_far.travel, way);
     }
     if (run.readings.size() > 1) so_far.pause = run.readings[1].t - run.readings[0].t;
   }
@@ -62,7 +62,7 @@ struct Press {
 
 Run press(const Experiment& experiment, const std::vector<double>& rest, const Vector2& by, bool back,
           double pause) {
-  Run run{"proposed", ControlMode::displacement, rest, {}};
+  Run run{"proposed", Control::end_point, rest, {}};
   const Vector2 start = unloaded_end(experiment, rest);
   const int last = back ? 2 * steps : steps;
   const double empty = std::numeric_limits<double>::quiet_NaN();

@@ -12,7 +12,7 @@ namespace {
 
 /// Whether the commanded path turns back.
 bool turns_back(const Run& run) {
-  const bool displacement = run.control == ControlMode::displacement;
+  const bool displacement = run.control == Control::end_point;
   double lx = 0, ly = 0;
   for (std::size_t i = 1; i < run.readings.size(); ++i) {
     const Reading &a = run.readings[i - 1], &b = run.readings[i];
@@ -152,8 +152,8 @@ Experiment without(const Experiment& experiment, const HeldOut& heldout) {
     for (std::size_t i = 0; i < run.readings.size(); ++i) {
       if (!heldout.reading[r][i]) continue;
       Reading& reading = run.readings[i];
-      (run.control == ControlMode::displacement ? reading.Fx : reading.x) = unseen;
-      (run.control == ControlMode::displacement ? reading.Fy : reading.y) = unseen;
+      (run.control == Control::end_point ? reading.Fx : reading.x) = unseen;
+      (run.control == Control::end_point ? reading.Fy : reading.y) = unseen;
       std::fill(reading.q.begin(), reading.q.end(), unseen);
     }
   }

@@ -3,65 +3,36 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <plumbline/chain/kinematics.hpp>
 
 namespace plumbline::diagnose {
 namespace {
 
-/// Statics of the nominal chain at measured joint angles and force: the missing torques and their covariance.
-class Statics {
- public:
-  explicit Statics(const Experiment& experiment)
-      : experiment_(experiment), chain_(experiment.link_length, experiment.joint_stiffness) {}
+/// Sums over the links from each joint on: from absolute angles to joint angles.
+Eigen::MatrixXd beyond(Eigen::MatrixXd rows) {
+  for (Eigen::Index i = rows.rows() - 1; i-- > 0;) rows.row(i) += rows.row(i + 1);
+  return rows;
+}
 
-  [[nodiscard]] Eigen::VectorXd torque(const std::vector<double>& rest, const std::vector<double>& q,
-                                       const Vector2& force) const {
-    const auto n = static_cast<Eigen::Index>(q.size());
-    Eigen::VectorXd missing(n);
-    const Eigen::MatrixXd J = jacobian(chain_, q);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const auto j = static_cast<std::size_t>(i);
-      missing(i) = experiment_.joint_stiffness[j] * (q[j] - rest[j]) - J.col(i).dot(force) - weight(j, q);
-    }
-    return missing;
-  }
-
-  /// Standard deviations, the force's noise being zero where it is imposed.
-  [[nodiscard]] Eigen::VectorXd sigma(const std::vector<double>& rest, const std::vector<double>& q,
-                                      const Vector2& force, const Vector2& force_sigma) const {
-    const Eigen::VectorXd here = torque(rest, q, force);
-    const Eigen::MatrixXd J = jacobian(chain_, q);
-    Eigen::VectorXd variance = (J.transpose() * force_sigma.asDiagonal()).rowwise().squaredNorm();
-    constexpr double step = 1e-6;
-    for (std::size_t l = 0; l < q.size(); ++l) {
-      std::vector<double> moved = q;
-      moved[l] += step;
-      const Eigen::VectorXd slope = (torque(rest, moved, force) - here) / step;
-      variance += (slope * experiment_.noise.q).cwiseAbs2();
-    }
-    return variance.cwiseSqrt();
-  }
-
- private:
-  /// Torque of the links' nominal weight on joint i.
-  [[nodiscard]] double weight(std::size_t i, const std::vector<double>& q) const {
-    double theta = 0, x = 0, y = 0, torque = 0;
-    for (std::size_t j = 0; j < q.size(); ++j) {
-      theta += q[j];
-      if (j < i) continue;
-      const double dx = experiment_.link_length[j] * std::cos(theta),
-                   dy = experiment_.link_length[j] * std::sin(theta);
-      torque += experiment_.link_mass[j] *
-                ((x + dx / 2) * experiment_.gravity[1] - (y + dy / 2) * experiment_.gravity[0]);
-      x += dx;
-      y += dy;
-    }
-    return torque;
-  }
-
-  const Experiment& experiment_;
-  Chain<double> chain_;
+/// The missing torques of one reading and their standard deviations.
+struct Balance {
+  Eigen::VectorXd torque, sigma;
 };
+
+/// What the nominal model's equilibrium misses at measured joint angles and force.
+/// \param force_sigma  zero where the force is imposed
+Balance balance(const NominalModel<double>& nominal, const Reading& reading, const Vector2& force_sigma,
+                double angle_sigma) {
+  Expansion<double, NominalModel<double>::bandwidth> at;
+  nominal.expand(absolute_angles(reading.q), {reading.Fx, reading.Fy}, at);
+  const Eigen::Index n = at.residual.size();
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) stiffness(i, i) = at.hessian(0, i);
+  for (Eigen::Index i = 0; i + 1 < n; ++i) stiffness(i + 1, i) = stiffness(i, i + 1) = at.hessian(1, i);
+  const Eigen::MatrixXd by_force = beyond(at.force_gradient) * force_sigma.asDiagonal();
+  const Eigen::MatrixXd by_angle = beyond(beyond(stiffness).transpose()) * angle_sigma;
+  return {beyond(at.residual),
+          (by_force.rowwise().squaredNorm() + by_angle.colwise().squaredNorm().transpose()).cwiseSqrt()};
+}
 
 bool complete(const Reading& reading) {
   return !reading.q.empty() && std::isfinite(reading.Fx) && std::isfinite(reading.Fy) &&
@@ -85,22 +56,19 @@ double excess(const std::vector<MissingTorque>& values, double scale) {
 }  // namespace
 
 std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experiment) {
-  const Statics statics(experiment);
   std::vector<std::vector<MissingTorque>> by_joint(experiment.link_length.size());
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
-    const Vector2 noise = run.control == ControlMode::displacement
-                              ? Vector2(experiment.noise.Fx, experiment.noise.Fy)
-                              : Vector2(0, 0);
+    const NominalModel<double> nominal = nominal_model(experiment, run.rest);
+    const Vector2 noise =
+        run.control == Control::end_point ? Vector2(experiment.noise.Fx, experiment.noise.Fy) : Vector2(0, 0);
     for (std::size_t i = 0; i < run.readings.size(); ++i) {
       const Reading& reading = run.readings[i];
       if (!complete(reading)) continue;
-      const Vector2 force(reading.Fx, reading.Fy);
-      const Eigen::VectorXd torque = statics.torque(run.rest, reading.q, force);
-      const Eigen::VectorXd sigma = statics.sigma(run.rest, reading.q, force, noise);
+      const Balance found = balance(nominal, reading, noise, experiment.noise.q);
       for (std::size_t j = 0; j < by_joint.size(); ++j) {
         const auto k = static_cast<Eigen::Index>(j);
-        by_joint[j].push_back({r, i, reading.q[j], torque(k), sigma(k)});
+        by_joint[j].push_back({r, i, reading.q[j], found.torque(k), found.sigma(k)});
       }
     }
   }

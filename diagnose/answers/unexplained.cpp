@@ -35,19 +35,19 @@ Missing torque(const Experiment& experiment, const std::vector<std::vector<bool>
 
 /// The commanded coordinate that moves most: the runs share it as their abscissa.
 struct Abscissa {
-  ControlMode control;
+  Control control;
   bool second;  ///< y or Fy rather than x or Fx
 
   [[nodiscard]] std::string name() const {
-    return control == ControlMode::displacement ? (second ? "y" : "x") : (second ? "Fy" : "Fx");
+    return control == Control::end_point ? (second ? "y" : "x") : (second ? "Fy" : "Fx");
   }
   [[nodiscard]] double of(const Reading& reading) const {
-    if (control == ControlMode::displacement) return second ? reading.y : reading.x;
+    if (control == Control::end_point) return second ? reading.y : reading.x;
     return second ? reading.Fy : reading.Fx;
   }
 };
 
-Abscissa abscissa(const Experiment& experiment, ControlMode control) {
+Abscissa abscissa(const Experiment& experiment, Control control) {
   const auto spread = [&](const Abscissa& one) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Run& run : experiment.runs) {
@@ -71,7 +71,7 @@ Missing channel(const Study& study, const std::vector<double>& residual,
   const Abscissa over = abscissa(study.experiment(), study.experiment().runs[first->run].control);
   const Sensor sensor = first->channel.sensor();
   Missing missing{label,       sensor == Sensor::force ? "N" : sensor == Sensor::angle ? "rad" : "m",
-                  over.name(), over.control == ControlMode::displacement ? "m" : "N",
+                  over.name(), over.control == Control::end_point ? "m" : "N",
                   {},          0,
                   0,           0};
   const std::vector<bool> outlier = outliers(study.measurements(), residual);

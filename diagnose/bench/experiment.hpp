@@ -3,13 +3,11 @@
 /// An experiment: what a lab writes down when it presses on a real chain. SI units, radians.
 
 #include <array>
+#include <plumbline/loaded/loading.hpp>
 #include <string>
 #include <vector>
 
 namespace plumbline::diagnose {
-
-/// What the rig imposes: the end point, while the force is measured; or the force, while the end point is.
-enum class ControlMode { displacement, force };
 
 /// One reading. A measured value is NaN where its field is empty; the imposed channels hold what was
 /// commanded. (Fx, Fy) is the force that the environment exerts on the end point: compression is Fx < 0.
@@ -21,7 +19,7 @@ struct Reading {
 /// One loading history from rest, readings in the order in which they were taken.
 struct Run {
   std::string id;
-  ControlMode control;
+  Control control;  ///< what the rig imposes: the end point, while the force is measured; or the reverse
   std::vector<double> rest;  ///< commanded joint angles: the unloaded shape
   std::vector<Reading> readings;
 };

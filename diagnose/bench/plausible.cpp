@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <plumbline/base/error.hpp>
+#include <plumbline/chain/kinematics.hpp>
 
 namespace plumbline::diagnose {
 namespace {
@@ -22,8 +23,8 @@ std::string place(const Run& run, std::size_t reading) {
 /// A commanded end point is exact: beyond the reach by more than its rounding it has no equilibrium. A
 /// measured one carries noise, and lengths and zero are what is in question: only what no tolerance explains
 /// is refused.
-void require_reach(const Run& run, const Reach& limits) {
-  const double slack = (run.control == ControlMode::displacement ? 1e-4 : 0.25) * limits.largest;
+void require_reach(const Run& run, const Reach<double>& limits) {
+  const double slack = (run.control == Control::end_point ? 1e-4 : 0.25) * limits.largest;
   for (std::size_t r = 0; r < run.readings.size(); ++r) {
     const double distance = std::hypot(run.readings[r].x, run.readings[r].y);
     if (distance > limits.largest + slack)
@@ -37,23 +38,18 @@ void require_reach(const Run& run, const Reach& limits) {
 
 /// Distance between the end point that the joint angles give and the one that the reading states; NaN where
 /// either is missing.
-double contradiction(const Reading& reading, const std::vector<double>& length) {
-  double theta = 0, x = 0, y = 0;
-  for (std::size_t j = 0; j < reading.q.size(); ++j) {
-    theta += reading.q[j];
-    x += length[j] * std::cos(theta);
-    y += length[j] * std::sin(theta);
-  }
-  return std::hypot(x - reading.x, y - reading.y);
+double contradiction(const Reading& reading, const Chain<double>& chain) {
+  const Point<double> end = end_point(chain, reading.q);
+  return std::hypot(end.x - reading.x, end.y - reading.y);
 }
 
 /// Joint angles in degrees, in another order or of another chain. No effect moves the end point of most
 /// readings by a quarter of the chain.
-void require_geometry(const Run& run, const std::vector<double>& length, const Reach& limits) {
+void require_geometry(const Run& run, const Chain<double>& chain, const Reach<double>& limits) {
   std::vector<double> gaps;
   for (const Reading& reading : run.readings) {
     if (reading.q.empty()) return;
-    const double gap = contradiction(reading, length);
+    const double gap = contradiction(reading, chain);
     if (!std::isnan(gap)) gaps.push_back(gap);
   }
   if (gaps.empty()) return;
@@ -66,7 +62,7 @@ void require_geometry(const Run& run, const std::vector<double>& length, const R
 }
 
 void require_noise(const Run& run, const Noise& noise) {
-  const bool displacement = run.control == ControlMode::displacement;
+  const bool held = run.control == Control::end_point;
   const auto require = [&](const char* name, double sigma, auto value) {
     const bool measured = std::any_of(run.readings.begin(), run.readings.end(),
                                       [&](const Reading& r) { return !std::isnan(value(r)); });
@@ -74,10 +70,8 @@ void require_noise(const Run& run, const Noise& noise) {
       throw Error(std::string("noise.") + name, "0, or nothing",
                   "a positive figure: run \"" + run.id + "\" measures it");
   };
-  require(displacement ? "Fx" : "x", displacement ? noise.Fx : noise.x,
-          [&](const Reading& r) { return displacement ? r.Fx : r.x; });
-  require(displacement ? "Fy" : "y", displacement ? noise.Fy : noise.y,
-          [&](const Reading& r) { return displacement ? r.Fy : r.y; });
+  require(held ? "Fx" : "x", held ? noise.Fx : noise.x, [&](const Reading& r) { return held ? r.Fx : r.x; });
+  require(held ? "Fy" : "y", held ? noise.Fy : noise.y, [&](const Reading& r) { return held ? r.Fy : r.y; });
   if (run.readings.front().q.empty()) return;
   for (std::size_t j = 0; j < run.rest.size(); ++j)
     require("q", noise.q, [&](const Reading& r) { return r.q[j]; });
@@ -107,11 +101,11 @@ void require_resolved(const Experiment& experiment, double reach) {
 }
 
 std::size_t measured_values(const Run& run) {
-  const bool displacement = run.control == ControlMode::displacement;
+  const bool held = run.control == Control::end_point;
   std::size_t count = 0;
   for (const Reading& r : run.readings) {
-    count += std::isfinite(displacement ? r.Fx : r.x);
-    count += std::isfinite(displacement ? r.Fy : r.y);
+    count += std::isfinite(held ? r.Fx : r.x);
+    count += std::isfinite(held ? r.Fy : r.y);
     count += static_cast<std::size_t>(
         std::count_if(r.q.begin(), r.q.end(), [](double q) { return std::isfinite(q); }));
   }
@@ -120,23 +114,18 @@ std::size_t measured_values(const Run& run) {
 
 }  // namespace
 
-Reach reach(const std::vector<double>& link_length) {
-  const double sum = std::accumulate(link_length.begin(), link_length.end(), 0.0);
-  const double longest = *std::max_element(link_length.begin(), link_length.end());
-  return {std::max(0.0, 2 * longest - sum), sum};
-}
-
 void require_physical(const Experiment& experiment) {
   const auto passive = std::count(experiment.joint_stiffness.begin(), experiment.joint_stiffness.end(), 0.0);
   if (passive > 2)
     throw Error("nominal.joint_stiffness", std::to_string(passive) + " passive joints",
                 "at most two: with more the chain is a mechanism even with its end point held");
-  const Reach limits = reach(experiment.link_length);
+  const Chain<double> chain(experiment.link_length, experiment.joint_stiffness);
+  const Reach<double> limits = reach(experiment.link_length);
   require_resolved(experiment, limits.largest);
   std::size_t values = 0;
   for (const Run& run : experiment.runs) {
     require_reach(run, limits);
-    require_geometry(run, experiment.link_length, limits);
+    require_geometry(run, chain, limits);
     require_noise(run, experiment.noise);
     values += measured_values(run);
   }

@@ -11,10 +11,4 @@ namespace plumbline::diagnose {
 ///         measured channel whose declared noise is zero, a mechanism, too few measured values
 void require_physical(const Experiment& experiment);
 
-/// Largest and smallest distance of the end point from the base.
-struct Reach {
-  double smallest, largest;
-};
-Reach reach(const std::vector<double>& link_length);
-
 }  // namespace plumbline::diagnose

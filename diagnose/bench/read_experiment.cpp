@@ -183,7 +183,7 @@ Run read_run(const Section& section, const fs::path& folder, const ReadFile& rea
   const std::string control = section.text("control", expected);
   if (control != "displacement" && control != "force")
     throw Error(section.place("control"), "\"" + control + "\"", expected);
-  run.control = control == "force" ? ControlMode::force : ControlMode::displacement;
+  run.control = control == "force" ? Control::force : Control::end_point;
   run.rest = section.numbers("rest", n);
   const std::string name = section.text("samples", "the name of a sample file");
   run.readings =

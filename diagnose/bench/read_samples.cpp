@@ -50,9 +50,9 @@ Reading reading(const std::vector<double>& v) {
   return {v[0], v[1], v[2], v[3], v[4], std::vector<double>(v.begin() + 5, v.end())};
 }
 
-void require_given(const Reading& r, ControlMode control, const std::string& where) {
+void require_given(const Reading& r, Control control, const std::string& where) {
   if (std::isnan(r.t)) throw Error(where + ", t", "an empty field", "the time of the reading");
-  const bool displacement = control == ControlMode::displacement;
+  const bool displacement = control == Control::end_point;
   if (std::isnan(displacement ? r.x : r.Fx) || std::isnan(displacement ? r.y : r.Fy)) {
     throw Error(where, "an empty imposed channel",
                 displacement ? "the commanded x and y" : "the commanded Fx and Fy");
@@ -61,7 +61,7 @@ void require_given(const Reading& r, ControlMode control, const std::string& whe
 
 }  // namespace
 
-std::vector<Reading> parse_samples(const std::string& text, const std::string& source, ControlMode control,
+std::vector<Reading> parse_samples(const std::string& text, const std::string& source, Control control,
                                    std::size_t joints) {
   const std::vector<files::CsvRow> rows = files::parse_csv(text, source);
   const Fields& header = rows.front().fields;

@@ -12,7 +12,7 @@ namespace plumbline::diagnose {
 /// An empty measured field is NaN; time and the imposed channels may not be empty.
 /// \param joints  n
 /// \throws Error that names the source and the line
-std::vector<Reading> parse_samples(const std::string& text, const std::string& source, ControlMode control,
+std::vector<Reading> parse_samples(const std::string& text, const std::string& source, Control control,
                                    std::size_t joints);
 
 }  // namespace plumbline::diagnose

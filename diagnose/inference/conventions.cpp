@@ -82,7 +82,7 @@ double worst(const Columns& columns) {
 bool same_command(const Experiment& a, const Experiment& b) {
   const auto same_run = [](const Run& one, const Run& other) {
     const auto same_reading = [&](const Reading& r, const Reading& s) {
-      return one.control == ControlMode::displacement ? r.x == s.x && r.y == s.y
+      return one.control == Control::end_point ? r.x == s.x && r.y == s.y
                                                       : r.Fx == s.Fx && r.Fy == s.Fy;
     };
     return one.rest == other.rest && std::equal(one.readings.begin(), one.readings.end(),
@@ -98,7 +98,7 @@ double distance_at_start(const Experiment& experiment) {
   double length = 0, sum = 0;
   for (const double one : experiment.link_length) length += one;
   for (const Run& run : experiment.runs) {
-    if (run.control != ControlMode::displacement || run.readings.empty()) continue;
+    if (run.control != Control::end_point || run.readings.empty()) continue;
     const Reading& first = run.readings.front();
     sum += (Vector2(first.x, first.y) - unloaded_end(experiment, run.rest)).norm() / length;
   }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <plumbline/chain/kinematics.hpp>
 
 #include "diagnose/model/rig_solver.hpp"
 
@@ -21,7 +22,7 @@ struct Traveller {
   [[nodiscard]] Imposed imposed(const Run& run, const Reading& reading) const {
     const Rig& rig = on.rig;
     const Reading& first = run.readings.front();
-    if (run.control == ControlMode::displacement) {
+    if (run.control == Control::end_point) {
       const Vector2 start(first.x, first.y);
       return {run.control,
               start + turned(Vector2(reading.x, reading.y) - start, rig.misalignment) + rig.position_offset};
@@ -33,8 +34,9 @@ struct Traveller {
   /// True to measured force, in the axes of the rail.
   [[nodiscard]] Vector2 measured_force(double t, double direction) const {
     const Rig& rig = on.rig;
-    Vector2 read = (1 + rig.force_gain) * turned(posture.force, -rig.misalignment) + rig.force_bias +
-                   rig.force_drift * t;
+    const Vector2 force(posture.force.x, posture.force.y);
+    Vector2 read =
+        (1 + rig.force_gain) * turned(force, -rig.misalignment) + rig.force_bias + rig.force_drift * t;
     read.x() += rig.guide_friction * direction;
     return read;
   }
@@ -52,7 +54,7 @@ struct Traveller {
 
   void remember(const Layout& layout, const TimeStep& during) {
     for (std::size_t i = 0; i < memory.size(); ++i) {
-      const double q = layout.joint_angle(posture, i);
+      const double q = layout.joint_angle(posture.angle, i);
       const JointMemory last = memory[i];
       memory[i].angle = q;
       if (during.relaxed) continue;
@@ -67,15 +69,12 @@ struct Traveller {
 };
 
 /// A run of the rig and, beside it, of the rigs whose parameters differ by a small step each.
+template <int Bandwidth>
 class RunWalk {
  public:
   RunWalk(const Experiment& experiment, const Run& run, const Layout& layout, const Rig& rig,
           const std::vector<RigVariation>& variations)
-      : run_(run),
-        nominal_length_(experiment.link_length),
-        layout_(layout),
-        solver_(layout),
-        main_(rig, run) {
+      : run_(run), experiment_(experiment), layout_(layout), solver_(layout), main_(rig, run) {
     for (const RigVariation& other : variations) beside_.emplace_back(other.rig, run);
     start();
   }
@@ -103,65 +102,62 @@ class RunWalk {
 
  private:
   [[nodiscard]] bool imposed_is_known(const Reading& reading) const {
-    return run_.control == ControlMode::displacement ? std::isfinite(reading.x) && std::isfinite(reading.y)
-                                                     : std::isfinite(reading.Fx) && std::isfinite(reading.Fy);
+    return run_.control == Control::end_point ? std::isfinite(reading.x) && std::isfinite(reading.y)
+                                              : std::isfinite(reading.Fx) && std::isfinite(reading.Fy);
   }
 
   void start() {
     double theta = 0;
     main_.posture.contact.assign(layout_.links, Contact::sticks);
+    main_.posture.angle.resize(static_cast<Eigen::Index>(layout_.nodes()));
     for (std::size_t j = 0; j < layout_.links; ++j) {
       theta += main_.on.joint[j].rest;
-      main_.posture.angle.insert(main_.posture.angle.end(), layout_.nodes_per_link(), theta);
+      const auto nodes = static_cast<Eigen::Index>(layout_.nodes_per_link());
+      main_.posture.angle.segment(static_cast<Eigen::Index>(layout_.first(j)), nodes).setConstant(theta);
     }
     at_ = {run_.control, Vector2(0, 0)};
-    if (run_.control == ControlMode::force || run_.readings.empty()) return;
-    at_.value = solver_.end_point(main_.on, main_.posture, main_.memory);
+    if (run_.control == Control::force || run_.readings.empty()) return;
+    at_.value = solver_.end_point(main_.on, main_.posture);
     approach();
   }
 
   /// A run whose first line is not at the unloaded end point was brought there: the guide has moved already.
   void approach() {
-    double theta = 0, unloaded = 0, reach = 0;
-    for (std::size_t j = 0; j < layout_.links; ++j) {
-      theta += run_.rest[j];
-      unloaded += nominal_length_[j] * std::cos(theta);
-      reach += nominal_length_[j];
-    }
-    const double way = run_.readings.front().x - unloaded;
-    if (std::abs(way) > 1e-4 * reach) direction_ = way > 0 ? 1 : -1;
+    const double way = run_.readings.front().x - unloaded_end(experiment_, run_.rest).x();
+    if (std::abs(way) > 1e-4 * reach(experiment_.link_length).largest) direction_ = way > 0 ? 1 : -1;
   }
 
-  /// The posture that goes on as the last step went, if the load does.
-  [[nodiscard]] Posture extrapolated(const Imposed& target) const {
+  /// Looks first where the last step leads if it goes on as it went, if the load does.
+  void extrapolate(const Imposed& target) {
+    guess_ = main_.posture;
     const Vector2 step = target.value - at_.value;
-    Posture guess = main_.posture;
-    if (!moved_ || step.dot(last_step_) <= 0.5 * step.norm() * last_step_.norm()) return guess;
+    if (!moved_ || step.dot(last_step_) <= 0.5 * step.norm() * last_step_.norm()) return;
     const double share = step.norm() / last_step_.norm();
-    for (std::size_t i = 0; i < guess.angle.size(); ++i)
-      guess.angle[i] += share * (guess.angle[i] - last_posture_.angle[i]);
-    guess.force += share * (guess.force - last_posture_.force);
-    return guess;
+    guess_.angle += share * (guess_.angle - last_posture_.angle);
+    guess_.force.x += share * (guess_.force.x - last_posture_.force.x);
+    guess_.force.y += share * (guess_.force.y - last_posture_.force.y);
   }
 
   bool move_to(std::size_t r) {
     const Reading& reading = run_.readings[r];
     const double dt = moved_ ? reading.t - last_time_ : 0;
     if (moved_ && reading.x != last_x_) direction_ = reading.x > last_x_ ? 1 : -1;
-    const auto during = [&](const Traveller& rig) { return moved_ ? rig.interval(dt) : TimeStep{}; };
+    const auto step_of = [&](const Traveller& rig) {
+      return RigStep{rig.on, moved_ ? rig.interval(dt) : TimeStep{}, rig.memory};
+    };
+    const RigStep step = step_of(main_);
     const Imposed target = main_.imposed(run_, reading);
-    const Posture guess = extrapolated(target);
+    extrapolate(target);
     last_posture_ = main_.posture;
-    if (!solver_.follow(main_.on, at_, target, during(main_), main_.memory, guess, main_.posture))
-      return false;
+    if (!solver_.follow(step, at_, target, guess_, main_.posture)) return false;
     snapped_ = snapped_ || solver_.snapped();
-    if (!beside_.empty()) solver_.settle(main_.on, target, during(main_), main_.memory, main_.posture);
+    if (!beside_.empty()) solver_.prepare(step, target, main_.posture);
     for (Traveller& other : beside_) {
-      other.posture = solver_.neighbour(other.on, other.imposed(run_, reading), during(other), other.memory,
-                                        main_.posture);
-      other.remember(layout_, during(other));
+      const RigStep its = step_of(other);
+      solver_.neighbour(its, other.imposed(run_, reading), main_.posture, other.posture);
+      other.remember(layout_, its.interval);
     }
-    main_.remember(layout_, during(main_));
+    main_.remember(layout_, step.interval);
     last_step_ = target.value - at_.value;
     at_ = target;
     last_time_ = reading.t;
@@ -174,33 +170,51 @@ class RunWalk {
     const Reading& reading = run_.readings[r];
     auto row = trace.row(static_cast<Eigen::Index>(r));
     Vector2 end(reading.x, reading.y), force(reading.Fx, reading.Fy);
-    if (run_.control == ControlMode::displacement) {
+    if (run_.control == Control::end_point) {
       force = rig.measured_force(reading.t, direction_);
     } else {
-      end = solver_.end_point(rig.on, rig.posture, rig.memory) - rig.on.rig.position_offset;
-      end.x() += rig.on.rig.train_compliance * rig.posture.force.x();
+      end = solver_.end_point(rig.on, rig.posture) - rig.on.rig.position_offset;
     }
     row(column_x) = end.x();
     row(column_y) = end.y();
     row(column_Fx) = force.x();
     row(column_Fy) = force.y();
     for (std::size_t i = 0; i < layout_.links; ++i)
-      row(column_q + static_cast<Eigen::Index>(i)) = layout_.joint_angle(rig.posture, i);
+      row(column_q + static_cast<Eigen::Index>(i)) = layout_.joint_angle(rig.posture.angle, i);
   }
 
   const Run& run_;
-  const std::vector<double>& nominal_length_;
+  const Experiment& experiment_;
   Layout layout_;
-  RigSolver solver_;
+  RigSolver<Bandwidth> solver_;
   Traveller main_;
   std::vector<Traveller> beside_;
-  Posture last_posture_;
+  Posture last_posture_, guess_;
   Vector2 last_step_ = Vector2::Zero();
-  Imposed at_{ControlMode::displacement, Vector2::Zero()};
+  Imposed at_{Control::end_point, Vector2::Zero()};
   double last_time_ = 0, last_x_ = 0;
   double direction_ = 0;  ///< of the drive along x; 0 until it has moved
   bool moved_ = false, snapped_ = false;
 };
+
+bool walk(const Experiment& experiment, const Run& run, const Layout& layout, const Rig& rig,
+          const std::vector<RigVariation>& variations, Trace& trace, std::vector<Trace*>& sensitivity,
+          bool& snapped) {
+  const auto with = [&]<int Bandwidth>() {
+    RunWalk<Bandwidth> one(experiment, run, layout, rig, variations);
+    const bool reached = one.walk(trace, sensitivity);
+    snapped = snapped || (reached && one.snapped());
+    return reached;
+  };
+  switch (layout.bandwidth()) {
+    case 1:
+      return with.template operator()<1>();
+    case 2:
+      return with.template operator()<2>();
+    default:
+      return with.template operator()<4>();
+  }
+}
 
 }  // namespace
 
@@ -222,12 +236,11 @@ Prediction simulate(const Experiment& experiment, const Rig& rig,
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     std::vector<Trace*> beside;
     for (auto& traces : result.sensitivity) beside.push_back(&traces[r]);
-    RunWalk walk(experiment, experiment.runs[r], layout, rig, variations);
-    if (!walk.walk(result.runs[r], beside)) {
+    if (!walk(experiment, experiment.runs[r], layout, rig, variations, result.runs[r], beside,
+              result.snapped)) {
       result.reached = false;
       return result;
     }
-    result.snapped = result.snapped || walk.snapped();
     for (std::size_t p = 0; p < variations.size(); ++p) *beside[p] /= variations[p].step;
   }
   return result;

@@ -6,9 +6,17 @@
 
 namespace plumbline::diagnose {
 
-/// A torque and its derivative with respect to the joint angle.
+/// A torque, its derivative with respect to the joint angle, and its integral: what the joint stores, or
+/// takes in since the last reading where its torque depends on history.
 struct Torque {
-  double value = 0, slope = 0;
+  double value = 0, slope = 0, energy = 0;
+
+  Torque& operator+=(const Torque& other) {
+    value += other.value;
+    slope += other.slope;
+    energy += other.energy;
+    return *this;
+  }
 };
 
 /// The state of a dry contact.
@@ -37,11 +45,13 @@ struct JointLaw {
     const double size = std::abs(d);
     Torque torque;
     if (const double e = std::copysign(size - backlash, d); size >= backlash) {
-      torque = {stiffness * e * (1 + hardening * e * e), stiffness * (1 + 3 * hardening * e * e)};
+      torque = {stiffness * e * (1 + hardening * e * e), stiffness * (1 + 3 * hardening * e * e),
+                stiffness * e * e * (1 + hardening * e * e / 2) / 2};
     }
     if (size > stop) {
       torque.value += stop_stiffness * std::copysign(size - stop, d);
       torque.slope += stop_stiffness;
+      torque.energy += stop_stiffness * (size - stop) * (size - stop) / 2;
     }
     return torque;
   }
@@ -49,15 +59,16 @@ struct JointLaw {
   /// Coulomb friction by return mapping: what the contact carries while it sticks or slips.
   [[nodiscard]] Torque dry(double angle, const JointMemory& last, Contact contact) const {
     if (friction <= 0 || stiffness <= 0) return {};
+    const double turn = angle - last.angle;
     switch (contact) {
       case Contact::slips_up:
-        return {friction, 0};
+        return {friction, 0, friction * turn};
       case Contact::slips_down:
-        return {-friction, 0};
+        return {-friction, 0, -friction * turn};
       case Contact::sticks:
         break;
     }
-    return {last.friction + sticking * stiffness * (angle - last.angle), sticking * stiffness};
+    return stretched(last.friction, sticking * stiffness, turn);
   }
 
   /// The state that follows from a trial in state `contact`. A contact that is turned back sticks first: two
@@ -77,7 +88,13 @@ struct JointLaw {
   /// \param decay  exp(-dt/tau)
   /// \param gain   (1 - exp(-dt/tau)) tau/dt
   [[nodiscard]] Torque viscous(double angle, const JointMemory& last, double decay, double gain) const {
-    return {decay * last.arm + arm_stiffness * gain * (angle - last.angle), arm_stiffness * gain};
+    return stretched(decay * last.arm, arm_stiffness * gain, angle - last.angle);
+  }
+
+ private:
+  /// A spring that carried a torque before it was turned.
+  static Torque stretched(double carried, double spring, double turn) {
+    return {carried + spring * turn, spring, carried * turn + spring * turn * turn / 2};
   }
 };
 

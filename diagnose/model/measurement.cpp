@@ -8,7 +8,7 @@ namespace {
 std::vector<Channel> measured_channels(const Run& run) {
   using Name = Channel::Name;
   std::vector<Channel> channels;
-  if (run.control == ControlMode::displacement) {
+  if (run.control == Control::end_point) {
     channels = {{Name::Fx, 0}, {Name::Fy, 0}};
   } else {
     channels = {{Name::x, 0}, {Name::y, 0}};

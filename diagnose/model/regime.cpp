@@ -19,8 +19,7 @@ Step step(const Trace& nominal, Eigen::Index from, Eigen::Index to) {
 
 /// What the rig pushes along: the end point, or the force.
 Vector2 pushed(const Run& run, const Trace& nominal, Eigen::Index reading) {
-  if (run.control == ControlMode::displacement)
-    return {nominal(reading, column_x), nominal(reading, column_y)};
+  if (run.control == Control::end_point) return {nominal(reading, column_x), nominal(reading, column_y)};
   return {nominal(reading, column_Fx), nominal(reading, column_Fy)};
 }
 

@@ -1,14 +1,30 @@
 #include "diagnose/model/rig.hpp"
 
 #include <limits>
-#include <plumbline/chain/kinematics.hpp>
 
 namespace plumbline::diagnose {
+
+namespace {
+
+/// Weight of each link.
+std::vector<Point<double>> weights(const Experiment& experiment) {
+  std::vector<Point<double>> weight;
+  for (const double mass : experiment.link_mass)
+    weight.push_back({mass * experiment.gravity[0], mass * experiment.gravity[1]});
+  return weight;
+}
+
+}  // namespace
 
 Vector2 unloaded_end(const Experiment& experiment, const std::vector<double>& rest) {
   const Point<double> end =
       end_point(Chain<double>(experiment.link_length, experiment.joint_stiffness), rest);
   return {end.x, end.y};
+}
+
+NominalModel<double> nominal_model(const Experiment& experiment, const std::vector<double>& rest) {
+  return NominalModel<double>(Chain<double>(experiment.link_length, experiment.joint_stiffness, rest),
+                              weights(experiment));
 }
 
 Rig nominal_rig(const Experiment& experiment) {
@@ -20,10 +36,8 @@ Rig nominal_rig(const Experiment& experiment) {
   rig.backlash.assign(n, 0);
   rig.stop.assign(n, std::numeric_limits<double>::infinity());
   rig.stop_stiffness.assign(n, 0);
-  rig.weight.assign(n, Vector2::Zero());
-  const Vector2 gravity(experiment.gravity[0], experiment.gravity[1]);
-  for (std::size_t j = 0; j < n && j < experiment.link_mass.size(); ++j)
-    rig.weight[j] = experiment.link_mass[j] * gravity;
+  for (const Point<double>& weight : weights(experiment)) rig.weight.emplace_back(weight.x, weight.y);
+  rig.weight.resize(n, Vector2::Zero());
   return rig;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <plumbline/loaded/settle.hpp>
 
 namespace plumbline::diagnose {
 namespace {
@@ -17,88 +18,39 @@ constexpr double shortest_stride = 1e-3;  // share of the way between two readin
 constexpr int newton_limit = 40;
 constexpr int joint_changes = 8;  // iterations that may change all contacts at once
 constexpr int descent_limit = 400;
+// Joints in their play, and passive ones, may leave the stiffness singular. Dampers this weak, as a share of
+// the largest joint stiffness, keep such joints where they are; the residual knows nothing of them.
+constexpr double hold = 1e-8;
+// Beside a joint that sticks (JointLaw::sticking) one that slips leaves a pivot of a 1e-5th of its row.
+constexpr double smallest_pivot = 1e-6;
 
 Imposed between(const Imposed& from, const Imposed& to, double share) {
   return {to.control, from.value + share * (to.value - from.value)};
 }
 
-double largest_stiffness(const RunRig& run) {
-  double result = 0;
-  for (const JointLaw& law : run.joint) result = std::max(result, law.stiffness);
-  return result;
+Point<double> point(const Vector2& v) {
+  return {v.x(), v.y()};
 }
 
 }  // namespace
 
-RigSolver::RigSolver(const Layout& layout)
-    : equations_(layout), step_(layout.nodes()), column_x_(layout.nodes()), column_y_(layout.nodes()) {}
+template <int Bandwidth>
+RigSolver<Bandwidth>::RigSolver(const Layout& layout) : model_(layout), system_(model_, smallest_pivot) {}
 
-bool RigSolver::factorise(const RunRig& run, ControlMode control, double damping) {
-  BandMatrix& matrix = equations_.stiffness;
-  const Layout& layout = equations_.layout;
-  for (std::size_t i = 0; damping > 0 && i < layout.nodes(); ++i) {
-    matrix(i, i) += i + 1 < layout.nodes() ? 2 * damping : damping;
-    if (i > 0) matrix(i, i - 1) -= damping;
-  }
-  const std::size_t negative = matrix.factorise(1e-6 * largest_stiffness(run));
-  if (control == ControlMode::force) return negative == 0;
-  column_x_ = equations_.by_force_x;
-  column_y_ = equations_.by_force_y;
-  matrix.solve(column_x_);
-  matrix.solve(column_y_);
-  flexibility_ = equations_.compliance;
-  flexibility_(0, 0) += run.rig.train_compliance;
-  for (std::size_t i = 0; i < layout.nodes(); ++i) {
-    flexibility_(0, 0) -= equations_.arm_x[i] * column_x_[i];
-    flexibility_(0, 1) -= equations_.arm_x[i] * column_y_[i];
-    flexibility_(1, 0) -= equations_.arm_y[i] * column_x_[i];
-    flexibility_(1, 1) -= equations_.arm_y[i] * column_y_[i];
-  }
-  // Stable under an imposed end point: as many negative pivots as constraints in the whole bordered matrix.
-  const double det = flexibility_.determinant(), trace = flexibility_.trace();
-  const std::size_t positive = det < 0 ? 1 : (trace > 0 ? 2 : 0);
-  return negative + positive == 2;
-}
-
-double RigSolver::solve(const RunRig& run, const Imposed& imposed, const Posture& posture) {
-  for (std::size_t i = 0; i < step_.size(); ++i) step_[i] = -equations_.residual[i];
-  equations_.stiffness.solve(step_);
-  force_step_.setZero();
-  if (imposed.control == ControlMode::displacement) {
-    Vector2 gap = imposed.value - equations_.end_point;
-    gap.x() -= run.rig.train_compliance * posture.force.x();
-    for (std::size_t i = 0; i < step_.size(); ++i)
-      gap -= Vector2(equations_.arm_x[i], equations_.arm_y[i]) * step_[i];
-    const double det = flexibility_.determinant();
-    force_step_ = Vector2(flexibility_(1, 1) * gap.x() - flexibility_(0, 1) * gap.y(),
-                          flexibility_(0, 0) * gap.y() - flexibility_(1, 0) * gap.x()) /
-                  det;
-    for (std::size_t i = 0; i < step_.size(); ++i)
-      step_[i] -= column_x_[i] * force_step_.x() + column_y_[i] * force_step_.y();
-  }
-  double largest = 0;
-  for (const double turn : step_) largest = std::max(largest, std::abs(turn));
-  return largest;
-}
-
-void RigSolver::apply(double share, Posture& posture) const {
-  for (std::size_t i = 0; i < step_.size(); ++i) posture.angle[i] += share * step_[i];
-  posture.force += share * force_step_;
-}
-
-bool RigSolver::settle_contacts(const RunRig& run, const TimeStep& interval,
-                                const std::vector<JointMemory>& memory, bool all, Posture& posture) const {
-  if (interval.relaxed || !equations_.layout.dry) return false;
+template <int Bandwidth>
+bool RigSolver<Bandwidth>::settle_contacts(const RigStep& step, bool all, Posture& posture) const {
+  if (step.interval.relaxed || !model_.layout().dry) return false;
   bool changed = false;
-  for (std::size_t i = 0; i < run.joint.size(); ++i) {
-    if (run.joint[i].stiffness <= 0) continue;
-    const double q = equations_.layout.joint_angle(posture, i);
-    if (run.joint[i].friction <= 0) {
+  for (std::size_t i = 0; i < step.run.joint.size(); ++i) {
+    const JointLaw& joint = step.run.joint[i];
+    if (joint.stiffness <= 0) continue;
+    const double q = model_.layout().joint_angle(posture.angle, i);
+    if (joint.friction <= 0) {
       // Nothing is carried, but what little friction would be is against the way that the joint goes.
-      posture.contact[i] = q < memory[i].angle ? Contact::slips_down : Contact::slips_up;
+      posture.contact[i] = q < step.memory[i].angle ? Contact::slips_down : Contact::slips_up;
       continue;
     }
-    const Contact next = run.joint[i].next(q, memory[i], posture.contact[i]);
+    const Contact next = joint.next(q, step.memory[i], posture.contact[i]);
     if (next == posture.contact[i]) continue;
     posture.contact[i] = next;
     changed = true;
@@ -107,114 +59,111 @@ bool RigSolver::settle_contacts(const RunRig& run, const TimeStep& interval,
   return changed;
 }
 
-bool RigSolver::newton(const RunRig& run, const Imposed& imposed, const TimeStep& interval,
-                       const std::vector<JointMemory>& memory, Pace pace, Posture& posture) {
-  if (imposed.control == ControlMode::force) posture.force = imposed.value;
+template <int Bandwidth>
+bool RigSolver<Bandwidth>::newton(const RigStep& step, const Imposed& imposed, Pace pace, Posture& posture) {
+  model_.become(step, posture.contact);
+  if (imposed.control == Control::force) posture.force = point(imposed.value);
   double allowed = largest_turn;
-  const double scale = largest_stiffness(run) / run.rig.length.front();
+  const double scale = step.run.largest_stiffness / step.run.rig.length.front();
   for (int i = 0; i < newton_limit; ++i) {
-    equations_.assemble(run, posture, memory, interval, true);
-    const bool stable = factorise(run, imposed.control, 0);
-    const double turn = solve(run, imposed, posture);
-    if (!std::isfinite(turn) || !force_step_.allFinite()) return false;
+    system_.expand(posture.angle, posture.force);
+    if (!system_.factor(imposed.control, hold * step.run.largest_stiffness)) return false;
+    const double turn = system_.step_to(point(imposed.value));
+    if (!std::isfinite(turn)) return false;
     if (pace == Pace::careful && turn > std::max(allowed, felt_turn)) return false;
-    apply(std::min(1.0, largest_turn / turn), posture);
-    const bool settled = !settle_contacts(run, interval, memory, i < joint_changes, posture);
+    system_.move(std::min(1.0, largest_turn / turn), posture.angle, posture.force);
+    const bool settled = !settle_contacts(step, i < joint_changes, posture);
     allowed = settled ? contraction * turn : largest_turn;
-    if (settled && turn < angle_accuracy && force_step_.norm() < 1e-7 * (scale + posture.force.norm()))
-      return stable;
+    if (settled && turn < angle_accuracy &&
+        std::hypot(system_.push().x, system_.push().y) <
+            1e-7 * (scale + std::hypot(posture.force.x, posture.force.y)))
+      return system_.negative_directions() == 0;
   }
   return false;
 }
 
-bool RigSolver::descend(const RunRig& run, const Imposed& imposed, const TimeStep& interval,
-                        const std::vector<JointMemory>& memory, Posture& posture) {
+template <int Bandwidth>
+bool RigSolver<Bandwidth>::descend(const RigStep& step, const Imposed& imposed, Posture& posture) {
   snapped_ = true;
-  const double stiff = largest_stiffness(run);
-  double damping = 10 * stiff;
-  for (int i = 0; i < descent_limit; ++i) {
-    if (imposed.control == ControlMode::force) posture.force = imposed.value;
-    equations_.assemble(run, posture, memory, interval, true);
-    if (!factorise(run, imposed.control, damping)) {
-      damping *= 4;
-      if (damping > 1e9 * stiff) return false;
-      continue;
-    }
-    const double turn = solve(run, imposed, posture);
-    if (!std::isfinite(turn) || !force_step_.allFinite()) return false;
-    if (turn > largest_turn && damping < 1e6 * stiff) {
-      damping *= 4;
-      continue;
-    }
-    apply(std::min(1.0, largest_turn / turn), posture);
-    settle_contacts(run, interval, memory, false, posture);
-    damping *= 0.5;
-    if (damping < 1e-3 * stiff) {
-      Posture trial = posture;
-      if (newton(run, imposed, interval, memory, Pace::careful, trial)) {
-        posture = trial;
-        return true;
-      }
-    }
-  }
-  return false;
+  model_.become(step, posture.contact);
+  const auto contacts = [&] { settle_contacts(step, false, posture); };
+  const auto at_rest = [&] {
+    trial_ = posture;
+    const bool found = newton(step, imposed, Pace::careful, trial_);
+    if (found) posture = trial_;
+    model_.become(step, posture.contact);
+    return found;
+  };
+  return flow(system_, imposed.control, point(imposed.value), step.run.largest_stiffness,
+              FlowLimits<double>{largest_turn, descent_limit}, posture.angle, posture.force, contacts,
+              at_rest);
 }
 
-bool RigSolver::follow(const RunRig& run, const Imposed& before, const Imposed& imposed,
-                       const TimeStep& interval, const std::vector<JointMemory>& memory, const Posture& guess,
-                       Posture& posture) {
+template <int Bandwidth>
+bool RigSolver<Bandwidth>::follow(const RigStep& step, const Imposed& before, const Imposed& imposed,
+                                  const Posture& guess, Posture& posture) {
   snapped_ = false;
-  const auto near = [&](const Posture& to) {
-    for (std::size_t i = 0; i < posture.angle.size(); ++i)
-      if (std::abs(to.angle[i] - posture.angle[i]) > nearby) return false;
+  const auto arrives = [&](const Imposed& at, Pace pace, const Posture& from) {
+    trial_ = from;
+    if (!newton(step, at, pace, trial_)) return false;
+    if ((trial_.angle - posture.angle).cwiseAbs().maxCoeff() > nearby) return false;
+    std::swap(posture, trial_);
     return true;
   };
-  if (Posture trial = guess; newton(run, imposed, interval, memory, Pace::careful, trial) && near(trial)) {
-    posture = std::move(trial);
-    return true;
-  }
+  if (arrives(imposed, Pace::careful, guess)) return true;
   double done = 0, stride = 1;
   while (done < 1) {
     const Imposed next = between(before, imposed, std::min(1.0, done + stride));
-    Posture trial = posture;
     const Pace pace = stride > shortest_stride ? Pace::careful : Pace::free;
-    if (newton(run, next, interval, memory, pace, trial) && near(trial)) {
-      posture = std::move(trial);
+    if (arrives(next, pace, posture)) {
       done = std::min(1.0, done + stride);
       stride *= 2;
     } else if (stride > shortest_stride) {
       stride /= 4;
     } else {
-      if (!descend(run, next, interval, memory, posture)) return false;
+      if (!descend(step, next, posture)) return false;
       done = std::min(1.0, done + stride);
     }
   }
   return true;
 }
 
-void RigSolver::settle(const RunRig& run, const Imposed& imposed, const TimeStep& interval,
-                       const std::vector<JointMemory>& memory, const Posture& posture) {
-  equations_.assemble(run, posture, memory, interval, false);
-  solve(run, imposed, posture);
-  settled_step_ = step_;
-  settled_force_step_ = force_step_;
+template <int Bandwidth>
+void RigSolver<Bandwidth>::balance(const RigStep& step, const Imposed& imposed, const Posture& posture) {
+  model_.become(step, posture.contact);
+  system_.balance(posture.angle, posture.force);
+  system_.step_to(point(imposed.value));
 }
 
-Posture RigSolver::neighbour(const RunRig& run, const Imposed& imposed, const TimeStep& interval,
-                             const std::vector<JointMemory>& memory, const Posture& posture) {
-  Posture result = posture;
-  if (imposed.control == ControlMode::force) result.force = imposed.value;
-  equations_.assemble(run, result, memory, interval, false);
-  solve(run, imposed, result);
-  for (std::size_t i = 0; i < step_.size(); ++i) result.angle[i] += step_[i] - settled_step_[i];
-  result.force += force_step_ - settled_force_step_;
-  return result;
+template <int Bandwidth>
+void RigSolver<Bandwidth>::prepare(const RigStep& step, const Imposed& imposed, const Posture& posture) {
+  balance(step, imposed, posture);
+  prepared_turn_ = system_.turn();
+  prepared_push_ = system_.push();
 }
 
-Vector2 RigSolver::end_point(const RunRig& run, const Posture& posture,
-                             const std::vector<JointMemory>& memory) {
-  equations_.assemble(run, posture, memory, {}, false);
-  return equations_.end_point;
+template <int Bandwidth>
+void RigSolver<Bandwidth>::neighbour(const RigStep& step, const Imposed& imposed, const Posture& posture,
+                                     Posture& result) {
+  result = posture;
+  if (imposed.control == Control::force) result.force = point(imposed.value);
+  balance(step, imposed, result);
+  result.angle += system_.turn() - prepared_turn_;
+  result.force.x += system_.push().x - prepared_push_.x;
+  result.force.y += system_.push().y - prepared_push_.y;
 }
+
+template <int Bandwidth>
+Vector2 RigSolver<Bandwidth>::end_point(const RunRig& run, const Posture& posture) {
+  static const std::vector<JointMemory> none;
+  const RigStep step{run, {}, none};
+  model_.become(step, posture.contact);
+  system_.balance(posture.angle, posture.force);
+  return {system_.at().end_point.x, system_.at().end_point.y};
+}
+
+template class RigSolver<1>;
+template class RigSolver<2>;
+template class RigSolver<4>;
 
 }  // namespace plumbline::diagnose

@@ -23,7 +23,7 @@ double typical_force(const Experiment& experiment) {
 }
 
 bool reads_force(const Run& run) {
-  return run.control == ControlMode::displacement &&
+  return run.control == Control::end_point &&
          std::any_of(run.readings.begin(), run.readings.end(), [](const Reading& reading) {
            return std::isfinite(reading.Fx) || std::isfinite(reading.Fy);
          });

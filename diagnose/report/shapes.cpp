@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <plumbline/chain/kinematics.hpp>
 #include <set>
 
 #include "diagnose/report/charts.hpp"
@@ -19,14 +20,9 @@ bool angles_measured(const Run& run) {
 }
 
 /// Joint positions and the end point.
-std::vector<page::ChartPoint> shape(const std::vector<double>& length, const std::vector<double>& q) {
-  std::vector<page::ChartPoint> points{{0, 0}};
-  double theta = 0;
-  for (std::size_t j = 0; j < length.size(); ++j) {
-    theta += q[j];
-    points.push_back(
-        {points.back().x + length[j] * std::cos(theta), points.back().y + length[j] * std::sin(theta)});
-  }
+std::vector<page::ChartPoint> shape(const Chain<double>& chain, const std::vector<double>& q) {
+  std::vector<page::ChartPoint> points;
+  for (const Point<double>& place : joint_places(chain, q)) points.push_back({place.x, place.y});
   return points;
 }
 
@@ -64,6 +60,7 @@ void add_joints(page::Chart& chart, const std::vector<page::ChartPoint>& points,
 PageChart shape_chart(const Explained& explained, std::size_t r) {
   const Experiment& experiment = explained.experiment;
   const Run& run = experiment.runs[r];
+  const Chain<double> chain(experiment.link_length, experiment.joint_stiffness);
   const bool measured = angles_measured(run);
   const std::string whose =
       measured ? "measured shapes" : "shapes of the " + explained.model + ", no angles measured";
@@ -74,14 +71,14 @@ PageChart shape_chart(const Explained& explained, std::size_t r) {
       "the origin; the area of a ring is the joint's share of the gap.",
       "x, m",
       "y, m",
-      {{Kind::line, "shape-0", shape(experiment.link_length, run.rest)}}};
+      {{Kind::line, "shape-0", shape(chain, run.rest)}}};
   chart.equal_axes = true;
   std::vector<page::ChartPoint> last = chart.layers.front().points;
   const std::vector<std::size_t> readings = stations(command_of(run).farthest);
   for (std::size_t i = 0; i < readings.size(); ++i) {
     const std::vector<double> q = angles(explained, r, readings[i], measured);
     if (!std::all_of(q.begin(), q.end(), [](double angle) { return std::isfinite(angle); })) continue;
-    last = shape(experiment.link_length, q);
+    last = shape(chain, q);
     chart.layers.push_back({Kind::line, fmt::format("shape-{}", i + 1 + 3 - readings.size()), last});
   }
   add_joints(chart, last,

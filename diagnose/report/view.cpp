@@ -50,7 +50,7 @@ Explained::Explained(const Study& studied, const Diagnosis& diagnosed)
 }
 
 Command command_of(const Run& run) {
-  const bool moves = run.control == ControlMode::displacement;
+  const bool moves = run.control == Control::end_point;
   std::vector<Vector2> way;
   Command command{{}, "", 0};
   Vector2 start(0, 0), farthest(0, 0);

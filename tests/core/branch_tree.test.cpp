@@ -1,5 +1,6 @@
 #include <plumbline/branch/branch_tree.hpp>
 #include <plumbline/branch/straight_start.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 #include "tests/property.hpp"
 

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <plumbline/chain/strain_energy.hpp>
 #include <plumbline/loaded/equilibrium.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 #include "tests/property.hpp"
 

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <plumbline/branch/slow_loading.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 using namespace plumbline;
 

@@ -36,7 +36,7 @@ inline Experiment three_links() {
 /// Adds a run that presses the end point by `by` in `steps` readings and, if asked, lets it come back.
 inline void press(Experiment& experiment, const std::vector<double>& rest, std::array<double, 2> by,
                   int steps, bool back, double interval = 1) {
-  Run run{"press-" + std::to_string(experiment.runs.size() + 1), ControlMode::displacement, rest, {}};
+  Run run{"press-" + std::to_string(experiment.runs.size() + 1), Control::end_point, rest, {}};
   double theta = 0, x = 0, y = 0;
   for (std::size_t j = 0; j < rest.size(); ++j) {
     theta += rest[j];
@@ -55,7 +55,7 @@ inline void press(Experiment& experiment, const std::vector<double>& rest, std::
 /// Adds a run under an imposed force that grows from `from` to `to`.
 inline void load(Experiment& experiment, const std::vector<double>& rest, std::array<double, 2> from,
                  std::array<double, 2> to, int steps) {
-  Run run{"load-" + std::to_string(experiment.runs.size() + 1), ControlMode::force, rest, {}};
+  Run run{"load-" + std::to_string(experiment.runs.size() + 1), Control::force, rest, {}};
   for (int i = 0; i <= steps; ++i) {
     const double share = static_cast<double>(i) / steps;
     run.readings.push_back({static_cast<double>(i), 0, 0, from[0] + share * (to[0] - from[0]),
@@ -91,7 +91,7 @@ inline Experiment measured(Experiment experiment, const Candidate& truth,
     for (std::size_t i = 0; i < run.readings.size(); ++i) {
       const auto row = predicted.runs[r].row(static_cast<Eigen::Index>(i));
       Reading& reading = run.readings[i];
-      if (run.control == ControlMode::displacement) {
+      if (run.control == Control::end_point) {
         reading.Fx = noisy(row(column_Fx), experiment.noise.Fx);
         reading.Fy = noisy(row(column_Fy), experiment.noise.Fy);
       } else {

@@ -26,7 +26,7 @@ Experiment bench() {
                         {0, 0, 0.02, 0.02, 0.001},
                         {}};
   const auto press = [&](const std::string& id, const std::vector<double>& rest, double depth, double aside) {
-    Run run{id, ControlMode::displacement, rest, {}};
+    Run run{id, Control::end_point, rest, {}};
     double theta = 0, x = 0, y = 0;
     for (std::size_t j = 0; j < 3; ++j) {
       theta += rest[j];

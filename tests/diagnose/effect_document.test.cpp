@@ -64,7 +64,7 @@ Experiment two_links(std::vector<double> stiffness, std::vector<double> rest,
                         {1e-3, 1e-3, 0.02, 0.02, 1e-3},
                         {}};
   const Chain<double> chain({0.3, 0.2}, {1, 1});
-  Run run{"press", ControlMode::displacement, std::move(rest), {}};
+  Run run{"press", Control::end_point, std::move(rest), {}};
   for (const auto& q : shapes) {
     const Point<double> at = end_point(chain, q);
     run.readings.push_back({2.0 * static_cast<double>(run.readings.size()), at.x, at.y, -4, 0, {}});

@@ -102,7 +102,7 @@ TEST_CASE("the nominal model balances k_i (q_i - rest_i) = [J^T F]_i and ends wh
       CHECK(experiment.joint_stiffness[i] * (shape.q[i] - rest[i]) ==
             doctest::Approx(shape.moment(i)).epsilon(exact).scale(1));
     }
-    if (experiment.runs[run].control == ControlMode::displacement) {
+    if (experiment.runs[run].control == Control::end_point) {
       CHECK(shape.joint.back()[0] ==
             doctest::Approx(experiment.runs[run].readings[reading].x).epsilon(exact));
       CHECK(shape.joint.back()[1] ==
@@ -238,9 +238,7 @@ TEST_CASE("weights, an eccentric load and a held tip balance as their definition
 TEST_CASE("compliances move the end point as their definitions say") {
   const Experiment experiment = full_bench();
   const auto place = [](double value) { return doctest::Approx(value).epsilon(1e-8).scale(0.1); };
-  const auto imposed = [&](std::size_t run) {
-    return experiment.runs[run].control == ControlMode::displacement;
-  };
+  const auto imposed = [&](std::size_t run) { return experiment.runs[run].control == Control::end_point; };
 
   each_reading(experiment, predict(Study(experiment), only("link_length", 2), {0.02}),
                [&](const Shape& shape, const auto&, auto run, auto reading) {

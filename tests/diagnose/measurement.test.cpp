@@ -20,9 +20,9 @@ Experiment two_runs() {
   experiment.link_length = {0.2, 0.2};
   experiment.joint_stiffness = {1, 1};
   experiment.noise = {0.1, 0.2, 0.4, 0.8, 0.05};
-  Run held{"held", ControlMode::displacement, {0, 0}, {}};
+  Run held{"held", Control::end_point, {0, 0}, {}};
   held.readings = {{0, 0.3, 0, 4, 8, {1, 2}}, {1, 0.2, 0, nan_value(), 16, {3, nan_value()}}};
-  Run pushed{"pushed", ControlMode::force, {0, 0}, {}};
+  Run pushed{"pushed", Control::force, {0, 0}, {}};
   pushed.readings = {{0, 1, 2, -5, 0, {}}};
   experiment.runs = {held, pushed};
   return experiment;

@@ -110,14 +110,14 @@ TEST_CASE("a good experiment is read as it stands") {
   CHECK(experiment.noise.q == 0.001);
   REQUIRE(experiment.runs.size() == 2);
   const Run& press = experiment.runs[0];
-  CHECK(press.control == ControlMode::displacement);
+  CHECK(press.control == Control::end_point);
   REQUIRE(press.readings.size() == 2);
   CHECK(press.readings[1].Fx == -0.1);
   CHECK(std::isnan(press.readings[1].Fy));
   CHECK(press.readings[1].q[0] == 0.41);
   CHECK(std::isnan(press.readings[1].q[1]));
   const Run& pull = experiment.runs[1];
-  CHECK(pull.control == ControlMode::force);
+  CHECK(pull.control == Control::force);
   CHECK(pull.readings[0].q.empty());
   CHECK(std::isnan(pull.readings[0].x));
   CHECK(pull.readings[1].Fy == 0.01);

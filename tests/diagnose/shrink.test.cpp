@@ -116,7 +116,7 @@ TEST_CASE("what is held out is hidden whole, what was commanded stays") {
   const Experiment seen = without(experiment, held);
   REQUIRE(seen.runs.size() == experiment.runs.size());
   for (std::size_t r = 0; r < seen.runs.size(); ++r) {
-    const bool displacement = seen.runs[r].control == ControlMode::displacement;
+    const bool displacement = seen.runs[r].control == Control::end_point;
     REQUIRE(seen.runs[r].readings.size() == experiment.runs[r].readings.size());
     for (std::size_t i = 0; i < seen.runs[r].readings.size(); ++i) {
       const Reading& reading = seen.runs[r].readings[i];

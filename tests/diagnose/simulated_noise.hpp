@@ -17,7 +17,7 @@ inline plumbline::diagnose::Experiment blank_experiment(const std::vector<std::s
                         {0, 0},          {0, 0},     {Bench::Plane::unknown, {0, 0}, false},
                         {0, 0, 1, 1, 0}, {}};
   for (const std::size_t count : readings) {
-    Run run{"run-" + std::to_string(experiment.runs.size() + 1), ControlMode::displacement, {0, 0}, {}};
+    Run run{"run-" + std::to_string(experiment.runs.size() + 1), Control::end_point, {0, 0}, {}};
     for (std::size_t i = 0; i < count; ++i)
       run.readings.push_back({static_cast<double>(i), 0.3, 0, 0, 0, {}});
     experiment.runs.push_back(run);

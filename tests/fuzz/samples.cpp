@@ -3,6 +3,6 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   return offer(bytes, size, [](const std::string& text) {
-    plumbline::diagnose::parse_samples(text, "f", plumbline::diagnose::ControlMode::displacement, 2);
+    plumbline::diagnose::parse_samples(text, "f", plumbline::Control::end_point, 2);
   });
 }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <optional>
 #include <plumbline/base/error.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 #include <random>
 
 #include "proofs/equilibrium_box.hpp"

@@ -4,6 +4,7 @@
 
 #include <plumbline/branch/branch_tree.hpp>
 #include <plumbline/branch/slow_loading.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 #include <random>
 
 #include "proofs/census.hpp"

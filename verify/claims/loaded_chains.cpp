@@ -6,6 +6,7 @@
 #include <plumbline/branch/point_at_load.hpp>
 #include <plumbline/branch/sharpen.hpp>
 #include <plumbline/branch/slow_loading.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 #include "proofs/exactly.hpp"
 #include "verify/judging/sign.hpp"

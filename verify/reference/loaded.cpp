@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <plumbline/branch/trace.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 #include "proofs/census.hpp"
 #include "proofs/certain_digits.hpp"

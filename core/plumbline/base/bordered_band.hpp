@@ -77,10 +77,14 @@ std::size_t negative_eigenvalues(Matrix<Real>& G) {
 template <Floating Real, int B>
 class BorderedBand {
  public:
+  BorderedBand() : BorderedBand(default_pivot()) {}
+  /// \param smallest_pivot  share of its row below which a pivot of T is enlarged: each elimination step may
+  ///        lose as many digits as that has
+  explicit BorderedBand(Real smallest_pivot) : small_(std::move(smallest_pivot)) {}
+
   /// Takes the band; the borders come with border().
   void factor(const Band<Real, B>& T) {
-    using std::abs, std::max, std::min, std::sqrt;
-    const Real small = sqrt(sqrt(epsilon<Real>()));
+    using std::abs, std::max, std::min;
     const Eigen::Index n = T.cols();
     L_ = T;
     shifts_.clear();
@@ -93,7 +97,7 @@ class BorderedBand {
       if (!(scale > Real(0))) scale = scale_of_all > Real(0) ? scale_of_all : Real(1);
       scale_of_all = max(scale_of_all, scale);
       Real& pivot = L_(0, i);
-      if (!(abs(pivot) >= small * scale)) {
+      if (!(abs(pivot) >= small_ * scale)) {
         const Real shift = pivot < Real(0) ? Real(-scale) : scale;
         shifts_.emplace_back(i, shift);
         pivot += shift;
@@ -129,8 +133,19 @@ class BorderedBand {
     return factor_dense();
   }
 
+  /// Leaves the band without borders. False when it is singular.
+  bool no_border() {
+    const Eigen::Index n = L_.cols();
+    return border(Matrix<Real>(n, 0), Matrix<Real>(n, 0), Matrix<Real>(0, 0));
+  }
+
   /// Negative eigenvalues of the matrix with only the first so many borders; presumes it is symmetric there.
   [[nodiscard]] std::size_t negative(Eigen::Index borders) {
+    if (shifts_.empty() && borders == 0) return negative_;
+    if (shifts_.empty() && borders == 2) {
+      const bool mixed = G_(0, 0) * G_(1, 1) < G_(0, 1) * G_(1, 0);
+      return negative_ + (mixed ? 1 : G_(0, 0) + G_(1, 1) < Real(0) ? 2 : 0);
+    }
     scratch_ = G_.topLeftCorner(shifted() + borders, shifted() + borders);
     std::size_t count = negative_ + negative_eigenvalues(scratch_);
     for (const auto& shift : shifts_) count -= shift.second < Real(0) ? 1 : 0;
@@ -142,6 +157,8 @@ class BorderedBand {
   void solve(V&& v, W&& w) {
     const Eigen::Index n = L_.cols(), m = shifted(), p = R_.cols();
     solve_band(v);
+    if (m + p == 0) return;
+    if (m == 0 && p == 2) return solve_two(v, w);
     z_.resize(m + p);
     for (Eigen::Index a = 0; a < m; ++a) z_(a) = -v(shifts_[static_cast<std::size_t>(a)].first);
     for (Eigen::Index a = 0; a < p; ++a) {
@@ -159,6 +176,10 @@ class BorderedBand {
   }
 
  private:
+  static Real default_pivot() {
+    using std::sqrt;
+    return sqrt(sqrt(epsilon<Real>()));
+  }
   [[nodiscard]] Eigen::Index shifted() const { return static_cast<Eigen::Index>(shifts_.size()); }
 
   void eliminate(Eigen::Index i, Eigen::Index reach) {
@@ -193,6 +214,24 @@ class BorderedBand {
       v(i) = x;
       keep(x);
     }
+  }
+
+  /// The rest of solve() with two borders and no enlarged pivot, an equilibrium's usual case: in registers.
+  template <class V, class W>
+  void solve_two(V& v, W& w) const {
+    Real a = w(0), b = w(1);
+    for (Eigen::Index i = 0; i < v.size(); ++i) {
+      a -= R_(i, 0) * v(i);
+      b -= R_(i, 1) * v(i);
+    }
+    if (rows_[0] == 1) std::swap(a, b);
+    b -= LU_(1, 0) * a;
+    b *= LU_(1, 1);
+    a -= LU_(0, 1) * b;
+    a *= LU_(0, 0);
+    for (Eigen::Index i = 0; i < v.size(); ++i) v(i) = Real(v(i) - X_(i, 0) * a) - X_(i, 1) * b;
+    w(0) = a;
+    w(1) = b;
   }
 
   bool factor_dense() {
@@ -238,6 +277,7 @@ class BorderedBand {
     }
   }
 
+  Real small_;
   Band<Real, B> L_;  // unit lower band below, reciprocals of the pivots in row 0
   std::vector<std::pair<Eigen::Index, Real>> shifts_;
   std::size_t negative_ = 0;

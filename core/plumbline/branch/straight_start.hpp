@@ -4,6 +4,7 @@
 /// mode, to either side, is the beginning of a branch.
 
 #include <plumbline/branch/branch.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 #include <plumbline/straight/buckling_mode.hpp>
 
 namespace plumbline {

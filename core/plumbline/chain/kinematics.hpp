@@ -45,6 +45,39 @@ Point<Real> end_point(const Chain<Real>& chain, const std::vector<Real>& q) {
   return p;
 }
 
+/// Where joints 1 … n are, and last the end point; joint 1 is at the base.
+template <Analytic Real>
+std::vector<Point<Real>> joint_places(const Chain<Real>& chain, const std::vector<Real>& q) {
+  using std::cos, std::sin;
+  std::vector<Point<Real>> places{{Real(0), Real(0)}};
+  const std::vector<Real> theta = orientations(q);
+  for (std::size_t j = 0; j < chain.size(); ++j) {
+    const Point<Real>& last = places.back();
+    places.push_back(
+        {last.x + chain.length()[j] * cos(theta[j]), last.y + chain.length()[j] * sin(theta[j])});
+  }
+  return places;
+}
+
+/// Smallest and largest distance of the end point from the base.
+template <Number Real>
+struct Reach {
+  Real smallest, largest;
+};
+
+/// Largest for the stretched chain; smallest for the folded one, zero unless one link is longer than all
+/// others together.
+template <Ordered Real>
+Reach<Real> reach(const std::vector<Real>& length) {
+  Real sum(0), longest(0);
+  for (const Real& L : length) {
+    sum += L;
+    if (L > longest) longest = L;
+  }
+  const Real inner = longest + longest - sum;
+  return {inner > Real(0) ? inner : Real(0), sum};
+}
+
 /// Jacobian (23), 2 x n: column i holds the derivative of (x, y) with respect to q_i.
 template <Analytic Real>
 Matrix<Real> jacobian(const Chain<Real>& chain, const std::vector<Real>& q) {

@@ -2,7 +2,7 @@
 /// \file
 /// The links of a chain along a branch, as power series.
 
-#include <plumbline/base/number.hpp>
+#include <plumbline/chain/kinematics.hpp>
 #include <utility>
 
 namespace plumbline {
@@ -16,7 +16,10 @@ class LinkSeries {
  public:
   /// Order 0, and room up to an order.
   /// \param gradient  a row (-y, x) a link
-  void begin(const Eigen::Matrix<Real, Eigen::Dynamic, 2>& gradient, Eigen::Index order) {
+  /// \param carried   constant force on each link beside that of the branch; none where it is empty
+  void begin(const Eigen::Matrix<Real, Eigen::Dynamic, 2>& gradient, Eigen::Index order,
+             const std::vector<Point<Real>>& carried) {
+    carried_ = &carried;
     links_ = gradient.rows();
     const Eigen::Index blocks = (links_ + width - 1) / width;
     for (Matrix<Real>* one : {&turn_, &x_, &y_}) {
@@ -32,7 +35,7 @@ class LinkSeries {
 
   /// What the orders below k contribute to order k.
   /// \param branch  has the coefficients of the force
-  /// \param moment  of y Fx - x Fy, a link each
+  /// \param moment  of y Fx - x Fy, a link each, F with what the link carries
   /// \param x, y    of the sums over all links
   template <class Branch>
   void lower_orders(Eigen::Index k, const Branch& branch, Vector<Real>& moment, Real& x, Real& y) {
@@ -60,6 +63,10 @@ class LinkSeries {
           (by_fx + dy * branch.force_x(0)) - (by_fy + dx * branch.force_y(0));
     }
     moment = moment_.head(links_);
+    for (std::size_t j = 0; j < carried_->size(); ++j) {
+      const auto i = static_cast<Eigen::Index>(j);
+      moment(i) += entry(y_, k, i) * (*carried_)[j].x - entry(x_, k, i) * (*carried_)[j].y;
+    }
     x = y = Real(0);
     for (Eigen::Index lane = 0; lane < width; ++lane) x += sum_x(lane), y += sum_y(lane);
   }
@@ -83,6 +90,7 @@ class LinkSeries {
   }
 
   Eigen::Index links_ = 0;
+  const std::vector<Point<Real>>* carried_ = nullptr;
   Matrix<Real> turn_, x_, y_;  ///< a column for every `width` links: their orders one after the other
   Vector<Real> moment_;
 };

@@ -2,46 +2,54 @@
 /// \file
 /// Where a chain comes to rest: the flow of the energy downhill, with equal viscous dampers at the joints.
 
-#include <plumbline/branch/branch.hpp>
+#include <optional>
+#include <plumbline/loaded/equilibrium.hpp>
 
 namespace plumbline {
 
-/// A model with dampers: stored energy plus c/2 sum (q_i - q_i(before))^2. Its equilibrium is one implicit
-/// step, of length 1/c in time, of the flow dq/dt = -dE/dq on the constraint.
-template <LoadedModel Model>
-class DampedModel {
- public:
-  using Real = typename Model::Real;
-  static constexpr int bandwidth = Model::bandwidth;
-  static_assert(bandwidth >= 1);
-
-  DampedModel(const Model& model, Vector<Real> before, Real damping)
-      : model_(&model), before_(std::move(before)), damping_(std::move(damping)) {}
-
-  [[nodiscard]] std::size_t size() const { return model_->size(); }
-  void require_reach(const Point<Real>& p) const { model_->require_reach(p); }
-
-  void expand(const Vector<Real>& theta, const Point<Real>& force, Expansion<Real, bandwidth>& at) const {
-    model_->expand(theta, force, at);
-    const Vector<Real> turn = theta - before_;
-    for (Eigen::Index i = 0; i < theta.size(); ++i) {
-      const Real d = i > 0 ? Real(turn(i) - turn(i - 1)) : turn(i), torque = damping_ * d;
-      at.energy += torque * d / Real(2);
-      at.residual(i) += torque;
-      at.hessian(0, i) += damping_;
-      if (i > 0) {
-        at.residual(i - 1) -= torque;
-        at.hessian(0, i - 1) += damping_;
-        at.hessian(1, i - 1) -= damping_;
-      }
-    }
-  }
-
- private:
-  const Model* model_;
-  Vector<Real> before_;
-  Real damping_;
+/// How the flow is followed.
+template <Number Real>
+struct FlowLimits {
+  Real longest_turn;  ///< of one step, rad
+  int most_steps;
 };
+
+/// Lets shape and force flow downhill in linearly implicit steps, (H + c D) dtheta = -residual on the
+/// constraint: 1/c is a step's length in time, D the dampers' matrix. Steps grow while they turn the chain
+/// little and the damped energy is convex.
+/// \param stiffest  scale of the joints' stiffness, against which dampers count as strong or weak
+/// \param between   called after every step; may change what the model is, such as contacts
+/// \param at_rest   asked once the dampers are weak: whether the chain has arrived
+/// \return whether it has
+template <LoadedModel Model, class Between, class AtRest>
+bool flow(LoadedSystem<Model>& system, Control control, const Point<typename Model::Real>& imposed,
+          const typename Model::Real& stiffest, const FlowLimits<typename Model::Real>& limits,
+          Vector<typename Model::Real>& theta, Point<typename Model::Real>& force, Between between,
+          AtRest at_rest) {
+  using Real = typename Model::Real;
+  const Real weak = stiffest / Real(1000), strong = stiffest * Real(1e6), most = stiffest * Real(1e9);
+  Real damping = Real(10) * stiffest;
+  if (control == Control::force) force = imposed;
+  for (int step = 0; step < limits.most_steps; ++step) {
+    system.expand(theta, force);
+    if (!system.factor(control, damping) || system.negative_directions() > 0) {
+      damping *= Real(4);
+      if (damping > most) return false;
+      continue;
+    }
+    const Real turn = system.step_to(imposed);
+    if (!is_finite(turn)) return false;
+    if (turn > limits.longest_turn && damping < strong) {
+      damping *= Real(4);
+      continue;
+    }
+    system.move(turn > limits.longest_turn ? Real(limits.longest_turn / turn) : Real(1), theta, force);
+    between();
+    damping /= Real(2);
+    if (damping < weak && at_rest()) return true;
+  }
+  return false;
+}
 
 /// The stable equilibrium that a chain flows to from a shape, with its end point held (or under a force) at
 /// `load` of the loading. Near a saddle the flow is slow; a shape exactly on one stays there until it is
@@ -51,46 +59,30 @@ Equilibrium<typename Model::Real> settle(const Model& model, const Loading<typen
                                          const typename Model::Real& load, Vector<typename Model::Real> theta,
                                          Point<typename Model::Real> force = {}) {
   using Real = typename Model::Real;
-  using std::abs, std::max;
-  const bool held = loading.control == Control::end_point;
-  const Point<Real> place = loading.at(load);
-  const auto solve = [&](const auto& system) -> std::optional<Equilibrium<Real>> {
-    EquilibriumSolver solver(system);
+  const Point<Real> imposed = loading.at(load);
+  const Real longest_turn = Real(1) / Real(8);
+  EquilibriumSolver<Model> solver(model);
+  std::optional<Equilibrium<Real>> rest;
+  // the flow ends where what is left of the way is short and downhill
+  const auto at_rest = [&] {
     try {
-      return held ? solver.at_end_point(place, theta, force) : solver.under_force(place, theta);
+      rest = solver.under(loading.control, imposed, theta, force);
     } catch (const Error&) {
-      return std::nullopt;  // no equilibrium that Newton's method finds from here
+      return false;  // no equilibrium that Newton's method finds from here
     }
+    return rest->negative_directions == 0 && (rest->theta - theta).cwiseAbs().maxCoeff() < longest_turn;
   };
-  if (held) model.require_reach(place);
-  const auto turned = [&](const Equilibrium<Real>& to) {
-    Real most(0);
-    for (Eigen::Index i = 0; i < theta.size(); ++i) most = max(most, Real(abs(to.theta(i) - theta(i))));
-    return most;
-  };
-  const Real short_turn = Real(1) / Real(50), long_turn = Real(1) / Real(8);
-  Expansion<Real, Model::bandwidth> at;
-  model.expand(theta, {Real(0), Real(0)},
-               at);  // the springs alone: at a fold the loaded chain has no stiffness
-  Real stiffest(0);
-  for (Eigen::Index i = 0; i < at.hessian.cols(); ++i) stiffest = max(stiffest, Real(abs(at.hessian(0, i))));
-  Real damping = Real(4) * stiffest;
-  for (int step = 0; step < 5000 && damping < stiffest * Real(1e12); ++step) {
-    const auto next = solve(DampedModel<Model>(model, theta, damping));
-    if (!next || next->negative_directions > 0 || turned(*next) > long_turn) {
-      damping *= Real(4);
-      continue;
-    }
-    if (turned(*next) < short_turn) {
-      const auto rest = solve(model);
-      // the flow ends here if what is left of the way is short and downhill
-      if (rest && rest->negative_directions == 0 && turned(*rest) < long_turn) return *rest;
-      damping /= Real(2);
-    }
-    theta = next->theta;
-    force = next->force;
+  if constexpr (requires { model.require_reach(imposed); }) {
+    if (loading.control == Control::end_point) model.require_reach(imposed);
   }
-  throw Error("flow", "no stable equilibrium within 5000 steps", "a chain that comes to rest");
+  LoadedSystem<Model> system(model);
+  system.expand(theta, {Real(0), Real(0)});  // the springs alone: at a fold the loaded chain has no stiffness
+  const Real stiffest = system.at().hessian.row(0).cwiseAbs().maxCoeff();
+  const FlowLimits<Real> limits{longest_turn, 5000};
+  if (!flow(
+          system, loading.control, imposed, stiffest, limits, theta, force, [] {}, at_rest))
+    throw Error("flow", "no stable equilibrium within 5000 steps", "a chain that comes to rest");
+  return *rest;
 }
 
 }  // namespace plumbline
