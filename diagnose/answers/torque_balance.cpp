@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/model/nominal.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 

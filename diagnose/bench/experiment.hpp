@@ -3,7 +3,7 @@
 /// An experiment: what a lab writes down when it presses on a real chain. SI units, radians.
 
 #include <array>
-#include <plumbline/loaded/loading.hpp>
+#include <plumbline/loaded/control.hpp>
 #include <string>
 #include <vector>
 

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "diagnose/model/nominal.hpp"
+
 namespace plumbline::diagnose {
 
 namespace {

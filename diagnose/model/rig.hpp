@@ -5,7 +5,6 @@
 /// active together.
 
 #include <Eigen/Core>
-#include <plumbline/loaded/nominal_model.hpp>
 #include <vector>
 
 #include "diagnose/bench/experiment.hpp"
@@ -54,9 +53,6 @@ struct Rig {
 
 /// Where the end point of the nominal chain lies at rest.
 Vector2 unloaded_end(const Experiment& experiment, const std::vector<double>& rest);
-
-/// The nominal chain with the weight of its links, as commanded in one run.
-NominalModel<double> nominal_model(const Experiment& experiment, const std::vector<double>& rest);
 
 /// The rig that the nominal model believes in.
 Rig nominal_rig(const Experiment& experiment);

@@ -3,7 +3,8 @@
 /// The rig in one run, and where it stands: its unknowns, its history, what is imposed.
 
 #include <plumbline/base/number.hpp>
-#include <plumbline/loaded/loading.hpp>
+#include <plumbline/chain/kinematics.hpp>
+#include <plumbline/loaded/control.hpp>
 #include <vector>
 
 #include "diagnose/model/joint_law.hpp"

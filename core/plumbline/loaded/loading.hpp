@@ -8,11 +8,9 @@
 /// \endcode
 
 #include <plumbline/chain/kinematics.hpp>
+#include <plumbline/loaded/control.hpp>
 
 namespace plumbline {
-
-/// What the environment prescribes.
-enum class Control { end_point, force };
 
 /// What is imposed grows along a ray: start + load · direction, an end point or a force. The direction is a
 /// unit vector, so the load is a length or a force.
