@@ -27,16 +27,15 @@ target_compile_options(plumbline-flags INTERFACE
   "$<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-stringop-overflow;-Wno-array-bounds>")
 
 # Options of the packages whose headers are precompiled: all who use them must see the same macros.
-set(packages Eigen3::Eigen Boost::headers MPFI::MPFI fmt::fmt nlohmann_json::nlohmann_json tomlplusplus::tomlplusplus
-             CLI11::CLI11)
+set(packages Eigen3::Eigen Boost::headers MPFI::MPFI fmt::fmt nlohmann_json::nlohmann_json CLI11::CLI11)
 foreach(package ${packages})
   target_compile_definitions(plumbline-flags INTERFACE $<TARGET_PROPERTY:${package},INTERFACE_COMPILE_DEFINITIONS>)
   target_compile_options(plumbline-flags INTERFACE $<TARGET_PROPERTY:${package},INTERFACE_COMPILE_OPTIONS>)
 endforeach()
 
-# The headers of other packages, parsed once for each way to compile.
-# plumbline_way(<way> FLAGS <option> ... HEADERS <header> ...) makes the targets plumbline-<way>-flags and
-# plumbline-<way>-headers.
+# A way to compile: plumbline_way(<way> FLAGS <option> ... HEADERS <header> ...) makes the targets plumbline-<way>-flags
+# and plumbline-<way>-headers, the headers of other packages parsed once. To load them costs a compiler about a fifth of
+# parsing them, so that a way has those alone that most of its files include.
 function(plumbline_way way)
   cmake_parse_arguments(PARSE_ARGV 1 way "" "" "FLAGS;HEADERS")
   add_library(plumbline-${way}-flags INTERFACE)
@@ -46,9 +45,7 @@ function(plumbline_way way)
   file(CONFIGURE OUTPUT ${empty} CONTENT "")
   add_library(plumbline-${way}-headers OBJECT ${empty})
   target_link_libraries(plumbline-${way}-headers PRIVATE plumbline-${way}-flags ${packages})
-  target_precompile_headers(plumbline-${way}-headers PRIVATE
-    <Eigen/Dense> <boost/multiprecision/gmp.hpp> <boost/multiprecision/mpfi.hpp> <boost/multiprecision/mpfr.hpp>
-    <fmt/format.h> <fmt/ranges.h> <nlohmann/json.hpp> ${way_HEADERS})
+  target_precompile_headers(plumbline-${way}-headers PRIVATE ${way_HEADERS})
 endfunction()
 # The first line of every target of ours: plumbline_own(<target> <way>).
 function(plumbline_own target way)
@@ -56,7 +53,12 @@ function(plumbline_own target way)
   target_precompile_headers(${target} REUSE_FROM plumbline-${way}-headers)
 endfunction()
 
-# What computes; the claims, in symbols too; and where nothing takes time and the compiler's is worth more.
-plumbline_way(fast HEADERS <toml++/toml.h>)
-plumbline_way(claims FLAGS $<$<CONFIG:Release>:-O2> HEADERS <ginac/ginac.h>)
-plumbline_way(quick FLAGS $<$<CONFIG:Release>:-O1> HEADERS <toml++/toml.h> <CLI/CLI.hpp>)
+# Where nothing takes time, the compiler's time is worth more.
+set(quick $<$<CONFIG:Release>:-O1>)
+set(numbers <Eigen/Core> <Eigen/LU> <boost/multiprecision/gmp.hpp> <boost/multiprecision/mpfr.hpp>)
+set(texts <fmt/format.h> <fmt/ranges.h> <nlohmann/json.hpp>)
+plumbline_way(text FLAGS ${quick} HEADERS ${texts})
+plumbline_way(proof HEADERS ${numbers} <boost/multiprecision/mpfi.hpp> <fmt/format.h>)
+plumbline_way(claim FLAGS ${quick} HEADERS ${numbers} <boost/multiprecision/mpfi.hpp> <fmt/format.h> <ginac/ginac.h>)
+plumbline_way(fit HEADERS <Eigen/Dense> <fmt/format.h>)
+plumbline_way(verb FLAGS ${quick} HEADERS ${texts} ${numbers} <CLI/CLI.hpp>)

@@ -22,7 +22,8 @@ std::string quoted(const std::string& text) {
 }
 
 std::string action(const CLI::Option& option) {
-  if (const auto listed = choices(option); !listed.empty()) return fmt::format("({})", fmt::join(listed, " "));
+  if (const auto listed = choices(option); !listed.empty())
+    return fmt::format("({})", fmt::join(listed, " "));
   if (is_folder(option)) return "_files -/";
   if (is_file(option)) return "_files";
   return " ";
@@ -51,8 +52,7 @@ std::string verb_case(const CLI::App& verb) {
 }  // namespace
 
 std::string zsh_completion(const CLI::App& command) {
-  std::string text =
-      "#compdef plumbline\n_plumbline() {\n  local -a verbs=(\n";
+  std::string text = "#compdef plumbline\n_plumbline() {\n  local -a verbs=(\n";
   for (const CLI::App* verb : verbs(command))
     text += fmt::format("    '{}:{}'\n", verb->get_name(), quoted(verb->get_description()));
   text +=

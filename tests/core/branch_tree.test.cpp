@@ -99,3 +99,21 @@ TEST_CASE("every crossing is met on both branches, and a closed branch closes") 
     }
   });
 }
+
+TEST_CASE("what counts as the same place follows the precision that is set at run time") {
+  const unsigned before = Mpfr::default_precision();
+  for (const unsigned digits : {20U, 60U}) {
+    Mpfr::default_precision(digits);
+    using Model = NominalModel<Mpfr>;
+    const Model model(Chain<Mpfr>({1, 1}, {1, 1}));
+    const Vector<Mpfr> straight = Vector<Mpfr>::Zero(2);
+    Brancher<Model> brancher(model, {Control::force, {0, 0}, {-1, 0}}, straight);
+    const Branch<Mpfr> branch{
+        {brancher.start(Mpfr(0), straight), brancher.start(Mpfr(1) / 4, straight)}, {}, BranchEnd::load};
+    BranchPoint<Mpfr> beside = brancher.start(Mpfr(1) / 8, straight);
+    // between 1000 sqrt(eps) of 20 digits, 1e-7, and of 60, 1e-27
+    beside.theta(0) += pow(Mpfr(10), -15);
+    CHECK(lies_on(brancher, branch, beside) == (digits == 20));
+  }
+  Mpfr::default_precision(before);
+}

@@ -13,8 +13,9 @@
 #include <utility>
 
 #if defined(__GNUC__) && !defined(__clang__)
-// How a vector is passed depends on the machine that is compiled for. None crosses a boundary between functions that
-// are compiled apart; GCC warns at the end of the file, so that the pragma cannot be taken back.
+// How a vector is passed depends on the machine that is compiled for. None crosses a boundary between
+// functions that are compiled apart; GCC warns at the end of the file, so that the pragma cannot be taken
+// back.
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 

@@ -152,18 +152,20 @@ struct Eigen::NumTraits<plumbline::Mpfr> : plumbline::EigenScalar<plumbline::Mpf
 template <>
 struct Eigen::NumTraits<plumbline::Rational> : plumbline::EigenScalar<plumbline::Rational> {};
 
-// Products of fractions are computed entry by entry. Eigen's kernels for large products arrange numbers for registers
-// and caches, which fractions never see, and take a compiler longer than most files.
+// Products of fractions are computed entry by entry. Eigen's kernels for large products arrange numbers for
+// registers and caches, which fractions never see, and take a compiler longer than most files.
 template <class Left, class Right>
-  requires std::same_as<typename Left::Scalar, plumbline::Rational>
+requires std::same_as<typename Left::Scalar, plumbline::Rational>
 struct Eigen::internal::generic_product_impl<Left, Right, Eigen::DenseShape, Eigen::DenseShape,
                                              Eigen::GemmProduct>
     : Eigen::internal::generic_product_impl<Left, Right, Eigen::DenseShape, Eigen::DenseShape,
-                                            Eigen::CoeffBasedProductMode> {};
+                                            Eigen::CoeffBasedProductMode> {
+};
 template <class Left, class Right>
-  requires std::same_as<typename Left::Scalar, plumbline::Rational>
+requires std::same_as<typename Left::Scalar, plumbline::Rational>
 struct Eigen::internal::generic_product_impl<Left, Right, Eigen::DenseShape, Eigen::DenseShape,
                                              Eigen::GemvProduct>
     : Eigen::internal::generic_product_impl<Left, Right, Eigen::DenseShape, Eigen::DenseShape,
-                                            Eigen::CoeffBasedProductMode> {};
+                                            Eigen::CoeffBasedProductMode> {
+};
 /// \endcond
