@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/process.hpp"
@@ -86,6 +87,41 @@ TEST_CASE("equilibria: certified and sampled lists agree for the bundled chain")
   for (const auto& one : forced["equilibria"])
     sum += contains(one["type"], "(1)") || contains(one["type"], "(3)") ? -1 : 1;
   CHECK(sum == 1);  // Euler characteristic of the space of all joint angles
+}
+
+TEST_CASE("equilibria: the output says which joint angles are counted, and --turns counts more") {
+  const Workplace here;
+  here.write("two.toml", "lengths = [1, 1]\nstiffness = [1, 1]\n");
+  const Outcome text = here.plumbline("equilibria two.toml --end-point 1,0.2 --certify");
+  CHECK(contains(text.out,
+                 "2 equilibria, by energy; certified: these are all with joint angles in the window"));
+  CHECK(contains(text.out, "joint angles counted: q1 in [-3.1416, 3.1416], q2 in [-3.1416, 3.1416]"));
+  const auto read = [&](const std::string& arguments) {
+    const Outcome outcome = here.plumbline("equilibria two.toml " + arguments + " --certify --json");
+    REQUIRE(outcome.status == 0);
+    return nlohmann::json::parse(outcome.out);
+  };
+  const auto narrow = read("--end-point 1,0.2"), wide = read("--end-point 1,0.2 --turns 1");
+  CHECK(narrow["balanced"] == true);
+  CHECK(narrow["joint_angles_counted"].size() == 2);
+  CHECK(wide["equilibria"].size() > narrow["equilibria"].size());
+  CHECK(read("--force -0.1,0")["joint_angles_counted"] == "all");
+}
+
+TEST_CASE("equilibria: digits that are certain, a passive base by full turns, and a continuum bounded") {
+  const Workplace here;
+  here.write("tie.toml", "lengths = [1, 1, 1]\nstiffness = [3, 0, 1]\n");
+  const char* const held = "equilibria tie.toml --end-point 2.9,0 --certify";
+  CHECK(contains(here.plumbline(held).out, "0 stands for an absolute value in [0, "));
+  const auto digits = nlohmann::json::parse(here.plumbline(std::string(held) + " --json").out);
+  for (const auto& one : digits["equilibria"]) {
+    for (const std::string angle : one["q"]) CHECK((angle == "0" || std::abs(std::stod(angle)) > 1e-3));
+  }
+  here.write("passive.toml", "lengths = [1, 1]\nstiffness = [0, 1]\n");
+  const Outcome sampled = here.plumbline("equilibria passive.toml --force 0.5,0 --json");
+  CHECK(nlohmann::json::parse(sampled.out)["equilibria"].size() == 2);  // pulled out, and the other way round
+  const Outcome continuum = here.plumbline("equilibria passive.toml --force 0,0 --json");
+  CHECK(nlohmann::json::parse(continuum.out)["equilibria"].size() <= 1000);
 }
 
 TEST_CASE("loads that cannot be are refused in one line") {
