@@ -189,7 +189,8 @@ void require_folder(const fs::path& path) {
   }
   const bool folder = fs::is_directory(nearest, error);
   if (!folder || access(nearest.c_str(), W_OK | X_OK) != 0)
-    throw Error(path.string(), folder ? std::strerror(errno) : "a file", "a folder, or a name to make one by");
+    throw Error(path.string(), folder ? std::strerror(errno) : "a file",
+                "a folder, or a name to make one by");
 }
 
 }  // namespace plumbline::files
