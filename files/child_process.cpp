@@ -74,7 +74,7 @@ std::string wait_for(pid_t process, std::optional<std::chrono::duration<double>>
     const int watch = static_cast<int>(syscall(SYS_pidfd_open, process, 0));
     pollfd ended{watch, POLLIN, 0};
     const auto limit = std::chrono::duration_cast<std::chrono::milliseconds>(*patience).count();
-    const bool late = poll(&ended, 1, static_cast<int>(std::min<long>(limit, 1000000000))) == 0;
+    const bool late = watch >= 0 && poll(&ended, 1, static_cast<int>(std::min<long>(limit, 1000000000))) == 0;
     close(watch);
     if (late) {
       kill(process, SIGKILL);
