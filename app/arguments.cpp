@@ -76,7 +76,8 @@ std::string in_our_words(const CLI::ParseError& error) {
     return fmt::format("command line: {}", refusal(behind(said, "not expected: "), "what --help lists"));
   if (is("RequiredError")) return option_in(said) + ": found nothing, expected a value";
   if (is("ExcludesError"))
-    return fmt::format("{}: found it beside {}, expected one of the two", option_in(said), behind(said, "excludes "));
+    return fmt::format("{}: found it beside {}, expected one of the two", option_in(said),
+                       behind(said, "excludes "));
   if (is("ArgumentMismatch"))
     return option_in(said) + ": found too few or too many values, expected as many as --help says";
   return fmt::format("{}: found what cannot be read, expected what --help says", option_in(said));

@@ -22,8 +22,7 @@ Rational parse_number(const std::string& text, const std::string& list, std::siz
   const auto value = proofs::parse_decimal(text);
   if (!value) refuse("", "a decimal number");
   if (list.ends_with("lengths") && *value <= 0) refuse(", which is not positive", "a positive length");
-  if (list.ends_with("stiffness") && *value < 0)
-    refuse(", which is negative", "zero (passive) or positive");
+  if (list.ends_with("stiffness") && *value < 0) refuse(", which is negative", "zero (passive) or positive");
   return *value;
 }
 

@@ -48,7 +48,9 @@ ChainTable read(const std::string& path) {
   if (extension != ".toml" && !fs::is_directory(path))
     throw Error(path, "a name that ends in \"" + extension + "\"",
                 ".toml (a chain) or .csv (a table of chains)");
-  return {{{files::printable(fs::path(path).stem().string()), path, parse_chain(files::read_text(path), path)}}, {}};
+  return {
+      {{files::printable(fs::path(path).stem().string()), path, parse_chain(files::read_text(path), path)}},
+      {}};
 }
 
 void require_straight(const Chain<Rational>& chain) {

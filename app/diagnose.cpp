@@ -51,8 +51,8 @@ void run(const Options& options) {
   diagnose::Experiment experiment =
       options.experiment.empty() ? example_experiment() : diagnose::read_experiment(options.experiment);
   Outputs outputs(trial::files_read(options.experiment));
-  files::OutputFile *const json = outputs.open("--json", options.json),
-                           *const html = outputs.open("--html", options.html);
+  files::OutputFile *const json = outputs.open("--json", options.json), *const html = outputs.open(
+                                                                            "--html", options.html);
   const diagnose::Study study(std::move(experiment));
   if (!options.as_is) ask_for_conventions(study);
   const diagnose::Diagnosis diagnosis = diagnosis_of(study, options.next);

@@ -41,7 +41,8 @@ std::string Progress::line() const {
   std::string text = fmt::format("{} [{}{}] {}/{}, {:.0f} s", what_, std::string(filled, '#'),
                                  std::string(width - filled, '.'), done, total_, seconds);
   if (done > 0 && done < total_)
-    text += fmt::format(" of about {:.0f}", seconds / static_cast<double>(done) * static_cast<double>(total_));
+    text +=
+        fmt::format(" of about {:.0f}", seconds / static_cast<double>(done) * static_cast<double>(total_));
   return text;
 }
 

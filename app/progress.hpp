@@ -10,10 +10,10 @@
 
 namespace plumbline::app {
 
-/// Shows on standard error how much of the work is done and how long it has taken: only when that is a terminal,
-/// and only after a second; from a thread of its own, so that it lives where a step takes long. Gone when it is
-/// destroyed; where the process is interrupted, the line stays and the next begins below it. Any thread may
-/// report.
+/// Shows on standard error how much of the work is done and how long it has taken: only when that is a
+/// terminal, and only after a second; from a thread of its own, so that it lives where a step takes long.
+/// Gone when it is destroyed; where the process is interrupted, the line stays and the next begins below it.
+/// Any thread may report.
 class Progress {
  public:
   /// \param what   a word or two for what is being done

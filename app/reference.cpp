@@ -50,7 +50,8 @@ void run(const Options& options) {
   const auto texts = compute(options);
   files::make_folder(options.out);
   Outputs outputs({});
-  for (const verify::NamedText& text : texts) outputs.open("--out", options.out / text.name)->write(text.text);
+  for (const verify::NamedText& text : texts)
+    outputs.open("--out", options.out / text.name)->write(text.text);
   outputs.commit();
 }
 

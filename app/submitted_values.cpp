@@ -32,7 +32,8 @@ verify::SubmittedForce parse_force(const files::CsvRow& row, const std::string& 
   verify::SubmittedForce result{row.line, 0, force};
   const auto [end, error] = std::from_chars(mode.data(), mode.data() + mode.size(), result.mode);
   if (error != std::errc() || end != mode.data() + mode.size() || result.mode < 1 || result.mode > modes)
-    throw Error(place, fmt::format("mode \"{}\"", files::shown(mode)), fmt::format("a mode from 1 to {}", modes));
+    throw Error(place, fmt::format("mode \"{}\"", files::shown(mode)),
+                fmt::format("a mode from 1 to {}", modes));
   if (!proofs::parse_decimal(force) && !not_a_number(force))
     throw Error(place, fmt::format("force \"{}\"", files::shown(force)), "a decimal number");
   return result;
@@ -57,8 +58,8 @@ SubmittedValues parse_values(const std::string& text, const std::string& source,
     if (chain == chains.end())
       throw Error(place, fmt::format("chain \"{}\"", files::shown(name)),
                   "a chain of the reference set (or name yours by --chains)");
-    const auto force = parse_force(row, place, row.fields[mode_column], row.fields[force_column],
-                                   mode_count(chain->second));
+    const auto force =
+        parse_force(row, place, row.fields[mode_column], row.fields[force_column], mode_count(chain->second));
     if (!seen.emplace(name, force.mode).second)
       throw Error(place, fmt::format("mode {} of {} again", force.mode, name), "each mode once");
     submitted.values[name].push_back(force);

@@ -12,8 +12,8 @@
 #include "app/progress.hpp"
 #include "app/secret_experiments.hpp"
 #include "app/verbs.hpp"
-#include "files/temporary_folder.hpp"
 #include "files/output_file.hpp"
+#include "files/temporary_folder.hpp"
 #include "trial/experiment_files.hpp"
 #include "trial/report.hpp"
 #include "trial/run_trial.hpp"
@@ -85,8 +85,8 @@ trial::Circumstances circumstances(const Options& options, const trial::SealedFo
 
 void run(const Options& options) {
   Outputs outputs(trial::files_of(options.experiments));
-  files::OutputFile *const json = outputs.open("--json", options.json),
-                           *const markdown = outputs.open("--markdown", options.markdown);
+  files::OutputFile *const json = outputs.open("--json", options.json), *const markdown = outputs.open(
+                                                                            "--markdown", options.markdown);
   const bool quiet = options.json == "-" || options.markdown == "-";
   const Place place(options.out);
   SecretExperiments secret;

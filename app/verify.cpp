@@ -42,8 +42,8 @@ std::vector<verify::DrawnFigure> draw_figures(const std::vector<verify::Judged>&
 
 void run(const Options& options) {
   Outputs outputs({});
-  files::OutputFile *const json = outputs.open("--json", options.json),
-                           *const html = outputs.open("--html", options.html);
+  files::OutputFile *const json = outputs.open("--json", options.json), *const html = outputs.open(
+                                                                            "--html", options.html);
   const std::vector<verify::Claim> claims = verify::in_section(verify::all_claims(), options.section);
   const bool one = !options.claim.empty();
   const std::vector<verify::Claim> chosen = one ? verify::with_id(claims, options.claim) : claims;
@@ -62,8 +62,7 @@ void run(const Options& options) {
   if (json) json->write(as_json(judged).dump(2) + "\n");
   if (html) {
     const bool whole = !one && options.section.empty();
-    html->write(
-        verify::as_html(judged, whole ? draw_figures(judged) : std::vector<verify::DrawnFigure>{}));
+    html->write(verify::as_html(judged, whole ? draw_figures(judged) : std::vector<verify::DrawnFigure>{}));
   }
   outputs.commit();
   if (!json && !html)

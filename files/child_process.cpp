@@ -74,7 +74,7 @@ std::string wait_for(pid_t process, std::optional<std::chrono::duration<double>>
     const int watch = static_cast<int>(syscall(SYS_pidfd_open, process, 0));
     pollfd ended{watch, POLLIN, 0};
     const auto limit = std::chrono::duration_cast<std::chrono::milliseconds>(*patience).count();
-    const bool late = poll(&ended, 1, static_cast<int>(std::min<long>(limit, 1000000000))) == 0;
+    const bool late = watch >= 0 && poll(&ended, 1, static_cast<int>(std::min<long>(limit, 1000000000))) == 0;
     close(watch);
     if (late) {
       kill(process, SIGKILL);
@@ -102,8 +102,7 @@ Ended run_program(const std::vector<std::string>& words, const std::string& inpu
   if (pipe2(complaint.data(), O_CLOEXEC) != 0) throw Error(words[0], std::strerror(errno), "a pipe");
   const pid_t parent = getpid();
   const pid_t process = fork();
-  if (process == 0)
-    become(arguments.data(), in.number(), out.number(), err.number(), complaint[1], parent);
+  if (process == 0) become(arguments.data(), in.number(), out.number(), err.number(), complaint[1], parent);
   int failure = process < 0 ? errno : 0;
   close(complaint[1]);
   if (process > 0 && read(complaint[0], &failure, sizeof failure) > 0) waitpid(process, nullptr, 0);

@@ -15,11 +15,10 @@ struct Ended {
   std::string err;      ///< and to standard error
 };
 
-/// Runs a program with these words, found as the shell finds it, and waits for it. It is killed when its time is
-/// up, and by the system when this process dies. What it reads and writes stays in memory.
-/// \param input     its standard input
-/// \param patience  how long it may take; no limit without it
-/// \throws Error when it cannot be started
+/// Runs a program with these words, found as the shell finds it, and waits for it. It is killed when its time
+/// is up, and by the system when this process dies. What it reads and writes stays in memory. \param input
+/// its standard input \param patience  how long it may take; no limit without it \throws Error when it cannot
+/// be started
 Ended run_program(const std::vector<std::string>& words, const std::string& input,
                   std::optional<std::chrono::duration<double>> patience = std::nullopt);
 

@@ -22,7 +22,8 @@ fs::path behind_links(fs::path path) {
 
 FileIdentity identity(const fs::path& path) {
   struct stat found = {};
-  if (path == "-") return fstat(STDOUT_FILENO, &found) == 0 ? FileIdentity{found.st_dev, found.st_ino} : FileIdentity{};
+  if (path == "-")
+    return fstat(STDOUT_FILENO, &found) == 0 ? FileIdentity{found.st_dev, found.st_ino} : FileIdentity{};
   if (stat(path.c_str(), &found) == 0) return {found.st_dev, found.st_ino};
   const fs::path missing = behind_links(path);
   const fs::path folder = missing.has_parent_path() ? missing.parent_path() : fs::path(".");

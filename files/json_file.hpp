@@ -12,8 +12,8 @@ namespace plumbline::files {
 /// \throws Error that names the source and the line
 nlohmann::json parse_json(const std::string& text, const std::string& source);
 
-/// A value of a JSON file, with the words that an error about it begins with. What a member throws is an Error
-/// that names the place, what stands there and what was expected.
+/// A value of a JSON file, with the words that an error about it begins with. What a member throws is an
+/// Error that names the place, what stands there and what was expected.
 class JsonValue {
  public:
   JsonValue(const nlohmann::json& json, std::string place) : json_(&json), place_(std::move(place)) {}

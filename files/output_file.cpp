@@ -184,12 +184,12 @@ void make_folder(const fs::path& path) {
 void require_folder(const fs::path& path) {
   std::error_code error;
   fs::path nearest = path.empty() ? fs::path(".") : path;
-  while (!fs::exists(nearest, error) && nearest.has_relative_path()) {
-    nearest = nearest.has_filename() ? folder_of(nearest) : nearest.parent_path();
-  }
+  const auto missing = [&] { return fs::symlink_status(nearest, error).type() == fs::file_type::not_found; };
+  while (missing() && nearest.has_relative_path()) nearest = folder_of(nearest);
   const bool folder = fs::is_directory(nearest, error);
   if (!folder || access(nearest.c_str(), W_OK | X_OK) != 0)
-    throw Error(path.string(), folder ? std::strerror(errno) : "a file", "a folder, or a name to make one by");
+    throw Error(path.string(), folder ? std::strerror(errno) : "no folder",
+                "a folder, or a name to make one by");
 }
 
 }  // namespace plumbline::files

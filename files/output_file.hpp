@@ -10,7 +10,8 @@ namespace plumbline::files {
 /// A file that appears, complete, with `commit()`; without it what stood there before still stands, and
 /// nothing is left behind, however the process ends: the draft has no name (open(2), O_TMPFILE) where the
 /// file system can do that. Mode and links of a file that is replaced stay. What cannot be replaced whole (a
-/// device, a pipe, a file with further names or of another owner) is written in place. "-" is standard output.
+/// device, a pipe, a file with further names or of another owner) is written in place. "-" is standard
+/// output.
 class OutputFile {
  public:
   /// Finds out, before any work, whether the file can be written.

@@ -66,8 +66,7 @@ std::string shown(std::string_view text) {
 }
 
 void require_printable(const std::string& name, const std::string& place) {
-  if (printable(name) != name)
-    throw Error(place, shown(name), "text in UTF-8 without control characters");
+  if (printable(name) != name) throw Error(place, shown(name), "text in UTF-8 without control characters");
 }
 
 }  // namespace plumbline::files

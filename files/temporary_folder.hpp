@@ -9,8 +9,8 @@
 
 namespace plumbline::files {
 
-/// A new, empty folder of our own that goes, with all that is in it, when its owner goes: also where the process
-/// is killed, for then a process that waits for just that removes it.
+/// A new, empty folder of our own that goes, with all that is in it, when its owner goes: also where the
+/// process is killed, for then a process that waits for just that removes it.
 class TemporaryFolder {
  public:
   /// \throws Error when it cannot be made

@@ -61,13 +61,15 @@ std::string read_text(const std::filesystem::path& path) {
 }
 
 void require_text(const std::string& text, const std::string& source) {
-  const std::size_t content = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // the byte order mark of spreadsheets
+  const std::size_t content =
+      text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // the byte order mark of spreadsheets
   if (text.find_first_not_of(" \t\r\n", content) == std::string::npos)
     throw Error(source, "an empty file", "some content");
   const std::size_t bad = first_bad_byte(text);
   if (bad == std::string::npos) return;
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bad), '\n');
-  throw Error(source + ":" + std::to_string(line), "the byte " + printable(text.substr(bad, 1)), "text in UTF-8");
+  throw Error(source + ":" + std::to_string(line), "the byte " + printable(text.substr(bad, 1)),
+              "text in UTF-8");
 }
 
 }  // namespace plumbline::files

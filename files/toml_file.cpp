@@ -38,8 +38,8 @@ void refuse_long_keys(std::string_view text, const std::string& source) {
                             : c == '#' ? std::min(text.find('\n', at), text.size())
                                        : at + 1;
     if (c == '.' && ++dots == most)
-      throw Error(source + ":" + std::to_string(line), "a key of more than " + std::to_string(most) + " parts",
-                  "key = value");
+      throw Error(source + ":" + std::to_string(line),
+                  "a key of more than " + std::to_string(most) + " parts", "key = value");
     if (std::string_view(",=[]{}\n").find(c) != std::string_view::npos) dots = 0;
     line += static_cast<std::size_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(at),
                                                 text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
@@ -49,7 +49,8 @@ void refuse_long_keys(std::string_view text, const std::string& source) {
 
 std::string line_of(const std::string& text, std::size_t number) {
   std::size_t at = 0;
-  for (std::size_t line = 1; line < number && at < text.size(); ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
+  for (std::size_t line = 1; line < number && at < text.size(); ++line)
+    at = std::min(text.find('\n', at), text.size() - 1) + 1;
   return text.substr(at, text.find('\n', at) - at);
 }
 
@@ -77,8 +78,7 @@ void refuse_unknown_keys(const toml::table& table, const std::vector<std::string
   for (const std::string_view key : known) expected += (expected.empty() ? "" : ", ") + std::string(key);
   for (const auto& [key, value] : table) {
     if (std::find(known.begin(), known.end(), key.str()) == known.end()) {
-      throw Error(place_of(key.source(), source), "the unknown key " + shown(key.str()),
-                  "only " + expected);
+      throw Error(place_of(key.source(), source), "the unknown key " + shown(key.str()), "only " + expected);
     }
   }
 }

@@ -16,6 +16,8 @@ namespace {
 using Model = NominalModel<double>;
 
 constexpr std::size_t most_links_for_census = 5;
+constexpr std::size_t most_points = 200000;      ///< of a branch, each way
+constexpr std::size_t most_angles = 10'000'000;  ///< in all points of all branches: some 200 MB
 
 /// The states that the paths begin with; the first is where the unloaded chain is, or goes.
 std::vector<BranchPoint<double>> starts_of(Brancher<Model>& brancher, const PathTask& task) {
@@ -65,7 +67,7 @@ PathReport follow_slowly(const PathTask& task) {
   const auto starts = starts_of(brancher, task);
   PathReport report{"", task.loading, task.last, true, {}, {}};
   report.branches =
-      load_slowly(brancher, starts[0], {starts[0].load, task.last, task.step, 200000}, task.side);
+      load_slowly(brancher, starts[0], {starts[0].load, task.last, task.step, most_points}, task.side);
   return report;
 }
 
@@ -76,7 +78,16 @@ PathReport follow_all(const PathTask& task) {
   PathReport report{"", task.loading, task.last, false, {}, {}};
   const double first = starts[0].load;
   add_census(starts, brancher, task, report.warnings);
-  report.branches = branch_tree(brancher, std::move(starts), {first, task.last, task.step, 200000});
+  const std::size_t most = most_angles / task.chain.size() + 1;
+  report.branches = branch_tree(brancher, std::move(starts),
+                                {first, task.last, task.step, std::min(most_points, most)}, most);
+  std::size_t points = 0;
+  for (const Branch<double>& branch : report.branches) points += branch.points.size();
+  if (points >= most)
+    report.warnings.push_back(
+        fmt::format("stopped after {} branches of {} points in all: there may be more (a lower load or a "
+                    "longer --step reaches them)",
+                    report.branches.size(), points));
   return report;
 }
 

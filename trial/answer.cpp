@@ -170,7 +170,8 @@ Report report_from(const nlohmann::json& json, const std::string& source) {
   const JsonValue where = at(file, "where");
   if (const auto joint = largest(at(where, "joints")))
     report.joint = static_cast<std::size_t>(number(*joint, "joint"));
-  if (const auto channel = largest(at(where, "channels"))) report.channel = at(*channel, "channel").text(expected);
+  if (const auto channel = largest(at(where, "channels")))
+    report.channel = at(*channel, "channel").text(expected);
   if (const JsonValue shrink = at(file, "shrink"); shrink.json().is_object()) {
     const double floor = shrink.number_or("noise_floor_ratio", 0.0);
     if (floor > 0) report.shrunk = number(shrink, "ratio") / floor;

@@ -35,7 +35,8 @@ Seals parse_seals(const std::string& text, const std::string& source) {
   const nlohmann::json json = files::parse_json(text, source);
   const files::JsonValue file(json, source);
   const std::string expected = std::string("an object with \"format\": \"") + format + "\" and \"seals\"";
-  if (const files::JsonValue found = file.at("format", expected); found.json() != format) found.refuse(expected);
+  if (const files::JsonValue found = file.at("format", expected); found.json() != format)
+    found.refuse(expected);
   Seals seals;
   for (const auto& [name, digest] : file.at("seals", expected).members("an object from names to digests"))
     seals[name] = digest.text("a digest");

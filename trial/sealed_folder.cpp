@@ -20,9 +20,11 @@ Label label_in(const std::string& text, const fs::path& file) {
 
 SealedFolder::SealedFolder(fs::path folder) : folder_(std::move(folder)) {
   std::error_code ignored;
-  if (!fs::is_directory(folder_, ignored)) throw Error(folder_.string(), "no such folder", "a folder of experiments");
+  if (!fs::is_directory(folder_, ignored))
+    throw Error(folder_.string(), "no such folder", "a folder of experiments");
   for (const auto& entry : fs::directory_iterator(folder_))
-    if (fs::exists(entry.path() / "experiment.toml", ignored)) names_.push_back(entry.path().filename().string());
+    if (fs::exists(entry.path() / "experiment.toml", ignored))
+      names_.push_back(entry.path().filename().string());
   std::sort(names_.begin(), names_.end());
   if (names_.empty()) throw Error(folder_.string(), "no experiment", "subfolders with experiment.toml");
   if (const fs::path file = folder_ / "seals.json"; fs::exists(file)) {

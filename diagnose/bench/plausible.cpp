@@ -77,8 +77,8 @@ void require_noise(const Run& run, const Noise& noise) {
     require("q", noise.q, [&](const Reading& r) { return r.q[j]; });
 }
 
-/// A noise below the rounding of what is measured is no noise, and residuals in units of it overflow. Sizes that
-/// are measured: the reach, a radian, the force that turns a joint by one.
+/// A noise below the rounding of what is measured is no noise, and residuals in units of it overflow. Sizes
+/// that are measured: the reach, a radian, the force that turns a joint by one.
 void require_resolved(const Experiment& experiment, double reach) {
   double turning = 0;
   for (const double k : experiment.joint_stiffness) turning = std::max(turning, k / reach);

@@ -98,14 +98,39 @@ TEST_CASE("bytes that are no text, keys without end, pipes and devices are refus
   fs::remove(here.path() / "E/u-press.csv");
   mkfifo((here.path() / "E/u-press.csv").c_str(), 0600);
   mkfifo((here.path() / "pipe.toml").c_str(), 0600);
-  for (const char* arguments :
-       {"check bom.csv", "critical bom.csv", "critical bom.toml", "critical deep.toml", "diagnose deep",
-        "critical latin.toml", "critical escape.csv", "diagnose E", "critical pipe.toml", "path pipe.toml",
-        "verify --chains -3", "verify --chains 3 --seed -1", "trial --trials 0", "trial --trials -1",
-        "trial --patience nan", "path --to abc", "path --to inf", "path --force 1", "path --force 1,x",
-        "path --step 0", "path --side 2", "equilibria --at 1", "equilibria --at 1,x", "critical --digits 10001",
-        "nonsense", "check", "path --to 1 --force 1,1", "verify --html nosuch/x.html", "verify --html /dev/full",
-        "verify --json /dev/full", "figure 99", "figure 2 --out /proc/nothing", "reference --out /dev/null/x"}) {
+  for (const char* arguments : {"check bom.csv",
+                                "critical bom.csv",
+                                "critical bom.toml",
+                                "critical deep.toml",
+                                "diagnose deep",
+                                "critical latin.toml",
+                                "critical escape.csv",
+                                "diagnose E",
+                                "critical pipe.toml",
+                                "path pipe.toml",
+                                "verify --chains -3",
+                                "verify --chains 3 --seed -1",
+                                "trial --trials 0",
+                                "trial --trials -1",
+                                "trial --patience nan",
+                                "path --to abc",
+                                "path --to inf",
+                                "path --force 1",
+                                "path --force 1,x",
+                                "path --step 0",
+                                "path --side 2",
+                                "equilibria --at 1",
+                                "equilibria --at 1,x",
+                                "critical --digits 10001",
+                                "nonsense",
+                                "check",
+                                "path --to 1 --force 1,1",
+                                "verify --html nosuch/x.html",
+                                "verify --html /dev/full",
+                                "verify --json /dev/full",
+                                "figure 99",
+                                "figure 2 --out /proc/nothing",
+                                "reference --out /dev/null/x"}) {
     CAPTURE(arguments);
     const Outcome outcome = here.plumbline(arguments);
     CAPTURE(outcome.err);
@@ -143,8 +168,9 @@ TEST_CASE("check lists every bad row, up to a number that a person reads") {
   const Outcome some = here.plumbline("check V.csv --chains C.csv");
   CHECK(some.status == 2);
   CHECK(some.out.empty());
-  for (const char* line : {"V.csv:2: found mode \"0\"", "V.csv:3: found mode \"3\"", "V.csv:4: found chain \"b\"",
-                           "V.csv:5: found force \"x\"", "V.csv:6: found 2 fields", "V.csv:8: found mode 1 of a again"})
+  for (const char* line :
+       {"V.csv:2: found mode \"0\"", "V.csv:3: found mode \"3\"", "V.csv:4: found chain \"b\"",
+        "V.csv:5: found force \"x\"", "V.csv:6: found 2 fields", "V.csv:8: found mode 1 of a again"})
     CHECK(contains(some.err, line));
   CHECK(std::count(some.err.begin(), some.err.end(), '\n') == 6);
   std::string many = "chain,mode,force\n";
@@ -178,8 +204,8 @@ TEST_CASE("very many digits end: the forces of four links to ten thousand") {
 
 TEST_CASE("equilibria that stay undecided end with status 1") {
   const Workplace here;
-  // at its critical force (k z / L with unit links: 0.3819660112501051...) nothing tells the straight shape from
-  // what branches off: two unit links, whose characteristic polynomial is F^2 - 3 F + 1
+  // at its critical force (k z / L with unit links: 0.3819660112501051...) nothing tells the straight shape
+  // from what branches off: two unit links, whose characteristic polynomial is F^2 - 3 F + 1
   here.write("c.toml", "lengths = [1, 1]\nstiffness = [1, 1]\nrest = [0, 0]\n");
   const Outcome outcome = here.plumbline("equilibria c.toml --force=-0.38196601125010515,0 --certify");
   CHECK(outcome.status == 1);

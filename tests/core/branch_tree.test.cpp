@@ -58,6 +58,8 @@ TEST_CASE("branches switch at a bifurcation: a symmetric zigzag and the two arch
 
   REQUIRE(tree[0].events[0].kind == EventKind::bifurcation);
   const double edge = tree[0].events[0].point.load + 1e-6;  // the arches are soon beyond it
+  CHECK(branch_tree(brancher, {brancher.start(0, shape)}, {0, edge}, 1).size() ==
+        1);  // no second one is begun
   CHECK(branch_tree(brancher, {brancher.start(0, shape)}, {0, edge}).size() == 2);
 }
 

@@ -44,7 +44,8 @@ TEST_CASE("words are words: no shell reads them") {
 }
 
 TEST_CASE("a program that takes too long is given up") {
-  CHECK(run_program({"sleep", "60"}, "", std::chrono::duration<double>(0.1)).failure == "not done after 0.1 s");
+  CHECK(run_program({"sleep", "60"}, "", std::chrono::duration<double>(0.1)).failure ==
+        "not done after 0.1 s");
   CHECK(run_program({"true"}, "", std::chrono::duration<double>(60)).failure.empty());
 }
 
@@ -80,7 +81,7 @@ TEST_CASE("without a folder for temporary files the error says so") {
   const char* before = std::getenv("TMPDIR");
   const std::string kept = before ? before : "";
   setenv("TMPDIR", "/nowhere/at/all", 1);
-  CHECK_THROWS_WITH_AS(TemporaryFolder{}, "TMPDIR: found /nowhere/at/all, expected a folder for temporary files",
-                       Error);
+  CHECK_THROWS_WITH_AS(TemporaryFolder{},
+                       "TMPDIR: found /nowhere/at/all, expected a folder for temporary files", Error);
   before ? setenv("TMPDIR", kept.c_str(), 1) : unsetenv("TMPDIR");
 }

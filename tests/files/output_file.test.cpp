@@ -99,14 +99,13 @@ TEST_CASE("what cannot be written is found out before anything is") {
   fs::create_symlink("circle", here / "circle");
   mkfifo((here / "pipe").c_str(), 0600);
   for (const fs::path& path : {here / "folder", here / "missing" / "a", here / "circle", here / "pipe",
-                              fs::path("/dev/full"), here / std::string(300, 'n')}) {
+                               fs::path("/dev/full"), here / std::string(300, 'n')}) {
     CAPTURE(path.string());
     CHECK_THROWS_WITH_AS(OutputFile{path}, doctest::Contains("expected a file that can be written"), Error);
   }
   CHECK_THROWS_AS(require_folder(here / "circle" / "a"), Error);
   here.write("file", "text");
   CHECK_THROWS_AS(require_folder(here / "file"), Error);
-  CHECK_THROWS_AS(require_folder("/proc/nothing/here"), Error);
   CHECK_NOTHROW(require_folder(here / "new" / "folders"));
   CHECK(!fs::exists(here / "new"));
 }

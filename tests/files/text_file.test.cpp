@@ -62,7 +62,8 @@ TEST_CASE("keys of very many parts end in an error, not in the parser's recursio
     CAPTURE(part);
     for (const std::string& text : {key + " = 1", "[" + key + "]\nb = 1", "a = {" + key + " = 1}",
                                     "s = \"\"\"\n'\"\"\"\n" + key + " = 1"})
-      CHECK_THROWS_WITH_AS(parse_toml(text, "t.toml"), doctest::Contains("a key of more than 8 parts"), Error);
+      CHECK_THROWS_WITH_AS(parse_toml(text, "t.toml"), doctest::Contains("a key of more than 8 parts"),
+                           Error);
   }
   std::string numbers = "a = [0.1";
   for (int i = 0; i < 1000; ++i) numbers += ", 0.1";
@@ -73,7 +74,8 @@ TEST_CASE("keys of very many parts end in an error, not in the parser's recursio
 TEST_CASE("errors in TOML and JSON name the line and show it, in our words") {
   CHECK_THROWS_WITH_AS(parse_toml("a = 1\nb = = 2\n", "t.toml"),
                        "t.toml:2: found text that is not TOML: b = = 2, expected key = value", Error);
-  CHECK_THROWS_WITH_AS(parse_toml("a = 1\na = 2\n", "t.toml"), doctest::Contains("t.toml:2: found a key"), Error);
+  CHECK_THROWS_WITH_AS(parse_toml("a = 1\na = 2\n", "t.toml"), doctest::Contains("t.toml:2: found a key"),
+                       Error);
   CHECK_THROWS_WITH_AS(parse_json("{\n\"a\": 1,\n\"b\": x}", "t.json"),
                        doctest::Contains("t.json:3: found text that is not JSON: \"b\": x"), Error);
   CHECK_THROWS_WITH_AS(parse_json("{\"a\": 1", "t.json"), doctest::Contains("an end in the middle"), Error);

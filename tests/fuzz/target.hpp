@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What every reader promises of any bytes: it reads them, or throws an Error that is one line and names what was
-/// found and what was expected. Anything else ends the program, and the fuzzer keeps the bytes.
+/// What every reader promises of any bytes: it reads them, or throws an Error that is one line and names what
+/// was found and what was expected. Anything else ends the program, and the fuzzer keeps the bytes.
 
 #include <cstdint>
 #include <cstdio>
@@ -21,7 +21,8 @@ int offer(const std::uint8_t* bytes, std::size_t size, const Read& read) {
     read(text);
   } catch (const plumbline::Error& error) {
     const std::string line = error.what();
-    const bool whole = line.find(": found ") != std::string::npos && line.find(", expected ") != std::string::npos;
+    const bool whole =
+        line.find(": found ") != std::string::npos && line.find(", expected ") != std::string::npos;
     if (whole && plumbline::files::printable(line) == line && line.size() < 1000) return 0;
     std::fprintf(stderr, "an error that is not one short line with found and expected: %s\n", line.c_str());
     std::abort();

@@ -35,8 +35,10 @@ TEST_CASE("a diagnosis sees what experiment.toml names, and neither the label no
   fs::create_directories(here / "E/sub");
   here.write("secret.csv", "secret");
   here.write("E/experiment.toml",
-             "run = [{samples = 'a.csv'}, {samples = 'sub/b.CSV'}, {samples = 'link.csv'}, {samples = 'inside.csv'}, "
-             "{samples = 'dangling.csv'}, {samples = 'pipe.csv'}, {samples = 'folder.csv'}, {samples = '../secret.csv'}, "
+             "run = [{samples = 'a.csv'}, {samples = 'sub/b.CSV'}, {samples = 'link.csv'}, {samples = "
+             "'inside.csv'}, "
+             "{samples = 'dangling.csv'}, {samples = 'pipe.csv'}, {samples = 'folder.csv'}, {samples = "
+             "'../secret.csv'}, "
              "{samples = 'label.json'}, {samples = 'alias.csv'}, {samples = '/etc/passwd'}]\n");
   for (const char* name : {"E/a.csv", "E/sub/b.CSV", "E/label.json", "E/other.csv"}) here.write(name, name);
   fs::create_symlink("../secret.csv", here / "E/link.csv");
@@ -51,7 +53,8 @@ TEST_CASE("a diagnosis sees what experiment.toml names, and neither the label no
   const fs::path spy = program(here, "cd \"$2\" && find . -type f | sort > \"$4\"\n");
   const Diagnosed done = diagnose_alone(spy, here / "E", here / "report", std::chrono::seconds(60));
   CHECK(done.failure.empty());
-  CHECK(plumbline::files::read_text(here / "report") == "./a.csv\n./experiment.toml\n./inside.csv\n./sub/b.CSV\n");
+  CHECK(plumbline::files::read_text(here / "report") ==
+        "./a.csv\n./experiment.toml\n./inside.csv\n./sub/b.CSV\n");
 }
 
 TEST_CASE("a diagnosis that kills itself, complains or takes too long is a failure with its reason") {
@@ -76,7 +79,8 @@ TEST_CASE("every file that a trial reads is known beforehand") {
   here.write("one/a.csv", "t");
   here.write("labels/one.json", "{}");
   const std::vector<fs::path> files = files_of(here.path());
-  for (const char* name : {"one/experiment.toml", "one/a.csv", "one/label.json", "seals.json", "labels/one.json"})
+  for (const char* name :
+       {"one/experiment.toml", "one/a.csv", "one/label.json", "seals.json", "labels/one.json"})
     CHECK(std::find(files.begin(), files.end(), here / name) != files.end());
   CHECK(files_of("").empty());
   CHECK(files_of("/nowhere").size() == 1);

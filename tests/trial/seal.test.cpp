@@ -51,10 +51,8 @@ TEST_CASE("labels, envelopes and seals survive their files") {
 
 TEST_CASE("what is no label, envelope or file of seals is refused with its name") {
   const std::string other = "{\"format\": \"else\"}";
-  CHECK_THROWS_WITH_AS(parse_seals(other, "other.json"), doctest::Contains("other.json"),
-                       plumbline::Error);
-  CHECK_THROWS_WITH_AS(parse_envelope(other, "other.json"), doctest::Contains("salt"),
-                       plumbline::Error);
+  CHECK_THROWS_WITH_AS(parse_seals(other, "other.json"), doctest::Contains("other.json"), plumbline::Error);
+  CHECK_THROWS_WITH_AS(parse_envelope(other, "other.json"), doctest::Contains("salt"), plumbline::Error);
   CHECK_THROWS_WITH_AS(label_from(nlohmann::json::object(), "a label"), doctest::Contains("effects"),
                        plumbline::Error);
 }

@@ -16,10 +16,10 @@ struct Judged {
   std::string problem;                 ///< then why
 };
 
-/// Judges claims one after another, as printed. `digits` is for their values, 1 to 50; `advance` is called after
-/// each.
-std::vector<Judged> judge(const std::vector<Claim>& claims, int digits,
-                          const std::function<void()>& advance = [] {});
+/// Judges claims one after another, as printed. `digits` is for their values, 1 to 50; `advance` is called
+/// after each.
+std::vector<Judged> judge(
+    const std::vector<Claim>& claims, int digits, const std::function<void()>& advance = [] {});
 
 /// The properties that random chains were checked for, as claims of our own theorems (proofs/theorems.md).
 /// One that a chain contradicts counts as not judged: theorem, computation or number types disagree.

@@ -17,6 +17,7 @@
 /// \endcode
 
 #include <algorithm>
+#include <limits>
 #include <plumbline/branch/trace.hpp>
 
 namespace plumbline {
@@ -67,15 +68,18 @@ Branch<typename Model::Real> both_ways(Tracer<Model>& tracer, BranchPoint<typena
 }
 
 /// Every branch through the starts, and every branch that crosses one of those at a simple bifurcation,
-/// within the load window. A branch runs through its start from end to end.
+/// within the load window. A branch runs through its start from end to end. No further one is begun once
+/// there are `most` points.
 template <SmoothModel Model>
-std::vector<Branch<typename Model::Real>> branch_tree(Brancher<Model>& brancher,
-                                                      std::vector<BranchPoint<typename Model::Real>> starts,
-                                                      const TraceLimits<typename Model::Real>& limits) {
+std::vector<Branch<typename Model::Real>> branch_tree(
+    Brancher<Model>& brancher, std::vector<BranchPoint<typename Model::Real>> starts,
+    const TraceLimits<typename Model::Real>& limits,
+    std::size_t most = std::numeric_limits<std::size_t>::max()) {
   using Real = typename Model::Real;
+  std::size_t points = 0;
   std::vector<Branch<Real>> tree;
   Tracer<Model> tracer(brancher, limits);
-  for (std::size_t next = 0; next < starts.size(); ++next) {
+  for (std::size_t next = 0; next < starts.size() && points < most; ++next) {
     const BranchPoint<Real> start = starts[next];
     const auto traced = [&](const Branch<Real>& branch) { return lies_on(brancher, branch, start); };
     if (std::any_of(tree.begin(), tree.end(), traced)) continue;
@@ -93,6 +97,7 @@ std::vector<Branch<typename Model::Real>> branch_tree(Brancher<Model>& brancher,
         if (off) starts.push_back(*off);
       }
     }
+    points += branch.points.size();
     tree.push_back(std::move(branch));
   }
   return tree;
