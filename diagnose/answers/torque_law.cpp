@@ -187,16 +187,29 @@ struct Shape {
 /// What is held against curvature, over the squares of a knot's term.
 constexpr double smoothnesses[] = {1e-6, 1e-4, 1e-2, 1.0};
 
-std::vector<Shape> shapes() {
-  std::vector<std::vector<Eigen::Index>> slider_sets{{}};
-  for (Eigen::Index m = 0; m < slider_terms; ++m) slider_sets.push_back({m});
-  slider_sets.push_back({0, 2, 4});
-  slider_sets.push_back({0, 1, 2, 3, 4, 5});
-  const std::vector<std::vector<Eigen::Index>> arm_sets{{}, {0}, {1}, {2}, {0, 1, 2}};
+/// What a shape may be changed to, a part of it at a time.
+using Choices = std::vector<std::vector<Eigen::Index>>;
+
+Choices slider_choices() {
+  Choices all{{}};
+  for (Eigen::Index m = 0; m < slip_places; ++m) {
+    all.push_back({m});
+    all.push_back({slip_places + m});
+    all.push_back({m, slip_places + m});
+  }
+  all.push_back({0, 2, 4});
+  all.push_back({0, 2, 4, slip_places, slip_places + 2, slip_places + 4});
+  all.emplace_back();
+  for (Eigen::Index m = 0; m < slip_places; ++m) all.back().push_back(m);
+  return all;
+}
+
+std::vector<Shape> neighbours(const Shape& shape) {
+  static const Choices sliders = slider_choices(), arms{{}, {0}, {1}, {2}, {0, 1, 2}};
   std::vector<Shape> all;
-  for (const Eigen::Index knots : {3, 5, 9, 17, 33})
-    for (const auto& sliders : slider_sets)
-      for (const auto& arms : arm_sets) all.push_back({knots, sliders, arms});
+  for (const Eigen::Index knots : {3, 5, 9, 17, 33}) all.push_back({knots, shape.sliders, shape.arms});
+  for (const auto& chosen : sliders) all.push_back({shape.knots, chosen, shape.arms});
+  for (const auto& chosen : arms) all.push_back({shape.knots, shape.sliders, chosen});
   return all;
 }
 
@@ -311,6 +324,25 @@ bool affordable(const Shape& shape, const Placement& place, std::size_t values) 
   return 2 * static_cast<std::size_t>(shape.terms()) * place.size() <= std::max<std::size_t>(values, 8);
 }
 
+/// The best law at a place: from a straight one, changed in one part at a time while that helps.
+Trial best_at(const Placement& place, const std::vector<Sums>& by_fold, const Sums& all, std::size_t values) {
+  constexpr int rounds = 6;
+  Shape shape{3, {}, {}};
+  Trial best = try_shape(shape, place, by_fold, all);
+  for (int round = 0; round < rounds; ++round) {
+    const double before = best.left;
+    for (const Shape& other : neighbours(shape)) {
+      if (!affordable(other, place, values)) continue;
+      Trial trial = try_shape(other, place, by_fold, all);
+      if (!(trial.left < best.left)) continue;
+      best = std::move(trial);
+      shape = other;
+    }
+    if (!(best.left < before)) break;
+  }
+  return best;
+}
+
 /// What a law may leave of the rms and still be offered. The gain of a law that says nothing scatters by
 /// about one over the root of the values, and it is the luckiest of many.
 double worth_at_most(std::size_t values) {
@@ -324,7 +356,6 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
                                         const std::vector<Instance>& bases) {
   std::vector<Instance> all_bases{{}};
   all_bases.insert(all_bases.end(), bases.begin(), bases.end());
-  const std::vector<Shape> all_shapes = shapes();
   std::optional<Trial> best;
   double nominal = 0, alone = std::numeric_limits<double>::infinity();
   for (const Instance& base : all_bases) {
@@ -337,13 +368,10 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
       for (std::size_t f = 1; f < folds; ++f) all += by_fold[f];
       if (nominal == 0) nominal = all.residual;
       alone = std::min(alone, all.residual);
-      for (const Shape& shape : all_shapes) {
-        if (!affordable(shape, place, residual.size())) continue;
-        Trial trial = try_shape(shape, place, by_fold, all);
-        if (best && !(trial.left < best->left)) continue;
-        best = std::move(trial);
-        best->law.base = base;
-      }
+      Trial trial = best_at(place, by_fold, all, residual.size());
+      if (best && !(trial.left < best->left)) continue;
+      best = std::move(trial);
+      best->law.base = base;
     }
   }
   if (!best) return std::nullopt;
