@@ -43,6 +43,7 @@ struct Where {
 /// missing.
 /// \param residual  of the nominal model, flat, in declared sigmas
 /// \param noise     scale of the noise as it is
-Where locate(const Study& study, const Prediction& nominal, const std::vector<double>& residual, const NoiseModel& noise);
+Where locate(const Study& study, const Prediction& nominal, const std::vector<double>& residual,
+             const NoiseModel& noise);
 
 }  // namespace plumbline::diagnose

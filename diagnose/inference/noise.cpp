@@ -60,13 +60,27 @@ std::vector<double> second_differences(const Measurements& measurements, const s
   return result;
 }
 
-/// Median of the up to five values around place i of a series.
+/// Median of the values around place i of a series: of nine, or of five where the series is short.
 double local_median(const Series& series, const std::vector<double>& residual, std::size_t i) {
   const std::size_t count = series.readings.size();
-  const std::size_t width = std::min<std::size_t>(5, count);
-  const std::size_t from = std::min(i >= 2 ? i - 2 : 0, count - width);
+  const std::size_t width = count >= 18 ? 9 : std::min<std::size_t>(5, count), half = width / 2;
+  const std::size_t from = std::min(i >= half ? i - half : 0, count - width);
   const auto begin = residual.begin() + static_cast<std::ptrdiff_t>(series.first + from);
   return median(std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(width)));
+}
+
+/// Takes back the marks of three neighbours or more that are off to the same side: that is no chance, but
+/// something that lasts (a snap that comes too late, say).
+void keep_what_lasts(const Series& series, const std::vector<double>& off, std::vector<bool>& marked) {
+  const std::size_t end = series.first + series.readings.size();
+  for (std::size_t i = series.first; i < end;) {
+    std::size_t next = i + 1;
+    while (next < end && marked[i] && marked[next] && (off[next] > 0) == (off[i] > 0)) ++next;
+    if (marked[i] && next - i > 2)
+      std::fill(marked.begin() + static_cast<std::ptrdiff_t>(i),
+                marked.begin() + static_cast<std::ptrdiff_t>(next), false);
+    i = next;
+  }
 }
 
 /// Combines a measured scale with its prior: log-normal about one, with a spread of 0.25, or as wide as the
@@ -80,34 +94,62 @@ double with_prior(double scale, double values) {
 
 }  // namespace
 
-std::vector<bool> outliers(const Measurements& measurements, const std::vector<double>& residual) {
-  std::array<double, channel_names> scale{};
-  for (const Name name : names) {
-    const std::vector<double> steps = differences(measurements, residual, name, 1);
-    if (!steps.empty()) scale[static_cast<std::size_t>(name)] = std::sqrt(robust_variance(steps) / 2);
-  }
-  constexpr double limit = 5;          // one false mark in a million readings of normal noise
-  constexpr double least = 2.0 / 3.0;  // of the declared sigma: coarse readings can repeat
+namespace {
+
+/// Marks what stands off the local median by more than `limit` standard deviations of its channel.
+std::vector<bool> marks(const Measurements& measurements, const std::vector<double>& residual,
+                        const std::array<double, channel_names>& scale, double limit) {
   std::vector<bool> marked(residual.size(), false);
+  std::vector<double> off(residual.size(), 0.0);
   for (const Series& series : measurements.series()) {
-    const double tolerance = limit * std::max(scale[static_cast<std::size_t>(series.channel.name)], least);
+    const double tolerance = limit * scale[static_cast<std::size_t>(series.channel.name)];
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
-      const double value = residual[series.first + i];
-      marked[series.first + i] =
-          series.readings.size() >= 5 && std::abs(value - local_median(series, residual, i)) > tolerance;
+      off[series.first + i] = residual[series.first + i] - local_median(series, residual, i);
+      marked[series.first + i] = series.readings.size() >= 5 && std::abs(off[series.first + i]) > tolerance;
     }
+    keep_what_lasts(series, off, marked);
   }
   return marked;
 }
 
-std::vector<double> without_outliers(const Measurements& measurements, const std::vector<double>& residual) {
-  const std::vector<bool> marked = outliers(measurements, residual);
+/// Standard deviations by channel, as far as differences of neighbours show them.
+std::array<double, channel_names> rough_scales(const Measurements& measurements,
+                                               const std::vector<double>& residual) {
+  constexpr double least = 2.0 / 3.0;  // of the declared sigma: coarse readings can repeat
+  std::array<double, channel_names> scale{};
+  for (const Name name : names) {
+    const std::vector<double> steps = differences(measurements, residual, name, 1);
+    const double found = steps.empty() ? 0 : std::sqrt(robust_variance(steps) / 2);
+    scale[static_cast<std::size_t>(name)] = std::max(found, least);
+  }
+  return scale;
+}
+
+std::vector<double> smoothed_over(const Measurements& measurements, const std::vector<double>& residual,
+                                  const std::vector<bool>& marked) {
   std::vector<double> clean = residual;
   for (const Series& series : measurements.series()) {
     for (std::size_t i = 0; i < series.readings.size(); ++i)
       if (marked[series.first + i]) clean[series.first + i] = local_median(series, residual, i);
   }
   return clean;
+}
+
+}  // namespace
+
+std::vector<bool> outliers(const Measurements& measurements, const std::vector<double>& residual) {
+  constexpr double limit = 5;  // one false mark in a million readings of normal noise
+  constexpr double heavy_limit = 3, heavy_share = 0.015;
+  const std::vector<bool> marked = marks(measurements, residual, rough_scales(measurements, residual), limit);
+  const auto count = static_cast<double>(std::count(marked.begin(), marked.end(), true));
+  if (count <= heavy_share * static_cast<double>(residual.size())) return marked;
+  // So many far out have more between them and the rest.
+  const std::vector<double> clean = smoothed_over(measurements, residual, marked);
+  return marks(measurements, residual, rough_scales(measurements, clean), heavy_limit);
+}
+
+std::vector<double> without_outliers(const Measurements& measurements, const std::vector<double>& residual) {
+  return smoothed_over(measurements, residual, outliers(measurements, residual));
 }
 
 namespace {
@@ -133,6 +175,13 @@ Steps steps_of(const Measurements& measurements, const std::vector<double>& resi
 
 }  // namespace
 
+double largest_correlation(const Measurements& measurements) {
+  std::vector<double> lengths;
+  for (const Series& series : measurements.series())
+    lengths.push_back(static_cast<double>(series.readings.size()));
+  return std::min(0.9, std::exp(-10 / median(lengths)));
+}
+
 RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual) {
   RawNoise noise;
   double ratio = 0, weight = 0;
@@ -148,7 +197,7 @@ RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& 
   }
   // (1 - phi^2) / (1 - phi) = 1 + phi
   noise.correlation = weight > 0 ? ratio / weight - 1 : 0.0;
-  const double phi = std::clamp(noise.correlation, 0.0, largest_correlation);
+  const double phi = std::clamp(noise.correlation, 0.0, largest_correlation(measurements));
   for (std::size_t c = 0; c < steps.size(); ++c) {
     if (!(steps[c].near > 0)) continue;
     const double straight = steps[c].near / (1 - phi), curved = steps[c].curved / ((1 - phi) * (3 - phi));
@@ -165,11 +214,14 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
   // The estimate's variance is about 1/values; the prior's spread, 0.3, makes 0.6 a rare but possible
   // correlation.
   const double weight = values / (values + 1 / (0.3 * 0.3));
-  noise.correlation = std::clamp(weight * raw.correlation, 0.0, largest_correlation);
-  const double taken = std::clamp(raw.correlation, 0.0, largest_correlation);
+  const double largest = largest_correlation(measurements);
+  noise.correlation = std::clamp(weight * raw.correlation, 0.0, largest);
+  const double taken = std::clamp(raw.correlation, 0.0, largest);
   for (std::size_t c = 0; c < noise.scale.size(); ++c) {
     const double scale = raw.scale[c] * std::sqrt((1 - taken) / (1 - noise.correlation));
     noise.scale[c] = raw.values[c] > 0 && scale > 0 ? with_prior(scale, raw.values[c] / 2) : 1.0;
+    // Large and slow at once is a gap, not noise.
+    if (noise.correlation > 0.5) noise.scale[c] = std::min(noise.scale[c], 1.5);
   }
   return noise;
 }

@@ -9,9 +9,6 @@
 
 namespace plumbline::diagnose {
 
-/// Neighbouring readings correlate by this much at most: beyond it, noise and a drifting gap are one.
-inline constexpr double largest_correlation = 0.9;
-
 /// First-order autoregressive noise: true sigma = scale · declared sigma, correlation between neighbours; of
 /// some readings the noise is ten times as wide.
 struct NoiseModel {
@@ -31,7 +28,8 @@ struct RawNoise {
   double correlation = 0.0;
 };
 
-/// Marks isolated readings that stand off both their neighbours (Hampel's identifier, five readings wide).
+/// Marks readings that stand off their neighbours, alone or in twos (Hampel's identifier, nine readings
+/// wide, five where a series is short).
 /// \param residual  flat, in declared sigmas
 std::vector<bool> outliers(const Measurements& measurements, const std::vector<double>& residual);
 
@@ -43,6 +41,10 @@ std::vector<double> without_outliers(const Measurements& measurements, const std
 /// no such noise does, a gap with a slope is in them, and the scale is that of second differences,
 /// E(e_{t-1} - 2 e_t + e_{t+1})^2 = 2 sigma^2 (1 - phi)(3 - phi).
 RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual);
+
+/// By how much neighbouring readings can correlate at most: noise that remembers longer than a tenth of a run
+/// cannot be told from a gap.
+double largest_correlation(const Measurements& measurements);
 
 /// The same with the priors: a scale near one unless the readings say otherwise, and a half-normal
 /// correlation.

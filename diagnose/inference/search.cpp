@@ -43,11 +43,16 @@ struct Combination {
 
 class Searcher {
  public:
-  Searcher(const Study& study) : study_(study) {}
+  explicit Searcher(const Study& study) : study_(study) {
+    // What the readings scatter, and nothing of how they hang together: the gap is still in them.
+    settings_.noise.scale =
+        estimate_noise(study.measurements(), without_outliers(study.measurements(), study.nominal_residual()))
+            .scale;
+  }
 
   [[nodiscard]] std::vector<Fit> singles() const {
     std::vector<Fit> fits;
-    for (const EffectAt& at : possible_effects(study_)) keep(fits, fit(study_, Candidate{{at}}, {}));
+    for (const EffectAt& at : possible_effects(study_)) keep(fits, fit(study_, Candidate{{at}}, settings_));
     std::sort(fits.begin(), fits.end(), better);
     return fits;
   }
@@ -56,14 +61,14 @@ class Searcher {
   [[nodiscard]] std::vector<Fit> extended(const std::vector<Fit>& from, std::size_t seeds) const {
     std::vector<Combination> combinations;
     for (std::size_t s = 0; s < std::min(seeds, from.size()); ++s) {
-      for (const Prospect& prospect : screen(study_, from[s], {}))
+      for (const Prospect& prospect : screen(study_, from[s], settings_))
         offer(combinations, joined(from[s], prospect));
     }
     std::sort(combinations.begin(), combinations.end(),
               [](const Combination& a, const Combination& b) { return a.cost < b.cost; });
     std::vector<Fit> fits;
     for (std::size_t c = 0; c < std::min(finalists, combinations.size()); ++c)
-      keep(fits, fit_from(study_, combinations[c].candidate, {}, combinations[c].start));
+      keep(fits, fit_from(study_, combinations[c].candidate, settings_, combinations[c].start));
     std::sort(fits.begin(), fits.end(), better);
     return fits;
   }
@@ -83,7 +88,7 @@ class Searcher {
   [[nodiscard]] Fit without(const Fit& combination, const EffectAt& left_out) const {
     const Instance rest = part(study_, combination.candidate, combination.parameters,
                                [&](const EffectAt& at) { return at != left_out; });
-    return fit_from(study_, rest.candidate, {}, rest.parameters);
+    return fit_from(study_, rest.candidate, settings_, rest.parameters);
   }
 
   /// Keeps what converged, unless its parameters are too many for so few readings: three for each. Those
@@ -115,6 +120,7 @@ class Searcher {
   }
 
   const Study& study_;
+  FitSettings settings_;
 };
 
 }  // namespace

@@ -148,6 +148,31 @@ std::size_t best_partial(const Measurements& measurements, const std::vector<con
   return static_cast<std::size_t>(place - fits.begin());
 }
 
+void settle_on(Cause& cause, std::size_t chosen, double unknown) {
+  double sum = 0;
+  const double leading = cause.ranking.front().hypothesis.log_evidence;
+  for (Ranked& one : cause.ranking) sum += one.probability = std::exp(one.hypothesis.log_evidence - leading);
+  for (Ranked& one : cause.ranking) one.probability *= (1 - unknown) / sum;
+  cause.unknown = unknown;
+  cause.best = chosen;
+  cause.equivalent.clear();
+  const Hypothesis& best = cause.ranking[chosen].hypothesis;
+  double with_equals = cause.ranking[chosen].probability;
+  for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
+    if (i == chosen || !near(best, cause.ranking[i].hypothesis)) continue;
+    cause.equivalent.push_back(i);
+    with_equals += cause.ranking[i].probability;
+  }
+  // What is less probable than not, even with its equals, is not named alone.
+  for (std::size_t i = 0; i < cause.ranking.size() && with_equals < 0.5; ++i) {
+    const auto& known = cause.equivalent;
+    if (i == chosen || std::find(known.begin(), known.end(), i) != known.end()) continue;
+    cause.equivalent.push_back(i);
+    with_equals += cause.ranking[i].probability;
+  }
+  cause.verdict = cause.equivalent.empty() ? CauseVerdict::identified : CauseVerdict::ambiguous;
+}
+
 Cause judge(const Study& study, const Findings& findings) {
   Cause cause;
   cause.ranking = ranked(study, findings);
@@ -163,12 +188,7 @@ Cause judge(const Study& study, const Findings& findings) {
     if (!partial.empty()) cause.best = best_partial(study.measurements(), partial);
     return cause;
   }
-  cause.best = chosen;
-  const Hypothesis& best = cause.ranking[chosen].hypothesis;
-  for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
-    if (i != chosen && near(best, cause.ranking[i].hypothesis)) cause.equivalent.push_back(i);
-  }
-  cause.verdict = cause.equivalent.empty() ? CauseVerdict::identified : CauseVerdict::ambiguous;
+  settle_on(cause, chosen, cause.unknown);
   return cause;
 }
 

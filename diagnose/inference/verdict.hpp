@@ -23,6 +23,7 @@ struct Cause {
   std::vector<Ranked> ranking;          ///< most probable first
   bool or_unknown = false;              ///< the best did not predict: the cause may be outside the catalogue
   double unknown = 0;                   ///< probability that the cause is none of the ranking
+  double remainder = 0;                 ///< share of the gap that a cause leaves beyond noise, held out
   std::size_t best = 0;                 ///< place of the best, for `unknown` of the best partial one
   std::vector<std::size_t> equivalent;  ///< places in the ranking that cannot be told apart from the best
 };
@@ -39,6 +40,10 @@ bool genuine(const Study& study, const Fit& fit);
 /// Place of the explanation that is worth most where none is right: what it leaves is then taken as noise
 /// that eight neighbouring readings share, and parameters are charged by Schwarz's criterion.
 std::size_t best_partial(const Measurements& measurements, const std::vector<const Fit*>& fits);
+
+/// Makes the explanation at a place of the ranking the one that stands out, or the head of a class with those
+/// that come near it; the cause is another with the given chance.
+void settle_on(Cause& cause, std::size_t chosen, double unknown);
 
 /// The best hypothesis is identified when it leaves no structure and no other comes near; ambiguous with
 /// those that come near; unknown when it leaves structure.
