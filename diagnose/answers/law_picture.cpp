@@ -103,11 +103,19 @@ void add_rest(const std::vector<LawPicture::Knot>& knots, const JointTorqueLaw& 
   }
 }
 
-void add_memory(const LawPicture& picture, Parts& parts) {
-  double loop = 0, widest = 0;
-  for (const LawPicture::Slider& one : picture.sliders) loop += 2 * one.torque, widest = one.slips_at;
-  if (loop > 0)
-    parts.push_back(fmt::format("loop of {:.2g} N m, closed {:.2g} rad after a reversal", loop, 2 * widest));
+void add_memory(const LawPicture& picture, const LawSpan& span, Parts& parts) {
+  double within = 0, at_end = 0, widest = 0;
+  for (const LawPicture::Slider& one : picture.sliders) {
+    within += 2 * one.torque;
+    at_end += 2 * (one.torque + one.growth * span.deflection());
+    widest = one.slips_at;
+  }
+  if (at_end > 2 * within) {
+    parts.push_back(fmt::format("loop that widens to {:.2g} N m at {:.2g} rad", at_end, span.deflection()));
+  } else if (at_end > 0) {
+    parts.push_back(fmt::format("loop of {:.2g} N m", (within + at_end) / 2));
+  }
+  if (at_end > 0) parts.push_back(fmt::format("closed {:.2g} rad after a reversal", 2 * widest));
   for (const LawPicture::Arm& one : picture.arms)
     parts.push_back(
         fmt::format("{:.2g} N m/rad that relax within {:.2g} s", one.stiffness, one.time_constant));
@@ -123,9 +131,12 @@ std::string joined(const Parts& parts) {
 
 LawPicture picture_of(const JointTorqueLaw& law, Eigen::Index knots) {
   LawPicture picture{law.joints, drawn_knots(law, knots), {}, {}, ""};
-  for (Eigen::Index m = 0; m < slider_terms; ++m)
-    if (const double torque = law.coefficients(finest_knots + m); torque > 0)
-      picture.sliders.push_back({slip_shares[m] * law.span.stroke(), torque});
+  for (Eigen::Index m = 0; m < slip_places; ++m) {
+    const double torque = law.coefficients(finest_knots + m),
+                 growth = law.coefficients(finest_knots + slip_places + m) / law.span.deflection();
+    if (torque > 0 || growth > 0)
+      picture.sliders.push_back({slip_shares[m] * law.span.stroke(), torque, growth});
+  }
   for (Eigen::Index m = 0; m < arm_terms; ++m)
     if (const double torque = law.coefficients(finest_knots + slider_terms + m); torque > 0)
       picture.arms.push_back({time_shares[m] * law.span.duration, torque / law.span.deflection()});
@@ -137,7 +148,7 @@ LawPicture picture_of(const JointTorqueLaw& law, Eigen::Index knots) {
     add_side(picture.knots, stiffness, -1, parts);
     add_rest(picture.knots, law, parts);
   }
-  add_memory(picture, parts);
+  add_memory(picture, law.span, parts);
   picture.words = joined(parts);
   return picture;
 }

@@ -8,12 +8,12 @@ namespace {
 
 /// One slider's or arm's state, carried from reading to reading.
 struct History {
-  Eigen::Array<double, slider_terms, 1> slider = Eigen::Array<double, slider_terms, 1>::Zero();
+  Eigen::Array<double, slip_places, 1> slider = Eigen::Array<double, slip_places, 1>::Zero();
   Eigen::Array<double, arm_terms, 1> arm = Eigen::Array<double, arm_terms, 1>::Zero();
 };
 
 void slide(const LawSpan& span, double turn, History& history) {
-  for (Eigen::Index m = 0; m < slider_terms; ++m) {
+  for (Eigen::Index m = 0; m < slip_places; ++m) {
     const double limit = slip_shares[m] * span.stroke();
     history.slider(m) = std::clamp(history.slider(m) + turn / limit, -1.0, 1.0);
   }
@@ -50,7 +50,9 @@ Eigen::MatrixXd law_terms(const LawSpan& span, const Run& run, const Eigen::Vect
     const double t = run.readings[static_cast<std::size_t>(i)].t;
     slide(span, d - last, history);
     if (span.duration > 0) relax(span, d - last, t - last_time, history);
-    terms.row(i).segment(finest_knots, slider_terms) = history.slider.matrix().transpose();
+    const auto sliders = history.slider.matrix().transpose();
+    terms.row(i).segment(finest_knots, slip_places) = sliders;
+    terms.row(i).segment(finest_knots + slip_places, slip_places) = std::abs(d) / span.deflection() * sliders;
     terms.row(i).tail(arm_terms) = history.arm.matrix().transpose();
     last = d;
     last_time = t;

@@ -29,7 +29,9 @@ inline constexpr double slip_shares[] = {0.02, 0.05, 0.1, 0.2, 0.4, 0.7};
 /// Time constants of the arms, over the duration.
 inline constexpr double time_shares[] = {0.03, 0.15, 0.6};
 
-inline constexpr Eigen::Index slider_terms = std::size(slip_shares);
+/// Sliders of a constant slip torque, then as many whose slip torque grows with the deflection.
+inline constexpr Eigen::Index slip_places = std::size(slip_shares);
+inline constexpr Eigen::Index slider_terms = 2 * slip_places;
 inline constexpr Eigen::Index arm_terms = std::size(time_shares);
 inline constexpr Eigen::Index law_terms_count = finest_knots + slider_terms + arm_terms;
 
@@ -37,9 +39,10 @@ inline constexpr Eigen::Index law_terms_count = finest_knots + slider_terms + ar
 double knot_place(const LawSpan& span, Eigen::Index knot);
 
 /// Every term at every reading of a run, a row a reading: hats (outside of the knots they go on straight),
-/// then sliders (stop operators of Prandtl and Ishlinskii: +-1 where they slip), then Maxwell arms, in units
-/// of a spring's torque at the largest deflection. The run starts from rest at d = 0, all at ease.
-/// \param deflection  by reading; NaN where unknown: the row is zero and history passes over it
+/// then sliders (stop operators of Prandtl and Ishlinskii: +-1 where they slip), the same times the
+/// deflection over the largest, then Maxwell arms, in units of a spring's torque at the largest deflection.
+/// The run starts from rest at d = 0, all at ease. \param deflection  by reading; NaN where unknown: the row
+/// is zero and history passes over it
 Eigen::MatrixXd law_terms(const LawSpan& span, const Run& run, const Eigen::VectorXd& deflection);
 
 }  // namespace plumbline::diagnose

@@ -131,6 +131,11 @@ HeldOut choose_heldout(const Experiment& experiment) {
     heldout.names.push_back(experiment.runs[*r].id);
     return heldout;
   }
+  return choose_blocks(experiment);
+}
+
+HeldOut choose_blocks(const Experiment& experiment) {
+  HeldOut heldout = nothing(experiment);
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     const std::size_t length = run.readings.size() / 8;

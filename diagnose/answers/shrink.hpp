@@ -21,6 +21,9 @@ struct HeldOut {
 /// little would be left.
 HeldOut choose_heldout(const Experiment& experiment);
 
+/// Two blocks of the path of every run.
+HeldOut choose_blocks(const Experiment& experiment);
+
 /// The experiment without the measured values that are held out; what was commanded stays, for the history.
 Experiment without(const Experiment& experiment, const HeldOut& heldout);
 

@@ -1,9 +1,10 @@
 #include "diagnose/answers/torque_law.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "diagnose/answers/law_choice.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -106,38 +107,16 @@ std::vector<Placement> placements(const Study& study, const Response& rig) {
   return all;
 }
 
-/// Sums of squares and products of the terms and of the residual, over the values of one fold.
-struct Sums {
-  Matrix terms;
-  Vector with_residual;
-  double residual = 0;
-
-  void operator+=(const Sums& other) {
-    terms += other.terms;
-    with_residual += other.with_residual;
-    residual += other.residual;
-  }
-  void operator-=(const Sums& other) {
-    terms -= other.terms;
-    with_residual -= other.with_residual;
-    residual -= other.residual;
-  }
-  /// What coefficients leave of the residual.
-  [[nodiscard]] double left(const Vector& c) const {
-    return std::max(0.0, residual - 2 * c.dot(with_residual) + c.dot(terms * c));
-  }
-};
-
 /// The fold of a reading: ten blocks of neighbours in every run, two to a fold.
 std::size_t fold_of(std::size_t run, std::size_t reading, std::size_t readings) {
   return (10 * reading / readings + run) % folds;
 }
 
-std::vector<Sums> sums_of(const Study& study, const Response& rig, const Placement& place,
-                          const std::vector<double>& residual, const NoiseModel& noise) {
+std::vector<LawSums> sums_of(const Study& study, const Response& rig, const Placement& place,
+                             const std::vector<double>& residual, const NoiseModel& noise) {
   const auto width = static_cast<Eigen::Index>(place.size()) * law_terms_count;
-  const Sums none{Matrix::Zero(width, width), Vector::Zero(width), 0};
-  std::vector<Sums> by_fold(folds, none);
+  const LawSums none{Matrix::Zero(width, width), Vector::Zero(width), 0};
+  std::vector<LawSums> by_fold(folds, none);
   Matrix slopes = Matrix::Zero(static_cast<Eigen::Index>(residual.size()), width);
   for (std::size_t b = 0; b < place.size(); ++b) {
     for_each_part(study, rig, place[b], [&](std::size_t a, std::size_t run, const Matrix& terms) {
@@ -174,143 +153,6 @@ std::vector<Sums> sums_of(const Study& study, const Response& rig, const Placeme
   return by_fold;
 }
 
-/// Which terms a law may use.
-struct Shape {
-  Eigen::Index knots;
-  std::vector<Eigen::Index> sliders, arms;
-
-  [[nodiscard]] Eigen::Index terms() const {
-    return knots + static_cast<Eigen::Index>(sliders.size() + arms.size());
-  }
-};
-
-/// What is held against curvature, over the squares of a knot's term.
-constexpr double smoothnesses[] = {1e-6, 1e-4, 1e-2, 1.0};
-
-std::vector<Shape> shapes() {
-  std::vector<std::vector<Eigen::Index>> slider_sets{{}};
-  for (Eigen::Index m = 0; m < slider_terms; ++m) slider_sets.push_back({m});
-  slider_sets.push_back({0, 2, 4});
-  slider_sets.push_back({0, 1, 2, 3, 4, 5});
-  const std::vector<std::vector<Eigen::Index>> arm_sets{{}, {0}, {1}, {2}, {0, 1, 2}};
-  std::vector<Shape> all;
-  for (const Eigen::Index knots : {3, 5, 9, 17, 33})
-    for (const auto& sliders : slider_sets)
-      for (const auto& arms : arm_sets) all.push_back({knots, sliders, arms});
-  return all;
-}
-
-/// The finest terms as combinations of a shape's, for one law.
-Matrix selection(const Shape& shape) {
-  Matrix chosen = Matrix::Zero(law_terms_count, shape.terms());
-  const double stride = static_cast<double>(finest_knots - 1) / static_cast<double>(shape.knots - 1);
-  for (Eigen::Index fine = 0; fine < finest_knots; ++fine)
-    for (Eigen::Index k = 0; k < shape.knots; ++k)
-      chosen(fine, k) =
-          std::max(0.0, 1 - std::abs(static_cast<double>(fine) / stride - static_cast<double>(k)));
-  Eigen::Index column = shape.knots;
-  for (const Eigen::Index m : shape.sliders) chosen(finest_knots + m, column++) = 1;
-  for (const Eigen::Index m : shape.arms) chosen(finest_knots + slider_terms + m, column++) = 1;
-  return chosen;
-}
-
-/// What is held against a law: curvature, and an even part that is no constant, so that a side that was never
-/// bent answers as the other; sliders and arms of any size a little.
-Matrix penalty(const Shape& shape, double smoothness) {
-  constexpr double evenness = 1e-3, size = 1e-6;
-  Matrix weight = size * Matrix::Identity(shape.terms(), shape.terms());
-  for (Eigen::Index k = 1; k + 1 < shape.knots; ++k) {
-    Vector bend = Vector::Zero(shape.terms());
-    bend(k - 1) = bend(k + 1) = 1;
-    bend(k) = -2;
-    weight += smoothness * bend * bend.transpose();
-  }
-  const Eigen::Index middle = shape.knots / 2;
-  for (Eigen::Index k = 1; k <= middle; ++k) {
-    Vector even = Vector::Zero(shape.terms());
-    even(middle + k) = even(middle - k) = 1;
-    even(middle) = -2;
-    weight += evenness * even * even.transpose();
-  }
-  for (Eigen::Index m = shape.knots; m < shape.terms(); ++m) weight(m, m) += 0.1 * smoothness;
-  return weight;
-}
-
-/// The same for each of several laws, along the diagonal.
-Matrix repeated(const Matrix& one, std::size_t laws) {
-  const auto count = static_cast<Eigen::Index>(laws);
-  Matrix all = Matrix::Zero(count * one.rows(), count * one.cols());
-  for (Eigen::Index b = 0; b < count; ++b)
-    all.block(b * one.rows(), b * one.cols(), one.rows(), one.cols()) = one;
-  return all;
-}
-
-Sums reduced(const Matrix& chosen, const Sums& full) {
-  return {chosen.transpose() * full.terms * chosen, chosen.transpose() * full.with_residual, full.residual};
-}
-
-/// Least squares in the coefficients of a shape; sliders and arms dissipate, so none is negative.
-Vector solve(const Shape& shape, const Sums& sums, const Matrix& held_against) {
-  Matrix normal = sums.terms + held_against;
-  Vector right = sums.with_residual;
-  while (true) {
-    const Vector solution = normal.ldlt().solve(right);
-    Eigen::Index worst = -1;
-    for (Eigen::Index i = 0; i < solution.size(); ++i)
-      if (i % shape.terms() >= shape.knots && solution(i) < 0 && (worst < 0 || solution(i) < solution(worst)))
-        worst = i;
-    if (worst < 0) return solution;
-    normal.row(worst).setZero();
-    normal.col(worst).setZero();
-    normal(worst, worst) = 1;
-    right(worst) = 0;
-  }
-}
-
-/// The mean square of a knot's term.
-double knot_scale(const Shape& shape, const Sums& all) {
-  return all.terms.diagonal().head(shape.knots).mean();
-}
-
-/// A law on trial: what it leaves of each fold that its fit had not seen.
-struct Trial {
-  double left = 0;
-  TorqueLaw law;
-};
-
-/// The best of a shape, over how smooth it is.
-Trial try_shape(const Shape& shape, const Placement& place, const std::vector<Sums>& by_fold,
-                const Sums& all) {
-  const Matrix chosen = repeated(selection(shape), place.size());
-  const Sums whole = reduced(chosen, all);
-  std::vector<Sums> parts;
-  for (const Sums& part : by_fold) parts.push_back(reduced(chosen, part));
-  Trial best;
-  for (const double smoothness : smoothnesses) {
-    const Matrix held_against = knot_scale(shape, whole) * repeated(penalty(shape, smoothness), place.size());
-    double left = 0;
-    for (const Sums& part : parts) {
-      Sums rest = whole;
-      rest -= part;
-      left += part.left(solve(shape, rest, held_against));
-    }
-    if (!best.law.laws.empty() && !(left < best.left)) continue;
-    best.left = left;
-    best.law.laws = place;
-    best.law.knots = shape.knots;
-    const Vector coefficients = chosen * solve(shape, whole, held_against);
-    for (std::size_t b = 0; b < place.size(); ++b)
-      best.law.laws[b].coefficients =
-          coefficients.segment(static_cast<Eigen::Index>(b) * law_terms_count, law_terms_count);
-  }
-  return best;
-}
-
-/// Fewer than two values a term tell nothing.
-bool affordable(const Shape& shape, const Placement& place, std::size_t values) {
-  return 2 * static_cast<std::size_t>(shape.terms()) * place.size() <= std::max<std::size_t>(values, 8);
-}
-
 /// What a law may leave of the rms and still be offered. The gain of a law that says nothing scatters by
 /// about one over the root of the values, and it is the luckiest of many.
 double worth_at_most(std::size_t values) {
@@ -324,34 +166,32 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
                                         const std::vector<Instance>& bases) {
   std::vector<Instance> all_bases{{}};
   all_bases.insert(all_bases.end(), bases.begin(), bases.end());
-  const std::vector<Shape> all_shapes = shapes();
-  std::optional<Trial> best;
-  double nominal = 0, alone = std::numeric_limits<double>::infinity();
+  std::optional<TorqueLaw> best;
+  double nominal = 0, left = 0, alone = std::numeric_limits<double>::infinity();
   for (const Instance& base : all_bases) {
     const Response rig = response(seen, base);
     if (!rig.base.reached) continue;
     const std::vector<double> residual = without_outliers(seen.measurements(), seen.residual(rig.base));
     for (const Placement& place : placements(seen, rig)) {
-      const std::vector<Sums> by_fold = sums_of(seen, rig, place, residual, noise);
-      Sums all = by_fold.front();
-      for (std::size_t f = 1; f < folds; ++f) all += by_fold[f];
-      if (nominal == 0) nominal = all.residual;
-      alone = std::min(alone, all.residual);
-      for (const Shape& shape : all_shapes) {
-        if (!affordable(shape, place, residual.size())) continue;
-        Trial trial = try_shape(shape, place, by_fold, all);
-        if (best && !(trial.left < best->left)) continue;
-        best = std::move(trial);
-        best->law.base = base;
-      }
+      const std::vector<LawSums> by_fold = sums_of(seen, rig, place, residual, noise);
+      double before = 0;
+      for (const LawSums& part : by_fold) before += part.residual;
+      if (nominal == 0) nominal = before;
+      alone = std::min(alone, before);
+      const ChosenLaw chosen = choose_law(place.size(), by_fold, residual.size());
+      if (best && !(chosen.left < left)) continue;
+      left = chosen.left;
+      best = TorqueLaw{base, place, chosen.knots, 1, 1};
+      for (std::size_t b = 0; b < place.size(); ++b)
+        best->laws[b].coefficients =
+            chosen.coefficients.segment(static_cast<Eigen::Index>(b) * law_terms_count, law_terms_count);
     }
   }
   if (!best) return std::nullopt;
-  best->law.cross_validated = std::sqrt(best->left / nominal);
-  best->law.without_law = std::sqrt(alone / nominal);
-  if (!(best->law.cross_validated < worth_at_most(seen.measurements().size()) * best->law.without_law))
-    return std::nullopt;
-  return best->law;
+  best->cross_validated = std::sqrt(left / nominal);
+  best->without_law = std::sqrt(alone / nominal);
+  const double worth = worth_at_most(seen.measurements().size()) * best->without_law;
+  return best->cross_validated < worth ? best : std::nullopt;
 }
 
 Prediction predict_with_law(const Study& study, const TorqueLaw& law) {

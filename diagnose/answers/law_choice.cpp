@@ -1,0 +1,188 @@
+#include "diagnose/answers/law_choice.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::diagnose {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+/// Which terms a law may use.
+struct Shape {
+  Eigen::Index knots;
+  std::vector<Eigen::Index> sliders, arms;
+
+  [[nodiscard]] Eigen::Index terms() const {
+    return knots + static_cast<Eigen::Index>(sliders.size() + arms.size());
+  }
+};
+
+/// What is held against curvature, over the squares of a knot's term.
+constexpr double smoothnesses[] = {1e-6, 1e-4, 1e-2, 1.0};
+
+/// What a shape may be changed to, a part of it at a time.
+using Choices = std::vector<std::vector<Eigen::Index>>;
+
+Choices slider_choices() {
+  Choices all{{}};
+  for (Eigen::Index m = 0; m < slip_places; ++m) {
+    all.push_back({m});
+    all.push_back({slip_places + m});
+    all.push_back({m, slip_places + m});
+  }
+  all.push_back({0, 2, 4});
+  all.push_back({0, 2, 4, slip_places, slip_places + 2, slip_places + 4});
+  all.emplace_back();
+  for (Eigen::Index m = 0; m < slip_places; ++m) all.back().push_back(m);
+  return all;
+}
+
+std::vector<Shape> neighbours(const Shape& shape) {
+  static const Choices sliders = slider_choices(), arms{{}, {0}, {1}, {2}, {0, 1, 2}};
+  std::vector<Shape> all;
+  for (const Eigen::Index knots : {3, 5, 9, 17, 33}) all.push_back({knots, shape.sliders, shape.arms});
+  for (const auto& chosen : sliders) all.push_back({shape.knots, chosen, shape.arms});
+  for (const auto& chosen : arms) all.push_back({shape.knots, shape.sliders, chosen});
+  return all;
+}
+
+/// The finest terms as combinations of a shape's, for one law.
+Matrix selection(const Shape& shape) {
+  Matrix chosen = Matrix::Zero(law_terms_count, shape.terms());
+  const double stride = static_cast<double>(finest_knots - 1) / static_cast<double>(shape.knots - 1);
+  for (Eigen::Index fine = 0; fine < finest_knots; ++fine)
+    for (Eigen::Index k = 0; k < shape.knots; ++k)
+      chosen(fine, k) =
+          std::max(0.0, 1 - std::abs(static_cast<double>(fine) / stride - static_cast<double>(k)));
+  Eigen::Index column = shape.knots;
+  for (const Eigen::Index m : shape.sliders) chosen(finest_knots + m, column++) = 1;
+  for (const Eigen::Index m : shape.arms) chosen(finest_knots + slider_terms + m, column++) = 1;
+  return chosen;
+}
+
+/// What is held against a law: curvature, and an even part that is no constant, so that a side that was never
+/// bent answers as the other; sliders and arms of any size a little.
+Matrix penalty(const Shape& shape, double smoothness) {
+  constexpr double evenness = 1e-3, size = 1e-6;
+  Matrix weight = size * Matrix::Identity(shape.terms(), shape.terms());
+  for (Eigen::Index k = 1; k + 1 < shape.knots; ++k) {
+    Vector bend = Vector::Zero(shape.terms());
+    bend(k - 1) = bend(k + 1) = 1;
+    bend(k) = -2;
+    weight += smoothness * bend * bend.transpose();
+  }
+  const Eigen::Index middle = shape.knots / 2;
+  for (Eigen::Index k = 1; k <= middle; ++k) {
+    Vector even = Vector::Zero(shape.terms());
+    even(middle + k) = even(middle - k) = 1;
+    even(middle) = -2;
+    weight += evenness * even * even.transpose();
+  }
+  for (Eigen::Index m = shape.knots; m < shape.terms(); ++m) weight(m, m) += 0.1 * smoothness;
+  return weight;
+}
+
+/// The same for each of several laws, along the diagonal.
+Matrix repeated(const Matrix& one, std::size_t laws) {
+  const auto count = static_cast<Eigen::Index>(laws);
+  Matrix all = Matrix::Zero(count * one.rows(), count * one.cols());
+  for (Eigen::Index b = 0; b < count; ++b)
+    all.block(b * one.rows(), b * one.cols(), one.rows(), one.cols()) = one;
+  return all;
+}
+
+LawSums reduced(const Matrix& chosen, const LawSums& full) {
+  return {chosen.transpose() * full.terms * chosen, chosen.transpose() * full.with_residual, full.residual};
+}
+
+/// Least squares in the coefficients of a shape; sliders and arms dissipate, so none is negative.
+Vector solve(const Shape& shape, const LawSums& sums, const Matrix& held_against) {
+  Matrix normal = sums.terms + held_against;
+  Vector right = sums.with_residual;
+  while (true) {
+    const Vector solution = normal.ldlt().solve(right);
+    Eigen::Index worst = -1;
+    for (Eigen::Index i = 0; i < solution.size(); ++i)
+      if (i % shape.terms() >= shape.knots && solution(i) < 0 && (worst < 0 || solution(i) < solution(worst)))
+        worst = i;
+    if (worst < 0) return solution;
+    normal.row(worst).setZero();
+    normal.col(worst).setZero();
+    normal(worst, worst) = 1;
+    right(worst) = 0;
+  }
+}
+
+/// The mean square of a knot's term.
+double knot_scale(const Shape& shape, const LawSums& all) {
+  return all.terms.diagonal().head(shape.knots).mean();
+}
+
+/// The best of a shape, over how smooth it is.
+ChosenLaw try_shape(const Shape& shape, std::size_t laws, const std::vector<LawSums>& by_fold,
+                    const LawSums& all) {
+  const Matrix chosen = repeated(selection(shape), laws);
+  const LawSums whole = reduced(chosen, all);
+  std::vector<LawSums> parts;
+  for (const LawSums& part : by_fold) parts.push_back(reduced(chosen, part));
+  ChosenLaw best;
+  for (const double smoothness : smoothnesses) {
+    const Matrix held_against = knot_scale(shape, whole) * repeated(penalty(shape, smoothness), laws);
+    double left = 0;
+    for (const LawSums& part : parts) {
+      LawSums rest = whole;
+      rest -= part;
+      left += part.left(solve(shape, rest, held_against));
+    }
+    if (best.knots > 0 && !(left < best.left)) continue;
+    best = {left, shape.knots, chosen * solve(shape, whole, held_against)};
+  }
+  return best;
+}
+
+bool affordable(const Shape& shape, std::size_t laws, std::size_t values) {
+  return 2 * static_cast<std::size_t>(shape.terms()) * laws <= std::max<std::size_t>(values, 8);
+}
+
+}  // namespace
+
+void LawSums::operator+=(const LawSums& other) {
+  terms += other.terms;
+  with_residual += other.with_residual;
+  residual += other.residual;
+}
+
+void LawSums::operator-=(const LawSums& other) {
+  terms -= other.terms;
+  with_residual -= other.with_residual;
+  residual -= other.residual;
+}
+
+double LawSums::left(const Vector& c) const {
+  return std::max(0.0, residual - 2 * c.dot(with_residual) + c.dot(terms * c));
+}
+
+ChosenLaw choose_law(std::size_t laws, const std::vector<LawSums>& by_fold, std::size_t values) {
+  constexpr int rounds = 6;
+  LawSums all = by_fold.front();
+  for (std::size_t f = 1; f < by_fold.size(); ++f) all += by_fold[f];
+  Shape shape{3, {}, {}};
+  ChosenLaw best = try_shape(shape, laws, by_fold, all);
+  for (int round = 0; round < rounds; ++round) {
+    const double before = best.left;
+    for (const Shape& other : neighbours(shape)) {
+      if (!affordable(other, laws, values)) continue;
+      ChosenLaw trial = try_shape(other, laws, by_fold, all);
+      if (!(trial.left < best.left)) continue;
+      best = std::move(trial);
+      shape = other;
+    }
+    if (!(best.left < before)) break;
+  }
+  return best;
+}
+
+}  // namespace plumbline::diagnose
