@@ -17,6 +17,7 @@ constexpr double left_at_most = 0.05;
 struct Column {
   Channel channel{};
   double measured = 0, predicted = 0, product = 0;
+  std::size_t count = 0;
 
   [[nodiscard]] double energy() const { return measured + predicted; }
   [[nodiscard]] double difference() const { return std::max(0.0, energy() - 2 * product); }
@@ -24,11 +25,13 @@ struct Column {
 
 using Columns = std::vector<Column>;  ///< of one run
 
-/// What is missing in the prediction counts as unloaded.
+/// What is missing in the prediction counts as unloaded; what a conversion could not read is left out.
 Column compare(const Series& series, const Run& run, const Trace& predicted, double unloaded) {
   Column column{series.channel};
   for (const std::size_t i : series.readings) {
     const double m = series.channel.of(run.readings[i]) - unloaded;
+    if (!std::isfinite(m)) continue;
+    ++column.count;
     const double value = predicted(static_cast<Eigen::Index>(i), series.channel.column());
     const double p = std::isfinite(value) ? value - unloaded : 0;
     column.measured += m * m;
@@ -163,6 +166,7 @@ class Check {
       double run_before = 0, run_after = 0, all_before = 0, all_after = 0;
       Column run_was, run_is;
       for (std::size_t c = 0; c < now[r].size(); ++c) {
+        if (2 * now[r][c].count < as_is_[r][c].count) return {};
         const double b = misfit(as_is_[r], as_is_[r][c]), a = misfit(now[r], now[r][c]);
         all_before += b, all_after += a;
         if (std::abs(a - b) < 1e-9) continue;
