@@ -65,13 +65,18 @@ std::vector<Columns> compare(const Experiment& experiment, const Measurements& m
   return runs;
 }
 
+double energy_of_sensor(const Columns& columns, const Column& one) {
+  double sum = 0;
+  for (const Column& other : columns)
+    if (other.channel.sensor() == one.channel.sensor()) sum += other.energy();
+  return sum;
+}
+
 /// 0 where a column agrees, 1 where it has nothing to do with the prediction, 2 where it is its mirror image;
 /// whatever the unit. A column that is small beside the others of its sensor counts less.
 double misfit(const Columns& columns, const Column& one) {
   constexpr double beside = 0.05;
-  double sensor = 0;
-  for (const Column& other : columns)
-    if (other.channel.sensor() == one.channel.sensor()) sensor += other.energy();
+  const double sensor = energy_of_sensor(columns, one);
   return sensor > 0 ? one.difference() / (one.energy() + beside * sensor) : 0;
 }
 
@@ -88,8 +93,8 @@ bool same_command(const Experiment& a, const Experiment& b) {
       return one.control == ControlMode::displacement ? r.x == s.x && r.y == s.y
                                                       : r.Fx == s.Fx && r.Fy == s.Fy;
     };
-    return one.rest == other.rest && std::equal(one.readings.begin(), one.readings.end(),
-                                                other.readings.begin(), same_reading);
+    return one.rest == other.rest &&
+           std::equal(one.readings.begin(), one.readings.end(), other.readings.begin(), same_reading);
   };
   return a.link_length == b.link_length && a.joint_stiffness == b.joint_stiffness &&
          a.link_mass == b.link_mass &&
@@ -159,8 +164,11 @@ class Check {
     Trial trial{&conversion, {}, 0, 0, 0};
     double before = 0, after = 0;
     Column was, is;
-    const auto add = [](Column& sum, const Column& one) {
-      sum.measured += one.measured, sum.predicted += one.predicted, sum.product += one.product;
+    // Newtons and metres add up as shares of what their sensor saw in the run.
+    const auto add = [](Column& sum, const Columns& columns, const Column& one) {
+      const double all = energy_of_sensor(columns, one);
+      sum.measured += one.measured / all, sum.predicted += one.predicted / all;
+      sum.product += one.product / all;
     };
     for (std::size_t r = 0; r < now.size(); ++r) {
       double run_before = 0, run_after = 0, all_before = 0, all_after = 0;
@@ -171,7 +179,7 @@ class Check {
         all_before += b, all_after += a;
         if (std::abs(a - b) < 1e-9) continue;
         run_before += b, run_after += a;
-        add(run_was, as_is_[r][c]), add(run_is, now[r][c]);
+        add(run_was, as_is_[r], as_is_[r][c]), add(run_is, now[r], now[r][c]);
       }
       const bool mended = run_after < run_before;
       if (!mended && worst(as_is_[r]) > misfit_in_doubt) return {};
@@ -180,7 +188,8 @@ class Check {
       if (!mended) continue;
       trial.runs.push_back(r);
       before += run_before, after += run_after;
-      add(was, run_was), add(is, run_is);
+      for (const auto& [sum, part] : {std::pair{&was, &run_was}, std::pair{&is, &run_is}})
+        sum->measured += part->measured, sum->predicted += part->predicted, sum->product += part->product;
     }
     if (trial.runs.empty() || after > left_at_most * before || before < misfit_in_doubt) return {};
     if (!centred(is, conversion.tolerance)) return {};
@@ -189,13 +198,11 @@ class Check {
     return trial;
   }
 
-  /// Of a factor: whether the best common factor that remains is one, within the tolerance or within what
-  /// scatters about that best one.
+  /// Of a factor: whether the best common factor that remains is one.
   static bool centred(const Column& column, double tolerance) {
     if (tolerance == 0) return true;
     const double best = column.product / column.predicted;
-    const double scatter = std::sqrt(std::max(0.0, column.measured / column.predicted - best * best));
-    return best > 0 && std::abs(std::log(best)) < std::max(tolerance, scatter);
+    return best > 0 && std::abs(std::log(best)) < tolerance;
   }
 
   const Study& study_;
