@@ -23,10 +23,10 @@ constexpr std::array<Unit, 5> stiffnesses{{{"N mm/rad", 1e-3},
                                            {"N mm/deg", 1e-3 / degree},
                                            {"kgf cm/rad", 9.80665e-2}}};
 
-/// How far a real scale error may be from a factor and still be taken for it: 3 % where stiffnesses and gains
-/// may err as much as the factor, a quarter where nothing errs by so much.
+/// How far the best common factor may be from a unit's and still be taken for it: 5 % where stiffnesses and
+/// gains may err as much (nine times too stiff is not kgf), a quarter where nothing errs by so much.
 double tolerance_of(double factor) {
-  return factor > 20 || factor < 1.0 / 20 ? 0.25 : 0.03;
+  return factor > 20 || factor < 1.0 / 20 ? 0.25 : 0.05;
 }
 
 void scale(std::vector<double>& values, double factor) {
@@ -78,15 +78,20 @@ const std::array<Angles, 4> angles{{
 
 void add_forces(std::vector<Conversion>& all) {
   for (const Unit& unit : forces) {
-    all.push_back({"Fx, Fy", unit.name, "N", tolerance_of(unit.in_si),
+    all.push_back({"Fx, Fy",
+                   unit.name,
+                   "N",
+                   tolerance_of(unit.in_si),
                    [unit](Run& run) {
                      for (Reading& r : run.readings) r.Fx *= unit.in_si, r.Fy *= unit.in_si;
                    },
                    {}});
   }
   for (const Axes& one : axes) {
-    all.push_back({"Fx, Fy", std::string("forces ") + one.name,
-                   "the force on the end point, in the base frame", 0,
+    all.push_back({"Fx, Fy",
+                   std::string("forces ") + one.name,
+                   "the force on the end point, in the base frame",
+                   0,
                    [one](Run& run) {
                      for (Reading& r : run.readings) one(r.Fx, r.Fy);
                    },
@@ -103,7 +108,10 @@ void add_angles(std::vector<Conversion>& all) {
     const auto rest = [one](Run& run) { one.convert(run.rest); };
     all.push_back({"q", one.name, expected, one.tolerance, readings, {}});
     all.push_back({"rest", one.name, expected, one.tolerance, rest, {}});
-    all.push_back({"rest, q", one.name, expected, one.tolerance,
+    all.push_back({"rest, q",
+                   one.name,
+                   expected,
+                   one.tolerance,
                    [readings, rest](Run& run) { readings(run), rest(run); },
                    {}});
   }
@@ -111,7 +119,10 @@ void add_angles(std::vector<Conversion>& all) {
 
 void add_positions(std::vector<Conversion>& all) {
   for (const Unit& unit : lengths) {
-    all.push_back({"x, y", unit.name, "m", tolerance_of(unit.in_si),
+    all.push_back({"x, y",
+                   unit.name,
+                   "m",
+                   tolerance_of(unit.in_si),
                    [unit](Run& run) {
                      for (Reading& r : run.readings) r.x *= unit.in_si, r.y *= unit.in_si;
                    },
@@ -121,10 +132,16 @@ void add_positions(std::vector<Conversion>& all) {
     const auto positions = [one](Run& run) {
       for (Reading& r : run.readings) one(r.x, r.y);
     };
-    all.push_back({"x, y", std::string("an end point ") + one.name, "the end point in the base frame", 0,
+    all.push_back({"x, y",
+                   std::string("an end point ") + one.name,
+                   "the end point in the base frame",
+                   0,
                    positions,
                    {}});
-    all.push_back({"x, y, Fx, Fy", std::string("axes ") + one.name, "the base frame", 0,
+    all.push_back({"x, y, Fx, Fy",
+                   std::string("axes ") + one.name,
+                   "the base frame",
+                   0,
                    [one, positions](Run& run) {
                      positions(run);
                      for (Reading& r : run.readings) one(r.Fx, r.Fy);
@@ -135,14 +152,16 @@ void add_positions(std::vector<Conversion>& all) {
 
 void add_chain(std::vector<Conversion>& all) {
   for (const Unit& unit : stiffnesses) {
-    all.push_back({"joint_stiffness", unit.name, "N m/rad", tolerance_of(unit.in_si), {},
-                   [unit](Experiment& e) { scale(e.joint_stiffness, unit.in_si); }});
+    all.push_back(
+        {"joint_stiffness", unit.name, "N m/rad", tolerance_of(unit.in_si), {}, [unit](Experiment& e) {
+           scale(e.joint_stiffness, unit.in_si);
+         }});
   }
   for (const Unit& unit : lengths) {
-    all.push_back({"link_length", unit.name, "m", tolerance_of(unit.in_si), {},
-                   [unit](Experiment& e) { scale(e.link_length, unit.in_si); }});
-    all.push_back({"link_length, x, y", unit.name, "m", tolerance_of(unit.in_si), {},
-                   [unit](Experiment& e) {
+    all.push_back({"link_length", unit.name, "m", tolerance_of(unit.in_si), {}, [unit](Experiment& e) {
+                     scale(e.link_length, unit.in_si);
+                   }});
+    all.push_back({"link_length, x, y", unit.name, "m", tolerance_of(unit.in_si), {}, [unit](Experiment& e) {
                      scale(e.link_length, unit.in_si);
                      for (Run& run : e.runs)
                        for (Reading& r : run.readings) r.x *= unit.in_si, r.y *= unit.in_si;
@@ -150,9 +169,15 @@ void add_chain(std::vector<Conversion>& all) {
   }
   const auto reverse = [](std::vector<double>& values) { std::reverse(values.begin(), values.end()); };
   const char* from_base = "joints and links from the base on";
-  all.push_back({"joint_stiffness", "a list from the end point on", from_base, 0, {},
-                 [reverse](Experiment& e) { reverse(e.joint_stiffness); }});
-  all.push_back({"link_length, joint_stiffness", "lists from the end point on", from_base, 0, {},
+  all.push_back(
+      {"joint_stiffness", "a list from the end point on", from_base, 0, {}, [reverse](Experiment& e) {
+         reverse(e.joint_stiffness);
+       }});
+  all.push_back({"link_length, joint_stiffness",
+                 "lists from the end point on",
+                 from_base,
+                 0,
+                 {},
                  [reverse](Experiment& e) {
                    reverse(e.link_length), reverse(e.joint_stiffness), reverse(e.link_mass);
                  }});

@@ -9,6 +9,8 @@
 #include <plumbline/base/error.hpp>
 #include <plumbline/chain/kinematics.hpp>
 
+#include "diagnose/bench/conversion.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -20,45 +22,75 @@ std::string place(const Run& run, std::size_t reading) {
   return "run \"" + run.id + "\", reading " + std::to_string(reading + 1);
 }
 
+/// Distance between the end point that joint angles give and where a reading says it is; NaN where either is
+/// missing.
+double contradiction(const std::vector<double>& q, const Reading& reading, const Chain<double>& chain) {
+  const Point<double> end = end_point(chain, q);
+  return std::hypot(end.x - reading.x, end.y - reading.y);
+}
+
+/// Middle distance between the measured joint angles and the measured end point; 0 without such angles.
+double middle_contradiction(const Run& run, const Chain<double>& chain) {
+  std::vector<double> gaps;
+  for (const Reading& reading : run.readings) {
+    if (reading.q.empty()) return 0;
+    const double gap = contradiction(reading.q, reading, chain);
+    if (!std::isnan(gap)) gaps.push_back(gap);
+  }
+  if (gaps.empty()) return 0;
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+  std::nth_element(gaps.begin(), middle, gaps.end());
+  return *middle;
+}
+
+/// What a run that cannot be would mean if its end points or angles were in another unit, order or sense:
+/// "; x, y look like mm". Empty where no conversion makes it start at its unloaded shape and agree with
+/// itself, each to a tenth of the chain.
+std::string as_if(const Run& run, const Chain<double>& chain, const Reach<double>& limits) {
+  std::string best;
+  double least = 0.1 * limits.largest;
+  for (const Conversion& conversion : conversions()) {
+    if (conversion.what != "q" && conversion.what != "x, y") continue;
+    Run other = run;
+    conversion.run(other);
+    const auto start = std::find_if(other.readings.begin(), other.readings.end(), [](const Reading& r) {
+      return std::isfinite(r.x) && std::isfinite(r.y);
+    });
+    if (start == other.readings.end()) continue;
+    const double gap = std::max(contradiction(run.rest, *start, chain), middle_contradiction(other, chain));
+    if (gap >= least) continue;
+    least = gap;
+    best = "; " + conversion.what + (conversion.what == "q" ? " looks like " : " look like ") +
+           conversion.looks_like;
+  }
+  return best;
+}
+
 /// A commanded end point is exact: beyond the reach by more than its rounding it has no equilibrium. A
 /// measured one carries noise, and lengths and zero are what is in question: only what no tolerance explains
 /// is refused.
-void require_reach(const Run& run, const Reach<double>& limits) {
+void require_reach(const Run& run, const Chain<double>& chain, const Reach<double>& limits) {
   const double slack = (run.control == Control::end_point ? 1e-4 : 0.25) * limits.largest;
   for (std::size_t r = 0; r < run.readings.size(); ++r) {
     const double distance = std::hypot(run.readings[r].x, run.readings[r].y);
     if (distance > limits.largest + slack)
       throw Error(place(run, r), "an end point " + metres(distance) + " from the base",
-                  "at most the length of the chain, " + metres(limits.largest));
+                  "at most the length of the chain, " + metres(limits.largest) + as_if(run, chain, limits));
     if (distance < limits.smallest - slack)
       throw Error(place(run, r), "an end point " + metres(distance) + " from the base",
-                  "at least " + metres(limits.smallest) + ", what the links reach when folded");
+                  "at least " + metres(limits.smallest) + ", what the links reach when folded" +
+                      as_if(run, chain, limits));
   }
-}
-
-/// Distance between the end point that the joint angles give and the one that the reading states; NaN where
-/// either is missing.
-double contradiction(const Reading& reading, const Chain<double>& chain) {
-  const Point<double> end = end_point(chain, reading.q);
-  return std::hypot(end.x - reading.x, end.y - reading.y);
 }
 
 /// Joint angles in degrees, in another order or of another chain. No effect moves the end point of most
 /// readings by a quarter of the chain.
 void require_geometry(const Run& run, const Chain<double>& chain, const Reach<double>& limits) {
-  std::vector<double> gaps;
-  for (const Reading& reading : run.readings) {
-    if (reading.q.empty()) return;
-    const double gap = contradiction(reading, chain);
-    if (!std::isnan(gap)) gaps.push_back(gap);
-  }
-  if (gaps.empty()) return;
-  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-  std::nth_element(gaps.begin(), middle, gaps.end());
-  if (*middle > 0.25 * limits.largest)
+  const double gap = middle_contradiction(run, chain);
+  if (gap > 0.25 * limits.largest)
     throw Error("run \"" + run.id + "\"",
-                "joint angles that put the end point " + metres(*middle) + " from where x and y say it is",
-                "joint angles of this chain, relative and in radians");
+                "joint angles that put the end point " + metres(gap) + " from where x and y say it is",
+                "joint angles of this chain, relative and in radians" + as_if(run, chain, limits));
 }
 
 void require_noise(const Run& run, const Noise& noise) {
@@ -124,7 +156,7 @@ void require_physical(const Experiment& experiment) {
   require_resolved(experiment, limits.largest);
   std::size_t values = 0;
   for (const Run& run : experiment.runs) {
-    require_reach(run, limits);
+    require_reach(run, chain, limits);
     require_geometry(run, chain, limits);
     require_noise(run, experiment.noise);
     values += measured_values(run);

@@ -17,6 +17,7 @@ constexpr double left_at_most = 0.05;
 struct Column {
   Channel channel{};
   double measured = 0, predicted = 0, product = 0;
+  std::size_t count = 0;
 
   [[nodiscard]] double energy() const { return measured + predicted; }
   [[nodiscard]] double difference() const { return std::max(0.0, energy() - 2 * product); }
@@ -24,11 +25,13 @@ struct Column {
 
 using Columns = std::vector<Column>;  ///< of one run
 
-/// What is missing in the prediction counts as unloaded.
+/// What is missing in the prediction counts as unloaded; what a conversion could not read is left out.
 Column compare(const Series& series, const Run& run, const Trace& predicted, double unloaded) {
   Column column{series.channel};
   for (const std::size_t i : series.readings) {
     const double m = series.channel.of(run.readings[i]) - unloaded;
+    if (!std::isfinite(m)) continue;
+    ++column.count;
     const double value = predicted(static_cast<Eigen::Index>(i), series.channel.column());
     const double p = std::isfinite(value) ? value - unloaded : 0;
     column.measured += m * m;
@@ -62,13 +65,18 @@ std::vector<Columns> compare(const Experiment& experiment, const Measurements& m
   return runs;
 }
 
+double energy_of_sensor(const Columns& columns, const Column& one) {
+  double sum = 0;
+  for (const Column& other : columns)
+    if (other.channel.sensor() == one.channel.sensor()) sum += other.energy();
+  return sum;
+}
+
 /// 0 where a column agrees, 1 where it has nothing to do with the prediction, 2 where it is its mirror image;
 /// whatever the unit. A column that is small beside the others of its sensor counts less.
 double misfit(const Columns& columns, const Column& one) {
   constexpr double beside = 0.05;
-  double sensor = 0;
-  for (const Column& other : columns)
-    if (other.channel.sensor() == one.channel.sensor()) sensor += other.energy();
+  const double sensor = energy_of_sensor(columns, one);
   return sensor > 0 ? one.difference() / (one.energy() + beside * sensor) : 0;
 }
 
@@ -85,8 +93,8 @@ bool same_command(const Experiment& a, const Experiment& b) {
       return one.control == Control::end_point ? r.x == s.x && r.y == s.y
                                                       : r.Fx == s.Fx && r.Fy == s.Fy;
     };
-    return one.rest == other.rest && std::equal(one.readings.begin(), one.readings.end(),
-                                                other.readings.begin(), same_reading);
+    return one.rest == other.rest &&
+           std::equal(one.readings.begin(), one.readings.end(), other.readings.begin(), same_reading);
   };
   return a.link_length == b.link_length && a.joint_stiffness == b.joint_stiffness &&
          a.link_mass == b.link_mass &&
@@ -156,18 +164,22 @@ class Check {
     Trial trial{&conversion, {}, 0, 0, 0};
     double before = 0, after = 0;
     Column was, is;
-    const auto add = [](Column& sum, const Column& one) {
-      sum.measured += one.measured, sum.predicted += one.predicted, sum.product += one.product;
+    // Newtons and metres add up as shares of what their sensor saw in the run.
+    const auto add = [](Column& sum, const Columns& columns, const Column& one) {
+      const double all = energy_of_sensor(columns, one);
+      sum.measured += one.measured / all, sum.predicted += one.predicted / all;
+      sum.product += one.product / all;
     };
     for (std::size_t r = 0; r < now.size(); ++r) {
       double run_before = 0, run_after = 0, all_before = 0, all_after = 0;
       Column run_was, run_is;
       for (std::size_t c = 0; c < now[r].size(); ++c) {
+        if (2 * now[r][c].count < as_is_[r][c].count) return {};
         const double b = misfit(as_is_[r], as_is_[r][c]), a = misfit(now[r], now[r][c]);
         all_before += b, all_after += a;
         if (std::abs(a - b) < 1e-9) continue;
         run_before += b, run_after += a;
-        add(run_was, as_is_[r][c]), add(run_is, now[r][c]);
+        add(run_was, as_is_[r], as_is_[r][c]), add(run_is, now[r], now[r][c]);
       }
       const bool mended = run_after < run_before;
       if (!mended && worst(as_is_[r]) > misfit_in_doubt) return {};
@@ -176,7 +188,8 @@ class Check {
       if (!mended) continue;
       trial.runs.push_back(r);
       before += run_before, after += run_after;
-      add(was, run_was), add(is, run_is);
+      for (const auto& [sum, part] : {std::pair{&was, &run_was}, std::pair{&is, &run_is}})
+        sum->measured += part->measured, sum->predicted += part->predicted, sum->product += part->product;
     }
     if (trial.runs.empty() || after > left_at_most * before || before < misfit_in_doubt) return {};
     if (!centred(is, conversion.tolerance)) return {};
@@ -185,13 +198,11 @@ class Check {
     return trial;
   }
 
-  /// Of a factor: whether the best common factor that remains is one, within the tolerance or within what
-  /// scatters about that best one.
+  /// Of a factor: whether the best common factor that remains is one.
   static bool centred(const Column& column, double tolerance) {
     if (tolerance == 0) return true;
     const double best = column.product / column.predicted;
-    const double scatter = std::sqrt(std::max(0.0, column.measured / column.predicted - best * best));
-    return best > 0 && std::abs(std::log(best)) < std::max(tolerance, scatter);
+    return best > 0 && std::abs(std::log(best)) < tolerance;
   }
 
   const Study& study_;

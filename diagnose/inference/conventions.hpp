@@ -14,17 +14,17 @@ namespace plumbline::diagnose {
 /// Numbers that look as if they were meant otherwise. A question, not a finding: the nominal model itself may
 /// be what is wrong.
 struct Doubt {
-  std::vector<std::string> runs;  ///< that look so; empty where all do
-  std::string what;               ///< the columns or keys, "Fx, Fy"
-  std::string looks_like;         ///< "kgf"
-  std::string expected;           ///< "N"
+  std::vector<std::string> runs;     ///< that look so; empty where all do
+  std::string what;                  ///< the columns or keys, "Fx, Fy"
+  std::string looks_like;            ///< "kgf"
+  std::string expected;              ///< "N"
   std::vector<std::string> or_else;  ///< other readings that fit as well: "joint_stiffness like N cm/rad"
   double left_as_is, left;  ///< rms of what the nominal model leaves, over the readings' own: now and then
 };
 
 /// Compares the readings with the nominal model as they stand and under each of the closed list of
-/// conversions (bench/conversion.hpp); nothing is fitted. A conversion is suspected where it removes all but a
-/// twentieth of the squared misfit of every column that it changes, in every run that misfits, and where no
+/// conversions (bench/conversion.hpp); nothing is fitted. A conversion is suspected where it removes all but
+/// a twentieth of the squared misfit of every column that it changes, in every run that misfits, and where no
 /// common factor but its own would do: what is left is centred within its tolerance.
 std::optional<Doubt> doubtful_convention(const Study& study);
 

@@ -31,7 +31,7 @@ Experiment hinge(const std::vector<std::vector<double>>& deflections,
   std::normal_distribution<double> noise(0, force_noise);
   for (const std::vector<double>& path : deflections) {
     Run run{
-        "run-" + std::to_string(experiment.runs.size() + 1), ControlMode::displacement, {rest, -rest}, {}};
+        "run-" + std::to_string(experiment.runs.size() + 1), Control::end_point, {rest, -rest}, {}};
     const auto carried = torque();
     for (const double d : path) {
       const double height = lever * std::sin(rest + d);

@@ -1,0 +1,153 @@
+#include "diagnose/inference/conventions.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <plumbline/base/error.hpp>
+
+#include "diagnose/bench/plausible.hpp"
+#include "diagnose/bench/read_experiment.hpp"
+#include "tests/diagnose/bench.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+using namespace plumbline::diagnose::test;
+
+namespace {
+
+using Spoil = std::function<void(Experiment&)>;
+
+Spoil each_reading(const std::function<void(Reading&)>& change) {
+  return [change](Experiment& experiment) {
+    for (Run& run : experiment.runs)
+      for (Reading& reading : run.readings) change(reading);
+  };
+}
+
+Spoil each_rest(const std::function<void(std::vector<double>&)>& change) {
+  return [change](Experiment& experiment) {
+    for (Run& run : experiment.runs) change(run.rest);
+  };
+}
+
+Spoil forces_over(double unit) {
+  return each_reading([unit](Reading& r) { r.Fx /= unit, r.Fy /= unit; });
+}
+
+std::vector<std::string> names(const Doubt& doubt) {
+  std::vector<std::string> all{doubt.what + " like " + doubt.looks_like};
+  all.insert(all.end(), doubt.or_else.begin(), doubt.or_else.end());
+  return all;
+}
+
+/// A full bench whose joint 2 is a tenth stiffer than believed, so that there is a gap beside the slip.
+Experiment bench() {
+  return measured(full_bench(), only("joint_stiffness", 2), {0.1}, 5);
+}
+
+}  // namespace
+
+TEST_CASE("a slip of unit, sign, axis or order is named beside a gap") {
+  constexpr double degree = 57.29577951308232;
+  const std::vector<std::pair<std::string, Spoil>> slips{
+      {"Fx, Fy like kgf", forces_over(9.80665)},
+      {"Fx, Fy like lbf", forces_over(4.4482216)},
+      {"Fx, Fy like kN", forces_over(1e3)},
+      {"Fx, Fy like mN", forces_over(1e-3)},
+      {"Fx, Fy like forces of the opposite sign", forces_over(-1)},
+      {"Fx, Fy like forces with x mirrored", each_reading([](Reading& r) { r.Fx = -r.Fx; })},
+      {"Fx, Fy like forces with y mirrored", each_reading([](Reading& r) { r.Fy = -r.Fy; })},
+      {"Fx, Fy like forces with x and y swapped", each_reading([](Reading& r) { std::swap(r.Fx, r.Fy); })},
+      {"x, y, Fx, Fy like axes with y mirrored", each_reading([](Reading& r) { r.y = -r.y, r.Fy = -r.Fy; })},
+      {"joint_stiffness like N mm/rad",
+       [](Experiment& e) {
+         for (double& k : e.joint_stiffness) k *= 1e3;
+       }},
+      {"joint_stiffness like N m/deg",
+       [](Experiment& e) {
+         for (double& k : e.joint_stiffness) k /= degree;
+       }},
+      {"rest like degrees", each_rest([](std::vector<double>& rest) {
+         for (double& a : rest) a *= degree;
+       })},
+      {"rest like angles of the opposite sign", each_rest([](std::vector<double>& rest) {
+         for (double& a : rest) a = -a;
+       })},
+      {"rest like absolute angles", each_rest([](std::vector<double>& rest) {
+         for (std::size_t i = 1; i < rest.size(); ++i) rest[i] += rest[i - 1];
+       })},
+      {"rest like angles in the reverse order",
+       each_rest([](std::vector<double>& rest) { std::reverse(rest.begin(), rest.end()); })},
+      {"q like angles of the opposite sign", each_reading([](Reading& r) {
+         for (double& a : r.q) a = -a;
+       })},
+  };
+  REQUIRE_FALSE(doubtful_convention(Study(bench())));
+  for (const auto& [expected, spoil] : slips) {
+    CAPTURE(expected);
+    Experiment experiment = bench();
+    spoil(experiment);
+    const auto doubt = doubtful_convention(Study(experiment));
+    REQUIRE(doubt);
+    const std::vector<std::string> all = names(*doubt);
+    CAPTURE(all.front());
+    CHECK(std::find(all.begin(), all.end(), expected) != all.end());
+    CHECK(all.size() <= 3);
+  }
+}
+
+TEST_CASE("one run in another unit is named alone") {
+  Experiment experiment = bench();
+  for (Reading& r : experiment.runs[1].readings) r.Fx /= 9.80665, r.Fy /= 9.80665;
+  const auto doubt = doubtful_convention(Study(experiment));
+  REQUIRE(doubt);
+  CHECK(doubt->runs == std::vector<std::string>{"press-2"});
+  CHECK(doubt->looks_like == "kgf");
+}
+
+TEST_CASE("stiffnesses nine or four times too large are no unit") {
+  for (const double factor : {9.0, 4.0, 2.0, 1 / 9.0, 1 / 4.0}) {
+    CAPTURE(factor);
+    Experiment experiment = bench();
+    for (double& k : experiment.joint_stiffness) k *= factor;
+    CHECK_FALSE(doubtful_convention(Study(experiment)));
+  }
+}
+
+TEST_CASE("readings that cannot be are met with the unit that they look like") {
+  const auto said = [](const Spoil& spoil) -> std::string {
+    Experiment experiment = bench();
+    spoil(experiment);
+    try {
+      require_physical(experiment);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto ends_with = [](const std::string& text, const std::string& end) { return text.ends_with(end); };
+  for (const auto& [name, unit] : {std::pair{"mm", 1e-3}, {"cm", 1e-2}, {"inches", 0.0254}}) {
+    const double in_si = unit;
+    CAPTURE(name);
+    CHECK(ends_with(said(each_reading([in_si](Reading& r) { r.x /= in_si, r.y /= in_si; })),
+                    std::string("; x, y look like ") + name));
+  }
+  CHECK(ends_with(said(each_reading([](Reading& r) {
+                    for (double& a : r.q) a *= 57.29577951308232;
+                  })),
+                  "; q looks like degrees"));
+}
+
+TEST_CASE("no committed experiment is asked about") {
+  const std::filesystem::path folder = std::filesystem::path(PLUMBLINE_SOURCE_DIR) / "tests/experiments";
+  int asked = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (!entry.is_directory()) continue;
+    CAPTURE(entry.path().filename().string());
+    CHECK_FALSE(doubtful_convention(Study(read_experiment(entry.path()))));
+    ++asked;
+  }
+  CHECK(asked >= 24);
+}
