@@ -97,6 +97,7 @@ Json cause(const Diagnosis& diagnosis) {
       {"effects", explained ? effects(found.ranking[found.best].hypothesis.fit.candidate, diagnosis.estimates)
                             : Json::array()},
       {"equivalent", equivalent},
+      {"remainder", found.remainder},
       {"ranking", ranking},
       {"not_exercised", idle}};
 }

@@ -126,6 +126,9 @@ std::string what(const Diagnosis& diagnosis) {
                   cause.verdict == CauseVerdict::identified ? "Identified" : "Ambiguous",
                   best.hypothesis.fit.candidate.label(), best.probability, best.chi2_per_dof);
   text += parameters(diagnosis);
+  if (cause.remainder > 0)
+    text += fmt::format("  with a remainder: {} of the gap is left on the readings held out\n",
+                        percent(cause.remainder));
   text += fmt::format("  outside the catalogue with probability {:.2g}\n", cause.unknown);
   for (const std::size_t place : cause.equivalent)
     text += "  cannot be told apart from " + cause.ranking[place].hypothesis.fit.candidate.label() + "\n";

@@ -91,6 +91,19 @@ double evaluate(const std::string& expression, const std::map<std::string, doubl
   return value;
 }
 
+/// "a_i" stands for a_1 … a_n.
+std::vector<DocumentedParameter> one_a_joint(const std::vector<DocumentedParameter>& stated, std::size_t n) {
+  std::vector<DocumentedParameter> all;
+  for (const DocumentedParameter& one : stated) {
+    const bool each = one.name.ends_with("_i");
+    for (std::size_t i = 1; i <= (each ? n : 1); ++i) {
+      all.push_back(one);
+      if (each) all.back().name.replace(one.name.size() - 1, 1, std::to_string(i));
+    }
+  }
+  return all;
+}
+
 std::string with_joint(const std::string& words, std::size_t joint) {
   return std::regex_replace(words, std::regex(R"(\bj\b)"), std::to_string(joint));
 }
@@ -117,9 +130,10 @@ TEST_CASE("words, places, parameters, units and ranges are those of the catalogu
     const EffectAt at(row, documented.at_joint ? 2 : 0);
     CHECK(at.in_words() == with_joint(documented.words, at.joint));
     const std::vector<ParameterRange> ranges = study.ranges(at);
-    REQUIRE(ranges.size() == documented.parameters.size());
+    const std::vector<DocumentedParameter> parameters = one_a_joint(documented.parameters, 2);
+    REQUIRE(ranges.size() == parameters.size());
     for (std::size_t p = 0; p < ranges.size(); ++p) {
-      const DocumentedParameter& stated = documented.parameters[p];
+      const DocumentedParameter& stated = parameters[p];
       INFO(stated.name);
       CHECK(std::string(ranges[p].name) == stated.name);
       CHECK(std::string(ranges[p].unit) == stated.unit);
@@ -163,6 +177,7 @@ std::vector<Same> same_predictions() {
       {{"train_compliance"}, {2e-3}, {"base_compliance"}, {2e-3, 0}, press, solved},
       {{"tip_payload"}, {0.5}, {"force_bias"}, {-0.5 * 0.6, 0.5 * 0.8}, press, solved},
       {{"joint_stiffness", 2}, {0.3}, {"force_gain"}, {0.3}, one_spring, solved},
+      {{"stiffness_scale"}, {0.3}, {"force_gain"}, {0.3}, press, solved},
       {{"guide_friction"}, {0.2}, {"force_bias"}, {-0.2, 0}, bent, solved},
       {{"backlash", 2}, {0.05}, {"rest_angle", 2}, {-0.05}, bent, solved},
       // The stop is touched after 0.001 rad of deflections of 0.3 rad and more.

@@ -55,7 +55,7 @@ std::vector<Effect> joint_effects() {
        .parameters =
            [](const Place& at) {
              const double slip = at.sizes.stiffness * at.sizes.deflection;
-             return std::vector{one_way("tau_c", "N m", 0.05 * slip, 2 * slip)};
+             return std::vector{one_way("tau_c", "N m", 0.05 * slip, 10 * slip)};
            },
        .add = [](const Addition& to) { to.rig.friction += to.value[0]; },
        .starts =
