@@ -66,7 +66,7 @@ Matrix selection(const Shape& shape) {
 /// What is held against a law: curvature, and an even part that is no constant, so that a side that was never
 /// bent answers as the other; sliders and arms of any size a little.
 Matrix penalty(const Shape& shape, double smoothness) {
-  constexpr double evenness = 1e-3, size = 1e-6;
+  constexpr double evenness = 1e-5, size = 1e-6;
   Matrix weight = size * Matrix::Identity(shape.terms(), shape.terms());
   for (Eigen::Index k = 1; k + 1 < shape.knots; ++k) {
     Vector bend = Vector::Zero(shape.terms());

@@ -13,8 +13,8 @@ struct LawPicture {
     double deflection, torque;  ///< rad; N m, of spring and law together, without sliders and arms
   };
   struct Slider {
-    double slips_at,
-        torque;  ///< deflection after a reversal at which it slips, rad; what it then carries, N m
+    double slips_at;        ///< turn after which it slips, rad
+    double torque, growth;  ///< what it then carries at no deflection, N m, and how that grows, N m/rad
   };
   struct Arm {
     double time_constant, stiffness;  ///< s; N m/rad
