@@ -1,6 +1,7 @@
 #include "diagnose/inference/conventions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "diagnose/bench/conversion.hpp"
@@ -113,6 +114,52 @@ double distance_at_start(const Experiment& experiment) {
   return sum;
 }
 
+/// What a conversion does to the columns that it changes: their misfits, and their sums by sensor, as shares
+/// of what the sensor saw in the run.
+struct Change {
+  double before = 0, after = 0;
+  std::array<Column, 3> was, is;
+  bool readable = true;  ///< the converted columns hold most of their readings
+
+  Change& operator+=(const Change& other) {
+    before += other.before, after += other.after;
+    for (std::size_t s = 0; s < was.size(); ++s) add(was[s], other.was[s], 1), add(is[s], other.is[s], 1);
+    return *this;
+  }
+  static void add(Column& sum, const Column& one, double unit) {
+    sum.measured += one.measured / unit;
+    sum.predicted += one.predicted / unit;
+    sum.product += one.product / unit;
+  }
+};
+
+Change compare_run(const Columns& before, const Columns& after) {
+  Change change;
+  for (std::size_t c = 0; c < after.size(); ++c) {
+    change.readable = change.readable && 2 * after[c].count >= before[c].count;
+    const double b = misfit(before, before[c]), a = misfit(after, after[c]);
+    if (std::abs(a - b) < 1e-9) continue;
+    const auto sensor = static_cast<std::size_t>(after[c].channel.sensor());
+    change.before += b, change.after += a;
+    Change::add(change.was[sensor], before[c], energy_of_sensor(before, before[c]));
+    Change::add(change.is[sensor], after[c], energy_of_sensor(after, after[c]));
+  }
+  return change;
+}
+
+/// Of a factor: whether the best common factor that remains is one.
+bool centred(const Column& sensor, double tolerance) {
+  if (tolerance == 0 || sensor.predicted == 0) return true;
+  const double best = sensor.product / sensor.predicted;
+  return best > 0 && std::abs(std::log(best)) < tolerance;
+}
+
+double relative_rms(const std::array<Column, 3>& sensors) {
+  double left = 0, measured = 0;
+  for (const Column& one : sensors) left += one.difference(), measured += one.measured;
+  return std::sqrt(left / measured);
+}
+
 /// A conversion that was tried.
 struct Trial {
   const Conversion* conversion;
@@ -162,47 +209,26 @@ class Check {
   [[nodiscard]] std::optional<Trial> judge(const Conversion& conversion,
                                            const std::vector<Columns>& now) const {
     Trial trial{&conversion, {}, 0, 0, 0};
-    double before = 0, after = 0;
-    Column was, is;
-    // Newtons and metres add up as shares of what their sensor saw in the run.
-    const auto add = [](Column& sum, const Columns& columns, const Column& one) {
-      const double all = energy_of_sensor(columns, one);
-      sum.measured += one.measured / all, sum.predicted += one.predicted / all;
-      sum.product += one.product / all;
-    };
+    Change whole;
     for (std::size_t r = 0; r < now.size(); ++r) {
-      double run_before = 0, run_after = 0, all_before = 0, all_after = 0;
-      Column run_was, run_is;
-      for (std::size_t c = 0; c < now[r].size(); ++c) {
-        if (2 * now[r][c].count < as_is_[r][c].count) return {};
-        const double b = misfit(as_is_[r], as_is_[r][c]), a = misfit(now[r], now[r][c]);
-        all_before += b, all_after += a;
-        if (std::abs(a - b) < 1e-9) continue;
-        run_before += b, run_after += a;
-        add(run_was, as_is_[r], as_is_[r][c]), add(run_is, now[r], now[r][c]);
-      }
-      const bool mended = run_after < run_before;
+      const Change change = compare_run(as_is_[r], now[r]);
+      if (!change.readable) return {};
+      const bool mended = change.after < change.before;
       if (!mended && worst(as_is_[r]) > misfit_in_doubt) return {};
-      if (!mended && conversion.chain && run_before > 0) return {};
-      trial.misfit += mended ? all_after : all_before;
+      if (!mended && conversion.chain && change.before > 0) return {};
+      for (const Column& column : mended ? now[r] : as_is_[r])
+        trial.misfit += misfit(mended ? now[r] : as_is_[r], column);
       if (!mended) continue;
       trial.runs.push_back(r);
-      before += run_before, after += run_after;
-      for (const auto& [sum, part] : {std::pair{&was, &run_was}, std::pair{&is, &run_is}})
-        sum->measured += part->measured, sum->predicted += part->predicted, sum->product += part->product;
+      whole += change;
     }
-    if (trial.runs.empty() || after > left_at_most * before || before < misfit_in_doubt) return {};
-    if (!centred(is, conversion.tolerance)) return {};
-    trial.left_as_is = std::sqrt(was.difference() / was.measured);
-    trial.left = std::sqrt(is.difference() / is.measured);
+    if (trial.runs.empty() || whole.after > left_at_most * whole.before || whole.before < misfit_in_doubt)
+      return {};
+    for (const Column& sensor : whole.is)
+      if (!centred(sensor, conversion.tolerance)) return {};
+    trial.left_as_is = relative_rms(whole.was);
+    trial.left = relative_rms(whole.is);
     return trial;
-  }
-
-  /// Of a factor: whether the best common factor that remains is one.
-  static bool centred(const Column& column, double tolerance) {
-    if (tolerance == 0) return true;
-    const double best = column.product / column.predicted;
-    return best > 0 && std::abs(std::log(best)) < tolerance;
   }
 
   const Study& study_;
