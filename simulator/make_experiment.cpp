@@ -180,14 +180,14 @@ std::vector<std::vector<std::string>> equivalents(const Bench& bench, const Outc
   std::vector<std::vector<std::string>> all;
   for (std::size_t e = 0; e < outcome.effects.size(); ++e) {
     const std::string_view id = outcome.effects[e].kind->id;
-    std::string other;
+    std::string_view other;
     if (id == "tip_payload") other = "force_bias";
     if (id == "train_compliance" && imposed) other = "base_compliance";
     if (id == "base_compliance" && imposed && !yields_aside(bench, outcome)) other = "train_compliance";
     if (other.empty()) continue;
     all.emplace_back();
     for (std::size_t k = 0; k < outcome.effects.size(); ++k)
-      all.back().push_back(k == e ? other : key_of(outcome.effects[k]));
+      all.back().push_back(k == e ? std::string(other) : key_of(outcome.effects[k]));
   }
   return all;
 }
