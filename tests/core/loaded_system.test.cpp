@@ -82,7 +82,7 @@ Eigen::MatrixXd dense(const Band<double, B>& band) {
 
 // Central differences of step h of functions whose derivatives are of order one to ten: error h^2 and
 // rounding over h, 1e-10 each.
-constexpr double h = 1e-5, close = 1e-8;
+constexpr double h = 1e-5, near_enough = 1e-8;
 
 }  // namespace
 
@@ -104,10 +104,10 @@ TEST_CASE("the nominal model with weight: residual, end point and stiffness are 
       to(i) -= 2 * h;
       model.expand(to, force, down);
       RC_ASSERT(std::abs((potential(up, force) - potential(down, force)) / (2 * h) - here.residual(i)) <
-                close);
+                near_enough);
       RC_ASSERT(
           ((up.residual - down.residual) / (2 * h) - dense<1>(here.hessian).col(i)).cwiseAbs().maxCoeff() <
-          close);
+          near_enough);
     }
     const Vector<double> turn = Vector<double>::NullaryExpr(5, [] { return entry(); });
     const Variation<double> way{turn, {entry(), entry()}, 0};

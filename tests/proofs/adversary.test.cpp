@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <plumbline/loaded/nominal_model.hpp>
 #include <random>
 #include <set>
 
