@@ -17,7 +17,8 @@ namespace {
 /// A file that is opened must not take the place of a standard stream that was closed.
 void hold_standard_streams() {
   for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
-    if (fcntl(stream, F_GETFD) < 0) static_cast<void>(open("/dev/null", O_RDONLY));  // refuses what is written
+    if (fcntl(stream, F_GETFD) < 0)
+      static_cast<void>(open("/dev/null", O_RDONLY));  // refuses what is written
 }
 
 /// The exception in flight, as one line that names the place, what was found and what was expected.
@@ -27,7 +28,8 @@ std::string what_went_wrong() {
   } catch (const CLI::ParseError& error) {
     return in_our_words(error);
   } catch (const std::filesystem::filesystem_error& error) {
-    return error.path1().string() + ": found " + error.code().message() + ", expected a file that can be used";
+    return error.path1().string() + ": found " + error.code().message() +
+           ", expected a file that can be used";
   } catch (const std::bad_alloc&) {
     return "memory: found no more, expected a smaller task or a larger machine";
   } catch (const std::exception& error) {

@@ -91,8 +91,7 @@ double worst(const Columns& columns) {
 bool same_command(const Experiment& a, const Experiment& b) {
   const auto same_run = [](const Run& one, const Run& other) {
     const auto same_reading = [&](const Reading& r, const Reading& s) {
-      return one.control == Control::end_point ? r.x == s.x && r.y == s.y
-                                                      : r.Fx == s.Fx && r.Fy == s.Fy;
+      return one.control == Control::end_point ? r.x == s.x && r.y == s.y : r.Fx == s.Fx && r.Fy == s.Fy;
     };
     return one.rest == other.rest &&
            std::equal(one.readings.begin(), one.readings.end(), other.readings.begin(), same_reading);

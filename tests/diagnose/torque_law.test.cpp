@@ -30,8 +30,7 @@ Experiment hinge(const std::vector<std::vector<double>>& deflections,
   std::mt19937 engine(seed);
   std::normal_distribution<double> noise(0, force_noise);
   for (const std::vector<double>& path : deflections) {
-    Run run{
-        "run-" + std::to_string(experiment.runs.size() + 1), Control::end_point, {rest, -rest}, {}};
+    Run run{"run-" + std::to_string(experiment.runs.size() + 1), Control::end_point, {rest, -rest}, {}};
     const auto carried = torque();
     for (const double d : path) {
       const double height = lever * std::sin(rest + d);
@@ -87,7 +86,7 @@ TEST_CASE("a hardening law is recovered, and said") {
 }
 
 TEST_CASE("the loop of a spring with a slider is recovered") {
-  constexpr double slip = 2, turn = 0.05;
+  static constexpr double slip = 2, turn = 0.05;
   const auto truth = [&] {
     return [carried = 0.0, last = 0.0](double d) mutable {
       carried = std::clamp(carried + slip / turn * (d - last), -slip, slip);

@@ -179,7 +179,9 @@ TEST_CASE("shapes that share an angle are told apart by the others") {
   CHECK(census.equilibria.size() == 2);  // straight, and the last two links folded back
 }
 
-TEST_CASE("a shape on the edge of an elastic joint's window is listed, at one end or both, and the count has no law") {
+TEST_CASE(
+    "a shape on the edge of an elastic joint's window is listed, at one end or both, and the count has no "
+    "law") {
   // rest angle -4/3 pi to 59 digits, end point (1, 0): one of the two shapes has q_1 = -pi/3, half a turn off
   const Chain<Interval> chain(
       list({"1", "1"}), list({"1", "1"}),

@@ -62,7 +62,8 @@ TEST_CASE("long chains, counted in intervals, give the count of a hundred digits
 }
 
 TEST_CASE("a force exactly at which a long chain buckles is not below itself") {
-  // "Equal links": F_m = 4 sin^2(m pi / 2n), which is 1 for n = 102, m = 34; counted in intervals, an open sign
+  // "Equal links": F_m = 4 sin^2(m pi / 2n), which is 1 for n = 102, m = 34; counted in intervals, an open
+  // sign
   std::vector<Rational> ones(102, 1), stiffness = ones;
   stiffness[0] = 0;
   const ExactCount count(Chain<Rational>(ones, stiffness));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <plumbline/branch/point_at_load.hpp>
 #include <plumbline/branch/slow_loading.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 #include "proofs/certified_path.hpp"
 

@@ -8,6 +8,7 @@
 #include "verify/reference/condition.hpp"
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 using namespace plumbline::verify;
 
 namespace {

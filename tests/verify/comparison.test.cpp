@@ -8,6 +8,7 @@
 #include "verify/report/report.hpp"
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 using namespace plumbline::verify;
 
 TEST_CASE("printed decimals: rounded right, a little off, wrong") {

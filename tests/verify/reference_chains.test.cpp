@@ -10,6 +10,7 @@
 #include "tests/property.hpp"
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 using namespace plumbline::verify;
 
 TEST_CASE("the compact set is part of the full one, and names are unique") {
