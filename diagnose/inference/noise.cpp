@@ -112,13 +112,27 @@ std::vector<bool> marks(const Measurements& measurements, const std::vector<doub
   return marked;
 }
 
+/// Differences of a channel and of the other one of its sensor.
+std::vector<double> with_kin(const Measurements& measurements, const std::vector<double>& residual,
+                             Name name) {
+  std::vector<double> all;
+  for (const Name other : names) {
+    if (Channel{other, 0}.sensor() != Channel{name, 0}.sensor()) continue;
+    const std::vector<double> steps = differences(measurements, residual, other, 1);
+    all.insert(all.end(), steps.begin(), steps.end());
+  }
+  return all;
+}
+
 /// Standard deviations by channel, as far as differences of neighbours show them.
 std::array<double, channel_names> rough_scales(const Measurements& measurements,
                                                const std::vector<double>& residual) {
   constexpr double least = 2.0 / 3.0;  // of the declared sigma: coarse readings can repeat
+  constexpr std::size_t few = 10;
   std::array<double, channel_names> scale{};
   for (const Name name : names) {
-    const std::vector<double> steps = differences(measurements, residual, name, 1);
+    std::vector<double> steps = differences(measurements, residual, name, 1);
+    if (steps.size() < few) steps = with_kin(measurements, residual, name);
     const double found = steps.empty() ? 0 : std::sqrt(robust_variance(steps) / 2);
     scale[static_cast<std::size_t>(name)] = std::max(found, least);
   }
@@ -139,10 +153,10 @@ std::vector<double> smoothed_over(const Measurements& measurements, const std::v
 
 std::vector<bool> outliers(const Measurements& measurements, const std::vector<double>& residual) {
   constexpr double limit = 5;  // one false mark in a million readings of normal noise
-  constexpr double heavy_limit = 3, heavy_share = 0.015;
+  constexpr double heavy_limit = 3, heavy_share = 0.015, heavy_count = 3;
   const std::vector<bool> marked = marks(measurements, residual, rough_scales(measurements, residual), limit);
   const auto count = static_cast<double>(std::count(marked.begin(), marked.end(), true));
-  if (count <= heavy_share * static_cast<double>(residual.size())) return marked;
+  if (count < heavy_count || count <= heavy_share * static_cast<double>(residual.size())) return marked;
   // So many far out have more between them and the rest.
   const std::vector<double> clean = smoothed_over(measurements, residual, marked);
   return marks(measurements, residual, rough_scales(measurements, clean), heavy_limit);

@@ -126,9 +126,17 @@ double probability_of_unknown(double p_value) {
   return odds / (1 + odds);
 }
 
-/// Whether an explanation comes near the best: in evidence; or, of no more effects and parameters, in
-/// likelihood. More parameters always come as near as one likes.
+/// Whether a set of effects is another one and more.
+bool contains(const Candidate& whole, const Candidate& part) {
+  return std::all_of(part.effects.begin(), part.effects.end(), [&](const EffectAt& at) {
+    return std::find(whole.effects.begin(), whole.effects.end(), at) != whole.effects.end();
+  });
+}
+
+/// Whether an explanation, not the best one with something added, comes near the best: in evidence; or, of no
+/// more effects and parameters, in likelihood. More parameters always come as near as one likes.
 bool near(const Hypothesis& best, const Hypothesis& other) {
+  if (contains(other.fit.candidate, best.fit.candidate)) return false;
   const bool simpler = other.fit.candidate.effects.size() == best.fit.candidate.effects.size() &&
                        other.fit.parameters.size() <= best.fit.parameters.size() + 1;
   return other.log_evidence > best.log_evidence - told_apart ||

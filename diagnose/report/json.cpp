@@ -92,14 +92,16 @@ Json cause(const Diagnosis& diagnosis) {
   for (const EffectAt& at : diagnosis.not_exercised) idle.push_back(at.label());
   const bool explained =
       found.verdict == CauseVerdict::identified || found.verdict == CauseVerdict::ambiguous;
-  return {
+  Json report = {
       {"verdict", verdict_word(found.verdict)},
       {"effects", explained ? effects(found.ranking[found.best].hypothesis.fit.candidate, diagnosis.estimates)
                             : Json::array()},
       {"equivalent", equivalent},
-      {"remainder", found.remainder},
       {"ranking", ranking},
       {"not_exercised", idle}};
+
+  if (found.remainder > 0) report["remainder"] = found.remainder;
+  return report;
 }
 
 Json shrink(const Shrink& measured) {

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 /// By the place in the report.
 page::NumberStyle style_of(const std::string& pointer) {
   const std::string key = pointer.substr(pointer.rfind('/') + 1);
-  if (key == "share") return page::NumberStyle::share;
+  if (key == "share" || key == "remainder") return page::NumberStyle::share;
   if (key == "p_value") return page::NumberStyle::chance;
   if (key == "probability" || pointer.find("/explained/") != std::string::npos ||
       key.find("ratio") != std::string::npos)

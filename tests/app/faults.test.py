@@ -70,9 +70,9 @@ class Place:
         return {**os.environ, "TMPDIR": str(self.tmp), **more}
 
     def start(self, words, **options):
-        return subprocess.Popen([PLUMBLINE, *words], cwd=self.here, stdout=subprocess.PIPE,
-                                stderr=subprocess.PIPE, stdin=subprocess.DEVNULL,
-                                **{"env": self.environment(), **options})
+        usual = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "stdin": subprocess.DEVNULL,
+                 "env": self.environment()}
+        return subprocess.Popen([PLUMBLINE, *words], cwd=self.here, **{**usual, **options})
 
     def run(self, words, **options):
         process = self.start(words, **options)

@@ -113,7 +113,7 @@ def numbers(report, at=""):
 
 def expected_numbers(report):
     """Those that the page writes: the points of what is missing are drawn; without a gap there is no more to say."""
-    drawn = ("/where/missing/points",) if report["gap"]["present"] else ("/where", "/cause", "/shrink", "/next")
+    drawn = ("/where/missing/points", "/law/laws", "/law/cross_validated") if report["gap"]["present"] else ("/where", "/cause", "/shrink", "/next")
     return {key: value for key, value in numbers(report).items() if not key.startswith(drawn)}
 
 

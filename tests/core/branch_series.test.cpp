@@ -66,7 +66,8 @@ Real imbalance(const Nominal<Real>& model, const Loading<Real>& loading, const B
   Expansion<Real, 1> at;
   model.expand(point.theta, point.force, at);
   const Real force = abs(point.force.x) + abs(point.force.y);
-  const Real moment = force * reach + at.hessian.row(0).cwiseAbs().maxCoeff();
+  const Real weight = Real(static_cast<int>(model.size())) / Real(25);  // at most, by random_bench()
+  const Real moment = (force + weight) * reach + at.hessian.row(0).cwiseAbs().maxCoeff();
   const Point<Real> wanted = loading.at(point.load);
   const bool held = loading.control == Control::end_point;
   const Real off = held ? abs(at.end_point.x - wanted.x) + abs(at.end_point.y - wanted.y)

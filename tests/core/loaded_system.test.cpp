@@ -140,10 +140,17 @@ TEST_CASE("equilibria of a model with all that a model may have") {
     const auto rest = solver.under_force({0, 0}, absolute_angles<double>({0.4, -0.7, 0.6, -0.5, 0.3}));
     const Point<double> place{rest.end_point.x - 0.3, rest.end_point.y + 0.1};
     const auto at = solver.at_end_point(place, rest.theta);
-    CHECK(at.negative_directions == 0);
     CHECK(at.end_point.x == doctest::Approx(place.x).epsilon(1e-13));
     Expansion<double, 2> expansion;
     model.expand(at.theta, at.force, expansion);
+    if (eccentricity == 0) {  // the inertia of the whole bordered matrix, less one for each constraint
+      const Eigen::Index n = at.theta.size();
+      Eigen::MatrixXd whole(n + 2, n + 2);
+      whole << dense<2>(expansion.hessian), expansion.force_gradient,
+          expansion.end_point_gradient.transpose(), -expansion.compliance;
+      const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(whole).eigenvalues();
+      CHECK(static_cast<std::size_t>((values.array() < 0).count()) == at.negative_directions + 2);
+    }
     CHECK(expansion.residual.cwiseAbs().maxCoeff() < 1e-13);
 
     const auto moved = [&](double dx, double dy) {

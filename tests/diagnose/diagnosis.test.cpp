@@ -183,12 +183,12 @@ TEST_CASE("a joint whose spring does what no effect does is unknown, and the joi
 }
 
 TEST_CASE("the report as JSON holds what its format asks for") {
-  const nlohmann::ordered_json json =
-      as_json(plumbline::diagnose::diagnose(Study(measured(bench(), {{{"force_gain", 0}}}, {0.1}, 6))));
+  const nlohmann::ordered_json json = as_json(
+      plumbline::diagnose::diagnose(Study(measured(bench(), {{{"train_compliance", 0}}}, {0.002}, 4))));
   CHECK(json["format"] == "gap-diagnosis/1");
   CHECK(json["gap"]["present"] == true);
   CHECK(json["cause"]["verdict"] == "identified");
-  CHECK(json["cause"]["effects"][0]["id"] == "force_gain");
+  CHECK(json["cause"]["effects"][0]["id"] == "train_compliance");
   CHECK(json["cause"]["effects"][0]["joint"].is_null());
   for (const char* list : {"channels", "runs", "load_path", "joints"}) {
     double sum = 0;

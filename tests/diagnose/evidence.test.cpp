@@ -39,11 +39,13 @@ Eigen::MatrixXd variance(double value) {
 
 }  // namespace
 
+const auto rows = static_cast<double>(catalogue().size());
+
 TEST_CASE("before any reading one cause has 3/4, shared by all effects and their places") {
   const Experiment experiment = blank_experiment({3});  // two links
   CHECK(log_prior(Study(experiment), {}) == 0.0);
-  CHECK(log_prior(Study(experiment), {{{"gravity"}}}) == doctest::Approx(std::log(0.75 / 23)));
-  CHECK(log_prior(Study(experiment), {{{"backlash", 2}}}) == doctest::Approx(std::log(0.75 / 23 / 2)));
+  CHECK(log_prior(Study(experiment), {{{"gravity"}}}) == doctest::Approx(std::log(0.75 / rows)));
+  CHECK(log_prior(Study(experiment), {{{"backlash", 2}}}) == doctest::Approx(std::log(0.75 / rows / 2)));
   double sum = 0;
   for (const Effect& row : catalogue()) {
     if (!row.at_joint) sum += std::exp(log_prior(Study(experiment), {{EffectAt(row)}}));
@@ -57,9 +59,9 @@ TEST_CASE("two causes have 1/5, three 1/20, in any order") {
   const Experiment experiment = blank_experiment({3});
   // of 23^2 ordered pairs an unordered one holds two, of 23^3 triples six; a joint is one of two
   CHECK(log_prior(Study(experiment), {{{"gravity"}, {"force_gain"}}}) ==
-        doctest::Approx(std::log(0.20 * 2 / (23.0 * 23))));
+        doctest::Approx(std::log(0.20 * 2 / (rows * rows))));
   CHECK(log_prior(Study(experiment), {{{"gravity"}, {"backlash", 1}, {"rest_angle", 2}}}) ==
-        doctest::Approx(std::log(0.05 * 6 / (23.0 * 23 * 23) / 4)));
+        doctest::Approx(std::log(0.05 * 6 / (rows * rows * rows) / 4)));
 }
 
 TEST_CASE("the likelihood of one value: normal, and two in a hundred ten times as wide") {

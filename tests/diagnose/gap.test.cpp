@@ -62,18 +62,15 @@ TEST_CASE("a slow gap of two sigmas rms in one run of three is found") {
   CHECK(found >= 45);
 }
 
-TEST_CASE("noise larger than a mis-declared sigma explains is a gap, though it has no structure") {
-  // Two series of 2000 readings with 1.65 times the declared noise, where a lab may be wrong by 1.5: their
-  // twelve slow components are 1.21 times too large, which none of them shows, but ln(1.65/1.5) is 4.2
-  // deviations of a scale from 4000 differences, sqrt(2/4000). The level asks for 3.1.
+TEST_CASE("white noise of any size is no gap, and its size is told") {
+  // 4000 differences give the scale to sqrt(2 / 4000), 2 %; five of those are 11 %.
   const Measurements measurements(blank_experiment({2000}));
   std::mt19937_64 random(6);
-  for (int draw = 0; draw < 5; ++draw) {
-    const GapTest test = test_gap(measurements, correlated_noise(measurements, 1.65, 0, random));
-    CHECK(test.p_value < gap_level);
-    for (const double p : test.series_p_value) CHECK(p > gap_level);
+  for (const double scale : {0.3, 1.65, 3.0, 20.0}) {
+    const GapTest test = test_gap(measurements, correlated_noise(measurements, scale, 0, random));
+    CHECK(test.p_value > gap_level);
+    CHECK(test.noise.of({Channel::Name::Fx, 0}) / scale == doctest::Approx(1).epsilon(0.11));
   }
-  CHECK(test_gap(measurements, correlated_noise(measurements, 1.4, 0, random)).p_value > gap_level);
 }
 
 namespace {

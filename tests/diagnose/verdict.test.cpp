@@ -108,20 +108,6 @@ TEST_CASE("chi-square per degree of freedom: six parameters spent on twelve valu
   CHECK(cause.ranking.at(0).chi2_per_dof == doctest::Approx(12 * 1.44 / 6));
 }
 
-TEST_CASE("a fit is refused for what it leaves: its structure, and its size for the freedom it has spent") {
-  const Experiment experiment = blank_experiment({4});
-  const Measurements measurements(experiment);
-  const std::vector<double> residual{1.4, -1.4, 1.4, -1.4, 1.4, -1.4, 1.4, -1.4};
-  const Fit fit = found(experiment, of({{"force_bias"}, {"position_offset"}, {"sensor_drift"}}), residual);
-  // Eight values, six parameters: in noise half as large again as declared the sum of squares
-  // 8 (1.4/1.5)^2 = 6.97 has the chance exp(-6.97/2) with two degrees of freedom.
-  const double by_hand = std::exp(-4 * 1.4 * 1.4 / 2.25);
-  REQUIRE(test_gap(measurements, residual).p_value > 2 * by_hand);  // the other half of the test is silent
-  const Cause cause = judge(Study(experiment), {{worth(fit, 0, 0)}, {}});
-  REQUIRE(cause.ranking.at(0).hypothesis.p_value.has_value());
-  CHECK(*cause.ranking[0].hypothesis.p_value == doctest::Approx(by_hand));
-}
-
 TEST_CASE("what no fit explains is unknown, however well it ranks") {
   const Experiment experiment = blank_experiment({60});
   const Measurements measurements(experiment);

@@ -16,7 +16,7 @@ from documents import ROOT, SCHEMAS, keys, tables
 from program import plumbline
 
 # Properties that no command below has reason to write: a certificate that fails.
-RARE = {"path": {"/certificates/failure/load", "/certificates/failure/reason"}}
+RARE = {"gap-diagnosis": {"/cause/remainder"}, "path": {"/certificates/failure/load", "/certificates/failure/reason"}}
 
 
 def schema_of(name):

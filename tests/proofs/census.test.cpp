@@ -349,7 +349,7 @@ TEST_CASE("at a bifurcation the census says undecided, and is decided on both si
   const auto count = [&](const Rational& x) {
     return census_at_end_point(chain, {Interval(x), Interval(0)});
   };
-  const auto high = count(Rational(22, 10)), low = count(Rational(14, 10));
+  const auto high = count(Rational(26, 10)), low = count(Rational(14, 10));
   REQUIRE(high.complete());
   REQUIRE(low.complete());
   // a one-dimensional space of shapes, circles: as many minima as maxima, ridges among the maxima

@@ -38,5 +38,6 @@ TEST_CASE("what is no label is refused in one line that says so") {
   CHECK_THROWS_WITH_AS(label_from(nlohmann::json::array(), "x/label.json"), doctest::Contains("x/label.json"),
                        Error);
   const auto nameless = nlohmann::json::parse(R"({"effects": [{"joint": 1}]})");
-  CHECK_THROWS_WITH_AS(label_from(nameless, "x/label.json"), doctest::Contains("expected a label"), Error);
+  CHECK_THROWS_WITH_AS(label_from(nameless, "x/label.json"),
+                       doctest::Contains("x/label.json, effects[1]: found no key \"id\""), Error);
 }
