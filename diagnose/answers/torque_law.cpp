@@ -179,7 +179,11 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
       if (nominal == 0) nominal = before;
       alone = std::min(alone, before);
       const ChosenLaw chosen = choose_law(place.size(), by_fold, residual.size());
-      if (best && !(chosen.left < left)) continue;
+      // One joint alone, on the nominal model, is the least that can be said.
+      constexpr double clearly = 0.8;
+      const bool simple =
+          base.candidate.effects.empty() && place.size() == 1 && place.front().joints.size() == 1;
+      if (best && !(chosen.left < (simple ? 1 : clearly) * left)) continue;
       left = chosen.left;
       best = TorqueLaw{base, place, chosen.knots, 1, 1};
       for (std::size_t b = 0; b < place.size(); ++b)

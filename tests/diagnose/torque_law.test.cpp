@@ -88,7 +88,7 @@ TEST_CASE("a hardening law is recovered, and said") {
 TEST_CASE("the loop of a spring with a slider is recovered") {
   static constexpr double slip = 2, turn = 0.05;
   const auto truth = [&] {
-    return [carried = 0.0, last = 0.0](double d) mutable {
+    return [=, carried = 0.0, last = 0.0](double d) mutable {
       carried = std::clamp(carried + slip / turn * (d - last), -slip, slip);
       last = d;
       return stiffness * d + carried;
