@@ -322,7 +322,7 @@ suff : roots_of (D n L k) xs by move/(roots_of_inj rfs) => ->.
 have zn : z n.-1 != 0 by rewrite gt_eqF //; have [a _] := chain_distances; apply/a/leqnn.
 split=> //; exists (e * (c * z n.-1 ^+ 2)); first by rewrite !mulf_neq0.
 rewrite DE cE c_n subnn /(H _ _ 0) /= /from addn0 [X in _ *: X]mulrC mul_polyC !scalerA.
-by rewrite [c * _]mulrC mulrA.
+by congr (_ *: _); ring.
 Qed.
 
 End Forces.
