@@ -39,7 +39,7 @@ def named(published):
         return {**result, "shape": shape} if shape else result
 
     below, above = ({"first": first, "last": last, "digits": 2, "q": q}
-                    for first, last, q in ((1, 2, ["-0.50", "1", "0"]), (2, 3, ["0", "-0.50", "1"])))
+                    for first, last, q in ((1, 2, ["-0.67", "1", "0"]), (2, 3, ["0", "-0.50", "1"])))
     chain = (["1", "1", "1"], ["6", "0", "2.2"])
     wide = ("3.99", "4.41", (0, 2), 1)
     narrow = ("3.99999", "4.00001", (0, 1), 4)
