@@ -14,6 +14,13 @@ Unset Printing Implicit Defensive.
 Import Order.TTheory GRing.Theory Num.Theory.
 Local Open Scope ring_scope.
 
+Lemma below_to_nat (a : nat) (b m : Z) : Z.of_nat a = b -> (b <? m)%Z -> (a < Z.to_nat m)%N.
+Proof. by lia. Qed.
+Lemma to_nat_below (a : nat) (b m : Z) : Z.of_nat a = b -> (m <=? b)%Z -> (Z.to_nat m <= a)%N.
+Proof. by lia. Qed.
+Lemma opp_ge0 e : (0 <=? e)%Z = false -> (0 <= - e)%Z.
+Proof. by lia. Qed.
+
 (* A certificate whose numbers are in order, and its chain. *)
 Section Certificate.
 
@@ -173,7 +180,7 @@ Proof. by move=> h; apply: zr_gt0; apply/Z.ltb_lt/Z.pow_pos_nonneg => //; apply/
 Lemma ten_proper e : checker.proper (checker.power_of_ten e).
 Proof.
 rewrite /checker.power_of_ten; case: ifP => // h; rewrite /checker.proper /=.
-by apply/Z.ltb_lt/Z.pow_pos_nonneg => //; move: h; lia.
+by apply/Z.ltb_lt/Z.pow_pos_nonneg => //; apply: opp_ge0.
 Qed.
 
 Lemma ten_power e : value R (checker.power_of_ten e) = ten e.
@@ -198,8 +205,8 @@ have p1 : checker.proper (checker.Rational 0 1) by [].
 rewrite (lessP R p1 pl) {1}/value /= mul0r in l0.
 pose below x := count (fun F : R => F < x) fs.
 rewrite -/(below (value R (checker.low f))) in cl *; rewrite -/(below (value R (checker.high f))) in ch *.
-set m := Z.to_nat _; have m_low : (below (value R (checker.low f)) < m)%N by rewrite /m; lia.
-have m_high : (m <= below (value R (checker.high f)))%N by rewrite /m; lia.
+set m := Z.to_nat _; have m_low : (below (value R (checker.low f)) < m)%N by apply: below_to_nat cl ml.
+have m_high : (m <= below (value R (checker.high f)))%N by apply: to_nat_below ch mh.
 have m_n : (0 < m <= n.-1)%N.
   rewrite (leq_ltn_trans (leq0n _) m_low) /= -sz; apply: leq_trans m_high _; exact: count_size.
 split=> //; have [sorted_fs _] := rfs.
@@ -221,11 +228,15 @@ split.
   move: de; rewrite /checker.in_decade; set a := checker.Rational _ _ => /andP [h1 h2].
   have pa : checker.proper a by [].
   have va : value R a = value R (checker.low f).
-    rewrite /value /=; congr (zr _ / _); move: l0; rewrite /checker.less /=; lia.
+    rewrite /value /=; congr (zr _ / _); apply: Z.abs_eq.
+    by move: l0; rewrite /checker.less /= Z.mul_1_r => /Z.ltb_lt/Z.lt_le_incl.
   by rewrite -!ten_power -va -lessP ?ten_proper // h2 andbT leNgt -lessP ?ten_proper.
-rewrite -ten_power; have := lt; rewrite lessP ?ten_proper //; last first.
-  by rewrite /checker.proper (zr_lt R) /= zrM mulr_gt0.
-by congr (_ < _); rewrite /value /= !(zrM, zrB); field; rewrite !gt_eqF.
+move: lt; set w := checker.Rational _ _; rewrite -ten_power.
+have pw : checker.proper w by rewrite /checker.proper (zr_lt R) /w /= zrM mulr_gt0.
+have -> : 2%:R * (value R (checker.high f) - value R (checker.low f)) = value R w.
+  rewrite /w /value; cbn [checker.num checker.den]; rewrite !(zrM, zrB) (_ : zr 2 = 2%:R) //.
+  by field; rewrite !gt_eqF.
+by rewrite (lessP R pw) ?ten_proper.
 Qed.
 
 End Certificate.
