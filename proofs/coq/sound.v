@@ -256,10 +256,10 @@ Proof.
 rewrite /checker.holds.
 case/andP=> [/andP [/andP [/andP [/andP [/andP [/andP [/andP [/andP [/andP [cL ck] dL0] dk0] same] law] _] fsP] _] _] _].
 split.
-- exact: two_links cL ck dL0 dk0 same law.
-- exact: chain_lawful cL ck dL0 dk0 same law.
-- exact: one_passive cL ck dL0 dk0 same law.
+- by apply (two_links R).
+- by apply chain_lawful.
+- by apply one_passive.
 move=> fs f rfs f_in; have {fsP} := proj1 (List.forallb_forall _ _) fsP f f_in => /andP [bf pf].
-split; first exact: (bounds_sound cL ck dL0 dk0 same law rfs bf).
-exact: (precise_sound R bf pf).
+split; first by apply bounds_sound.
+by apply: precise_sound bf pf.
 Qed.
