@@ -28,6 +28,12 @@ packages=(
 peers=(liblapack-dev libopenblas-dev libspectra-dev python3-scipy auto-07p gfortran)
 [ "${1:-}" != --bench ] || packages+=("${peers[@]}")
 
+# what the proofs are checked with: ./setup.sh --proofs
+provers=(coq libcoq-mathcomp-ssreflect libcoq-mathcomp-algebra libcoq-mathcomp-field libcoq-mathcomp-real-closed
+         libcoq-mathcomp-zify libcoq-mathcomp-algebra-tactics ocaml-nox ocaml-findlib libzarith-ocaml-dev
+         libyojson-ocaml-dev)
+[ "${1:-}" != --proofs ] || packages+=("${provers[@]}")
+
 missing=()
 for package in "${packages[@]}"; do
   dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
