@@ -4,14 +4,15 @@
 /// constant up; number of critical forces below the force.
 
 #include <iostream>
-#include <plumbline/critical_force.hpp>
-#include <plumbline/linearised.hpp>
+#include <plumbline/chain/linearised.hpp>
+#include <plumbline/straight/critical_force.hpp>
 #include <random>
 
 #include "proofs/exact_chain.hpp"
 #include "proofs/exact_count.hpp"
 
 using namespace plumbline;
+using namespace plumbline::proofs;
 
 namespace {
 
