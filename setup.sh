@@ -7,6 +7,7 @@
 #   ./setup.sh --bench   and what the benchmarks compare with
 #   ./setup.sh --docs    and what writes the reference of the library
 #   ./setup.sh --fuzz    and the compiler of the fuzz targets
+#   ./setup.sh --proofs  and what the proofs in proofs/coq are checked with
 set -euo pipefail
 
 program=(
@@ -34,6 +35,9 @@ tests=(
 )
 docs=(doxygen)
 fuzz=(clang)
+proofs=(coq libcoq-mathcomp-ssreflect libcoq-mathcomp-algebra libcoq-mathcomp-field libcoq-mathcomp-real-closed
+        libcoq-mathcomp-zify libcoq-mathcomp-algebra-tactics ocaml-nox ocaml-findlib libzarith-ocaml-dev
+        libyojson-ocaml-dev)
 bench=(liblapack-dev libopenblas-dev libspectra-dev python3-scipy auto-07p gfortran)
 
 packages=("${program[@]}")
@@ -43,8 +47,9 @@ case "${1:-}" in
   --bench) packages+=("${bench[@]}") ;;
   --docs) packages+=("${docs[@]}") ;;
   --fuzz) packages+=("${fuzz[@]}") ;;
+  --proofs) packages+=("${proofs[@]}") ;;
   *)
-    echo "setup: found $1, expected nothing, --tests, --bench, --docs or --fuzz" >&2
+    echo "setup: found $1, expected nothing, --tests, --bench, --docs, --fuzz or --proofs" >&2
     exit 2
     ;;
 esac
