@@ -1,5 +1,6 @@
 #include "page/plot.hpp"
 
+#include <cstdlib>
 #include <fmt/core.h>
 
 #include <plumbline/base/error.hpp>
@@ -72,6 +73,7 @@ void add_panel(std::string& script, const Panel& panel) {
 }
 
 std::string drawn(const std::string& script) {
+  unsetenv("GNUTERM");  // a terminal that gnuplot does not know would end it
   const files::Ended gnuplot = files::run_program({"gnuplot", "--default-settings", "-"}, script);
   const std::string expected = "a drawing (the program comes with the package gnuplot-nox)";
   if (!gnuplot.failure.empty()) {

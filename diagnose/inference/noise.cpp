@@ -128,7 +128,7 @@ std::vector<double> with_kin(const Measurements& measurements, const std::vector
 std::array<double, channel_names> rough_scales(const Measurements& measurements,
                                                const std::vector<double>& residual) {
   constexpr double least = 2.0 / 3.0;  // of the declared sigma: coarse readings can repeat
-  constexpr std::size_t few = 10;
+  constexpr std::size_t few = 30;  // a step and an outlier are then less than a sixth of them
   std::array<double, channel_names> scale{};
   for (const Name name : names) {
     std::vector<double> steps = differences(measurements, residual, name, 1);
