@@ -16,7 +16,8 @@ from documents import ROOT, SCHEMAS, keys, tables
 from program import plumbline
 
 # Properties that no command below has reason to write: a certificate that fails.
-RARE = {"gap-diagnosis": {"/cause/remainder"}, "path": {"/certificates/failure/load", "/certificates/failure/reason"}}
+RARE = {"gap-diagnosis": {"/cause/remainder", "/law/laws/relaxation/time_constant", "/law/laws/relaxation/stiffness"},
+        "path": {"/certificates/failure/load", "/certificates/failure/reason"}}
 
 
 def schema_of(name):
