@@ -10,16 +10,6 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-/// Which terms a law may use.
-struct Shape {
-  Eigen::Index knots;
-  std::vector<Eigen::Index> sliders, arms;
-
-  [[nodiscard]] Eigen::Index terms() const {
-    return knots + static_cast<Eigen::Index>(sliders.size() + arms.size());
-  }
-};
-
 /// What is held against curvature, over the squares of a knot's term.
 constexpr double smoothnesses[] = {1e-6, 1e-4, 1e-2, 1.0};
 
@@ -40,9 +30,9 @@ Choices slider_choices() {
   return all;
 }
 
-std::vector<Shape> neighbours(const Shape& shape) {
+std::vector<LawShape> neighbours(const LawShape& shape) {
   static const Choices sliders = slider_choices(), arms{{}, {0}, {1}, {2}, {0, 1, 2}};
-  std::vector<Shape> all;
+  std::vector<LawShape> all;
   for (const Eigen::Index knots : {3, 5, 9, 17, 33}) all.push_back({knots, shape.sliders, shape.arms});
   for (const auto& chosen : sliders) all.push_back({shape.knots, chosen, shape.arms});
   for (const auto& chosen : arms) all.push_back({shape.knots, shape.sliders, chosen});
@@ -50,7 +40,7 @@ std::vector<Shape> neighbours(const Shape& shape) {
 }
 
 /// The finest terms as combinations of a shape's, for one law.
-Matrix selection(const Shape& shape) {
+Matrix selection(const LawShape& shape) {
   Matrix chosen = Matrix::Zero(law_terms_count, shape.terms());
   const double stride = static_cast<double>(finest_knots - 1) / static_cast<double>(shape.knots - 1);
   for (Eigen::Index fine = 0; fine < finest_knots; ++fine)
@@ -65,7 +55,7 @@ Matrix selection(const Shape& shape) {
 
 /// What is held against a law: curvature, and an even part that is no constant, so that a side that was never
 /// bent answers as the other; sliders and arms of any size a little.
-Matrix penalty(const Shape& shape, double smoothness) {
+Matrix penalty(const LawShape& shape, double smoothness) {
   constexpr double evenness = 1e-5, size = 1e-6;
   Matrix weight = size * Matrix::Identity(shape.terms(), shape.terms());
   for (Eigen::Index k = 1; k + 1 < shape.knots; ++k) {
@@ -99,7 +89,7 @@ LawSums reduced(const Matrix& chosen, const LawSums& full) {
 }
 
 /// Least squares in the coefficients of a shape; sliders and arms dissipate, so none is negative.
-Vector solve(const Shape& shape, const LawSums& sums, const Matrix& held_against) {
+Vector solve(const LawShape& shape, const LawSums& sums, const Matrix& held_against) {
   Matrix normal = sums.terms + held_against;
   Vector right = sums.with_residual;
   while (true) {
@@ -117,34 +107,8 @@ Vector solve(const Shape& shape, const LawSums& sums, const Matrix& held_against
 }
 
 /// The mean square of a knot's term.
-double knot_scale(const Shape& shape, const LawSums& all) {
+double knot_scale(const LawShape& shape, const LawSums& all) {
   return all.terms.diagonal().head(shape.knots).mean();
-}
-
-/// The best of a shape, over how smooth it is.
-ChosenLaw try_shape(const Shape& shape, std::size_t laws, const std::vector<LawSums>& by_fold,
-                    const LawSums& all) {
-  const Matrix chosen = repeated(selection(shape), laws);
-  const LawSums whole = reduced(chosen, all);
-  std::vector<LawSums> parts;
-  for (const LawSums& part : by_fold) parts.push_back(reduced(chosen, part));
-  ChosenLaw best;
-  for (const double smoothness : smoothnesses) {
-    const Matrix held_against = knot_scale(shape, whole) * repeated(penalty(shape, smoothness), laws);
-    double left = 0;
-    for (const LawSums& part : parts) {
-      LawSums rest = whole;
-      rest -= part;
-      left += part.left(solve(shape, rest, held_against));
-    }
-    if (best.knots > 0 && !(left < best.left)) continue;
-    best = {left, shape.knots, chosen * solve(shape, whole, held_against)};
-  }
-  return best;
-}
-
-bool affordable(const Shape& shape, std::size_t laws, std::size_t values) {
-  return 2 * static_cast<std::size_t>(shape.terms()) * laws <= std::max<std::size_t>(values, 8);
 }
 
 }  // namespace
@@ -165,20 +129,39 @@ double LawSums::left(const Vector& c) const {
   return std::max(0.0, residual - 2 * c.dot(with_residual) + c.dot(terms * c));
 }
 
-ChosenLaw choose_law(std::size_t laws, const std::vector<LawSums>& by_fold, std::size_t values) {
+bool affordable(const LawShape& shape, std::size_t laws, std::size_t values) {
+  return 2 * static_cast<std::size_t>(shape.terms()) * laws <= std::max<std::size_t>(values, 8);
+}
+
+ChosenLaw fit_law(const LawShape& shape, std::size_t laws, const std::vector<LawSums>& by_fold) {
+  const Matrix chosen = repeated(selection(shape), laws);
+  std::vector<LawSums> parts;
+  for (const LawSums& part : by_fold) parts.push_back(reduced(chosen, part));
+  LawSums whole = parts.front();
+  for (std::size_t f = 1; f < parts.size(); ++f) whole += parts[f];
+  ChosenLaw best;
+  for (const double smoothness : smoothnesses) {
+    const Matrix held_against = knot_scale(shape, whole) * repeated(penalty(shape, smoothness), laws);
+    double left = 0;
+    for (const LawSums& part : parts) {
+      LawSums rest = whole;
+      rest -= part;
+      left += part.left(solve(shape, rest, held_against));
+    }
+    if (best.coefficients.size() > 0 && !(left < best.left)) continue;
+    best = {left, shape, chosen * solve(shape, whole, held_against)};
+  }
+  return best;
+}
+
+ChosenLaw choose_law(const std::vector<LawSums>& by_fold, std::size_t values) {
   constexpr int rounds = 6;
-  LawSums all = by_fold.front();
-  for (std::size_t f = 1; f < by_fold.size(); ++f) all += by_fold[f];
-  Shape shape{3, {}, {}};
-  ChosenLaw best = try_shape(shape, laws, by_fold, all);
+  ChosenLaw best = fit_law({}, 1, by_fold);
   for (int round = 0; round < rounds; ++round) {
     const double before = best.left;
-    for (const Shape& other : neighbours(shape)) {
-      if (!affordable(other, laws, values)) continue;
-      ChosenLaw trial = try_shape(other, laws, by_fold, all);
-      if (!(trial.left < best.left)) continue;
-      best = std::move(trial);
-      shape = other;
+    for (const LawShape& other : neighbours(best.shape)) {
+      if (!affordable(other, 1, values)) continue;
+      if (ChosenLaw trial = fit_law(other, 1, by_fold); trial.left < best.left) best = std::move(trial);
     }
     if (!(best.left < before)) break;
   }

@@ -18,18 +18,34 @@ struct LawSums {
   [[nodiscard]] double left(const Eigen::VectorXd& coefficients) const;
 };
 
+/// Which terms a law may use.
+struct LawShape {
+  Eigen::Index knots = 3;
+  std::vector<Eigen::Index> sliders = {}, arms = {};
+
+  [[nodiscard]] Eigen::Index terms() const {
+    return knots + static_cast<Eigen::Index>(sliders.size() + arms.size());
+  }
+};
+
 /// Laws side by side, all of one shape.
 struct ChosenLaw {
-  double left = 0;               ///< sum of squares of the folds, each predicted without itself
-  Eigen::Index knots = 0;        ///< of each law
+  double left = 0;  ///< sum of squares of the folds, each predicted without itself
+  LawShape shape;
   Eigen::VectorXd coefficients;  ///< of all terms, one law after the other
 };
 
-/// The law that predicts best the folds left out in turn: from a straight one, changed in one part at a time
-/// (knots, sliders, arms) while that helps. Curvature is held against it, and an even part, so that a side
-/// that was never bent answers as the other.
-/// \param laws    how many laws the terms belong to
-/// \param values  how many values there are: a law has half as many coefficients at most
-ChosenLaw choose_law(std::size_t laws, const std::vector<LawSums>& by_fold, std::size_t values);
+/// The law of a shape that predicts best the folds left out in turn, over how smooth it is. Curvature is held
+/// against it, and an even part, so that a side that was never bent answers as the other.
+/// \param laws  how many laws the terms belong to
+ChosenLaw fit_law(const LawShape& shape, std::size_t laws, const std::vector<LawSums>& by_fold);
+
+/// The best one law over its shape: from a straight one, changed in one part at a time (knots, sliders, arms)
+/// while that helps.
+/// \param values  how many values there are
+ChosenLaw choose_law(const std::vector<LawSums>& by_fold, std::size_t values);
+
+/// Whether there are two values for each coefficient.
+bool affordable(const LawShape& shape, std::size_t laws, std::size_t values);
 
 }  // namespace plumbline::diagnose

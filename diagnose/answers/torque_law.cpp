@@ -172,20 +172,26 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
     const Response rig = response(seen, base);
     if (!rig.base.reached) continue;
     const std::vector<double> residual = without_outliers(seen.measurements(), seen.residual(rig.base));
+    LawShape shape;
     for (const Placement& place : placements(seen, rig)) {
       const std::vector<LawSums> by_fold = sums_of(seen, rig, place, residual, noise);
       double before = 0;
       for (const LawSums& part : by_fold) before += part.residual;
       if (nominal == 0) nominal = before;
       alone = std::min(alone, before);
-      const ChosenLaw chosen = choose_law(place.size(), by_fold, residual.size());
+      // Laws of their own take the shape of the one law that all joints share, which was looked at just
+      // before.
+      if (place.size() > 1 && !affordable(shape, place.size(), residual.size())) continue;
+      const ChosenLaw chosen =
+          place.size() > 1 ? fit_law(shape, place.size(), by_fold) : choose_law(by_fold, residual.size());
+      shape = chosen.shape;
       // One joint alone, on the nominal model, is the least that can be said.
       constexpr double clearly = 0.8;
       const bool simple =
           base.candidate.effects.empty() && place.size() == 1 && place.front().joints.size() == 1;
       if (best && !(chosen.left < (simple ? 1 : clearly) * left)) continue;
       left = chosen.left;
-      best = TorqueLaw{base, place, chosen.knots, 1, 1};
+      best = TorqueLaw{base, place, chosen.shape.knots, 1, 1};
       for (std::size_t b = 0; b < place.size(); ++b)
         best->laws[b].coefficients =
             chosen.coefficients.segment(static_cast<Eigen::Index>(b) * law_terms_count, law_terms_count);
