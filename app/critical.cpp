@@ -153,7 +153,7 @@ void add_critical(CLI::App& app) {
   verb->add_option("--digits", options->digits, "Significant digits of the forces, all correct")
       ->type_name("D")
       ->capture_default_str()
-      ->check(whole_number(1, 5000).description(""));
+      ->check(whole_number(1, 10000).description(""));
   verb->add_flag("--all", options->all,
                  "Every mode (else, at most the 20 lowest of a chain;\n"
                  "the lowest alone for a table, and in CSV)");

@@ -33,7 +33,7 @@ auto lowest_of(const Eigenvalues& eigenvalues) {
 }  // namespace
 
 Forces spectra_lowest(const Chain<double>& chain) {
-  const BeadString<double> whole(chain);
+  const detail::BeadString<double> whole(chain);
   const Tridiagonal T = tridiagonal(whole.pieces()[0]);
   const auto n = static_cast<Eigen::Index>(T.diagonal.size());
   Eigen::SparseMatrix<double> matrix(n, n);
@@ -52,7 +52,7 @@ Forces spectra_lowest(const Chain<double>& chain) {
 }
 
 Forces eigen_self_adjoint_all(const Chain<double>& chain) {
-  const BeadString<double> whole(chain);
+  const detail::BeadString<double> whole(chain);
   const auto string = whole.pieces()[0];
   const auto n = static_cast<Eigen::Index>(string.size());
   Matrix<double> K = Matrix<double>::Zero(n, n), M = Matrix<double>::Zero(n, n);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <fstream>
 #include <iostream>
 #include <plumbline/straight/critical_force_batch.hpp>
 #include <random>
@@ -14,6 +13,7 @@
 #include "bench/bars.hpp"
 #include "bench/peers.hpp"
 #include "bench/race.hpp"
+#include "bench/results.hpp"
 #include "proofs/enclosure.hpp"
 
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
@@ -227,13 +227,13 @@ void memory_table(std::ostream& out, Findings& findings) {
     };
     evict();
     double start = processor_seconds();
-    Lanes sum{};
+    detail::Lanes sum{};
     for (const auto* list : {&chain.length(), &chain.stiffness()}) {
-      Lanes sums[4]{};
-      for (std::size_t i = 0; i < list->size(); i += 4 * lane_count) {
+      detail::Lanes sums[4]{};
+      for (std::size_t i = 0; i < list->size(); i += 4 * detail::lane_count) {
         for (std::size_t s = 0; s < 4; ++s) {
-          Lanes next;
-          __builtin_memcpy(&next, list->data() + i + s * lane_count, sizeof next);
+          detail::Lanes next;
+          __builtin_memcpy(&next, list->data() + i + s * detail::lane_count, sizeof next);
           sums[s] += next;
         }
       }
@@ -312,27 +312,6 @@ void accuracy_table(std::ostream& out, Findings& findings) {
   out << table;
 }
 
-/// Replaces what stands between the markers.
-void put_into(const std::string& file, const std::string& table) {
-  const std::string begin = "<!-- bench-critical:begin -->\n", end = "<!-- bench-critical:end -->\n";
-  std::ostringstream old;
-  old << std::ifstream(file).rdbuf();
-  std::string text = old.str();
-  const std::size_t from = text.find(begin), to = text.find(end);
-  if (from == std::string::npos || to == std::string::npos)
-    throw Error(file, "no markers", begin + "... " + end);
-  text.replace(from + begin.size(), to - from - begin.size(), table);
-  std::ofstream(file) << text;
-}
-
-std::string processor_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
-  return "unknown processor";
-}
-
 }  // namespace
 }  // namespace plumbline::bench
 
@@ -344,7 +323,7 @@ int main() {
     Findings findings;
     const std::string by =
         fmt::format("Written by `build/bench/bench-critical` on {}, {} lanes of {} bits.\n\n",
-                    processor_name(), plumbline::lane_count, 64);
+                    processor_name(), plumbline::detail::lane_count, 64);
     for (const auto table :
          {lowest_table, all_table, small_table, memory_table, digits_table, accuracy_table}) {
       const std::size_t before = out.str().size();
@@ -353,7 +332,8 @@ int main() {
     }
     const std::string bars = table_of(findings.bars);
     std::cout << '\n' << bars;
-    put_into(PLUMBLINE_SOURCE_DIR "/bench/RESULTS.md", by + "### Bars\n\n" + bars + '\n' + out.str());
+    put_into(PLUMBLINE_SOURCE_DIR "/bench/RESULTS.md", "bench-critical",
+             by + "### Bars\n\n" + bars + '\n' + out.str());
   } catch (const std::exception& error) {
     std::cerr << "bench-critical: " << error.what() << '\n';
     return 2;

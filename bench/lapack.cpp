@@ -34,12 +34,12 @@ std::size_t count(int n) {
 void require(int info, const char* routine) {
   if (info != 0) throw Error(routine, "info = " + std::to_string(info), "0");
 }
-double stiffness_behind(const StringPiece<double>& string, std::size_t i) {
+double stiffness_behind(const detail::StringPiece<double>& string, std::size_t i) {
   return i < string.spacing.size() ? 1 / string.spacing[i] : 0;
 }
 
 Forces dstebz(const Chain<double>& chain, const char* range) {
-  const BeadString<double> whole(chain);
+  const detail::BeadString<double> whole(chain);
   const Tridiagonal T = tridiagonal(whole.pieces()[0]);
   const int n = static_cast<int>(T.diagonal.size()), first = 1, last = 1;
   const double none = 0;
@@ -55,7 +55,7 @@ Forces dstebz(const Chain<double>& chain, const char* range) {
 
 }  // namespace
 
-Tridiagonal tridiagonal(const StringPiece<double>& string) {
+Tridiagonal tridiagonal(const detail::StringPiece<double>& string) {
   Tridiagonal T{std::vector<double>(string.size()), std::vector<double>(string.size())};
   double left = string.slope;
   for (std::size_t i = 0; i < string.size(); ++i) {
@@ -68,7 +68,7 @@ Tridiagonal tridiagonal(const StringPiece<double>& string) {
 }
 
 Forces dpttrf_inverse_iteration(const Chain<double>& chain) {
-  const BeadString<double> whole(chain);
+  const detail::BeadString<double> whole(chain);
   Tridiagonal T = tridiagonal(whole.pieces()[0]);
   const int n = static_cast<int>(T.diagonal.size()), one = 1;
   int info = 0;
@@ -99,7 +99,7 @@ Forces dstebz_all(const Chain<double>& chain) {
 }
 
 Forces dsbgvx_lowest(const Chain<double>& chain) {
-  const BeadString<double> whole(chain);
+  const detail::BeadString<double> whole(chain);
   const auto string = whole.pieces()[0];
   const int n = static_cast<int>(string.size()), one = 1, two = 2, band = 1, diagonal = 0;
   std::vector<double> K(2 * count(n)), M(string.mass.begin(), string.mass.end());
@@ -122,7 +122,7 @@ Forces dsbgvx_lowest(const Chain<double>& chain) {
 
 /// K = L D L^T without a subtraction, so that the bidiagonal D^1/2 L^T M^-1/2 keeps all digits.
 Forces dlasq1_all(const Chain<double>& chain) {
-  const BeadString<double> whole(chain);
+  const detail::BeadString<double> whole(chain);
   const auto string = whole.pieces()[0];
   const int n = static_cast<int>(string.size());
   std::vector<double> d(count(n)), e(count(n)), work(4 * count(n));
@@ -142,7 +142,7 @@ Forces dlasq1_all(const Chain<double>& chain) {
 }
 
 Forces dsygv_all(const Chain<double>& chain) {
-  const BeadString<double> whole(chain);
+  const detail::BeadString<double> whole(chain);
   const auto string = whole.pieces()[0];
   const int n = static_cast<int>(string.size()), one = 1, room = 64 * n;
   std::vector<double> K(count(n) * count(n)), M(K.size()), w(count(n)), work(count(room));

@@ -17,7 +17,7 @@ using StockMpfr50 = mp::number<mp::mpfr_float_backend<50>, mp::et_off>;
 struct Tridiagonal {
   std::vector<double> diagonal, beside;
 };
-Tridiagonal tridiagonal(const StringPiece<double>& string);
+Tridiagonal tridiagonal(const detail::StringPiece<double>& string);
 
 // lapack.cpp: lowest force, each from a chain without interior passive joint
 Forces dpttrf_inverse_iteration(const Chain<double>& chain);

@@ -5,6 +5,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/answers/implied_shares.hpp"
+#include "diagnose/beliefs.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -23,15 +24,15 @@ void require_reached(const Study& study) {
 GapAnswer ask_for_gap(const Measurements& measurements, const std::vector<double>& residual) {
   GapAnswer gap;
   gap.test = test_gap(measurements, residual);
-  gap.present = gap.test.p_value < gap_level;
+  gap.present = gap.test.p_value < beliefs::gap_level;
   const std::vector<double> clean = without_outliers(measurements, residual);
-  std::map<std::string, double> count;
+  std::map<Channel, double> count;
   double sum = 0;
   for (const Series& series : measurements.series()) {
     const double scale = gap.test.noise.of(series.channel);
     for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i) {
-      gap.rms[series.channel.label()] += std::pow(series.sigma * clean[i], 2);
-      count[series.channel.label()] += 1;
+      gap.rms[series.channel] += std::pow(series.sigma * clean[i], 2);
+      count[series.channel] += 1;
       sum += std::pow(clean[i] / scale, 2);
     }
   }
@@ -91,7 +92,7 @@ std::vector<EffectAt> never_exercised(const Study& study, const Findings& findin
 }
 
 bool leaves_structure(const Measurements& measurements, const Findings& findings) {
-  return test_gap(measurements, findings.hypotheses.front().fit.residual).p_value < fit_level;
+  return test_gap(measurements, findings.hypotheses.front().fit.residual).p_value < beliefs::fit_level;
 }
 
 /// How an explanation, refitted without the readings that are held out, predicts them. What only those
@@ -111,23 +112,21 @@ std::optional<Shrink> blind_shrink(const Study& study, const HeldOut& heldout, c
                         noise);
 }
 
-/// Whether it predicts to half as much again as the noise.
-bool predicts(const std::optional<Shrink>& blind) {
-  constexpr double limit = 1.5 * 1.5;
-  return blind && blind->chi2_per_value_after < limit;
+/// Whether it leaves of held-out readings at most so many times the noise.
+bool predicts(const std::optional<Shrink>& blind, double times) {
+  return blind && blind->chi2_per_value_after < times * times;
 }
 
 /// With thousands of readings every model fails a test for exactness. The best partial explanation that
 /// predicts held-out readings nearly to the noise, where these show the gap clearly, is what was looked for,
 /// with a remainder.
 void accept_remainder(const Study& study, const HeldOut& heldout, const NoiseModel& noise, Cause& cause) {
-  constexpr double nearly = 1.2 * 1.2, clearly = 0.5, chance_of_other = 0.05;
   if (cause.verdict != CauseVerdict::unknown || cause.ranking.empty()) return;
   const Fit& best = cause.ranking[cause.best].hypothesis.fit;
   if (best.candidate.effects.size() > 2 || !genuine(study, best)) return;
   const std::optional<Shrink> blind = blind_shrink(study, heldout, best, noise);
-  if (!blind || blind->chi2_per_value_after > nearly || blind->noise_floor_ratio > clearly) return;
-  settle_on(cause, cause.best, chance_of_other);
+  if (!predicts(blind, beliefs::nearly) || blind->noise_floor_ratio > beliefs::clear) return;
+  settle_on(cause, cause.best, beliefs::other_than_nearly);
   cause.remainder = std::sqrt(
       std::max(0.0, blind->ratio * blind->ratio - blind->noise_floor_ratio * blind->noise_floor_ratio));
 }
@@ -139,9 +138,8 @@ void demand_prediction(const Study& study, const HeldOut& heldout, const NoiseMo
   const Fit& best = cause.ranking[cause.best].hypothesis.fit;
   const std::size_t effects = best.candidate.effects.size();
   if (heldout.empty() && effects < 3) return;
-  if (predicts(blind_shrink(study, heldout, best, noise))) return;
-  // Of the explanations that did not predict, on simulated experiments, one in four and all were wrong.
-  const double refuted = effects < 3 ? 0.25 : 0.95;
+  if (predicts(blind_shrink(study, heldout, best, noise), beliefs::predicts)) return;
+  const double refuted = effects < 3 ? beliefs::wrong_unpredicted : beliefs::wrong_unpredicted_three;
   cause.verdict = effects < 3 ? CauseVerdict::ambiguous : CauseVerdict::unknown;
   cause.or_unknown = effects < 3;
   if (cause.verdict == CauseVerdict::unknown) cause.equivalent.clear();

@@ -17,8 +17,8 @@ namespace plumbline::diagnose {
 struct GapAnswer {
   bool present;
   GapTest test;
-  double chi2_per_value;              ///< of the nominal residual, in the noise as it is
-  std::map<std::string, double> rms;  ///< of the nominal residual by channel, in its unit
+  double chi2_per_value;          ///< of the nominal residual, in the noise as it is
+  std::map<Channel, double> rms;  ///< of the nominal residual by channel, in its unit
 };
 
 /// A parameter of the best explanation with its 95 % bounds, in catalogue units.

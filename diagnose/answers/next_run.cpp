@@ -45,7 +45,7 @@ Extent extent(const Study& study) {
     so_far.deflection = std::max(so_far.deflection, largest_deflection(trace, run.rest));
     for (Eigen::Index i = 0; i < trace.rows(); ++i) {
       const double way = (Vector2(trace(i, column_x), trace(i, column_y)) - start).norm();
-      if (run.control == Control::end_point) so_far.travel = std::max(so_far.travel, way);
+      if (run.holds_end_point()) so_far.travel = std::max(so_far.travel, way);
     }
     if (run.readings.size() > 1) so_far.pause = run.readings[1].t - run.readings[0].t;
   }

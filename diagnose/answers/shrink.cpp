@@ -12,25 +12,39 @@ namespace {
 
 /// Whether the commanded path turns back.
 bool turns_back(const Run& run) {
-  const bool displacement = run.control == Control::end_point;
-  double lx = 0, ly = 0;
+  Vector2 last(0, 0);
   for (std::size_t i = 1; i < run.readings.size(); ++i) {
-    const Reading &a = run.readings[i - 1], &b = run.readings[i];
-    const double dx = displacement ? b.x - a.x : b.Fx - a.Fx, dy = displacement ? b.y - a.y : b.Fy - a.Fy;
-    if (dx * lx + dy * ly < 0) return true;
-    if (dx != 0 || dy != 0) lx = dx, ly = dy;
+    const Vector2 step = run.command(run.readings[i]) - run.command(run.readings[i - 1]);
+    if (step.dot(last) < 0) return true;
+    if (step != Vector2(0, 0)) last = step;
   }
   return false;
 }
 
-/// The last run whose kind another run has too.
+/// How far a run's command goes from where it begins.
+double reach_of_command(const Run& run) {
+  double reach = 0;
+  for (const Reading& reading : run.readings)
+    reach = std::max(reach, (run.command(reading) - run.command(run.readings.front())).norm());
+  return reach;
+}
+
+/// The run to do without: of the kind (control, whether it turns back) that has most runs, the one that goes
+/// farthest after the farthest, so that what is left goes as far. The order of the runs does not matter.
 std::optional<std::size_t> spare_run(const Experiment& experiment) {
-  const auto kind = [](const Run& run) { return std::pair(run.control, turns_back(run)); };
-  for (std::size_t r = experiment.runs.size(); r-- > 0;) {
-    for (std::size_t other = 0; other < experiment.runs.size(); ++other)
-      if (other != r && kind(experiment.runs[other]) == kind(experiment.runs[r])) return r;
-  }
-  return std::nullopt;
+  using Kind = std::pair<Control, bool>;
+  std::map<Kind, std::vector<std::size_t>> kinds;
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r)
+    kinds[{experiment.runs[r].control, turns_back(experiment.runs[r])}].push_back(r);
+  auto& most = std::max_element(kinds.begin(), kinds.end(), [](const auto& a, const auto& b) {
+                 return a.second.size() < b.second.size();
+               })->second;
+  if (most.size() < 2) return std::nullopt;
+  const auto key = [&](std::size_t r) {
+    return std::pair(reach_of_command(experiment.runs[r]), experiment.runs[r].id);
+  };
+  std::sort(most.begin(), most.end(), [&](std::size_t a, std::size_t b) { return key(a) > key(b); });
+  return most[1];
 }
 
 HeldOut nothing(const Experiment& experiment) {
@@ -93,18 +107,14 @@ void bootstrap(const std::vector<Sums>& blocks, Ratio& shrink) {
   shrink.ratio_high = std::max(shrink.ratio, ratios[draws - 1 - draws / 40]);
 }
 
-std::map<std::string, ChannelShrink> by_channel(const Measurements& measurements,
-                                                const std::vector<std::vector<std::size_t>>& values,
-                                                const std::vector<double>& before,
-                                                const std::vector<double>& after, const NoiseModel& noise) {
-  std::map<std::string, std::vector<std::vector<std::size_t>>> parts;
-  std::map<std::string, double> scale;
-  for (std::size_t s = 0; s < values.size(); ++s) {
-    const Channel& channel = measurements.series()[s].channel;
-    parts[channel.label()].push_back(values[s]);
-    scale[channel.label()] = noise.of(channel);
-  }
-  std::map<std::string, ChannelShrink> result;
+std::map<Channel, ChannelShrink> by_channel(const Measurements& measurements,
+                                            const std::vector<std::vector<std::size_t>>& values,
+                                            const std::vector<double>& before,
+                                            const std::vector<double>& after, const NoiseModel& noise) {
+  std::map<Channel, std::vector<std::vector<std::size_t>>> parts;
+  for (std::size_t s = 0; s < values.size(); ++s)
+    parts[measurements.series()[s].channel].push_back(values[s]);
+  std::map<Channel, ChannelShrink> result;
   for (const auto& [channel, part] : parts) {
     Sums sum;
     double count = 0;
@@ -116,7 +126,7 @@ std::map<std::string, ChannelShrink> by_channel(const Measurements& measurements
     if (!(sum.before > 0)) continue;
     ChannelShrink& one = result[channel];
     one.ratio = std::sqrt(sum.after / sum.before);
-    one.noise_floor_ratio = scale[channel] * std::sqrt(count / sum.before);
+    one.noise_floor_ratio = noise.of(channel) * std::sqrt(count / sum.before);
     bootstrap(blocks(part, before, after), one);
   }
   return result;
@@ -157,8 +167,8 @@ Experiment without(const Experiment& experiment, const HeldOut& heldout) {
     for (std::size_t i = 0; i < run.readings.size(); ++i) {
       if (!heldout.reading[r][i]) continue;
       Reading& reading = run.readings[i];
-      (run.control == Control::end_point ? reading.Fx : reading.x) = unseen;
-      (run.control == Control::end_point ? reading.Fy : reading.y) = unseen;
+      (run.holds_end_point() ? reading.Fx : reading.x) = unseen;
+      (run.holds_end_point() ? reading.Fy : reading.y) = unseen;
       std::fill(reading.q.begin(), reading.q.end(), unseen);
     }
   }
@@ -175,12 +185,12 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
                       const NoiseModel& noise) {
   Shrink shrink;
   const auto values = judged_values(measurements, heldout, after);
-  std::map<std::string, double> count;
+  std::map<Channel, double> count;
   Sums all;
   double floor = 0, total = 0;
   for (std::size_t s = 0; s < values.size(); ++s) {
     const Series& series = measurements.series()[s];
-    const std::string channel = series.channel.label();
+    const Channel& channel = series.channel;
     for (const std::size_t i : values[s]) {
       shrink.rms_before[channel] += std::pow(series.sigma * before[i], 2);
       shrink.rms_after[channel] += std::pow(series.sigma * after[i], 2);

@@ -34,11 +34,11 @@ struct ChannelShrink {
 
 struct Shrink {
   std::vector<std::string> heldout;
-  std::map<std::string, double> rms_before, rms_after;  ///< by channel, in its unit
-  double ratio = 1, ratio_low = 1, ratio_high = 1;      ///< noise-weighted rms after / before; 95 % bounds
-  double noise_floor_ratio = 1;                         ///< what a perfect model would reach
+  std::map<Channel, double> rms_before, rms_after;  ///< by channel, in its unit
+  double ratio = 1, ratio_low = 1, ratio_high = 1;  ///< noise-weighted rms after / before; 95 % bounds
+  double noise_floor_ratio = 1;                     ///< what a perfect model would reach
   double chi2_per_value_after = 1;
-  std::map<std::string, ChannelShrink> channels;
+  std::map<Channel, ChannelShrink> channels;
 };
 
 /// Compares residuals before (nominal) and after on the held-out readings; isolated outliers are left out of

@@ -63,7 +63,7 @@ std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experi
     const Run& run = experiment.runs[r];
     const NominalModel<double> nominal = nominal_model(experiment, run.rest);
     const Vector2 noise =
-        run.control == Control::end_point ? Vector2(experiment.noise.Fx, experiment.noise.Fy) : Vector2(0, 0);
+        run.holds_end_point() ? Vector2(experiment.noise.Fx, experiment.noise.Fy) : Vector2(0, 0);
     for (std::size_t i = 0; i < run.readings.size(); ++i) {
       const Reading& reading = run.readings[i];
       if (!complete(reading)) continue;

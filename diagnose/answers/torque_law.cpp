@@ -123,7 +123,7 @@ std::vector<LawSums> sums_of(const Study& study, const Response& rig, const Plac
       for (const Series& series : study.measurements().series()) {
         if (series.run != run) continue;
         const double unit = 1 / (series.sigma * noise.of(series.channel));
-        const auto answer = rig.per_torque[a][run].col(series.channel.column());
+        const auto answer = rig.per_torque[a][run].col(column_of(series.channel));
         for (std::size_t i = 0; i < series.readings.size(); ++i) {
           const auto reading = static_cast<Eigen::Index>(series.readings[i]);
           slopes.row(static_cast<Eigen::Index>(series.first + i))

@@ -33,25 +33,12 @@ Missing torque(const Experiment& experiment, const std::vector<std::vector<bool>
   return missing;
 }
 
-/// The commanded coordinate that moves most: the runs share it as their abscissa.
-struct Abscissa {
-  Control control;
-  bool second;  ///< y or Fy rather than x or Fx
-
-  [[nodiscard]] std::string name() const {
-    return control == Control::end_point ? (second ? "y" : "x") : (second ? "Fy" : "Fx");
-  }
-  [[nodiscard]] double of(const Reading& reading) const {
-    if (control == Control::end_point) return second ? reading.y : reading.x;
-    return second ? reading.Fy : reading.Fx;
-  }
-};
-
-Abscissa abscissa(const Experiment& experiment, Control control) {
-  const auto spread = [&](const Abscissa& one) {
+/// The commanded channel that moves most over the runs of one control: they share it as their abscissa.
+Channel abscissa(const Experiment& experiment, const Run& like) {
+  const auto spread = [&](const Channel& one) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (const Run& run : experiment.runs) {
-      if (run.control != control) continue;
+      if (run.control != like.control) continue;
       for (const Reading& reading : run.readings) {
         low = std::min(low, one.of(reading));
         high = std::max(high, one.of(reading));
@@ -59,25 +46,22 @@ Abscissa abscissa(const Experiment& experiment, Control control) {
     }
     return high - low;
   };
-  const Abscissa first{control, false}, second{control, true};
+  const auto [first, second] = like.imposed();
   return spread(second) > spread(first) ? second : first;
 }
 
 Missing channel(const Study& study, const std::vector<double>& residual,
-                const std::vector<std::vector<bool>>& back, const std::string& label) {
-  const auto carries = [&](const Series& series) { return series.channel.label() == label; };
+                const std::vector<std::vector<bool>>& back, const Channel& of) {
+  const auto carries = [&](const Series& series) { return series.channel == of; };
   const auto& all = study.measurements().series();
   const auto first = std::find_if(all.begin(), all.end(), carries);
-  const Abscissa over = abscissa(study.experiment(), study.experiment().runs[first->run].control);
-  const Sensor sensor = first->channel.sensor();
-  Missing missing{label,       sensor == Sensor::force ? "N" : sensor == Sensor::angle ? "rad" : "m",
-                  over.name(), over.control == Control::end_point ? "m" : "N",
-                  {},          0,
-                  0,           0};
+  const Run& like = study.experiment().runs[first->run];
+  const Channel over = abscissa(study.experiment(), like);
+  Missing missing{of.label(), std::string(of.unit()), over.label(), std::string(over.unit()), {}, 0, 0, 0};
   const std::vector<bool> outlier = outliers(study.measurements(), residual);
   for (const Series& series : all) {
     const Run& run = study.experiment().runs[series.run];
-    if (!carries(series) || run.control != over.control) continue;
+    if (!carries(series) || run.control != like.control) continue;
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
       if (outlier[series.first + i]) continue;
       const Reading& reading = run.readings[series.readings[i]];

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "diagnose/answers/torque_balance.hpp"
-#include "diagnose/model/regime.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -25,10 +24,9 @@ std::vector<double> excess(const Measurements& measurements, const std::vector<d
 std::vector<ChannelShare> by_channel(const Measurements& measurements, const std::vector<double>& excess) {
   std::vector<ChannelShare> shares;
   for (const Series& series : measurements.series()) {
-    const std::string label = series.channel.label();
-    auto place =
-        std::find_if(shares.begin(), shares.end(), [&](const auto& one) { return one.channel == label; });
-    if (place == shares.end()) place = shares.insert(shares.end(), {label, 0});
+    auto place = std::find_if(shares.begin(), shares.end(),
+                              [&](const auto& one) { return one.channel == series.channel; });
+    if (place == shares.end()) place = shares.insert(shares.end(), {series.channel, 0});
     for (std::size_t i = 0; i < series.readings.size(); ++i) place->share += excess[series.first + i];
   }
   normalise(shares);
@@ -62,7 +60,7 @@ std::vector<PathShare> along_path(const Study& study, const Prediction& nominal,
     }
     for (std::size_t i = 0; i < regime.size(); ++i) {
       if (i == 0 || regime[i] != regime[i - 1])
-        shares.push_back({study.experiment().runs[r].id, i, i, 0, regime_word(regime[i])});
+        shares.push_back({study.experiment().runs[r].id, i, i, 0, regime[i]});
       shares.back().to = i;
       shares.back().share += sum[i];
     }

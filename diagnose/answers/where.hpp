@@ -4,12 +4,13 @@
 
 #include "diagnose/answers/joint_share.hpp"
 #include "diagnose/inference/gap.hpp"
+#include "diagnose/model/regime.hpp"
 #include "diagnose/model/study.hpp"
 
 namespace plumbline::diagnose {
 
 struct ChannelShare {
-  std::string channel;
+  Channel channel;
   double share;
 };
 struct RunShare {
@@ -20,7 +21,7 @@ struct PathShare {
   std::string run;
   std::size_t from, to;  ///< first and last reading, from 0
   double share;
-  std::string regime;  ///< "pre-buckling", "near the loss of stiffness", "post-buckling" or "unloading"
+  Regime regime;
 };
 
 /// What the joints' shares stand on: the missing torque that measured joint angles show; the missing torque

@@ -2,10 +2,13 @@
 /// \file
 /// An experiment: what a lab writes down when it presses on a real chain. SI units, radians.
 
+#include <Eigen/Core>
 #include <array>
 #include <plumbline/loaded/control.hpp>
 #include <string>
 #include <vector>
+
+#include "diagnose/bench/channel.hpp"
 
 namespace plumbline::diagnose {
 
@@ -22,6 +25,14 @@ struct Run {
   Control control;  ///< what the rig imposes: the end point, while the force is measured; or the reverse
   std::vector<double> rest;  ///< commanded joint angles: the unloaded shape
   std::vector<Reading> readings;
+
+  [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
+  /// What the rig imposes, along x and along y.
+  [[nodiscard]] std::array<Channel, 2> imposed() const;
+  /// What was commanded at a reading: an end point, m, or a force, N.
+  [[nodiscard]] Eigen::Vector2d command(const Reading& reading) const;
+  /// What answers: the other of force and end point, then the joint angles that the run has columns for.
+  [[nodiscard]] std::vector<Channel> measured() const;
 };
 
 /// Declared standard deviation of one reading; 0 for a channel without noise.

@@ -70,7 +70,7 @@ std::string as_if(const Run& run, const Chain<double>& chain, const Reach<double
 /// measured one carries noise, and lengths and zero are what is in question: only what no tolerance explains
 /// is refused.
 void require_reach(const Run& run, const Chain<double>& chain, const Reach<double>& limits) {
-  const double slack = (run.control == Control::end_point ? 1e-4 : 0.25) * limits.largest;
+  const double slack = (run.holds_end_point() ? 1e-4 : 0.25) * limits.largest;
   for (std::size_t r = 0; r < run.readings.size(); ++r) {
     const double distance = std::hypot(run.readings[r].x, run.readings[r].y);
     if (distance > limits.largest + slack)
@@ -94,19 +94,13 @@ void require_geometry(const Run& run, const Chain<double>& chain, const Reach<do
 }
 
 void require_noise(const Run& run, const Noise& noise) {
-  const bool held = run.control == Control::end_point;
-  const auto require = [&](const char* name, double sigma, auto value) {
-    const bool measured = std::any_of(run.readings.begin(), run.readings.end(),
-                                      [&](const Reading& r) { return !std::isnan(value(r)); });
-    if (measured && !(sigma > 0))
-      throw Error(std::string("noise.") + name, "0, or nothing",
-                  "a positive figure: run \"" + run.id + "\" measures it");
-  };
-  require(held ? "Fx" : "x", held ? noise.Fx : noise.x, [&](const Reading& r) { return held ? r.Fx : r.x; });
-  require(held ? "Fy" : "y", held ? noise.Fy : noise.y, [&](const Reading& r) { return held ? r.Fy : r.y; });
-  if (run.readings.front().q.empty()) return;
-  for (std::size_t j = 0; j < run.rest.size(); ++j)
-    require("q", noise.q, [&](const Reading& r) { return r.q[j]; });
+  for (const Channel& channel : run.measured()) {
+    const bool read = std::any_of(run.readings.begin(), run.readings.end(),
+                                  [&](const Reading& r) { return !std::isnan(channel.of(r)); });
+    if (!read || channel.sigma(noise) > 0) continue;
+    const std::string name = channel.sensor() == Sensor::angle ? "q" : channel.label();
+    throw Error("noise." + name, "0, or nothing", "a positive figure: run \"" + run.id + "\" measures it");
+  }
 }
 
 /// A noise below the rounding of what is measured is no noise, and residuals in units of it overflow. Sizes
@@ -133,15 +127,11 @@ void require_resolved(const Experiment& experiment, double reach) {
 }
 
 std::size_t measured_values(const Run& run) {
-  const bool held = run.control == Control::end_point;
-  std::size_t count = 0;
-  for (const Reading& r : run.readings) {
-    count += std::isfinite(held ? r.Fx : r.x);
-    count += std::isfinite(held ? r.Fy : r.y);
-    count += static_cast<std::size_t>(
-        std::count_if(r.q.begin(), r.q.end(), [](double q) { return std::isfinite(q); }));
-  }
-  return count;
+  std::ptrdiff_t count = 0;
+  for (const Channel& channel : run.measured())
+    count += std::count_if(run.readings.begin(), run.readings.end(),
+                           [&](const Reading& r) { return std::isfinite(channel.of(r)); });
+  return static_cast<std::size_t>(count);
 }
 
 }  // namespace

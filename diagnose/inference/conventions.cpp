@@ -33,7 +33,7 @@ Column compare(const Series& series, const Run& run, const Trace& predicted, dou
     const double m = series.channel.of(run.readings[i]) - unloaded;
     if (!std::isfinite(m)) continue;
     ++column.count;
-    const double value = predicted(static_cast<Eigen::Index>(i), series.channel.column());
+    const double value = predicted(static_cast<Eigen::Index>(i), column_of(series.channel));
     const double p = std::isfinite(value) ? value - unloaded : 0;
     column.measured += m * m;
     column.predicted += p * p;
@@ -91,7 +91,7 @@ double worst(const Columns& columns) {
 bool same_command(const Experiment& a, const Experiment& b) {
   const auto same_run = [](const Run& one, const Run& other) {
     const auto same_reading = [&](const Reading& r, const Reading& s) {
-      return one.control == Control::end_point ? r.x == s.x && r.y == s.y : r.Fx == s.Fx && r.Fy == s.Fy;
+      return one.command(r) == other.command(s);
     };
     return one.rest == other.rest &&
            std::equal(one.readings.begin(), one.readings.end(), other.readings.begin(), same_reading);
@@ -106,9 +106,8 @@ double distance_at_start(const Experiment& experiment) {
   double length = 0, sum = 0;
   for (const double one : experiment.link_length) length += one;
   for (const Run& run : experiment.runs) {
-    if (run.control != Control::end_point || run.readings.empty()) continue;
-    const Reading& first = run.readings.front();
-    sum += (Vector2(first.x, first.y) - unloaded_end(experiment, run.rest)).norm() / length;
+    if (!run.holds_end_point() || run.readings.empty()) continue;
+    sum += (run.command(run.readings.front()) - unloaded_end(experiment, run.rest)).norm() / length;
   }
   return sum;
 }

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "diagnose/beliefs.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
-constexpr double outlier_share = 0.02;
-constexpr double outlier_width = 10;
+using beliefs::outlier_share, beliefs::outlier_width;
 
 double log_density(double innovation) {
   const double square = innovation * innovation;
@@ -52,7 +53,7 @@ double log_likelihood(const Measurements& measurements, const std::vector<double
 }
 
 double log_prior(const Study& study, const Candidate& candidate) {
-  constexpr double share[] = {1.0, 0.75, 0.20, 0.05};
+  constexpr double share[] = {1.0, beliefs::one_cause, beliefs::two_causes, beliefs::three_causes};
   const std::size_t count = candidate.effects.size();
   double log_p = std::log(share[std::min<std::size_t>(count, 3)]);
   for (std::size_t i = 0; i < count; ++i) {

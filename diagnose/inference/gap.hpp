@@ -14,10 +14,6 @@ struct GapTest {
   NoiseModel noise;                    ///< scale and correlation estimated along
 };
 
-/// The level at which a gap is called present: of a hundred experiments without a gap one is called to have
-/// one. Gaps of any use are far beyond it.
-inline constexpr double gap_level = 0.01;
-
 /// Tests whether a residual is noise: of any scale, correlated between neighbours up to a limit, with
 /// isolated outliers. Looks at the energy of the six slowest cosine components of every series, together and
 /// one by one, and at the energy of all of them, against the noise that the differences of neighbours show;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/beliefs.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -83,11 +85,10 @@ void keep_what_lasts(const Series& series, const std::vector<double>& off, std::
   }
 }
 
-/// Combines a measured scale with its prior: log-normal about one, with a spread of 0.25, or as wide as the
-/// readings themselves ask for. A declared sigma is right to a third in most labs, and wrong by any factor in
-/// the others.
+/// Combines a measured scale with its prior: log-normal about one, as wide as is believed, or as the readings
+/// themselves ask for.
 double with_prior(double scale, double values) {
-  const double spread = std::max(0.25, std::abs(std::log(scale)));
+  const double spread = std::max(beliefs::scale_spread, std::abs(std::log(scale)));
   const double information = values;  // the variance of ln s from m differences is about 1/m
   return std::exp(std::log(scale) * information / (information + 1 / (spread * spread)));
 }
@@ -128,7 +129,7 @@ std::vector<double> with_kin(const Measurements& measurements, const std::vector
 std::array<double, channel_names> rough_scales(const Measurements& measurements,
                                                const std::vector<double>& residual) {
   constexpr double least = 2.0 / 3.0;  // of the declared sigma: coarse readings can repeat
-  constexpr std::size_t few = 30;  // a step and an outlier are then less than a sixth of them
+  constexpr std::size_t few = 30;      // a step and an outlier are then less than a sixth of them
   std::array<double, channel_names> scale{};
   for (const Name name : names) {
     std::vector<double> steps = differences(measurements, residual, name, 1);
@@ -225,9 +226,9 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
   double values = 0;
   for (const double v : raw.values) values += v;
   NoiseModel noise;
-  // The estimate's variance is about 1/values; the prior's spread, 0.3, makes 0.6 a rare but possible
-  // correlation.
-  const double weight = values / (values + 1 / (0.3 * 0.3));
+  // The estimate's variance is about 1/values.
+  constexpr double prior = 1 / (beliefs::correlation_spread * beliefs::correlation_spread);
+  const double weight = values / (values + prior);
   const double largest = largest_correlation(measurements);
   noise.correlation = std::clamp(weight * raw.correlation, 0.0, largest);
   const double taken = std::clamp(raw.correlation, 0.0, largest);

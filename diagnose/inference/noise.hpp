@@ -9,12 +9,10 @@
 
 namespace plumbline::diagnose {
 
-/// First-order autoregressive noise: true sigma = scale · declared sigma, correlation between neighbours; of
-/// some readings the noise is ten times as wide.
+/// First-order autoregressive noise: true sigma = scale · declared sigma, correlation between neighbours.
 struct NoiseModel {
   std::array<double, channel_names> scale{1.0, 1.0, 1.0, 1.0, 1.0};  ///< by Channel::Name
   double correlation = 0.0;
-  double outlier_share = 0.02;
 
   [[nodiscard]] double of(const Channel& channel) const {
     return scale[static_cast<std::size_t>(channel.name)];

@@ -154,7 +154,7 @@ Findings search(const Study& study, const std::function<void(double)>& progress)
     add(fits, pairs);
     add(fits, searcher.parts(pairs));
     report(0.5);
-    if (p_value() < fit_level) {
+    if (p_value() < beliefs::fit_level) {
       const std::vector<Fit> threes = searcher.extended(pairs, pair_seeds);
       add(fits, threes);
       add(fits, searcher.parts(threes));

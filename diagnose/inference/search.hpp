@@ -25,12 +25,8 @@ struct Findings {
   NoiseModel noise;
 };
 
-/// Below this p-value an explanation leaves structure, and is none: of a thousand right ones one is refused.
-inline constexpr double fit_level = 0.001;
-
 /// Fits every possible effect; where the best still leaves structure, combinations of two, then of three.
-/// \param experiment  with outliers removed
-/// \param progress    called with the share of the work that is done
+/// \param progress  called with the share of the work that is done
 Findings search(const Study& study, const std::function<void(double)>& progress = {});
 
 /// Weighs fitted hypotheses against each other, best evidence first, in the noise that the best of them

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "diagnose/beliefs.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -95,7 +97,8 @@ double gain(const Measurements& measurements, const Fit& simpler, const Fit& ful
 /// The simplest explanation that leaves no structure, unless one more effect is significant at all the places
 /// where it could have been found; the end of the ranking when none suffices.
 std::size_t choose(const Study& study, std::vector<Ranked>& ranking) {
-  const double significant = told_apart + std::log(static_cast<double>(possible_effects(study).size()));
+  const double significant =
+      beliefs::told_apart + std::log(static_cast<double>(possible_effects(study).size()));
   std::size_t chosen = ranking.size();
   for (std::size_t effects = 1; effects <= 3; ++effects) {
     const std::size_t place = first_of(ranking, effects);
@@ -103,7 +106,7 @@ std::size_t choose(const Study& study, std::vector<Ranked>& ranking) {
     Hypothesis& one = ranking[place].hypothesis;
     if (!genuine(study, one.fit)) continue;
     one.p_value = fit_p_value(study.measurements(), one.fit);
-    if (*one.p_value < fit_level) continue;
+    if (*one.p_value < beliefs::fit_level) continue;
     if (chosen == ranking.size()) {
       chosen = place;
       continue;
@@ -120,9 +123,9 @@ std::size_t choose(const Study& study, std::vector<Ranked>& ranking) {
 /// explanation from the catalogue that fits by chance is rarer still, by the factor that simulated
 /// experiments show.
 double probability_of_unknown(double p_value) {
-  constexpr double prior_odds = 0.1 / 0.9, by_chance = 0.1;
+  constexpr double prior_odds = beliefs::outside / (1 - beliefs::outside);
   const double p = std::clamp(p_value, 1e-300, std::exp(-1.0));
-  const double odds = prior_odds * by_chance / (-std::numbers::e * p * std::log(p));
+  const double odds = prior_odds * beliefs::fits_by_chance / (-std::numbers::e * p * std::log(p));
   return odds / (1 + odds);
 }
 
@@ -139,8 +142,8 @@ bool near(const Hypothesis& best, const Hypothesis& other) {
   if (contains(other.fit.candidate, best.fit.candidate)) return false;
   const bool simpler = other.fit.candidate.effects.size() == best.fit.candidate.effects.size() &&
                        other.fit.parameters.size() <= best.fit.parameters.size() + 1;
-  return other.log_evidence > best.log_evidence - told_apart ||
-         (simpler && other.log_likelihood > best.log_likelihood - told_apart);
+  return other.log_evidence > best.log_evidence - beliefs::told_apart ||
+         (simpler && other.log_likelihood > best.log_likelihood - beliefs::told_apart);
 }
 
 }  // namespace

@@ -28,10 +28,6 @@ struct Cause {
   std::vector<std::size_t> equivalent;  ///< places in the ranking that cannot be told apart from the best
 };
 
-/// Two explanations whose log-likelihoods, or whose log-evidences, differ by less are not told apart: the
-/// better one would be the wrong one in five of a hundred experiments (odds of twenty to one).
-inline constexpr double told_apart = 3.0;
-
 /// Whether a hypothesis is what it says: none of its effects is switched off by a parameter at zero, and none
 /// has run to the end of a range where it turns into another effect (a stop that always touches is a stiffer
 /// joint, a relaxation slower than the experiment a stiffer spring).

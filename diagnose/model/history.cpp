@@ -22,12 +22,12 @@ struct Traveller {
   [[nodiscard]] Imposed imposed(const Run& run, const Reading& reading) const {
     const Rig& rig = on.rig;
     const Reading& first = run.readings.front();
-    if (run.control == Control::end_point) {
-      const Vector2 start(first.x, first.y);
+    if (run.holds_end_point()) {
+      const Vector2 start = run.command(first);
       return {run.control,
-              start + turned(Vector2(reading.x, reading.y) - start, rig.misalignment) + rig.position_offset};
+              start + turned(run.command(reading) - start, rig.misalignment) + rig.position_offset};
     }
-    const Vector2 read = Vector2(reading.Fx, reading.Fy) - rig.force_bias - rig.force_drift * reading.t;
+    const Vector2 read = run.command(reading) - rig.force_bias - rig.force_drift * reading.t;
     return {run.control, turned(read / (1 + rig.force_gain), rig.misalignment)};
   }
 
@@ -102,8 +102,7 @@ class RunWalk {
 
  private:
   [[nodiscard]] bool imposed_is_known(const Reading& reading) const {
-    return run_.control == Control::end_point ? std::isfinite(reading.x) && std::isfinite(reading.y)
-                                              : std::isfinite(reading.Fx) && std::isfinite(reading.Fy);
+    return run_.command(reading).allFinite();
   }
 
   void start() {
@@ -116,7 +115,7 @@ class RunWalk {
       main_.posture.angle.segment(static_cast<Eigen::Index>(layout_.first(j)), nodes).setConstant(theta);
     }
     at_ = {run_.control, Vector2(0, 0)};
-    if (run_.control == Control::force || run_.readings.empty()) return;
+    if (!run_.holds_end_point() || run_.readings.empty()) return;
     at_.value = solver_.end_point(main_.on, main_.posture);
     approach();
   }
@@ -170,7 +169,7 @@ class RunWalk {
     const Reading& reading = run_.readings[r];
     auto row = trace.row(static_cast<Eigen::Index>(r));
     Vector2 end(reading.x, reading.y), force(reading.Fx, reading.Fy);
-    if (run_.control == Control::end_point) {
+    if (run_.holds_end_point()) {
       force = rig.measured_force(reading.t, direction_);
     } else {
       end = solver_.end_point(rig.on, rig.posture) - rig.on.rig.position_offset;

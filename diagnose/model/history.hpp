@@ -11,8 +11,12 @@
 
 namespace plumbline::diagnose {
 
-/// The channels of a reading, as columns: x, y, Fx, Fy, q_1 … q_n.
+/// The channels of a reading, as columns of a trace: x, y, Fx, Fy, q_1 … q_n.
 enum ChannelColumn : Eigen::Index { column_x, column_y, column_Fx, column_Fy, column_q };
+
+inline Eigen::Index column_of(const Channel& channel) {
+  return static_cast<Eigen::Index>(static_cast<std::size_t>(channel.name) + channel.joint);
+}
 
 /// One run as predicted: a row a reading, a column a channel. Imposed channels repeat what was commanded.
 using Trace = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

@@ -3,31 +3,11 @@
 /// The measured values of an experiment as one flat list, and the series that they form.
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "diagnose/model/history.hpp"
 
 namespace plumbline::diagnose {
-
-/// What kind of sensor a value comes from: each kind shares one correction of its declared noise.
-enum class Sensor { position, force, angle };
-
-/// How many names of channels there are: x, y, Fx, Fy, q.
-inline constexpr std::size_t channel_names = 5;
-
-/// A column of a sample file that carries measured values.
-struct Channel {
-  enum class Name { x, y, Fx, Fy, q } name;
-  std::size_t joint;  ///< 0-based; meaningful for q
-
-  bool operator==(const Channel&) const = default;
-  [[nodiscard]] Sensor sensor() const;
-  [[nodiscard]] std::string label() const;  ///< "Fx", or "q3" (1-based)
-  [[nodiscard]] double of(const Reading& reading) const;
-  [[nodiscard]] Eigen::Index column() const;  ///< in a predicted trace
-  [[nodiscard]] double sigma(const Noise& noise) const;
-};
 
 /// The values of one channel in one run, in the order in which they were taken, without the missing ones.
 struct Series {

@@ -19,7 +19,7 @@ Step step(const Trace& nominal, Eigen::Index from, Eigen::Index to) {
 
 /// What the rig pushes along: the end point, or the force.
 Vector2 pushed(const Run& run, const Trace& nominal, Eigen::Index reading) {
-  if (run.control == Control::end_point) return {nominal(reading, column_x), nominal(reading, column_y)};
+  if (run.holds_end_point()) return {nominal(reading, column_x), nominal(reading, column_y)};
   return {nominal(reading, column_Fx), nominal(reading, column_Fy)};
 }
 
@@ -43,7 +43,7 @@ std::vector<Regime> regimes(const Run& run, const Trace& nominal) {
   const Eigen::Index count = nominal.rows();
   std::vector<Regime> result(static_cast<std::size_t>(count), Regime::pre_buckling);
   const Vector2 start = pushed(run, nominal, 0);
-  double first = 0, farthest = 0;
+  double first = 0, last = 0;
   Regime now = Regime::pre_buckling;
   for (Eigen::Index i = 1; i < count; ++i) {
     const Step change = step(nominal, i - 1, i);
@@ -54,7 +54,7 @@ std::vector<Regime> regimes(const Run& run, const Trace& nominal) {
       const double stiffness = change.force.dot(change.motion) / square;
       if (first == 0) first = stiffness;
       const double left = first != 0 ? stiffness / first : 1;
-      if (distance < farthest * (1 - 1e-9)) {
+      if (distance < last * (1 - 1e-9)) {
         now = Regime::unloading;
       } else {
         now = left >= 0.5   ? Regime::pre_buckling
@@ -62,7 +62,7 @@ std::vector<Regime> regimes(const Run& run, const Trace& nominal) {
                             : Regime::post_buckling;
       }
     }
-    farthest = std::max(farthest, distance);
+    last = distance;
     result[static_cast<std::size_t>(i)] = now;
   }
   if (count > 1) result[0] = result[1] == Regime::unloading ? Regime::pre_buckling : result[1];

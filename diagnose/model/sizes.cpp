@@ -23,10 +23,18 @@ double typical_force(const Experiment& experiment) {
 }
 
 bool reads_force(const Run& run) {
-  return run.control == Control::end_point &&
+  return run.holds_end_point() &&
          std::any_of(run.readings.begin(), run.readings.end(), [](const Reading& reading) {
            return std::isfinite(reading.Fx) || std::isfinite(reading.Fy);
          });
+}
+
+/// Whether time stamps only count the readings. A time constant found from them would be that of a clock that
+/// somebody made up.
+bool counts_readings(const std::vector<Reading>& readings) {
+  for (std::size_t i = 1; i < readings.size(); ++i)
+    if (readings[i].t != readings[i - 1].t + 1) return false;
+  return true;
 }
 
 }  // namespace
@@ -47,6 +55,7 @@ Sizes sizes_of(const Experiment& experiment) {
     for (const Reading& reading : run.readings) size.duration = std::max(size.duration, reading.t);
     if (run.readings.size() > 1 && size.pause == 0) size.pause = run.readings[1].t - run.readings[0].t;
     size.measures_force = size.measures_force || reads_force(run);
+    size.clock = size.clock || !counts_readings(run.readings);
   }
   size.force = std::max(typical_force(experiment), 1e-3 * size.stiffness / size.length);
   size.duration = std::max(size.duration, 1e-3);

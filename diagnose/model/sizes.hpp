@@ -17,6 +17,7 @@ struct Sizes {
   double duration = 0, pause = 0;                    ///< of the longest run; between readings
   bool weighs = true;                                ///< the bench may feel gravity in its plane
   bool measures_force = false;                       ///< a run imposes the end point and reads the force
+  bool clock = false;  ///< time stamps are more than the readings' numbers, 0, 1, 2, ...
 
   /// Stiffness of a joint, that of a mean one where it is passive.
   [[nodiscard]] double stiffness_at(std::size_t joint) const {

@@ -16,17 +16,22 @@ Json effect_names(const Candidate& candidate) {
 }
 
 /// The noise of the channels that measured something, over the declared.
-Json noise(const NoiseModel& model, const std::map<std::string, double>& by_channel) {
+Json noise(const NoiseModel& model, const std::map<Channel, double>& by_channel) {
   Json result = Json::object();
   for (const Channel::Name name :
        {Channel::Name::x, Channel::Name::y, Channel::Name::Fx, Channel::Name::Fy, Channel::Name::q}) {
-    const Channel channel{name, 0};
-    const std::string label = name == Channel::Name::q ? "q" : channel.label();
+    const std::string label = name == Channel::Name::q ? "q" : Channel{name}.label();
     const bool measured = std::any_of(by_channel.begin(), by_channel.end(),
-                                      [&](const auto& one) { return one.first.starts_with(label); });
-    if (measured) result[label] = model.of(channel);
+                                      [&](const auto& one) { return one.first.name == name; });
+    if (measured) result[label] = model.of({name});
   }
   result["correlation"] = model.correlation;
+  return result;
+}
+
+Json by_label(const std::map<Channel, double>& values) {
+  Json result = Json::object();
+  for (const auto& [channel, value] : values) result[channel.label()] = value;
   return result;
 }
 
@@ -34,18 +39,21 @@ Json gap(const GapAnswer& answer, const NoiseModel& model) {
   return {{"present", answer.present},
           {"p_value", answer.test.p_value},
           {"chi2_per_dof", answer.chi2_per_value},
-          {"rms", answer.rms},
+          {"rms", by_label(answer.rms)},
           {"noise", noise(model, answer.rms)}};
 }
 
 Json where(const Where& places) {
   Json channels = Json::array(), runs = Json::array(), path = Json::array(), joints = Json::array();
   for (const auto& one : places.channels)
-    channels.push_back({{"channel", one.channel}, {"share", one.share}});
+    channels.push_back({{"channel", one.channel.label()}, {"share", one.share}});
   for (const auto& one : places.runs) runs.push_back({{"run", one.run}, {"share", one.share}});
   for (const auto& one : places.load_path) {
-    path.push_back(
-        {{"run", one.run}, {"from", one.from}, {"to", one.to}, {"share", one.share}, {"regime", one.regime}});
+    path.push_back({{"run", one.run},
+                    {"from", one.from},
+                    {"to", one.to},
+                    {"share", one.share},
+                    {"regime", regime_word(one.regime)}});
   }
   for (const auto& one : places.joints) joints.push_back({{"joint", one.joint}, {"share", one.share}});
   return {{"channels", channels},
@@ -107,14 +115,14 @@ Json cause(const Diagnosis& diagnosis) {
 Json shrink(const Shrink& measured) {
   Json channels = Json::object();
   for (const auto& [channel, one] : measured.channels) {
-    channels[channel] = {{"ratio", one.ratio},
-                         {"ratio_low", one.ratio_low},
-                         {"ratio_high", one.ratio_high},
-                         {"noise_floor_ratio", one.noise_floor_ratio}};
+    channels[channel.label()] = {{"ratio", one.ratio},
+                                 {"ratio_low", one.ratio_low},
+                                 {"ratio_high", one.ratio_high},
+                                 {"noise_floor_ratio", one.noise_floor_ratio}};
   }
   return {{"heldout", measured.heldout},
-          {"rms_before", measured.rms_before},
-          {"rms_after", measured.rms_after},
+          {"rms_before", by_label(measured.rms_before)},
+          {"rms_after", by_label(measured.rms_after)},
           {"ratio", measured.ratio},
           {"ratio_low", measured.ratio_low},
           {"ratio_high", measured.ratio_high},

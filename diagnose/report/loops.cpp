@@ -42,7 +42,7 @@ PageChart loop_over_command(const Explained& explained, const Series& series, co
   const Run& run = explained.experiment.runs[series.run];
   const Command command = command_of(run);
   const Trace &base = elastic.runs[series.run], &whole = explained.corrected.runs[series.run];
-  const Eigen::Index column = series.channel.column();
+  const Eigen::Index column = column_of(series.channel);
   page::Layer measured{Kind::dots, "measured", {}}, modelled{Kind::line, "corrected", {}};
   for (std::size_t i = 0; i < run.readings.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
@@ -56,7 +56,7 @@ PageChart loop_over_command(const Explained& explained, const Series& series, co
                               " after the elastic model, measured as dots, modelled as a line: "
                               "the way out and the way back differ.",
                           command.label,
-                          what + " less the elastic model, " + unit_of(what),
+                          what + " less the elastic model, " + std::string(series.channel.unit()),
                           {modelled, measured}};
   return {run.id + ": " + what + " less the elastic part of the model", page::drawn(chart)};
 }

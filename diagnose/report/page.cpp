@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "diagnose/beliefs.hpp"
 #include "diagnose/report/charts.hpp"
 #include "diagnose/report/law.hpp"
 #include "diagnose/report/page_texts.hpp"
@@ -57,23 +58,28 @@ Json charts(const std::vector<PageChart>& drawings, bool angles) {
   return list;
 }
 
-/// The channels of a report's object {"Fx": ..., "Fy": ...}, forces first as they come.
-Json gap_channels(const Json& rms) {
+/// The channels that a gap was measured in, with the marked numbers of the report.
+Json gap_channels(const GapAnswer& gap, const Json& marked) {
   Json list = Json::array();
-  for (const auto& [channel, value] : rms.items())
-    list.push_back({{"channel", channel}, {"unit", unit_of(channel)}, {"rms", value}, {"last", false}});
+  for (const auto& [channel, rms] : gap.rms)
+    list.push_back({{"channel", channel.label()},
+                    {"unit", channel.unit()},
+                    {"rms", marked[channel.label()]},
+                    {"last", false}});
   if (!list.empty()) list.back()["last"] = true;
   return list;
 }
 
-Json shrink_channels(const Json& shrink) {
+Json shrink_channels(const Shrink& shrink, const Json& marked) {
   Json list = Json::array();
-  for (const auto& [channel, value] : shrink["channels"].items()) {
-    Json row = value;
-    row["channel"] = channel;
-    row["unit"] = unit_of(channel);
-    row["before"] = shrink["rms_before"][channel];
-    row["after"] = shrink["rms_after"][channel];
+  for (const auto& one : shrink.channels) {
+    const Channel& channel = one.first;
+    const std::string label = channel.label();
+    Json row = marked["channels"][label];
+    row["channel"] = label;
+    row["unit"] = channel.unit();
+    row["before"] = marked["rms_before"][label];
+    row["after"] = marked["rms_after"][label];
     list.push_back(row);
   }
   return list;
@@ -203,14 +209,14 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
   const Explained explained(study, diagnosis);
   const Json report = as_json(diagnosis);
   Json view = page::with_marked_numbers(report, style_of);
-  view["gap_level"] = fmt::format("{:g}", gap_level);
+  view["gap_level"] = fmt::format("{:g}", beliefs::gap_level);
   for (const auto& [sensor, scale] : view["gap"]["noise"].items())
     if (sensor != "correlation") view["noise"].push_back({{"sensor", sensor}, {"scale", scale}});
-  view["channels_rms"] = gap_channels(view["gap"]["rms"]);
+  view["channels_rms"] = gap_channels(diagnosis.gap, view["gap"]["rms"]);
   add_where(view, report, explained);
   add_cause(view, report, explained);
   if (diagnosis.shrink) {
-    view["shrink"]["by_channel"] = shrink_channels(view["shrink"]);
+    view["shrink"]["by_channel"] = shrink_channels(*diagnosis.shrink, view["shrink"]);
     const CauseVerdict verdict = diagnosis.cause.verdict;
     view["shrink"]["explains"] = verdict == CauseVerdict::identified || verdict == CauseVerdict::ambiguous;
     view["shrink"]["of_law"] = diagnosis.offers_law();

@@ -17,26 +17,22 @@ std::string chance(double p) {
   return p < 1e-300 ? "p < 1e-300" : fmt::format("p = {:.2g}", p);
 }
 
-std::string by_channel(const std::map<std::string, double>& values) {
+std::string by_channel(const std::map<Channel, double>& values) {
   std::string text;
   for (const auto& [channel, value] : values)
-    text += fmt::format("{}{} {:.3g} {}", text.empty() ? "" : ", ", channel, value,
-                        channel[0] == 'F'   ? "N"
-                        : channel[0] == 'q' ? "rad"
-                                            : "m");
+    text += fmt::format("{}{} {:.3g} {}", text.empty() ? "" : ", ", channel.label(), value, channel.unit());
   return text;
 }
 
 /// How the noise compares with the declared; said in words where it is another.
-std::string scatter(const NoiseModel& noise, const std::map<std::string, double>& measured) {
+std::string scatter(const NoiseModel& noise, const std::map<Channel, double>& measured) {
   using Name = Channel::Name;
   std::string text = "  noise over declared:", words;
   for (const Name name : {Name::x, Name::y, Name::Fx, Name::Fy, Name::q}) {
-    const Channel channel{name, 0};
-    const std::string label = name == Name::q ? "q" : channel.label();
-    const auto carries = [&](const auto& one) { return one.first.starts_with(label); };
+    const std::string label = name == Name::q ? "q" : Channel{name}.label();
+    const auto carries = [&](const auto& one) { return one.first.name == name; };
     if (std::none_of(measured.begin(), measured.end(), carries)) continue;
-    const double scale = noise.of(channel);
+    const double scale = noise.of({name});
     text += fmt::format(" {} {:.2f},", label, scale);
     if (scale > 1.5 || scale < 1 / 1.5)
       words += fmt::format("  the readings of {} scatter {:.1f} times what was declared\n", label, scale);
@@ -70,12 +66,14 @@ std::string largest(const std::vector<Share>& shares, std::size_t count, Name na
 std::string where(const Diagnosis& diagnosis) {
   const Where& places = diagnosis.where;
   std::string text = "Where?  shares of the squared residual beyond noise\n";
-  text += "  channels: " + largest(places.channels, 4, [](const auto& one) { return one.channel; }) + "\n";
+  text += "  channels: " + largest(places.channels, 4, [](const auto& one) { return one.channel.label(); }) +
+          "\n";
   text += "  runs:     " + largest(places.runs, 4, [](const auto& one) { return one.run; }) + "\n";
   text += "  path:     " +
           largest(places.load_path, 3,
                   [](const PathShare& one) {
-                    return fmt::format("{} readings {}-{} ({})", one.run, one.from, one.to, one.regime);
+                    return fmt::format("{} readings {}-{} ({})", one.run, one.from, one.to,
+                                       regime_word(one.regime));
                   }) +
           "\n";
   text += "  joints:   " +

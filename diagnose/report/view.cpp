@@ -50,30 +50,24 @@ Explained::Explained(const Study& studied, const Diagnosis& diagnosed)
 }
 
 Command command_of(const Run& run) {
-  const bool moves = run.control == Control::end_point;
   std::vector<Vector2> way;
   Command command{{}, "", 0};
   Vector2 start(0, 0), farthest(0, 0);
   for (std::size_t i = 0; i < run.readings.size(); ++i) {
-    const Reading& reading = run.readings[i];
-    const Vector2 point = moves ? Vector2(reading.x, reading.y) : Vector2(reading.Fx, reading.Fy);
+    const Vector2 point = run.command(run.readings[i]);
     if (i == 0) start = point;
     way.push_back(point - start);
     if (way.back().norm() > farthest.norm()) farthest = way.back(), command.farthest = i;
   }
   const Vector2 direction = farthest.norm() > 0 ? Vector2(farthest.normalized()) : Vector2(1, 0);
   for (const Vector2& point : way) command.along.push_back(point.dot(direction));
-  command.label = (moves ? "end point moved along " : "force added along ") + words_for(direction) +
-                  (moves ? ", m" : ", N");
+  command.label = (run.holds_end_point() ? "end point moved along " : "force added along ") +
+                  words_for(direction) + ", " + std::string(run.imposed()[0].unit());
   return command;
 }
 
-std::string unit_of(const std::string& channel) {
-  return channel[0] == 'F' ? "N" : channel[0] == 'q' ? "rad" : "m";
-}
-
 std::string with_unit(const Channel& channel) {
-  return channel.label() + ", " + unit_of(channel.label());
+  return channel.label() + ", " + std::string(channel.unit());
 }
 
 }  // namespace plumbline::diagnose

@@ -33,7 +33,5 @@ Command command_of(const Run& run);
 
 /// "Fx, N".
 std::string with_unit(const Channel& channel);
-/// "N", "m" or "rad".
-std::string unit_of(const std::string& channel);
 
 }  // namespace plumbline::diagnose

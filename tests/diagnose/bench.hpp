@@ -35,7 +35,7 @@ inline Experiment three_links() {
 
 /// Adds a run that presses the end point by `by` in `steps` readings and, if asked, lets it come back.
 inline void press(Experiment& experiment, const std::vector<double>& rest, std::array<double, 2> by,
-                  int steps, bool back, double interval = 1) {
+                  int steps, bool back, double interval = 2) {
   Run run{"press-" + std::to_string(experiment.runs.size() + 1), Control::end_point, rest, {}};
   double theta = 0, x = 0, y = 0;
   for (std::size_t j = 0; j < rest.size(); ++j) {

@@ -23,7 +23,7 @@ double alarm_rate(const Lab& lab, int draws, std::uint64_t seed) {
   for (int draw = 0; draw < draws; ++draw) {
     std::vector<double> noise = correlated_noise(measurements, lab.scale, lab.correlation, random);
     add_outliers(noise, lab.outliers, 10, random);
-    alarms += test_gap(measurements, noise).p_value < gap_level;
+    alarms += test_gap(measurements, noise).p_value < beliefs::gap_level;
   }
   MESSAGE("scale ", lab.scale, ", correlation ", lab.correlation, ", outliers ", lab.outliers, ": ", alarms,
           " of ", draws);
@@ -57,7 +57,7 @@ TEST_CASE("a slow gap of two sigmas rms in one run of three is found") {
     const Series& series = measurements.series().front();
     for (std::size_t i = 0; i < series.readings.size(); ++i)
       residual[i] += 2.8 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / 55);
-    found += test_gap(measurements, residual).p_value < gap_level;
+    found += test_gap(measurements, residual).p_value < beliefs::gap_level;
   }
   CHECK(found >= 45);
 }
@@ -68,7 +68,7 @@ TEST_CASE("white noise of any size is no gap, and its size is told") {
   std::mt19937_64 random(6);
   for (const double scale : {0.3, 1.65, 3.0, 20.0}) {
     const GapTest test = test_gap(measurements, correlated_noise(measurements, scale, 0, random));
-    CHECK(test.p_value > gap_level);
+    CHECK(test.p_value > beliefs::gap_level);
     CHECK(test.noise.of({Channel::Name::Fx, 0}) / scale == doctest::Approx(1).epsilon(0.11));
   }
 }

@@ -47,18 +47,18 @@ TEST_CASE("the shrink of four held-out readings, by hand") {
                             after = by_series(measurements, {30, 40, 1, 2});
   const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 1), before, after, noise);
   CHECK(shrink.heldout == std::vector<std::string>{"run-2"});
-  CHECK(shrink.rms_before.at("Fx") == doctest::Approx(3));   // 6 sigmas of 0.5 N
-  CHECK(shrink.rms_before.at("Fy") == doctest::Approx(16));  // 8 sigmas of 2 N
-  CHECK(shrink.rms_after.at("Fx") == doctest::Approx(0.5));
-  CHECK(shrink.rms_after.at("Fy") == doctest::Approx(4));
+  CHECK(shrink.rms_before.at({Channel::Name::Fx}) == doctest::Approx(3));   // 6 sigmas of 0.5 N
+  CHECK(shrink.rms_before.at({Channel::Name::Fy}) == doctest::Approx(16));  // 8 sigmas of 2 N
+  CHECK(shrink.rms_after.at({Channel::Name::Fx}) == doctest::Approx(0.5));
+  CHECK(shrink.rms_after.at({Channel::Name::Fy}) == doctest::Approx(4));
   // squares in sigmas: before 4 (36 + 64) = 400, after 4 (1 + 4) = 20; noise of 1.5 sigmas gives 8 * 2.25
   CHECK(shrink.ratio == doctest::Approx(std::sqrt(20.0 / 400)));
   CHECK(shrink.noise_floor_ratio == doctest::Approx(std::sqrt(18.0 / 400)));
   CHECK(shrink.chi2_per_value_after == doctest::Approx(20.0 / 18));
-  CHECK(shrink.channels.at("Fx").ratio == doctest::Approx(1.0 / 6));
-  CHECK(shrink.channels.at("Fy").ratio == doctest::Approx(2.0 / 8));
-  CHECK(shrink.channels.at("Fx").noise_floor_ratio == doctest::Approx(1.5 / 6));
-  CHECK(shrink.channels.at("Fy").noise_floor_ratio == doctest::Approx(1.5 / 8));
+  CHECK(shrink.channels.at({Channel::Name::Fx}).ratio == doctest::Approx(1.0 / 6));
+  CHECK(shrink.channels.at({Channel::Name::Fy}).ratio == doctest::Approx(2.0 / 8));
+  CHECK(shrink.channels.at({Channel::Name::Fx}).noise_floor_ratio == doctest::Approx(1.5 / 6));
+  CHECK(shrink.channels.at({Channel::Name::Fy}).noise_floor_ratio == doctest::Approx(1.5 / 8));
   // the two blocks, Fx and Fy, leave 1/6 and 1/4: no draw of them leaves less or more
   CHECK(shrink.ratio_low == doctest::Approx(1.0 / 6));
   CHECK(shrink.ratio_high == doctest::Approx(1.0 / 4));

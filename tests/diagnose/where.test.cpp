@@ -33,7 +33,7 @@ void fill(const Measurements& measurements, std::size_t series, double size, std
 
 double share_of(const std::vector<ChannelShare>& shares, const std::string& channel) {
   for (const ChannelShare& one : shares)
-    if (one.channel == channel) return one.share;
+    if (one.channel.label() == channel) return one.share;
   return -1;
 }
 double share_of(const std::vector<RunShare>& shares, const std::string& run) {
@@ -56,7 +56,7 @@ TEST_CASE("shares are of the squared residual beyond noise, by hand") {
   fill(measurements, 3, 4, residual);  // 10 (4 - 1) = 30
   const Where where = locate(Study(experiment), straight(experiment, 5), residual, noise);
   // by channel: Fx 0 + 80, Fy 30 - 7.5
-  CHECK(where.channels.front().channel == "Fx");
+  CHECK(where.channels.front().channel.label() == "Fx");
   CHECK(share_of(where.channels, "Fx") == doctest::Approx(80 / 102.5));
   CHECK(share_of(where.channels, "Fy") == doctest::Approx(22.5 / 102.5));
   // by run: the first is below noise, its share is nothing and no debt
@@ -84,8 +84,8 @@ TEST_CASE("along the path a share belongs to the readings that hold it, also whe
   const Where where = locate(Study(experiment), straight(experiment, 8), residual, {});
   REQUIRE(where.load_path.size() == 2);
   const PathShare &stiff = where.load_path[0], &soft = where.load_path[1];
-  CHECK((stiff.from == 0 && stiff.to == 7 && stiff.regime == "pre-buckling"));
-  CHECK((soft.from == 8 && soft.to == 11 && soft.regime == "post-buckling"));
+  CHECK((stiff.from == 0 && stiff.to == 7 && stiff.regime == Regime::pre_buckling));
+  CHECK((soft.from == 8 && soft.to == 11 && soft.regime == Regime::post_buckling));
   CHECK(stiff.share == 0.0);
   CHECK(soft.share == doctest::Approx(1));
 }

@@ -19,7 +19,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi"
 #endif
 
-namespace plumbline {
+namespace plumbline::detail {
 
 /// How many doubles are computed with at once.
 inline constexpr std::size_t lane_count = 8;
@@ -99,4 +99,4 @@ inline Lanes suffix_sums(const Lanes& x) {
   return v;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::detail

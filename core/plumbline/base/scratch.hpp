@@ -11,7 +11,7 @@
 #include <new>
 #include <utility>
 
-namespace plumbline {
+namespace plumbline::detail {
 
 /// The blocks that a thread has given back.
 class SpareBlocks {
@@ -86,4 +86,4 @@ class Scratch {
   alignas(T) std::byte in_place_[few * sizeof(T)];
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::detail

@@ -16,7 +16,7 @@
 #include <plumbline/branch/branch.hpp>
 #include <tuple>
 
-namespace plumbline {
+namespace plumbline::detail {
 
 /// A point where branches cross, and their tangents there.
 template <Number Real>
@@ -195,4 +195,4 @@ class BifurcationSolver {
   BorderedBand<Real, bandwidth> matrix_, transposed_;
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::detail

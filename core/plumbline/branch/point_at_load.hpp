@@ -6,6 +6,8 @@
 
 namespace plumbline {
 
+namespace detail {
+
 /// Between two points of a branch that enclose the load: by halves along the branch, so that no other branch
 /// is met, however near. Nothing where no step reaches the middle.
 template <LoadedModel Model>
@@ -34,6 +36,8 @@ std::optional<BranchPoint<typename Model::Real>> between_at_load(Brancher<Model>
   return std::nullopt;
 }
 
+}  // namespace detail
+
 /// The first point of a branch that has the load. Nothing where the branch does not reach it.
 template <LoadedModel Model>
 std::optional<BranchPoint<typename Model::Real>> point_at_load(Brancher<Model>& brancher,
@@ -43,7 +47,7 @@ std::optional<BranchPoint<typename Model::Real>> point_at_load(Brancher<Model>& 
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points[i].load == load) return points[i];
     if (i + 1 == points.size() || (points[i].load < load) == (points[i + 1].load < load)) continue;
-    return between_at_load(brancher, points[i], points[i + 1], load);
+    return detail::between_at_load(brancher, points[i], points[i + 1], load);
   }
   return std::nullopt;
 }
@@ -61,7 +65,7 @@ std::optional<BranchPoint<typename Model::Real>> state_at_load(
   if (on == 0 || first.load <= load) return point_at_load(brancher, stretches[on], load);
   const auto& before = stretches[on - 1];
   if (!before.events.empty() && before.events.back().kind == EventKind::bifurcation)
-    return between_at_load(brancher, before.points.back(), first, load);
+    return detail::between_at_load(brancher, before.points.back(), first, load);
   return brancher.at_load(first, load);
 }
 

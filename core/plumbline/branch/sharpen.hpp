@@ -55,7 +55,7 @@ BranchEvent<typename Model::Real> sharpen(Brancher<Model>& brancher, const Branc
   const auto lost = [] { return Error("branch", "an event that more digits do not show", "an event"); };
   BranchEvent<Real> result{event.kind, event.before, lift<Real>(event.point), {}};
   if (event.kind == EventKind::bifurcation) {
-    auto found = BifurcationSolver<Model>(brancher).near(result.point, lift<Real>(event.crossing));
+    auto found = detail::BifurcationSolver<Model>(brancher).near(result.point, lift<Real>(event.crossing));
     if (!found || !found->simple()) throw lost();
     const auto along = [&](const Variation<Real>& t) {
       return brancher.product(t, lift<Real>(event.crossing));

@@ -19,6 +19,8 @@
 
 namespace plumbline {
 
+namespace detail {
+
 /// The part of a branch before stability is lost.
 /// \return whether it was lost
 template <Number Real>
@@ -35,6 +37,8 @@ bool cut_where_unstable(Branch<Real>& branch) {
   }
   return true;
 }
+
+}  // namespace detail
 
 /// The history under a load that grows slowly from the load of `start`, a stable point, to the end of the
 /// window. At a fold the chain jumps to where the energy flows. At a bifurcation it leaves to the side of the
@@ -54,7 +58,7 @@ std::vector<Branch<typename Model::Real>> load_slowly(Brancher<Model>& brancher,
   for (int stretch = 0; stretch < 64; ++stretch) {
     if (from.tangent.load < Real(0)) Brancher<Model>::scale(from.tangent, Real(-1));
     Branch<Real> branch = Tracer<Model>(brancher, limits).run(from);
-    const bool lost = cut_where_unstable(branch);
+    const bool lost = detail::cut_where_unstable(branch);
     history.push_back(branch);
     if (!lost) return history;
     BranchPoint<Real> last = branch.points.back();

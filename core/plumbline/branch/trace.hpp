@@ -152,8 +152,8 @@ class Tracer {
     const Real guess = horizon_.ahead;
     if (!(guess > Real(0) && guess < farthest(Real(3) / Real(2)) && guess < tried_ / Real(2))) return false;
     tried_ = guess;
-    auto found =
-        BifurcationSolver<Model>(*brancher_).near(brancher_->along(series_, guess), horizon_.direction);
+    auto found = detail::BifurcationSolver<Model>(*brancher_)
+                     .near(brancher_->along(series_, guess), horizon_.direction);
     if (!found || !found->simple() || outside(found->point.load)) return false;
     const auto s = passes(found->point);
     if (!s || !(*s > Real(0))) return false;
@@ -180,7 +180,7 @@ class Tracer {
 
   /// Describes a bifurcation as a point of this branch. \return the tangent of the other; nothing if neither
   /// goes this way
-  std::optional<Variation<Real>> take_tangent(Bifurcation<Real>& found, const Real& s) {
+  std::optional<Variation<Real>> take_tangent(detail::Bifurcation<Real>& found, const Real& s) {
     using std::abs;
     const Variation<Real> along = brancher_->along(series_, s).tangent;
     const auto agrees = [&](const Variation<Real>& t) { return brancher_->product(along, t); };

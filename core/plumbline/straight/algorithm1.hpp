@@ -27,6 +27,8 @@ Matrix<Real> algorithm1_matrix(const Chain<Real>& chain) {
   return matrix_B(chain).partialPivLu().solve(matrix_A(chain));
 }
 
+namespace detail {
+
 /// The eigenvector that a solver returned, normalised to norm 1 and q_1 > 0.
 ///
 /// Eigen's back substitution goes wrong where rounding leaves the double zero as a 2 x 2 block whose
@@ -43,6 +45,8 @@ Vector<Real> checked_eigenvector(const Matrix<Real>& C, const Real& lambda, Vect
   }
   return v / (v(0) < Real(0) ? Real(-v.norm()) : v.norm());
 }
+
+}  // namespace detail
 
 /// The n - 1 modes, the critical force first: the eigenvectors of the n - 1 eigenvalues of B^-1 A that are
 /// largest in absolute value, F_x = -1 / lambda (35). The two smallest are the double zero. Vectors (q, F_y)
@@ -68,7 +72,7 @@ std::vector<Mode<Real>> algorithm1(const Chain<Real>& chain) {
       throw Error("Algorithm 1", "eigenvalue " + std::to_string(m + 1) + " of B^-1 A not negative",
                   "more digits for this chain than the number type has");
     }
-    const Vector<Real> v = checked_eigenvector<Real>(C, lambda(i), vectors.col(i).real());
+    const Vector<Real> v = detail::checked_eigenvector<Real>(C, lambda(i), vectors.col(i).real());
     result.push_back({Real(-1) / lambda(i), std::vector<Real>(v.data(), v.data() + n), v(n)});
   }
   return result;

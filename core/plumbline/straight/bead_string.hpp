@@ -18,7 +18,7 @@
 #include <plumbline/chain/chain.hpp>
 #include <span>
 
-namespace plumbline {
+namespace plumbline::detail {
 
 /// A piece of the string between cuts. All its frequencies are simple. With T = Lanes, pieces of eight
 /// chains.
@@ -197,4 +197,4 @@ class BeadString {
   bool normal_ = true;
 };
 
-}  // namespace plumbline
+}  // namespace plumbline::detail

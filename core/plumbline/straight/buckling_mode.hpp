@@ -15,6 +15,8 @@
 
 namespace plumbline {
 
+namespace detail {
+
 /// Deflection of each bead and slope of the string before it, run from one end. The true values are the
 /// stored ones times 2^exponent.
 template <Floating Real>
@@ -137,6 +139,8 @@ inline Mode<double> in_double(const Mode<long double>& mode) {
   return {force_in_double(mode.force), {mode.q.begin(), mode.q.end()}, static_cast<double>(mode.fy)};
 }
 
+}  // namespace detail
+
 /// The shape at a critical force that critical_forces() gave. Where two parts of a chain with an interior
 /// passive joint share that force, the shape of the first part; critical_modes() gives both. An angle is as
 /// accurate as the force lets it be: relative errors of the force count as many times as the reciprocal of
@@ -144,18 +148,19 @@ inline Mode<double> in_double(const Mode<long double>& mode) {
 /// \throws Error for n = 1 or a mechanism
 template <Floating Real>
 Mode<Real> buckling_mode(const Chain<Real>& chain, const Real& force) {
-  const BeadString<Real> string(chain);
+  const detail::BeadString<Real> string(chain);
   if constexpr (std::same_as<Real, double>) {
-    if (!string.in_range()) return in_double(buckling_mode(widened(chain), static_cast<long double>(force)));
+    if (!string.in_range())
+      return detail::in_double(buckling_mode(detail::widened(chain), static_cast<long double>(force)));
   }
   const auto pieces = string.pieces();
-  const auto newton = [&](const StringPiece<Real>& piece) {
+  const auto newton = [&](const detail::StringPiece<Real>& piece) {
     using std::abs;
-    const auto at = sweep<1>(piece, force);
+    const auto at = detail::sweep<1>(piece, force);
     return Real(abs(at.f[0] / at.f[1]));
   };
   const bool second = pieces.size() > 1 && newton(pieces[1]) < newton(pieces[0]);
-  return mode_of(chain, pieces[second ? 1 : 0], force);
+  return detail::mode_of(chain, pieces[second ? 1 : 0], force);
 }
 
 /// The lowest critical forces with their shapes, ascending: `lowest` of them, or all n - 1. Critical forces
@@ -163,18 +168,19 @@ Mode<Real> buckling_mode(const Chain<Real>& chain, const Real& force) {
 /// \throws Error for n = 1 or a mechanism
 template <Floating Real>
 std::vector<Mode<Real>> critical_modes(const Chain<Real>& chain, std::size_t lowest) {
-  const BeadString<Real> string(chain);
+  const detail::BeadString<Real> string(chain);
   std::vector<Mode<Real>> modes;
   if constexpr (std::same_as<Real, double>) {
     if (!string.in_range()) {
-      for (const auto& mode : critical_modes(widened(chain), lowest)) modes.push_back(in_double(mode));
+      for (const auto& mode : critical_modes(detail::widened(chain), lowest))
+        modes.push_back(detail::in_double(mode));
       return modes;
     }
   }
-  const auto roots = lowest_roots(chain, lowest);
+  const auto roots = detail::lowest_roots(chain, lowest);
   const auto pieces = string.pieces();
   for (std::size_t p = 0; p < pieces.size(); ++p) {
-    for (const auto& root : roots[p]) modes.push_back(mode_of(chain, pieces[p], root));
+    for (const auto& root : roots[p]) modes.push_back(detail::mode_of(chain, pieces[p], root));
   }
   std::stable_sort(modes.begin(), modes.end(),
                    [](const auto& a, const auto& b) { return a.force < b.force; });

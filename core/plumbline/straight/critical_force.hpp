@@ -24,11 +24,13 @@ namespace plumbline {
 /// \throws Error for n = 1 or a mechanism
 template <Ordered Real>
 std::size_t count_below(const Chain<Real>& chain, const Real& F) {
-  const BeadString<Real> string(chain);
+  const detail::BeadString<Real> string(chain);
   std::size_t count = 0;
   for (const auto& piece : string.pieces()) count += count_below(piece, F);
   return count;
 }
+
+namespace detail {
 
 /// Runs along the string at the next points of a few open brackets: one, or as many as there are lanes.
 template <Floating Real>
@@ -206,19 +208,21 @@ inline RootsOfPieces<double> lowest_roots(const Chain<double>& chain, std::size_
   return result;
 }
 
+}  // namespace detail
+
 /// The lowest critical force, as critical_forces() gives it.
 /// \throws Error for n = 1, a mechanism, or a force outside the range of the type
 template <Floating Real>
 Real lowest_critical_force(const Chain<Real>& chain) {
   if constexpr (std::same_as<Real, double>) {
-    const BeadString<double> string(chain);
+    const detail::BeadString<double> string(chain);
     if (string.in_range()) {
       const auto pieces = string.pieces();
-      const double first = lowest_force(pieces[0]);
-      return pieces.size() == 1 ? first : std::min(first, lowest_force(pieces[1]));
+      const double first = detail::lowest_force(pieces[0]);
+      return pieces.size() == 1 ? first : std::min(first, detail::lowest_force(pieces[1]));
     }
   }
-  const auto roots = lowest_roots(chain, 1);
+  const auto roots = detail::lowest_roots(chain, 1);
   return roots.size() == 1 ? roots[0][0] : std::min(roots[0][0], roots[1][0]);
 }
 
@@ -230,7 +234,7 @@ template <Floating Real>
 std::vector<Real> critical_forces(const Chain<Real>& chain, std::size_t lowest) {
   mode_count(chain);
   std::vector<Real> forces;
-  for (const auto& roots : lowest_roots(chain, lowest)) {
+  for (const auto& roots : detail::lowest_roots(chain, lowest)) {
     const auto before = static_cast<std::ptrdiff_t>(forces.size());
     forces.insert(forces.end(), roots.begin(), roots.end());
     if (before > 0) std::inplace_merge(forces.begin(), forces.begin() + before, forces.end());

@@ -32,6 +32,8 @@ struct ChainBatch {
   }
 };
 
+namespace detail {
+
 /// The strings of eight chains side by side.
 class StringLanes {
  public:
@@ -103,6 +105,8 @@ inline void lowest_forces(const ChainBatch& batch, std::size_t first, std::size_
   }
 }
 
+}  // namespace detail
+
 /// The lowest critical force of each chain of a batch.
 /// \param threads  at most so many at once
 /// \throws Error for lists that are not whole chains, and for the first chain that critical_forces() refuses
@@ -124,7 +128,8 @@ inline std::vector<double> lowest_forces(const ChainBatch& batch,
     for (std::size_t part = 0; part < parts; ++part) {
       const auto work = [&, part] {
         try {
-          lowest_forces(batch, batch.size() * part / parts, batch.size() * (part + 1) / parts, forces);
+          detail::lowest_forces(batch, batch.size() * part / parts, batch.size() * (part + 1) / parts,
+                                forces);
         } catch (...) {
           failures[part] = std::current_exception();
         }

@@ -5,17 +5,19 @@
 
 #include <plumbline/straight/string_sweep.hpp>
 
-namespace plumbline {
+namespace plumbline::detail {
+
+/// Eighteen digits, and exponents without a limit that matters: the square of what ten thousand digits
+/// resolve is far below what a long double can hold.
+using WideRange = mp::number<mp::mpfr_float_backend<18, mp::allocate_stack>, mp::et_off>;
 
 /// x / y as good as double has it, for what needs no more.
 template <class T>
 auto rough_ratio(const T& x, const T& y) {
   if constexpr (requires { x.backend(); }) {
-    long above = 0, below = 0;
-    const double ratio = mpfr_get_d_2exp(&above, x.backend().data(), MPFR_RNDN) /
-                         mpfr_get_d_2exp(&below, y.backend().data(), MPFR_RNDN);
-    const long exponent = std::clamp(above - below, -10000L, 10000L);  // nearer than anything has to be
-    return std::ldexp(static_cast<long double>(ratio), static_cast<int>(exponent));
+    WideRange ratio;
+    mpfr_div(ratio.backend().data(), x.backend().data(), y.backend().data(), MPFR_RNDN);
+    return ratio;
   } else {
     return x / y;
   }
@@ -60,7 +62,7 @@ template <class T, std::size_t terms>
   }
   ab /= f[1];
   ab *= a;
-  ab += higher;
+  ab += T(higher);
   ab *= a;
   a += ab;
   return {T(-a), nearness, left, factor};
@@ -145,4 +147,4 @@ Bracket<Real> all_of(const StringPiece<Real>& string) {
   return all;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::detail

@@ -7,7 +7,7 @@
 #include <optional>
 #include <plumbline/straight/laguerre.hpp>
 
-namespace plumbline {
+namespace plumbline::detail {
 
 /// A string with an eighth of the beads: each group's mass in its centre, which keeps mass, first moment and
 /// length, and so the lowest frequency to second order in the size of a group.
@@ -127,4 +127,4 @@ inline double lowest_force(const StringPiece<double>& string,
   return root_in(string, bracket);
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::detail

@@ -10,7 +10,7 @@
 #include <array>
 #include <plumbline/straight/bead_string.hpp>
 
-namespace plumbline {
+namespace plumbline::detail {
 
 /// The number of critical forces below F, lane by lane where there are lanes.
 template <class T>
@@ -224,4 +224,4 @@ Sweep<double, order> sweep_from_both_ends(const StringPiece<double>& string, dou
   return result;
 }
 
-}  // namespace plumbline
+}  // namespace plumbline::detail

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <array>
 
+#include "diagnose/beliefs.hpp"
 #include "diagnose/model/effects/rows.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-/// What machining, printing and assembling leave: standard deviations of single joints and links. Springs
-/// and printed hinges repeat to a tenth, cut lengths to a percent, assembled angles to a degree.
-constexpr double stiffness_tolerance = 0.1, length_tolerance = 0.01, angle_tolerance = 0.02;
+using beliefs::stiffness_tolerance, beliefs::length_tolerance, beliefs::angle_tolerance;
 
 bool several_elastic(const Place& at) {
   return std::count_if(at.sizes.joint_stiffness.begin(), at.sizes.joint_stiffness.end(),

@@ -111,6 +111,7 @@ std::vector<Effect> joint_effects() {
              to.rig.arm_ratio += to.value[0];
              to.rig.relaxation = to.value[1];
            },
+       .possible = [](const Place& at) { return at.sizes.clock; },
        .starts =
            [](const Place& at, const Exercise&) {
              const double low = std::log(0.1 * at.sizes.pause), high = std::log(20 * at.sizes.duration);

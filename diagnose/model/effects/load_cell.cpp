@@ -28,7 +28,9 @@ std::vector<Effect> load_cell_effects() {
              return std::vector{both_ways("r_x", "N/s", 0.05 * rate, -3 * rate, 3 * rate),
                                 both_ways("r_y", "N/s", 0.05 * rate, -3 * rate, 3 * rate)};
            },
-       .add = [](const Addition& to) { to.rig.force_drift += Vector2(to.value[0], to.value[1]); }},
+       .add = [](const Addition& to) { to.rig.force_drift += Vector2(to.value[0], to.value[1]); },
+       // A force that is imposed has nothing that could drift.
+       .possible = [](const Place& at) { return at.sizes.measures_force && at.sizes.clock; }},
   };
 }
 

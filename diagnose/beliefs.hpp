@@ -1,0 +1,56 @@
+#pragma once
+/// \file
+/// Everything that the diagnosis believes before it sees a reading, and every odd that it was taught, in one
+/// table: nothing else in it is a matter of opinion. Figures that are said to come from simulated experiments
+/// were counted on the developers' own, never on those that judge the diagnosis.
+
+namespace plumbline::diagnose::beliefs {
+
+// ---- Noise, beside what was declared ----
+
+/// Spread of the logarithm of true over declared sigma: most labs know theirs to a quarter. What the readings
+/// say themselves widens it without a limit, for the others err by any factor.
+inline constexpr double scale_spread = 0.25;
+/// Spread of the half-normal correlation of neighbouring readings: 0.6 is rare, but possible.
+inline constexpr double correlation_spread = 0.3;
+/// So many readings of a bench are slips, knocks and dropouts, with noise so many times as wide.
+inline constexpr double outlier_share = 0.02, outlier_width = 10;
+
+// ---- Tolerances: standard deviations of single joints and links ----
+
+/// Springs and printed hinges repeat to a tenth, cut lengths to a percent, assembled angles to a degree.
+inline constexpr double stiffness_tolerance = 0.1, length_tolerance = 0.01, angle_tolerance = 0.02;
+
+// ---- How many causes there are ----
+
+/// Shares of gaps that have one cause, two, three. Which effects, and where, is all alike.
+inline constexpr double one_cause = 0.75, two_causes = 0.20, three_causes = 0.05;
+/// Prior probability that a gap's cause is in nobody's catalogue.
+inline constexpr double outside = 0.1;
+/// Of the explanations that fit by chance alone, as simulated experiments show: the odds that a bad fit gives
+/// to `outside` are smaller by this factor.
+inline constexpr double fits_by_chance = 0.1;
+
+// ---- Levels ----
+
+/// The level at which a gap is called present: of a hundred experiments without a gap one is called to have
+/// one. Gaps of any use are far beyond it.
+inline constexpr double gap_level = 0.01;
+/// Below this p-value an explanation leaves structure, and is none: of a thousand right ones one is refused.
+inline constexpr double fit_level = 0.001;
+/// Two explanations whose log-likelihoods, or whose log-evidences, differ by less are not told apart: the
+/// better one would be the wrong one in five of a hundred experiments (odds of twenty to one).
+inline constexpr double told_apart = 3.0;
+
+// ---- What held-out readings say of an explanation ----
+
+/// It predicts where it leaves at most so many times the noise.
+inline constexpr double predicts = 1.5;
+/// It is what was looked for, with a remainder, where it leaves at most so many times the noise, of a gap
+/// whose noise floor is at most `clear`; so probable is another cause then.
+inline constexpr double nearly = 1.2, clear = 0.5, other_than_nearly = 0.05;
+/// Of explanations that did not predict, on simulated experiments, one in four was wrong; of those with three
+/// effects, all.
+inline constexpr double wrong_unpredicted = 0.25, wrong_unpredicted_three = 0.95;
+
+}  // namespace plumbline::diagnose::beliefs

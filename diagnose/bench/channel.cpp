@@ -1,0 +1,72 @@
+#include "diagnose/bench/channel.hpp"
+
+#include "diagnose/bench/experiment.hpp"
+
+namespace plumbline::diagnose {
+
+Sensor Channel::sensor() const {
+  if (name == Name::q) return Sensor::angle;
+  return name == Name::x || name == Name::y ? Sensor::position : Sensor::force;
+}
+
+std::string Channel::label() const {
+  switch (name) {
+    case Name::x:
+      return "x";
+    case Name::y:
+      return "y";
+    case Name::Fx:
+      return "Fx";
+    case Name::Fy:
+      return "Fy";
+    case Name::q:
+      break;
+  }
+  return "q" + std::to_string(joint + 1);
+}
+
+std::string_view Channel::unit() const {
+  switch (sensor()) {
+    case Sensor::position:
+      return "m";
+    case Sensor::force:
+      return "N";
+    case Sensor::angle:
+      break;
+  }
+  return "rad";
+}
+
+double Channel::of(const Reading& reading) const {
+  switch (name) {
+    case Name::x:
+      return reading.x;
+    case Name::y:
+      return reading.y;
+    case Name::Fx:
+      return reading.Fx;
+    case Name::Fy:
+      return reading.Fy;
+    case Name::q:
+      break;
+  }
+  return reading.q[joint];
+}
+
+double Channel::sigma(const Noise& noise) const {
+  switch (name) {
+    case Name::x:
+      return noise.x;
+    case Name::y:
+      return noise.y;
+    case Name::Fx:
+      return noise.Fx;
+    case Name::Fy:
+      return noise.Fy;
+    case Name::q:
+      break;
+  }
+  return noise.q;
+}
+
+}  // namespace plumbline::diagnose

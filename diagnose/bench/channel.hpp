@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// A channel of the readings: a column of a sample file, with its sensor and its unit.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace plumbline::diagnose {
+
+struct Noise;
+struct Reading;
+
+/// What kind of sensor a value comes from: each kind shares one correction of its declared noise.
+enum class Sensor { position, force, angle };
+
+/// How many names of channels there are: x, y, Fx, Fy, q.
+inline constexpr std::size_t channel_names = 5;
+
+struct Channel {
+  enum class Name { x, y, Fx, Fy, q } name;
+  std::size_t joint = 0;  ///< 0-based; meaningful for q
+
+  bool operator==(const Channel&) const = default;
+  [[nodiscard]] Sensor sensor() const;
+  [[nodiscard]] std::string label() const;      ///< "Fx", or "q3" (1-based)
+  [[nodiscard]] std::string_view unit() const;  ///< "m", "N" or "rad"
+  [[nodiscard]] double of(const Reading& reading) const;
+  [[nodiscard]] double sigma(const Noise& noise) const;
+};
+
+/// As their labels sort: the order in which reports list channels.
+inline bool operator<(const Channel& a, const Channel& b) {
+  return a.label() < b.label();
+}
+
+}  // namespace plumbline::diagnose
