@@ -16,7 +16,8 @@ struct HeldOut {
   [[nodiscard]] bool empty() const { return names.empty(); }
 };
 
-/// What to set aside: a run, if runs of its kind (control, loading only or not) remain; else two blocks of
+/// What to set aside: of the kind of runs (control, loading only or not) that there are most of, the one that
+/// goes farthest but one, where there are two; else two blocks of
 /// the path of every run. Decided by what was commanded, before any residual is looked at. Nothing where too
 /// little would be left.
 HeldOut choose_heldout(const Experiment& experiment);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "diagnose/beliefs.hpp"
 #include "diagnose/inference/screen.hpp"
 
 namespace plumbline::diagnose {

@@ -124,7 +124,7 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
     add(cause.ranking[place].hypothesis.fit.candidate.label(),
         fmt::format("fits these readings as well as the best: log-likelihood or log-evidence differ by less "
                     "than {:g}",
-                    told_apart));
+                    beliefs::told_apart));
   for (std::size_t i = 0; i < std::min(ranking.size(), cause.ranking.size()); ++i) {
     const bool listed =
         i == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), i) > 0;
@@ -181,8 +181,9 @@ void add_where(Json& view, const Json& report, const Explained& explained) {
   for (const char* list : {"channels", "runs", "load_path", "joints"})
     add_bars(view["where"][list], report["where"][list], "share");
   view["joint_evidence"] = joint_evidence_words(where.joint_evidence);
-  view["most"] = {
-      {"channel", where.channels.front().channel}, {"run", where.runs.front().run}, {"joint", false}};
+  view["most"] = {{"channel", where.channels.front().channel.label()},
+                  {"run", where.runs.front().run},
+                  {"joint", false}};
   if (where.joint_evidence == JointEvidence::measured && where.joints.front().share > 0.5)
     view["most"]["joint"] = std::to_string(where.joints.front().joint);
   if (!explained.diagnosis.missing) return;

@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "diagnose/beliefs.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 
 using namespace plumbline;

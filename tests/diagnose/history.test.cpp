@@ -296,7 +296,7 @@ TEST_CASE("rig and load-cell effects act on what is commanded and on what is rea
   CHECK(force("force_bias", {0.3, -0.2}, 4)[0] == doctest::Approx(fx(4) + 0.3));
   CHECK(force("force_bias", {0.3, -0.2}, 4)[1] == doctest::Approx(fy(4) - 0.2));
   CHECK(force("force_gain", {0.1}, 7)[0] == doctest::Approx(1.1 * fx(7)));
-  CHECK(force("sensor_drift", {0.01, 0.02}, 7)[1] == doctest::Approx(fy(7) + 0.02 * 7));
+  CHECK(force("sensor_drift", {0.01, 0.02}, 7)[1] == doctest::Approx(fy(7) + 0.02 * 14));
   CHECK(force("guide_friction", {0.5}, 0)[0] == doctest::Approx(fx(0)).scale(1));
   CHECK(force("guide_friction", {0.5}, loading)[0] == doctest::Approx(fx(loading) - 0.5));
   CHECK(force("guide_friction", {0.5}, unloading)[0] == doctest::Approx(fx(unloading) + 0.5));

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include <cmath>
 
 #include "tests/diagnose/bench.hpp"
@@ -143,15 +145,27 @@ TEST_CASE("a run that is held out whole is gone") {
   CHECK(seen.runs[1].id == experiment.runs[2].id);
 }
 
-TEST_CASE("of two runs of one kind the last is held out") {
+TEST_CASE("of runs of one kind the farthest but one is held out, in whatever order they stand") {
   Experiment experiment = three_links();
-  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, false);
+  press(experiment, {0.3, -0.5, 0.4}, {-0.05, 0}, 20, false);
   press(experiment, {0.2, -0.5, 0.4}, {-0.06, 0}, 20, false);
-  press(experiment, {0.2, -0.5, 0.4}, {-0.06, 0}, 20, true);
-  const HeldOut held = choose_heldout(experiment);
-  CHECK(held.names == std::vector<std::string>{"press-2"});
-  for (std::size_t r = 0; r < 3; ++r)
-    for (const bool one : held.reading[r]) CHECK(one == (r == 1));
+  press(experiment, {0.2, -0.5, 0.4}, {-0.04, 0}, 20, false);
+  press(experiment, {0.2, -0.5, 0.4}, {-0.08, 0}, 20, true);
+  for (int turn = 0; turn < 4; ++turn) {
+    std::rotate(experiment.runs.begin(), experiment.runs.begin() + 1, experiment.runs.end());
+    const HeldOut held = choose_heldout(experiment);
+    CHECK(held.names == std::vector<std::string>{"press-1"});
+    for (std::size_t r = 0; r < 4; ++r)
+      for (const bool one : held.reading[r]) CHECK(one == (experiment.runs[r].id == "press-1"));
+  }
+}
+
+TEST_CASE("of runs that repeat each other the same one is held out, in whatever order they stand") {
+  Experiment experiment = three_links();
+  for (int i = 0; i < 3; ++i) press(experiment, {0.3, -0.5, 0.4}, {-0.05, 0}, 20, false);
+  const HeldOut first = choose_heldout(experiment);
+  std::reverse(experiment.runs.begin(), experiment.runs.end());
+  CHECK(choose_heldout(experiment).names == first.names);
 }
 
 TEST_CASE("where every run is the one of its kind, two stretches of each are held out") {
