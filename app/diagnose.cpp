@@ -8,6 +8,7 @@
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
+#include "diagnose/bench/condense.hpp"
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/inference/conventions.hpp"
 #include "diagnose/report/report.hpp"
@@ -53,7 +54,7 @@ void run(const Options& options) {
   Outputs outputs(trial::files_read(options.experiment));
   files::OutputFile *const json = outputs.open("--json", options.json), *const html = outputs.open(
                                                                             "--html", options.html);
-  const diagnose::Study study(std::move(experiment));
+  const diagnose::Study study(condensed(std::move(experiment)));
   if (!options.as_is) ask_for_conventions(study);
   const diagnose::Diagnosis diagnosis = diagnosis_of(study, options.next);
   if (json) json->write(as_json(diagnosis).dump(2) + "\n");

@@ -152,8 +152,8 @@ HeldOut choose_blocks(const Experiment& experiment) {
     if (length == 0) continue;
     for (const std::size_t from : {2 * length, 5 * length}) {
       std::fill_n(heldout.reading[r].begin() + static_cast<std::ptrdiff_t>(from), length, true);
-      heldout.names.push_back(run.id + "[" + std::to_string(from) + ":" + std::to_string(from + length - 1) +
-                              "]");
+      heldout.names.push_back(run.id + "[" + std::to_string(run.first_taken(from)) + ":" +
+                              std::to_string(run.last_taken(from + length - 1)) + "]");
     }
   }
   return heldout;

@@ -51,7 +51,8 @@ std::vector<PathShare> along_path(const Study& study, const Prediction& nominal,
                                   const std::vector<double>& excess) {
   std::vector<PathShare> shares;
   for (std::size_t r = 0; r < study.experiment().runs.size(); ++r) {
-    const std::vector<Regime> regime = regimes(study.experiment().runs[r], nominal.runs[r]);
+    const Run& run = study.experiment().runs[r];
+    const std::vector<Regime> regime = regimes(run, nominal.runs[r]);
     std::vector<double> sum(regime.size(), 0.0);
     for (const Series& series : study.measurements().series()) {
       if (series.run != r) continue;
@@ -60,8 +61,8 @@ std::vector<PathShare> along_path(const Study& study, const Prediction& nominal,
     }
     for (std::size_t i = 0; i < regime.size(); ++i) {
       if (i == 0 || regime[i] != regime[i - 1])
-        shares.push_back({study.experiment().runs[r].id, i, i, 0, regime[i]});
-      shares.back().to = i;
+        shares.push_back({run.id, run.first_taken(i), 0, 0, regime[i]});
+      shares.back().to = run.last_taken(i);
       shares.back().share += sum[i];
     }
   }

@@ -37,7 +37,7 @@ std::string_view Channel::unit() const {
   return "rad";
 }
 
-double Channel::of(const Reading& reading) const {
+double& Channel::in(Reading& reading) const {
   switch (name) {
     case Name::x:
       return reading.x;
@@ -51,6 +51,10 @@ double Channel::of(const Reading& reading) const {
       break;
   }
   return reading.q[joint];
+}
+
+double Channel::of(const Reading& reading) const {
+  return in(const_cast<Reading&>(reading));  // read alone
 }
 
 double Channel::sigma(const Noise& noise) const {

@@ -26,6 +26,8 @@ struct Channel {
   [[nodiscard]] std::string label() const;      ///< "Fx", or "q3" (1-based)
   [[nodiscard]] std::string_view unit() const;  ///< "m", "N" or "rad"
   [[nodiscard]] double of(const Reading& reading) const;
+  /// The same, to be written.
+  [[nodiscard]] double& in(Reading& reading) const;
   [[nodiscard]] double sigma(const Noise& noise) const;
 };
 

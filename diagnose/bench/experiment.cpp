@@ -1,5 +1,8 @@
 #include "diagnose/bench/experiment.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -25,6 +28,19 @@ std::vector<Channel> Run::measured() const {
   for (std::size_t j = 0; !readings.empty() && j < readings.front().q.size(); ++j)
     channels.push_back({Name::q, j});
   return channels;
+}
+
+std::size_t Run::first_taken(std::size_t reading) const {
+  return groups.first.empty() ? reading : groups.first[reading];
+}
+
+std::size_t Run::last_taken(std::size_t reading) const {
+  return groups.first.empty() ? reading : groups.first[reading + 1] - 1;
+}
+
+double Run::noise_of_group() const {
+  // The variance of the median of m normal values is pi / (2 m) of theirs, for large m.
+  return groups.size == 1 ? 1 : std::sqrt(std::numbers::pi / (2 * static_cast<double>(groups.size)));
 }
 
 }  // namespace plumbline::diagnose

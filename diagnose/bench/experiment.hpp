@@ -19,12 +19,20 @@ struct Reading {
   std::vector<double> q;  ///< relative joint angles; empty where the run has no such columns
 };
 
+/// How readings were drawn together (condense.hpp).
+struct Groups {
+  std::size_t size = 1;            ///< so many make one, but at turning points and ends
+  std::vector<std::size_t> first;  ///< by reading, the number of the first one that it stands for, and the
+                                   ///< end; empty where none were drawn together
+};
+
 /// One loading history from rest, readings in the order in which they were taken.
 struct Run {
   std::string id;
   Control control;  ///< what the rig imposes: the end point, while the force is measured; or the reverse
   std::vector<double> rest;  ///< commanded joint angles: the unloaded shape
   std::vector<Reading> readings;
+  Groups groups = {};
 
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
   /// What the rig imposes, along x and along y.
@@ -33,6 +41,11 @@ struct Run {
   [[nodiscard]] Eigen::Vector2d command(const Reading& reading) const;
   /// What answers: the other of force and end point, then the joint angles that the run has columns for.
   [[nodiscard]] std::vector<Channel> measured() const;
+  /// First and last of the readings as they were taken, from 0, that a reading stands for.
+  [[nodiscard]] std::size_t first_taken(std::size_t reading) const;
+  [[nodiscard]] std::size_t last_taken(std::size_t reading) const;
+  /// Declared noise of a reading over that of one as it was taken.
+  [[nodiscard]] double noise_of_group() const;
 };
 
 /// Declared standard deviation of one reading; 0 for a channel without noise.

@@ -8,7 +8,7 @@ Measurements::Measurements(const Experiment& experiment) {
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     for (const Channel& channel : run.measured()) {
-      Series series{r, channel, channel.sigma(experiment.noise), size_, {}};
+      Series series{r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}};
       for (std::size_t i = 0; i < run.readings.size(); ++i)
         if (!std::isnan(channel.of(run.readings[i]))) series.readings.push_back(i);
       if (series.readings.empty()) continue;

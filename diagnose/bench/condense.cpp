@@ -1,0 +1,101 @@
+#include "diagnose/bench/condense.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace plumbline::diagnose {
+namespace {
+
+constexpr std::size_t wanted = 500, least = 40, short_enough = 1000;
+
+double median(std::vector<double> values) {
+  std::erase_if(values, [](double v) { return std::isnan(v); });
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+/// Whether the command turns back at each reading.
+std::vector<bool> turning_points(const Run& run) {
+  std::vector<bool> turns(run.readings.size(), false);
+  Eigen::Vector2d last(0, 0);
+  for (std::size_t i = 1; i < run.readings.size(); ++i) {
+    const Eigen::Vector2d step = run.command(run.readings[i]) - run.command(run.readings[i - 1]);
+    turns[i - 1] = step.dot(last) < 0;
+    if (step != Eigen::Vector2d(0, 0)) last = step;
+  }
+  return turns;
+}
+
+/// Draws the readings of one run together, group by group.
+class Condenser {
+ public:
+  Condenser(const Run& run, std::size_t size) : run_(run), size_(size), result_(run) {
+    result_.readings.clear();
+    result_.groups = {size, {}};
+  }
+
+  Run result() {
+    const std::vector<bool> turns = turning_points(run_);
+    const std::size_t end = run_.readings.size();
+    for (std::size_t from = 0; from < end;) {
+      std::size_t to = from + 1;
+      const bool alone = from == 0 || to == end || turns[from];
+      while (!alone && to - from < size_ && to + 1 < end && !turns[to]) ++to;
+      add(from, to, alone);
+      from = to;
+    }
+    result_.groups.first.push_back(end);
+    return std::move(result_);
+  }
+
+ private:
+  template <class Value>
+  [[nodiscard]] double mean(std::size_t from, std::size_t to, Value value) const {
+    double sum = 0;
+    for (std::size_t i = from; i < to; ++i) sum += value(run_.readings[i]);
+    return sum / static_cast<double>(to - from);
+  }
+
+  [[nodiscard]] double middle(std::size_t from, std::size_t to, const Channel& channel) const {
+    std::vector<double> values;
+    for (std::size_t i = from; i < to; ++i) values.push_back(channel.of(run_.readings[i]));
+    return median(std::move(values));
+  }
+
+  /// Of a reading that stands alone the measured values would scatter more than those of a group.
+  void add(std::size_t from, std::size_t to, bool alone) {
+    constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
+    Reading drawn = run_.readings[from];
+    drawn.t = mean(from, to, [](const Reading& reading) { return reading.t; });
+    for (const Channel& channel : run_.imposed())
+      channel.in(drawn) = mean(from, to, [&](const Reading& reading) { return channel.of(reading); });
+    for (const Channel& channel : run_.measured())
+      channel.in(drawn) = alone ? unseen : middle(from, to, channel);
+    result_.readings.push_back(std::move(drawn));
+    result_.groups.first.push_back(from);
+  }
+
+  const Run& run_;
+  std::size_t size_;
+  Run result_;
+};
+
+}  // namespace
+
+Experiment condensed(Experiment experiment) {
+  std::size_t total = 0;
+  for (const Run& run : experiment.runs) total += run.readings.size();
+  if (total <= short_enough) return experiment;
+  for (Run& run : experiment.runs) {
+    const std::size_t count = run.readings.size(), groups = std::max(least, count * wanted / total);
+    const std::size_t size = (count + groups - 1) / groups;
+    if (size > 2) run = Condenser(run, size).result();
+  }
+  return experiment;
+}
+
+}  // namespace plumbline::diagnose

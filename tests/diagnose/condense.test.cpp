@@ -1,0 +1,80 @@
+#include "diagnose/bench/condense.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "diagnose/model/study.hpp"
+#include "tests/diagnose/bench.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+using namespace plumbline::diagnose::test;
+
+namespace {
+
+/// What the nominal rig gives, pressed and released in so many steps, with noise of the declared size.
+Experiment logged(int steps) {
+  Experiment experiment = three_links();
+  experiment.noise = {0, 0, 0.1, 0.1, 0.01};
+  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, steps, true, 0.01);
+  const Prediction nominal = predict(Study(experiment), {}, {});
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  Run& run = experiment.runs[0];
+  for (std::size_t i = 0; i < run.readings.size(); ++i)
+    for (const Channel& channel : run.measured())
+      channel.in(run.readings[i]) = nominal.runs[0](static_cast<Eigen::Index>(i), column_of(channel)) +
+                                    channel.sigma(experiment.noise) * normal(random);
+  return experiment;
+}
+
+}  // namespace
+
+TEST_CASE("an experiment that is short comes back as it is") {
+  const Experiment same = condensed(logged(400));
+  CHECK(same.runs[0].readings.size() == 801);
+  CHECK(same.runs[0].first_taken(7) == 7);
+  CHECK(same.runs[0].last_taken(7) == 7);
+}
+
+TEST_CASE("a long run keeps its ends and turning points, and its readings their numbers") {
+  const Experiment all = logged(5000), few = condensed(all);
+  const Run &before = all.runs[0], &after = few.runs[0];
+  CHECK(after.readings.size() < 1100);
+  CHECK(after.readings.front().x == before.readings.front().x);
+  CHECK(after.readings.back().x == before.readings.back().x);
+  const auto depth = [](const Reading& a, const Reading& b) { return a.x < b.x; };
+  const auto deepest = std::min_element(after.readings.begin(), after.readings.end(), depth);
+  CHECK(deepest->x == std::min_element(before.readings.begin(), before.readings.end(), depth)->x);
+  CHECK(std::isnan(deepest->Fx));
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < after.readings.size(); ++i) {
+    CHECK(after.first_taken(i) == next);
+    next = after.last_taken(i) + 1;
+  }
+  CHECK(next == before.readings.size());
+}
+
+TEST_CASE("what is drawn together has the noise that it says, and no gap") {
+  const Study study(condensed(logged(5000)));
+  const std::vector<double> residual = study.nominal_residual();
+  double sum = 0;
+  for (const double r : residual) sum += r * r;
+  // 5 channels x 1000 values: the mean square scatters by sqrt(2/5000) = 0.02; groups of 11 are a little
+  // better than the formula for large ones, by 1/11 at most.
+  CHECK(sum / static_cast<double>(residual.size()) == doctest::Approx(0.96).epsilon(0.12));
+}
+
+TEST_CASE("a few outliers do not move what is drawn together") {
+  Experiment all = logged(5000);
+  const Experiment clean = condensed(all);
+  for (std::size_t i = 0; i < all.runs[0].readings.size(); i += 50) all.runs[0].readings[i].Fx += 100;
+  const Experiment few = condensed(all);
+  // an outlier on one side of a group of eleven shifts its median by about a quarter of a sigma
+  for (std::size_t i = 0; i < few.runs[0].readings.size(); ++i)
+    if (const double Fx = few.runs[0].readings[i].Fx; !std::isnan(Fx))
+      CHECK(std::abs(Fx - clean.runs[0].readings[i].Fx) < 5 * 0.1);
+}
