@@ -20,6 +20,9 @@ inline constexpr double outlier_share = 0.02, outlier_width = 10;
 
 /// Springs and printed hinges repeat to a tenth, cut lengths to a percent, assembled angles to a degree.
 inline constexpr double stiffness_tolerance = 0.1, length_tolerance = 0.01, angle_tolerance = 0.02;
+/// Friction of a joint comes to a tenth of what its spring carries at a typical deflection, the departure of a
+/// spring from a straight line there to as much again.
+inline constexpr double friction_tolerance = 0.1, hardening_tolerance = 1;
 
 // ---- How many causes there are ----
 

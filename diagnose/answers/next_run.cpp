@@ -78,6 +78,7 @@ Run press(const Experiment& experiment, const std::vector<double>& rest, const V
 Experiment bench_for(const Experiment& experiment, const Run& run, bool out_of_gravity) {
   Experiment bench = experiment;
   bench.runs = {run};
+  bench.runs.front().number = bench.run_count;  // what differs from run to run says nothing of it
   if (out_of_gravity) {
     bench.gravity = {0, 0};
     bench.bench = {Bench::Plane::vertical, {0, 0}, true};

@@ -33,6 +33,7 @@ struct Run {
   std::vector<double> rest;  ///< commanded joint angles: the unloaded shape
   std::vector<Reading> readings;
   Groups groups = {};
+  std::size_t number = 0;  ///< of all runs of the experiment, from 0; see Experiment::run_count
 
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
   /// What the rig imposes, along x and along y.
@@ -68,6 +69,8 @@ struct Experiment {
   Bench bench;
   Noise noise;
   std::vector<Run> runs;
+  /// Of all runs, also of those that were left out since they were numbered; 0 before.
+  std::size_t run_count = 0;
 };
 
 }  // namespace plumbline::diagnose

@@ -72,23 +72,20 @@ double log_evidence(const Study& study, const Fit& fit, const NoiseModel& noise)
   for (std::size_t p = 0; p < ranges.size(); ++p) {
     const auto k = static_cast<Eigen::Index>(p);
     // At a bound, or untouched by the readings, a parameter has used no freedom.
-    if (fit.at_bound[p] || !(fit.covariance(k, k) > 0)) continue;
+    if (fit.at_bound[p] || !(fit.information(k, k) > 0)) continue;
     inside.push_back(k);
     width.push_back(prior_width(ranges[p]));
     value += log_parameter_prior(ranges[p], fit.parameters[p]) + 0.5 * std::log(2 * std::numbers::pi);
   }
   if (inside.empty()) return value;
-  // Posterior variances along the principal axes, the prior's width being one. What the readings do not tell
-  // (a covariance without rank there) keeps the width of the prior: nothing is known worse than before.
+  // Posterior precisions along the principal axes, the prior's width being one. What the readings do not tell
+  // keeps the width of the prior: nothing is known worse than before.
   const Eigen::VectorXd unit =
       Eigen::Map<const Eigen::VectorXd>(width.data(), static_cast<Eigen::Index>(width.size()));
-  const Eigen::MatrixXd scaled = unit.cwiseInverse().asDiagonal() *
-                                 Eigen::MatrixXd(fit.covariance(inside, inside)) *
-                                 unit.cwiseInverse().asDiagonal();
-  constexpr double no_rank = 1e-13;
-  const Eigen::VectorXd variances = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues();
-  for (const double variance : variances)
-    if (variance > no_rank) value -= 0.5 * std::log1p(1 / variance);
+  const Eigen::MatrixXd scaled =
+      unit.asDiagonal() * Eigen::MatrixXd(fit.information(inside, inside)) * unit.asDiagonal();
+  const Eigen::VectorXd precisions = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues();
+  for (const double precision : precisions) value -= 0.5 * std::log1p(std::max(0.0, precision));
   return value + unit.array().log().sum();
 }
 

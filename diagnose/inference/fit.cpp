@@ -197,7 +197,7 @@ void judge(Problem& problem, double outlier_bound, Fit& fitted) {
   RowMatrix weighted = problem.jacobian();
   for (Eigen::Index i = 0; i < weighted.rows(); ++i)
     if (std::abs(problem.white()(i)) > outlier_bound) weighted.row(i).setZero();
-  fitted.information = weighted.colwise().squaredNorm();
+  fitted.information = weighted.transpose() * weighted;
   fitted.covariance = Eigen::MatrixXd::Zero(count, count);
   fitted.at_bound.assign(ranges.size(), false);
   std::vector<Eigen::Index> inside;

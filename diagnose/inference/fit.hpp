@@ -26,9 +26,9 @@ struct Fit {
   std::vector<bool> at_bound;      ///< by parameter
   Eigen::MatrixXd covariance;      ///< of the parameters; zero rows for those at a bound
   Eigen::MatrixXd jacobian;        ///< of the whitened residual; zero rows where it is not visible
-  /// Information that the visible values hold on each parameter, J_p . J_p in whitened units. Zero: the runs
-  /// never exercised it.
-  Eigen::VectorXd information;
+  /// Information that the visible values hold on the parameters, J^T J in whitened units. A zero on the
+  /// diagonal: the runs never exercised it.
+  Eigen::MatrixXd information;
   /// Twice the loss: the chi-square, but for outliers, and what the priors of tolerances charge.
   double cost = 0;
   std::vector<double> residual;  ///< (measured - predicted) / declared sigma, flat, all values

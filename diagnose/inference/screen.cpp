@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "diagnose/inference/start.hpp"
@@ -10,14 +11,14 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Parameters of an effect at nothing of it, and the parameters in which it then grows: by a small step, or
-/// by one as large as the effect may be where little of it acts otherwise than much (which joints stick or
-/// hang in their play at a reversal).
+/// Parameters of an effect at nothing of it, and the parameters in which it then grows: each by a small step,
+/// or all together by one as large as the effect may be where little of it acts otherwise than much (which
+/// joints stick or hang in their play at a reversal).
 struct Probe {
   EffectAt effect;
   std::vector<double> at;
   std::vector<std::size_t> growing;
-  double step = 0;  ///< 0: a small one
+  std::vector<double> to;  ///< where the large step leads; empty: small ones
 };
 
 std::vector<Probe> probes(const Study& study, const EffectAt& at) {
@@ -33,15 +34,15 @@ std::vector<Probe> probes(const Study& study, const EffectAt& at) {
   std::vector<Probe> result;
   for (std::size_t s = 0; s < std::min(alike ? 1 : how.starts, known.from.size()); ++s) {
     std::vector<double> from = known.from[s];
-    const double step = how.large_step ? from[growing.front()] : 0;
+    const std::vector<double> to = how.large_step ? from : std::vector<double>();
     for (const std::size_t p : growing) from[p] = 0;
-    result.push_back({at, from, growing, step});
+    result.push_back({at, from, growing, to});
   }
   return result;
 }
 
 bool rides_along(const Probe& probe) {
-  return probe.step == 0;
+  return probe.to.empty();
 }
 
 /// Whitened derivatives of the prediction, with the rows that are not visible or count as outliers left out.
@@ -118,6 +119,25 @@ double best_step(const Weighing& weighing, const std::vector<Eigen::VectorXd>& c
   return before > 0 ? left.squaredNorm() / before : 1;
 }
 
+/// The same for the large step of a probe, of which any share within bounds may be taken.
+double best_share(const Weighing& weighing, const Eigen::VectorXd& column,
+                  const std::vector<ParameterRange>& ranges, const Probe& probe, std::vector<double>& start) {
+  start = probe.at;
+  const Eigen::VectorXd& left = weighing.residual();
+  double prior = 0, most = std::numeric_limits<double>::infinity();
+  for (const std::size_t p : probe.growing) {
+    const double way = probe.to[p] - probe.at[p];
+    if (ranges[p].tolerance > 0) prior += std::pow(way / ranges[p].tolerance, 2);
+    if (way > 0) most = std::min(most, (ranges[p].high - probe.at[p]) / way);
+  }
+  const double square = column.squaredNorm(), before = left.squaredNorm();
+  if (!(square > 1e-6) || !(before > 0)) return 1;
+  const double share = std::clamp(column.dot(left) / (square + prior), 0.0, most);
+  for (const std::size_t p : probe.growing)
+    start[p] = std::max(ranges[p].low, start[p] + share * (probe.to[p] - probe.at[p]));
+  return (left - share * column).squaredNorm() / before;
+}
+
 /// One fit, and all that might act beside it.
 class Screen {
  public:
@@ -133,25 +153,25 @@ class Screen {
 
   [[nodiscard]] const std::vector<Probe>& all() const { return probes_; }
 
-  /// Derivatives of the prediction by the growing parameters of a probe; none where the rig cannot follow.
+  /// Derivatives of the prediction by the growing parameters of a probe, or what its large step changes; none
+  /// where the rig cannot follow.
   [[nodiscard]] std::vector<Eigen::VectorXd> columns(std::size_t probe, const Weighing& weighing) const {
     std::vector<Eigen::VectorXd> result;
     if (rides_along(probes_[probe])) {
       for (std::size_t c = 0; c < probes_[probe].growing.size(); ++c)
         result.push_back(weighing.column(main_.sensitivity[first_[probe] + c]));
-    } else if (const Prediction far = quotient(probes_[probe]); far.reached) {
+    } else if (const Prediction far = change(probes_[probe]); far.reached) {
       result.push_back(weighing.column(far.runs));
     }
     return result;
   }
 
  private:
-  [[nodiscard]] Rig with(const Probe& probe, std::size_t parameter, double step) const {
+  [[nodiscard]] Rig with(const Probe& probe, const std::vector<double>& values) const {
     Candidate candidate = fitted_.candidate;
     candidate.effects.push_back(probe.effect);
     std::vector<double> parameters = fitted_.parameters;
-    parameters.insert(parameters.end(), probe.at.begin(), probe.at.end());
-    parameters[fitted_.parameters.size() + parameter] += step;
+    parameters.insert(parameters.end(), values.begin(), values.end());
     return rig_with(study_, candidate, parameters);
   }
 
@@ -163,16 +183,17 @@ class Screen {
       const std::vector<ParameterRange> ranges = study_.ranges(probe.effect);
       for (const std::size_t p : probe.growing) {
         const double step = variation_share * ranges[p].scale;
-        beside.push_back({with(probe, p, step), step});
+        std::vector<double> values = probe.at;
+        values[p] += step;
+        beside.push_back({with(probe, values), step});
       }
     }
     main_ = simulate(study_.experiment(), rig_, beside);
   }
 
-  [[nodiscard]] Prediction quotient(const Probe& probe) const {
-    Prediction far = simulate(study_.experiment(), with(probe, 0, probe.step), {});
-    for (std::size_t r = 0; far.reached && r < far.runs.size(); ++r)
-      far.runs[r] = (far.runs[r] - main_.runs[r]) / probe.step;
+  [[nodiscard]] Prediction change(const Probe& probe) const {
+    Prediction far = simulate(study_.experiment(), with(probe, probe.to), {});
+    for (std::size_t r = 0; far.reached && r < far.runs.size(); ++r) far.runs[r] -= main_.runs[r];
     return far;
   }
 
@@ -193,8 +214,12 @@ std::vector<Prospect> screen(const Study& study, const Fit& fitted, const FitSet
   for (std::size_t i = 0; i < side.all().size(); ++i) {
     const Probe& probe = side.all()[i];
     Prospect prospect{probe.effect, {}, 0};
-    prospect.cost = fitted.cost * best_step(weighing, side.columns(i, weighing), study.ranges(probe.effect),
-                                            probe, prospect.start);
+    const std::vector<Eigen::VectorXd> columns = side.columns(i, weighing);
+    const std::vector<ParameterRange> ranges = study.ranges(probe.effect);
+    prospect.cost =
+        fitted.cost * (rides_along(probe) || columns.empty()
+                           ? best_step(weighing, columns, ranges, probe, prospect.start)
+                           : best_share(weighing, columns.front(), ranges, probe, prospect.start));
     if (prospects.empty() || prospects.back().effect != probe.effect) {
       prospects.push_back(std::move(prospect));
     } else if (prospect.cost < prospects.back().cost) {

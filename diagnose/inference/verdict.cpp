@@ -21,6 +21,13 @@ double chi2_per_dof(const Measurements& measurements, const Fit& fit, const Nois
   return sum / static_cast<double>(values > parameters ? values - parameters : 1);
 }
 
+/// Whether the readings tell a parameter, were it the only one, to a third of its value: where a stop begins
+/// that nothing touched, or an element that never yielded would, is anybody's guess.
+bool known_to_itself(const Fit& fit, std::size_t parameter) {
+  const auto p = static_cast<Eigen::Index>(parameter);
+  return fit.information(p, p) * fit.parameters[parameter] * fit.parameters[parameter] > 9;
+}
+
 /// Posterior probabilities of the genuine hypotheses; of all where none is genuine.
 std::vector<Ranked> ranked(const Study& study, const Findings& findings) {
   const auto stands = [&](const Hypothesis& one) { return genuine(study, one.fit); };
@@ -57,15 +64,20 @@ std::string verdict_word(CauseVerdict verdict) {
 bool genuine(const Study& study, const Fit& fit) {
   std::size_t p = 0;
   for (const EffectAt& at : fit.candidate.effects) {
-    bool acts = false;
+    std::size_t acting = 0;
+    bool begins = false, seen = false;
     for (const ParameterRange& range : study.ranges(at)) {
       const bool natural_zero = zero_is_nominal(range);
       const bool at_zero = fit.at_bound[p] && natural_zero && std::abs(fit.parameters[p]) < range.scale;
       if (fit.at_bound[p] && !at_zero) return false;
-      acts = acts || (natural_zero && !at_zero) || range.coordinate == Coordinate::reciprocal;
+      acting += (natural_zero && !at_zero) || range.coordinate == Coordinate::reciprocal;
+      if (range.coordinate == Coordinate::plain && !natural_zero) {
+        begins = true;
+        seen = seen || known_to_itself(fit, p);
+      }
       ++p;
     }
-    if (!acts) return false;
+    if (acting < at.effect->at_least || (begins && !seen)) return false;
   }
   return true;
 }
@@ -129,10 +141,17 @@ double probability_of_unknown(double p_value) {
   return odds / (1 + odds);
 }
 
+/// Whether an effect is the other one, or that is a special case of it.
+bool covers(const EffectAt& whole, const EffectAt& part) {
+  const std::vector<std::string_view>& special = whole.effect->special;
+  return whole == part || std::find(special.begin(), special.end(), part.effect->id) != special.end();
+}
+
 /// Whether a set of effects is another one and more.
 bool contains(const Candidate& whole, const Candidate& part) {
   return std::all_of(part.effects.begin(), part.effects.end(), [&](const EffectAt& at) {
-    return std::find(whole.effects.begin(), whole.effects.end(), at) != whole.effects.end();
+    return std::any_of(whole.effects.begin(), whole.effects.end(),
+                       [&](const EffectAt& other) { return covers(other, at); });
   });
 }
 

@@ -45,16 +45,19 @@ ParameterRange one_way(std::string_view name, std::string_view unit, double scal
 const std::vector<Effect>& catalogue() {
   static const std::vector<Effect> all = [] {
     std::vector<Effect> rows;
-    for (const auto& group : {joint_effects, link_effects, bench_effects, load_cell_effects, common_effects})
+    for (const auto& group : {joint_effects, link_effects, bench_effects, load_cell_effects, common_effects,
+                              joint_law_effects, instrument_effects})
       for (Effect& row : group()) rows.push_back(std::move(row));
     return rows;
   }();
   return all;
 }
 
-const Effect& effect(std::string_view id) {
+const Effect& effect(std::string_view id, std::size_t joint) {
+  const Effect* named = nullptr;
   for (const Effect& row : catalogue())
-    if (row.id == id) return row;
+    if (row.id == id && (named == nullptr || row.at_joint == (joint > 0))) named = &row;
+  if (named != nullptr) return *named;
   throw Error("effect", std::string(id), "an id of the effect catalogue");
 }
 

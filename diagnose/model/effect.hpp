@@ -51,6 +51,7 @@ struct Starts {
 struct Addition {
   Rig& rig;
   std::size_t joint;    ///< from 0
+  const Sizes& sizes;   ///< of the experiment
   Vector2 down;         ///< direction of gravity
   const double* value;  ///< in catalogue units, one a parameter
 };
@@ -74,22 +75,28 @@ struct Effect {
   void (*add)(const Addition& to);
   /// Whether it can change anything at this place of this bench; everywhere when not given.
   bool (*possible)(const Place& at) = [](const Place&) { return true; };
+  /// Simpler rows that it is with certain parameters: it says more than they do only where it fits better.
+  std::vector<std::string_view> special = {};
   /// Where fits start; none: at zero, and at one scale to either side where there is one parameter.
   Starts (*starts)(const Place& at, const Exercise& nominal) = nullptr;
   Probing probing = {};
+  /// So many of the parameters that are zero in the nominal model must not be zero: with fewer it is another,
+  /// simpler row.
+  std::size_t at_least = 1;
 };
 
 /// All effects, ours and in the order of docs/effects.md.
 const std::vector<Effect>& catalogue();
 
-/// \throws Error for a word that is not in the catalogue
-const Effect& effect(std::string_view id);
+/// The row of that id, of two the one that sits at one joint if a joint is named, from 1, or the one that
+/// does not. \throws Error for a word that is not in the catalogue
+const Effect& effect(std::string_view id, std::size_t joint = 0);
 
 /// An effect at its place. `joint` counts from 1; 0 where the effect is not at one joint.
 struct EffectAt {
   EffectAt(const Effect& of, std::size_t at_joint = 0) : effect(&of), joint(at_joint) {}
   /// \throws Error for a word that is not in the catalogue
-  EffectAt(const char* id, std::size_t at_joint = 0) : EffectAt(diagnose::effect(id), at_joint) {}
+  EffectAt(const char* id, std::size_t at_joint = 0) : EffectAt(diagnose::effect(id, at_joint), at_joint) {}
 
   const Effect* effect;
   std::size_t joint;

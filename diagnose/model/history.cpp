@@ -1,5 +1,7 @@
 #include "diagnose/model/history.hpp"
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <plumbline/chain/kinematics.hpp>
@@ -12,6 +14,13 @@ namespace {
 Vector2 turned(const Vector2& v, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+}
+
+/// (1 + g) (1 + C), what a load cell makes of a force in its axes.
+Eigen::Matrix2d load_cell(const Rig& rig) {
+  Eigen::Matrix2d mixed;
+  mixed << 1, rig.cross_talk.x(), rig.cross_talk.y(), 1;
+  return (1 + rig.force_gain) * mixed;
 }
 
 /// One rig on its way through one run: posture and memory.
@@ -28,44 +37,67 @@ struct Traveller {
               start + turned(run.command(reading) - start, rig.misalignment) + rig.position_offset};
     }
     const Vector2 read = run.command(reading) - rig.force_bias - rig.force_drift * reading.t;
-    return {run.control, turned(read / (1 + rig.force_gain), rig.misalignment)};
+    return {run.control, turned(load_cell(rig).inverse() * read, rig.misalignment)};
   }
 
   /// True to measured force, in the axes of the rail.
-  [[nodiscard]] Vector2 measured_force(double t, double direction) const {
+  /// \param dt  since the last reading; 0 at the first
+  Vector2 measure_force(double t, double dt, double direction) {
     const Rig& rig = on.rig;
     const Vector2 force(posture.force.x, posture.force.y);
-    Vector2 read =
-        (1 + rig.force_gain) * turned(force, -rig.misalignment) + rig.force_bias + rig.force_drift * t;
+    Vector2 read = load_cell(rig) * turned(force, -rig.misalignment) + rig.force_bias + rig.force_drift * t;
     read.x() += rig.guide_friction * direction;
-    return read;
+    return lagging(read, dt).cwiseMin(rig.force_limit).cwiseMax(-rig.force_limit);
   }
 
   [[nodiscard]] TimeStep interval(double dt) const {
     TimeStep result;
     result.relaxed = false;
-    if (on.rig.arm_ratio != 0 && dt > 0) {
-      const double ratio = dt / on.rig.relaxation;
-      result.decay = std::exp(-ratio);
-      result.gain = -std::expm1(-ratio) / ratio;
+    for (std::size_t a = 0; a < on.rig.arms.size() && dt > 0; ++a) {
+      const double ratio = dt / on.rig.arms[a].time;
+      result.decay.at(a) = std::exp(-ratio);
+      result.gain.at(a) = -std::expm1(-ratio) / ratio;
     }
     return result;
   }
 
   void remember(const Layout& layout, const TimeStep& during) {
     for (std::size_t i = 0; i < memory.size(); ++i) {
+      const JointLaw& law = on.joint[i];
       const double q = layout.joint_angle(posture.angle, i);
       const JointMemory last = memory[i];
-      memory[i].angle = q;
+      JointMemory& now = memory[i];
+      now.angle = q;
+      law.flow_to(q, now);
       if (during.relaxed) continue;
-      memory[i].friction = on.joint[i].dry(q, last, posture.contact[i]).value;
-      memory[i].arm = on.joint[i].viscous(q, last, during.decay, during.gain).value;
+      for (std::size_t s = 0; s < law.slider.size(); ++s)
+        if (law.slider[s].acts())
+          now.slider.at(s) =
+              law.dry(law.slider[s], last.slider[s], q, last, posture.contact[layout.contact(i, s)]).value;
+      for (std::size_t a = 0; a < on.rig.arms.size(); ++a)
+        now.arm[a] = law.viscous(a, q, last, during.decay[a], during.gain[a]).value;
     }
   }
 
   RunRig on;
   Posture posture;
   std::vector<JointMemory> memory;
+
+ private:
+  /// What a cell with a time constant shows of a force that goes steadily from one reading to the next.
+  Vector2 lagging(const Vector2& now, double dt) {
+    const double lag = on.rig.force_lag;
+    if (lag > 0 && dt > 0) {
+      const Vector2 behind = (now - felt_) / dt * lag;
+      shown_ = now - behind + std::exp(-dt / lag) * (shown_ - felt_ + behind);
+    } else {
+      shown_ = now;
+    }
+    felt_ = now;
+    return shown_;
+  }
+
+  Vector2 felt_ = Vector2::Zero(), shown_ = Vector2::Zero();  ///< at the last reading
 };
 
 /// A run of the rig and, beside it, of the rigs whose parameters differ by a small step each.
@@ -73,16 +105,16 @@ template <int Bandwidth>
 class RunWalk {
  public:
   RunWalk(const Experiment& experiment, const Run& run, const Layout& layout, const Rig& rig,
-          const std::vector<RigVariation>& variations)
+          const std::vector<Rig>& variations)
       : run_(run), experiment_(experiment), layout_(layout), solver_(layout), main_(rig, run) {
-    for (const RigVariation& other : variations) beside_.emplace_back(other.rig, run);
+    for (const Rig& other : variations) beside_.emplace_back(other, run);
     start();
   }
 
   [[nodiscard]] bool snapped() const { return snapped_; }
 
   /// Fills the rows of the run; `sensitivity` holds, per varied rig, its difference from the rig.
-  bool walk(Trace& trace, std::vector<Trace*>& sensitivity) {
+  bool walk(Trace& trace, const std::vector<Trace*>& sensitivity) {
     for (std::size_t r = 0; r < run_.readings.size(); ++r) {
       const auto row = static_cast<Eigen::Index>(r);
       if (!imposed_is_known(run_.readings[r])) {
@@ -107,7 +139,7 @@ class RunWalk {
 
   void start() {
     double theta = 0;
-    main_.posture.contact.assign(layout_.links, Contact::sticks);
+    main_.posture.contact.assign(layout_.links * layout_.sliders, Contact::sticks);
     main_.posture.angle.resize(static_cast<Eigen::Index>(layout_.nodes()));
     for (std::size_t j = 0; j < layout_.links; ++j) {
       theta += main_.on.joint[j].rest;
@@ -159,18 +191,19 @@ class RunWalk {
     main_.remember(layout_, step.interval);
     last_step_ = target.value - at_.value;
     at_ = target;
+    interval_ = dt;
     last_time_ = reading.t;
     last_x_ = reading.x;
     moved_ = true;
     return true;
   }
 
-  void write(const Traveller& rig, std::size_t r, Trace& trace) {
+  void write(Traveller& rig, std::size_t r, Trace& trace) {
     const Reading& reading = run_.readings[r];
     auto row = trace.row(static_cast<Eigen::Index>(r));
     Vector2 end(reading.x, reading.y), force(reading.Fx, reading.Fy);
     if (run_.holds_end_point()) {
-      force = rig.measured_force(reading.t, direction_);
+      force = rig.measure_force(reading.t, interval_, direction_);
     } else {
       end = solver_.end_point(rig.on, rig.posture) - rig.on.rig.position_offset;
     }
@@ -192,12 +225,13 @@ class RunWalk {
   Vector2 last_step_ = Vector2::Zero();
   Imposed at_{Control::end_point, Vector2::Zero()};
   double last_time_ = 0, last_x_ = 0;
+  double interval_ = 0;   ///< before the last reading; 0 at the first
   double direction_ = 0;  ///< of the drive along x; 0 until it has moved
   bool moved_ = false, snapped_ = false;
 };
 
 bool walk(const Experiment& experiment, const Run& run, const Layout& layout, const Rig& rig,
-          const std::vector<RigVariation>& variations, Trace& trace, std::vector<Trace*>& sensitivity,
+          const std::vector<Rig>& variations, Trace& trace, const std::vector<Trace*>& sensitivity,
           bool& snapped) {
   const auto with = [&]<int Bandwidth>() {
     RunWalk<Bandwidth> one(experiment, run, layout, rig, variations);
@@ -215,32 +249,54 @@ bool walk(const Experiment& experiment, const Run& run, const Layout& layout, co
   }
 }
 
+/// Sliders of each joint, the dry friction among them; 0 where nothing slides.
+std::size_t slider_count(const Rig& rig) {
+  std::size_t most = 0;
+  for (const std::vector<Slider>& own : rig.sliders) most = std::max(most, own.size());
+  const bool dry = rig.friction_growth > 0 || std::any_of(rig.friction.begin(), rig.friction.end(),
+                                                          [](double torque) { return torque > 0; });
+  return most > 0 || dry ? 1 + most : 0;
+}
+
+Layout layout_of(const Rig& rig, const std::vector<RigVariation>& variations) {
+  Layout layout{rig.length.size(), rig.flexibility > 0, rig.coupling != 0, slider_count(rig)};
+  for (const RigVariation& other : variations) {
+    layout.coupled = layout.coupled || other.rig.coupling != 0;
+    layout.sliders = std::max(layout.sliders, slider_count(other.rig));
+  }
+  return layout;
+}
+
 }  // namespace
 
 Prediction simulate(const Experiment& experiment, const Rig& rig,
                     const std::vector<RigVariation>& variations) {
-  const std::size_t n = experiment.link_length.size();
-  Layout layout{n, rig.flexibility > 0, rig.coupling != 0, rig.friction > 0};
-  for (const RigVariation& other : variations) {
-    layout.coupled = layout.coupled || other.rig.coupling != 0;
-    layout.dry = layout.dry || other.rig.friction > 0;
-  }
+  const Layout layout = layout_of(rig, variations);
   Prediction result;
   for (const Run& run : experiment.runs) {
     const auto rows = static_cast<Eigen::Index>(run.readings.size());
-    const auto columns = column_q + static_cast<Eigen::Index>(n);
+    const auto columns = column_q + static_cast<Eigen::Index>(layout.links);
     result.runs.push_back(Trace::Constant(rows, columns, std::numeric_limits<double>::quiet_NaN()));
   }
   result.sensitivity.assign(variations.size(), result.runs);
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    const Rig here = in_run(rig, experiment.runs[r].number);
+    std::vector<Rig> differ;
     std::vector<Trace*> beside;
-    for (auto& traces : result.sensitivity) beside.push_back(&traces[r]);
-    if (!walk(experiment, experiment.runs[r], layout, rig, variations, result.runs[r], beside,
-              result.snapped)) {
+    for (std::size_t p = 0; p < variations.size(); ++p) {
+      Trace& trace = result.sensitivity[p][r];
+      if (Rig other = in_run(variations[p].rig, experiment.runs[r].number); other == here) {
+        trace.setZero();
+      } else {
+        differ.push_back(std::move(other));
+        beside.push_back(&trace);
+      }
+    }
+    if (!walk(experiment, experiment.runs[r], layout, here, differ, result.runs[r], beside, result.snapped)) {
       result.reached = false;
       return result;
     }
-    for (std::size_t p = 0; p < variations.size(); ++p) *beside[p] /= variations[p].step;
+    for (std::size_t p = 0; p < variations.size(); ++p) result.sensitivity[p][r] /= variations[p].step;
   }
   return result;
 }

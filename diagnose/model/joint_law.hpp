@@ -1,8 +1,12 @@
 #pragma once
 /// \file
-/// What one joint answers to a deflection: spring, play, stop, dry friction and Maxwell arm side by side.
+/// What one joint answers to a deflection: spring, play, stop, sliders and Maxwell arms side by side.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace plumbline::diagnose {
 
@@ -19,36 +23,52 @@ struct Torque {
   }
 };
 
-/// The state of a dry contact.
+/// The state of a slider.
 enum class Contact : signed char { slips_down = -1, sticks = 0, slips_up = 1 };
+
+/// A spring in series with a dry contact that slips at a torque, which may grow with the deflection. Dry
+/// friction is a very stiff one.
+struct JointSlider {
+  double stiffness = 0, yield = 0, growth = 0;  ///< N m/rad, N m, N m/rad
+
+  /// A contact changes its state only by more than this share of the slip torque, which rounding cannot fake.
+  static constexpr double rounding = 1e-7;
+
+  [[nodiscard]] bool acts() const { return yield > 0 || growth > 0; }
+  /// Torque at which it slips.
+  [[nodiscard]] double slip(double deflection) const { return yield + growth * std::abs(deflection); }
+};
+
+/// As many Maxwell arms, and sliders, as a joint can have: of three effects that act together each brings its
+/// own.
+inline constexpr std::size_t most_arms = 3, most_sliders = 8;
 
 /// What a joint remembers of its history, at the last reading.
 struct JointMemory {
-  double angle = 0;     ///< q
-  double friction = 0;  ///< torque that the dry friction carries
-  double arm = 0;       ///< torque that the Maxwell arm carries
+  double angle = 0;                              ///< q
+  std::array<double, most_sliders> slider = {};  ///< torques that the sliders carry
+  std::array<double, most_arms> arm = {};        ///< torques that the Maxwell arms carry
+  double set = 0;                                ///< how far the rest angle has moved
+  double carried = 0;                            ///< largest torque of the spring beyond its yield
 };
 
 /// One joint's parameters. `rest` includes the rest error.
 struct JointLaw {
-  double stiffness, rest, backlash, stop, stop_stiffness, hardening, friction, arm_stiffness;
+  double stiffness = 0, rest = 0, backlash = 0;
+  double stop = std::numeric_limits<double>::infinity(), stop_stiffness = 0, hardening = 0, asymmetry = 0;
+  double yield = std::numeric_limits<double>::infinity(), flow = 0;
+  std::array<double, most_arms> arm_stiffness = {};
+  std::vector<JointSlider> slider = {};  ///< the first is the dry friction
 
-  /// A sticking contact is a spring this much stiffer than the joint's own: as good as rigid (it yields the
+  /// Dry friction sticks as a spring this much stiffer than the joint's own: as good as rigid (it yields the
   /// slip torque after 1e-5 of the deflection that the spring needs for it) and still solved to ten digits.
   static constexpr double sticking = 1e5;
-  /// A contact changes its state only by more than this share of the slip torque, which rounding cannot fake.
-  static constexpr double rounding = 1e-7;
 
-  /// Spring with play, hardening and stop: what does not depend on history.
-  [[nodiscard]] Torque elastic(double angle) const {
+  /// Spring with play, hardening and stop; of history it knows how far its rest angle has moved.
+  [[nodiscard]] Torque elastic(double angle, const JointMemory& last = {}) const {
     const double d = angle - rest;
-    const double size = std::abs(d);
-    Torque torque;
-    if (const double e = std::copysign(size - backlash, d); size >= backlash) {
-      torque = {stiffness * e * (1 + hardening * e * e), stiffness * (1 + 3 * hardening * e * e),
-                stiffness * e * e * (1 + hardening * e * e / 2) / 2};
-    }
-    if (size > stop) {
+    Torque torque = flow > 0 ? flowing(d, last) : spring(d);
+    if (const double size = std::abs(d); size > stop) {
       torque.value += stop_stiffness * std::copysign(size - stop, d);
       torque.slope += stop_stiffness;
       torque.energy += stop_stiffness * (size - stop) * (size - stop) / 2;
@@ -56,42 +76,77 @@ struct JointLaw {
     return torque;
   }
 
-  /// Coulomb friction by return mapping: what the contact carries while it sticks or slips.
-  [[nodiscard]] Torque dry(double angle, const JointMemory& last, Contact contact) const {
-    if (friction <= 0 || stiffness <= 0) return {};
+  /// A slider by return mapping: what it carries while it sticks or slips.
+  [[nodiscard]] Torque dry(const JointSlider& one, double carried, double angle, const JointMemory& last,
+                           Contact contact) const {
+    if (!one.acts()) return {};
     const double turn = angle - last.angle;
-    switch (contact) {
-      case Contact::slips_up:
-        return {friction, 0, friction * turn};
-      case Contact::slips_down:
-        return {-friction, 0, -friction * turn};
-      case Contact::sticks:
-        break;
-    }
-    return stretched(last.friction, sticking * stiffness, turn);
+    if (contact == Contact::sticks) return stretched(carried, one.stiffness, turn);
+    const double d = angle - rest, before = last.angle - rest;
+    const double sign = contact == Contact::slips_up ? 1 : -1;
+    return {sign * one.slip(d), sign * std::copysign(one.growth, d),
+            sign * (one.yield * turn + one.growth * (d * std::abs(d) - before * std::abs(before)) / 2)};
   }
 
   /// The state that follows from a trial in state `contact`. A contact that is turned back sticks first: two
   /// joints can then not keep throwing each other from one direction of slip into the other.
-  [[nodiscard]] Contact next(double angle, const JointMemory& last, Contact contact) const {
-    const double trial = last.friction + sticking * stiffness * (angle - last.angle);
-    const double slack = rounding * friction;
+  [[nodiscard]] Contact next(const JointSlider& one, double carried, double angle, const JointMemory& last,
+                             Contact contact) const {
+    const double trial = carried + one.stiffness * (angle - last.angle), limit = one.slip(angle - rest);
+    const double slack = JointSlider::rounding * limit;
     if (contact == Contact::sticks) {
-      if (trial > friction + slack) return Contact::slips_up;
-      return trial < -friction - slack ? Contact::slips_down : Contact::sticks;
+      if (trial > limit + slack) return Contact::slips_up;
+      return trial < -limit - slack ? Contact::slips_down : Contact::sticks;
     }
-    const bool goes_on = contact == Contact::slips_up ? trial >= friction - slack : trial <= slack - friction;
+    const bool goes_on = contact == Contact::slips_up ? trial >= limit - slack : trial <= slack - limit;
     return goes_on ? contact : Contact::sticks;
   }
 
-  /// The Maxwell arm after an interval in which the joint turned at a steady rate: exact.
+  /// A Maxwell arm after an interval in which the joint turned at a steady rate: exact.
   /// \param decay  exp(-dt/tau)
   /// \param gain   (1 - exp(-dt/tau)) tau/dt
-  [[nodiscard]] Torque viscous(double angle, const JointMemory& last, double decay, double gain) const {
-    return stretched(decay * last.arm, arm_stiffness * gain, angle - last.angle);
+  [[nodiscard]] Torque viscous(std::size_t arm, double angle, const JointMemory& last, double decay,
+                               double gain) const {
+    return stretched(decay * last.arm[arm], arm_stiffness[arm] * gain, angle - last.angle);
+  }
+
+  /// Lets the rest angle move as far as a reading at this angle makes it.
+  void flow_to(double angle, JointMemory& memory) const {
+    const double d = angle - rest - memory.set, held = held_back(d, memory);
+    if (held == d) return;
+    memory.set += d - held;
+    memory.carried = stiffness * std::abs(held);
   }
 
  private:
+  /// Spring with play and hardening, stiffer to one side.
+  [[nodiscard]] Torque spring(double d) const {
+    const double size = std::abs(d);
+    if (size < backlash) return {};
+    const double e = std::copysign(size - backlash, d),
+                 k = stiffness * (1 + std::copysign(1.0, d) * asymmetry);
+    return {k * e * (1 + hardening * e * e), k * (1 + 3 * hardening * e * e),
+            k * e * e * (1 + hardening * e * e / 2) / 2};
+  }
+
+  /// The deflection that the spring keeps of `d`: beyond the yield the rest follows.
+  [[nodiscard]] double held_back(double d, const JointMemory& last) const {
+    if (!(flow > 0) || !(stiffness > 0)) return d;
+    const double limit = std::max(yield, last.carried) / stiffness, excess = std::abs(d) - limit;
+    return excess > 0 ? std::copysign(limit + excess / (1 + flow), d) : d;
+  }
+
+  [[nodiscard]] Torque flowing(double d, const JointMemory& last) const {
+    const double moved = d - last.set, held = held_back(moved, last);
+    Torque torque = spring(held);
+    if (held == moved) return torque;
+    // From the limit on the joint turns 1 + flow as far as its spring.
+    const double limit = std::copysign(std::max(yield, last.carried) / stiffness, moved);
+    torque.slope /= 1 + flow;
+    torque.energy += flow * (torque.energy - spring(limit).energy);
+    return torque;
+  }
+
   /// A spring that carried a torque before it was turned.
   static Torque stretched(double carried, double spring, double turn) {
     return {carried + spring * turn, spring, carried * turn + spring * turn * turn / 2};

@@ -1,7 +1,5 @@
 #include "diagnose/model/rig.hpp"
 
-#include <limits>
-
 #include "diagnose/model/nominal.hpp"
 
 namespace plumbline::diagnose {
@@ -29,6 +27,16 @@ NominalModel<double> nominal_model(const Experiment& experiment, const std::vect
                               weights(experiment));
 }
 
+Rig in_run(const Rig& rig, std::size_t run) {
+  Rig own = rig;
+  if (run < rig.run_tare.size()) own.force_bias += rig.run_tare[run];
+  if (run < rig.run_rest.size())
+    for (std::size_t i = 0; i < own.rest_error.size(); ++i) own.rest_error[i] += rig.run_rest[run][i];
+  own.run_rest.clear();
+  own.run_tare.clear();
+  return own;
+}
+
 Rig nominal_rig(const Experiment& experiment) {
   const std::size_t n = experiment.link_length.size();
   Rig rig;
@@ -38,6 +46,9 @@ Rig nominal_rig(const Experiment& experiment) {
   rig.backlash.assign(n, 0);
   rig.stop.assign(n, std::numeric_limits<double>::infinity());
   rig.stop_stiffness.assign(n, 0);
+  rig.hardening.assign(n, 0);
+  rig.friction.assign(n, 0);
+  rig.sliders.resize(n);
   for (const Point<double>& weight : weights(experiment)) rig.weight.emplace_back(weight.x, weight.y);
   rig.weight.resize(n, Vector2::Zero());
   return rig;

@@ -75,17 +75,27 @@ void RigModel<Bandwidth>::assemble(const Vector<double>& angle, const Point<doub
 }
 
 template <int Bandwidth>
+Torque RigModel<Bandwidth>::history(std::size_t joint, double q) const {
+  const JointLaw& law = step_->run.joint[joint];
+  const JointMemory& last = step_->memory[joint];
+  const TimeStep& interval = step_->interval;
+  Torque torque;
+  for (std::size_t s = 0; s < law.slider.size(); ++s)
+    if (law.slider[s].acts())
+      torque += law.dry(law.slider[s], last.slider[s], q, last, (*contact_)[layout_.contact(joint, s)]);
+  for (std::size_t a = 0; a < step_->run.rig.arms.size(); ++a)
+    torque += law.viscous(a, q, last, interval.decay[a], interval.gain[a]);
+  return torque;
+}
+
+template <int Bandwidth>
 template <bool derivatives>
 void RigModel<Bandwidth>::add_joints(const Vector<double>& angle, At& at) const {
   for (std::size_t i = 0; i < layout_.links; ++i) {
     const JointLaw& law = step_->run.joint[i];
     const double q = layout_.joint_angle(angle, i);
-    Torque torque = law.elastic(q);
-    if (!step_->interval.relaxed) {
-      const JointMemory& last = step_->memory[i];
-      torque += law.dry(q, last, (*contact_)[i]);
-      torque += law.viscous(q, last, step_->interval.decay, step_->interval.gain);
-    }
+    Torque torque = law.elastic(q, step_->memory[i]);
+    if (!step_->interval.relaxed) torque += history(i, q);
     const Eigen::Index own = index(layout_.first(i));
     at.residual(own) += torque.value;
     if (i > 0) at.residual(index(layout_.last(i - 1))) -= torque.value;

@@ -43,6 +43,8 @@ class RigModel {
  private:
   template <bool derivatives>
   void assemble(const Vector<double>& angle, const Point<double>& force, At& at) const;
+  /// What a joint's sliders and Maxwell arms carry.
+  [[nodiscard]] Torque history(std::size_t joint, double q) const;
   template <bool derivatives>
   void add_joints(const Vector<double>& angle, At& at) const;
   template <bool derivatives>

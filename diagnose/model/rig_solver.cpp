@@ -39,22 +39,26 @@ RigSolver<Bandwidth>::RigSolver(const Layout& layout) : model_(layout), system_(
 
 template <int Bandwidth>
 bool RigSolver<Bandwidth>::settle_contacts(const RigStep& step, bool all, Posture& posture) const {
-  if (step.interval.relaxed || !model_.layout().dry) return false;
+  const Layout& layout = model_.layout();
+  if (step.interval.relaxed || layout.sliders == 0) return false;
   bool changed = false;
   for (std::size_t i = 0; i < step.run.joint.size(); ++i) {
     const JointLaw& joint = step.run.joint[i];
-    if (joint.stiffness <= 0) continue;
-    const double q = model_.layout().joint_angle(posture.angle, i);
-    if (joint.friction <= 0) {
-      // Nothing is carried, but what little friction would be is against the way that the joint goes.
-      posture.contact[i] = q < step.memory[i].angle ? Contact::slips_down : Contact::slips_up;
-      continue;
+    const JointMemory& last = step.memory[i];
+    const double q = layout.joint_angle(posture.angle, i);
+    for (std::size_t s = 0; s < joint.slider.size(); ++s) {
+      Contact& contact = posture.contact[layout.contact(i, s)];
+      if (!joint.slider[s].acts()) {
+        // Nothing is carried, but what little friction would be is against the way that the joint goes.
+        contact = q < last.angle ? Contact::slips_down : Contact::slips_up;
+        continue;
+      }
+      const Contact next = joint.next(joint.slider[s], last.slider[s], q, last, contact);
+      if (next == contact) continue;
+      contact = next;
+      changed = true;
+      if (!all) return true;
     }
-    const Contact next = joint.next(q, step.memory[i], posture.contact[i]);
-    if (next == posture.contact[i]) continue;
-    posture.contact[i] = next;
-    changed = true;
-    if (!all) break;
   }
   return changed;
 }
@@ -155,7 +159,7 @@ void RigSolver<Bandwidth>::neighbour(const RigStep& step, const Imposed& imposed
 
 template <int Bandwidth>
 Vector2 RigSolver<Bandwidth>::end_point(const RunRig& run, const Posture& posture) {
-  static const std::vector<JointMemory> none;
+  const std::vector<JointMemory> none(run.joint.size());
   const RigStep step{run, {}, none};
   model_.become(step, posture.contact);
   system_.balance(posture.angle, posture.force);

@@ -1,31 +1,46 @@
 #include "diagnose/model/run_rig.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace plumbline::diagnose {
 namespace {
 
 JointLaw joint_law(const Rig& rig, std::size_t i, double rest) {
-  return {rig.stiffness[i], rest + rig.rest_error[i],        rig.backlash[i],
-          rig.stop[i],      rig.stop_stiffness[i],           rig.hardening,
-          rig.friction,     rig.arm_ratio * rig.stiffness[i]};
+  JointLaw law;
+  law.stiffness = rig.stiffness[i];
+  law.rest = rest * std::exp(-rig.capstan * static_cast<double>(i)) + rig.rest_error[i];
+  law.backlash = rig.backlash[i];
+  law.stop = rig.stop[i];
+  law.stop_stiffness = rig.stop_stiffness[i];
+  law.hardening = rig.hardening[i];
+  law.asymmetry = rig.asymmetry;
+  law.yield = rig.yield;
+  law.flow = rig.flow;
+  for (std::size_t a = 0; a < rig.arms.size(); ++a)
+    law.arm_stiffness.at(a) = rig.arms[a].ratio * law.stiffness;
+  if (law.stiffness > 0) {
+    law.slider.push_back({JointLaw::sticking * law.stiffness, rig.friction[i], rig.friction_growth});
+    for (const Slider& one : rig.sliders[i]) law.slider.push_back({one.ratio * law.stiffness, one.yield, 0});
+  }
+  return law;
 }
 
 }  // namespace
 
-RunRig::RunRig(const Rig& whole, const std::vector<double>& commanded_rest)
-    : rig(whole),
+RunRig::RunRig(Rig own, const std::vector<double>& commanded_rest)
+    : rig(std::move(own)),
       rest_orientation(0),
-      largest_stiffness(*std::max_element(whole.stiffness.begin(), whole.stiffness.end())),
-      beyond(whole.length.size()) {
-  const std::size_t n = whole.length.size();
-  Vector2 carried = whole.payload;
+      largest_stiffness(*std::max_element(rig.stiffness.begin(), rig.stiffness.end())),
+      beyond(rig.length.size()) {
+  const std::size_t n = rig.length.size();
+  Vector2 carried = rig.payload;
   for (std::size_t j = n; j-- > 0;) {
     beyond[j] = carried;
-    carried += whole.weight[j];
+    carried += rig.weight[j];
   }
   for (std::size_t i = 0; i < n; ++i) {
-    joint.push_back(joint_law(whole, i, commanded_rest[i]));
+    joint.push_back(joint_law(rig, i, commanded_rest[i]));
     rest_orientation += joint.back().rest;
   }
 }

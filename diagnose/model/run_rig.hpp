@@ -16,13 +16,14 @@ namespace plumbline::diagnose {
 /// the force on the end point.
 struct Posture {
   Vector<double> angle;
-  std::vector<Contact> contact;  ///< of each joint
+  std::vector<Contact> contact;  ///< of each joint's sliders, see Layout
   Point<double> force{0, 0};
 };
 
 /// The rig during one run: its joints know their rest angles.
 struct RunRig {
-  RunRig(const Rig& whole, const std::vector<double>& commanded_rest);
+  /// \param own  the rig as it stands in this run
+  RunRig(Rig own, const std::vector<double>& commanded_rest);
   Rig rig;
   std::vector<JointLaw> joint;
   double rest_orientation;      ///< theta_n of the unloaded shape
@@ -32,8 +33,8 @@ struct RunRig {
 
 /// The time that ends with a reading: what history the joints follow in it.
 struct TimeStep {
-  bool relaxed = true;  ///< slowly, and before the first reading: no friction, no Maxwell arm
-  double decay = 1, gain = 1;
+  bool relaxed = true;  ///< slowly, and before the first reading: no slider, no Maxwell arm
+  std::array<double, most_arms> decay{1, 1, 1}, gain{1, 1, 1};
 };
 
 /// A rig on its way to a reading, and what its joints remember of the one before.
@@ -52,9 +53,14 @@ struct Imposed {
 /// Which unknowns there are and which of them couple.
 struct Layout {
   std::size_t links;
-  bool bending, coupled, dry;
+  bool bending, coupled;
+  std::size_t sliders;  ///< of each joint
   [[nodiscard]] std::size_t nodes_per_link() const { return bending ? 3 : 1; }
   [[nodiscard]] std::size_t nodes() const { return links * nodes_per_link(); }
+  /// Where the state of a joint's slider stands.
+  [[nodiscard]] std::size_t contact(std::size_t joint, std::size_t slider) const {
+    return joint * sliders + slider;
+  }
   [[nodiscard]] std::size_t first(std::size_t link) const { return link * nodes_per_link(); }
   [[nodiscard]] std::size_t last(std::size_t link) const { return first(link) + nodes_per_link() - 1; }
   /// Of the stiffness: 1, 2 or 4.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plumbline::diagnose {
 namespace {
@@ -22,9 +23,13 @@ double typical_force(const Experiment& experiment) {
   return *place;
 }
 
+template <class Says>
+bool any_reading(const Run& run, Says says) {
+  return std::any_of(run.readings.begin(), run.readings.end(), says);
+}
+
 bool reads_force(const Run& run) {
-  return run.holds_end_point() &&
-         std::any_of(run.readings.begin(), run.readings.end(), [](const Reading& reading) {
+  return run.holds_end_point() && any_reading(run, [](const Reading& reading) {
            return std::isfinite(reading.Fx) || std::isfinite(reading.Fy);
          });
 }
@@ -35,6 +40,45 @@ bool counts_readings(const std::vector<Reading>& readings) {
   for (std::size_t i = 1; i < readings.size(); ++i)
     if (readings[i].t != readings[i - 1].t + 1) return false;
   return true;
+}
+
+bool reads_both_forces(const Run& run) {
+  return run.holds_end_point() &&
+         any_reading(run, [](const Reading& reading) { return std::isfinite(reading.Fx); }) &&
+         any_reading(run, [](const Reading& reading) { return std::isfinite(reading.Fy); });
+}
+
+/// Whether a step of what is imposed goes against one before it.
+bool goes_back(const Run& run) {
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  Eigen::Vector2d last(nowhere, nowhere), last_step(0, 0);
+  for (const Reading& reading : run.readings) {
+    const Eigen::Vector2d at = run.command(reading);
+    if (!at.allFinite()) continue;
+    if (const Eigen::Vector2d step = at - last; step.squaredNorm() > 0) {
+      if (step.dot(last_step) < 0) return true;
+      last_step = step;
+    }
+    last = at;
+  }
+  return false;
+}
+
+/// The largest force component that is read, and how many readings come as near to it as noise allows.
+void find_plateau(const Experiment& experiment, Sizes& size) {
+  const auto each_component = [&](auto use) {
+    for (const Run& run : experiment.runs)
+      for (const Reading& reading : run.readings) {
+        if (!run.holds_end_point()) continue;
+        use(std::abs(or_zero(reading.Fx)), experiment.noise.Fx);
+        use(std::abs(or_zero(reading.Fy)), experiment.noise.Fy);
+      }
+  };
+  each_component([&](double force, double) { size.largest_reading = std::max(size.largest_reading, force); });
+  constexpr double scatter = 5;  // sigma: of the largest of many readings, and of one at its side
+  each_component([&](double force, double sigma) {
+    size.at_largest += force > 0 && force >= size.largest_reading - scatter * sigma;
+  });
 }
 
 }  // namespace
@@ -56,7 +100,13 @@ Sizes sizes_of(const Experiment& experiment) {
     if (run.readings.size() > 1 && size.pause == 0) size.pause = run.readings[1].t - run.readings[0].t;
     size.measures_force = size.measures_force || reads_force(run);
     size.clock = size.clock || !counts_readings(run.readings);
+    size.measures_both_forces = size.measures_both_forces || reads_both_forces(run);
+    size.turns_back = size.turns_back || goes_back(run);
+    size.bent_at_rest = size.bent_at_rest || std::any_of(run.rest.begin() + 1, run.rest.end(),
+                                                         [](double angle) { return angle != 0; });
   }
+  size.runs = experiment.run_count;
+  find_plateau(experiment, size);
   size.force = std::max(typical_force(experiment), 1e-3 * size.stiffness / size.length);
   size.duration = std::max(size.duration, 1e-3);
   size.pause = size.pause > 0 ? size.pause : size.duration;

@@ -17,7 +17,13 @@ struct Sizes {
   double duration = 0, pause = 0;                    ///< of the longest run; between readings
   bool weighs = true;                                ///< the bench may feel gravity in its plane
   bool measures_force = false;                       ///< a run imposes the end point and reads the force
-  bool clock = false;  ///< time stamps are more than the readings' numbers, 0, 1, 2, ...
+  bool clock = false;                 ///< time stamps are more than the readings' numbers, 0, 1, 2, ...
+  bool measures_both_forces = false;  ///< and both components of it
+  std::size_t runs = 0;               ///< of the whole experiment
+  bool turns_back = false;            ///< what a run imposes goes back on its way
+  bool bent_at_rest = false;          ///< a rest angle after the first joint's is not zero
+  double largest_reading = 0;         ///< of |Fx| and |Fy|, where they are read
+  std::size_t at_largest = 0;         ///< readings of a force that are no smaller, within their noise
 
   /// Stiffness of a joint, that of a mean one where it is passive.
   [[nodiscard]] double stiffness_at(std::size_t joint) const {
@@ -32,6 +38,7 @@ Sizes sizes_of(const Experiment& experiment);
 /// What the runs ask of the nominal joints.
 struct Exercise {
   std::vector<double> deflection;  ///< largest of each joint, rad
+  double largest = 0;              ///< of all joints, rad
   double torque = 0;               ///< largest of all joints, N m
 };
 

@@ -15,10 +15,32 @@ std::size_t index_of(const EffectAt& at) {
   return at.joint > 0 ? at.joint - 1 : 0;
 }
 
+Exercise exercise_of(const Experiment& experiment, const Prediction& nominal) {
+  Exercise use{std::vector<double>(experiment.link_length.size(), 0.0), 0, 0};
+  for (std::size_t i = 0; i < use.deflection.size(); ++i) {
+    double& most = use.deflection[i];
+    for (std::size_t r = 0; r < nominal.runs.size(); ++r)
+      for (const double q : nominal.runs[r].col(column_q + static_cast<Eigen::Index>(i)))
+        if (std::isfinite(q)) most = std::max(most, std::abs(q - experiment.runs[r].rest[i]));
+    use.largest = std::max(use.largest, most);
+    use.torque = std::max(use.torque, experiment.joint_stiffness[i] * most);
+  }
+  return use;
+}
+
+/// With its runs numbered, unless they were before some were left out.
+Experiment numbered(Experiment experiment) {
+  if (experiment.run_count > 0) return experiment;
+  for (Run& run : experiment.runs) run.number = experiment.run_count++;
+  return experiment;
+}
+
 }  // namespace
 
 Study::Study(Experiment experiment)
-    : experiment_(std::move(experiment)), measurements_(experiment_), sizes_(sizes_of(experiment_)) {}
+    : experiment_(numbered(std::move(experiment))),
+      measurements_(experiment_),
+      sizes_(sizes_of(experiment_)) {}
 
 const Prediction& Study::nominal() const {
   if (!nominal_) nominal_ = simulate(experiment_, nominal_rig(experiment_), {});
@@ -33,20 +55,9 @@ std::vector<double> Study::nominal_residual() const {
   return residual(nominal());
 }
 
-Exercise Study::exercise() const {
-  Exercise nominal_use{std::vector<double>(experiment_.link_length.size(), 0.0), 0};
-  for (std::size_t r = 0; r < nominal().runs.size(); ++r) {
-    const Trace& trace = nominal().runs[r];
-    for (std::size_t i = 0; i < nominal_use.deflection.size(); ++i) {
-      double& largest = nominal_use.deflection[i];
-      for (const double q : trace.col(column_q + static_cast<Eigen::Index>(i)))
-        if (std::isfinite(q)) largest = std::max(largest, std::abs(q - experiment_.runs[r].rest[i]));
-    }
-  }
-  for (std::size_t i = 0; i < nominal_use.deflection.size(); ++i)
-    nominal_use.torque =
-        std::max(nominal_use.torque, experiment_.joint_stiffness[i] * nominal_use.deflection[i]);
-  return nominal_use;
+const Exercise& Study::exercise() const {
+  if (!exercise_) exercise_ = exercise_of(experiment_, nominal());
+  return *exercise_;
 }
 
 std::vector<ParameterRange> Study::ranges(const EffectAt& at) const {
@@ -94,7 +105,7 @@ Rig rig_with(const Study& study, const Candidate& candidate, const std::vector<d
     std::vector<double> values;
     for (const ParameterRange& range : study.ranges(at))
       values.push_back(catalogue_value(range.coordinate, parameters.at(next++)));
-    at.effect->add({rig, index_of(at), down, values.data()});
+    at.effect->add({rig, index_of(at), study.sizes(), down, values.data()});
   }
   return rig;
 }

@@ -23,8 +23,8 @@ class Study {
   /// (measured - predicted) / declared sigma, flat; of the nominal model.
   [[nodiscard]] std::vector<double> residual(const Prediction& predicted) const;
   [[nodiscard]] std::vector<double> nominal_residual() const;
-  /// What the runs ask of the nominal joints.
-  [[nodiscard]] Exercise exercise() const;
+  /// What the runs ask of the nominal joints; computed when it is first asked for.
+  [[nodiscard]] const Exercise& exercise() const;
 
   /// The parameters of one effect and of a candidate.
   [[nodiscard]] std::vector<ParameterRange> ranges(const EffectAt& at) const;
@@ -35,6 +35,7 @@ class Study {
   Measurements measurements_;
   Sizes sizes_;
   mutable std::optional<Prediction> nominal_;
+  mutable std::optional<Exercise> exercise_;
 };
 
 /// Every effect at every place of this chain where it can change anything at all: no stiffness error at a

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -19,6 +21,28 @@ inline double nan_value() {
 
 inline Candidate only(const char* effect, std::size_t joint = 0) {
   return {{{effect, joint}}};
+}
+
+/// What an effect's parameters are where zero and half a scale are no good choice.
+struct Chosen {
+  std::vector<double> nothing, sizeable;
+};
+
+inline std::optional<Chosen> chosen(const EffectAt& at) {
+  const double t = std::log(7.0), later = std::log(20.0);
+  // EI a million times k L: the links bend by a millionth of what the joints do
+  static const std::map<std::string_view, Chosen> all{
+      {"joint_stop", {{10, 1}, {0.05, 1}}},
+      {"joint_stops", {{10, 1}, {0.05, 1}}},
+      {"viscoelasticity", {{0, t}, {0.3, t}}},
+      {"relaxation_spectrum", {{0, t, 0, later}, {0.3, t, 0.2, later}}},
+      {"link_bending", {{3e-6}, {}}},
+      {"hysteresis", {{0, 0.02, 0, 0.05, 0, 0.1}, {0.5, 0.02, 0.3, 0.05, 0.2, 0.1}}},
+      {"hardening_spread", {{0, 0, 0}, {0.8, 0.4, 1.2}}},
+      {"load_friction", {{0, 0}, {0.02, 3}}},
+      {"plastic_set", {{0.05, 0}, {0.05, 0.3}}}};
+  const auto place = all.find(at.effect->id);
+  return place == all.end() ? std::nullopt : std::optional(place->second);
 }
 
 inline Experiment three_links() {

@@ -44,7 +44,8 @@ TEST_CASE("a passive joint has no spring to be wrong, nor play in one") {
 }
 
 TEST_CASE("every row is found by its id, and nothing else is") {
-  for (const Effect& row : catalogue()) CHECK(&effect(row.id) == &row);
+  for (const Effect& row : catalogue()) CHECK(&effect(row.id, row.at_joint ? 1 : 0) == &row);
+  CHECK(effect("hysteresis").at_joint == false);
   CHECK_THROWS_AS((void)effect("elbow grease"), Error);
 }
 

@@ -91,14 +91,16 @@ double evaluate(const std::string& expression, const std::map<std::string, doubl
   return value;
 }
 
-/// "a_i" stands for a_1 … a_n.
-std::vector<DocumentedParameter> one_a_joint(const std::vector<DocumentedParameter>& stated, std::size_t n) {
+/// A parameter for each value of the index that ends its name, if it does: "a_i" stands for a_1 … a_n.
+std::vector<DocumentedParameter> each_value(const std::vector<DocumentedParameter>& stated,
+                                            const std::string& index, std::size_t count) {
   std::vector<DocumentedParameter> all;
+  const std::regex place("_" + index + R"(\b|_)" + index + "(?=_)");
   for (const DocumentedParameter& one : stated) {
-    const bool each = one.name.ends_with("_i");
-    for (std::size_t i = 1; i <= (each ? n : 1); ++i) {
+    const bool each = std::regex_search(one.name, place);
+    for (std::size_t i = 1; i <= (each ? count : 1); ++i) {
       all.push_back(one);
-      if (each) all.back().name.replace(one.name.size() - 1, 1, std::to_string(i));
+      all.back().name = std::regex_replace(one.name, place, "_" + std::to_string(i));
     }
   }
   return all;
@@ -125,12 +127,14 @@ TEST_CASE("words, places, parameters, units and ranges are those of the catalogu
                                               {"f", 4.0}, {"phi", 0.4}, {"T", 4.0}, {"dt", 2.0}};
   for (const DocumentedEffect& documented : document.effects) {
     INFO(documented.id);
-    const Effect& row = effect(documented.id);
+    const std::size_t joint = documented.at_joint ? 2 : 0;
+    const Effect& row = effect(documented.id, joint);
     CHECK(row.at_joint == documented.at_joint);
-    const EffectAt at(row, documented.at_joint ? 2 : 0);
+    const EffectAt at(row, joint);
     CHECK(at.in_words() == with_joint(documented.words, at.joint));
     const std::vector<ParameterRange> ranges = study.ranges(at);
-    const std::vector<DocumentedParameter> parameters = one_a_joint(documented.parameters, 2);
+    const std::vector<DocumentedParameter> parameters =
+        each_value(each_value(documented.parameters, "r", 1), "i", 2);
     REQUIRE(ranges.size() == parameters.size());
     for (std::size_t p = 0; p < ranges.size(); ++p) {
       const DocumentedParameter& stated = parameters[p];
@@ -169,7 +173,9 @@ std::vector<Same> same_predictions() {
   const std::vector<double> rest{0.4, -0.9};
   const std::vector<std::vector<double>> from_rest{rest, {0.45, -1.0}, {0.5, -1.1}, {0.55, -1.2}};
   const std::vector<std::vector<double>> beyond{{0.5, -1.2}, {0.55, -1.3}, {0.6, -1.4}};
+  const std::vector<std::vector<double>> one_side{rest, {0.45, -0.8}, {0.5, -0.7}, {0.55, -0.6}};
   const Experiment press = two_links({2, 1.5}, rest, from_rest);
+  const Experiment left = two_links({2, 1.5}, rest, one_side);
   const Experiment one_spring = two_links({0, 1.5}, rest, from_rest);
   const Experiment bent = two_links({2, 1.5}, rest, beyond);
   const double solved = 1e-8;  // equilibria are solved to ten digits
@@ -184,6 +190,11 @@ std::vector<Same> same_predictions() {
       {{"joint_stop", 2}, {1e-3, 0.45}, {"joint_stiffness", 2}, {0.3}, bent, 1e-3 / 0.3},
       // In 6 s an arm of 1e6 s loses 6e-6 of its torque.
       {{"viscoelasticity"}, {0.3, 1e6}, {"joint_stiffness", 2}, {0.3}, one_spring, 6e-6},
+      {{"asymmetric_spring"}, {0.3}, {"stiffness_scale"}, {0.3}, left, solved},
+      {{"hysteresis"}, {0.1, 1, 0.15, 1, 0.05, 1}, {"stiffness_scale"}, {0.3}, press, solved},
+      {{"relaxation_spectrum"}, {0.1, 3, 0.2, 3}, {"viscoelasticity"}, {0.3, 3}, press, solved},
+      {{"tendon_friction"}, {0.1}, {"rest_angle", 2}, {-0.9 * std::expm1(-0.1)}, press, solved},
+      {{"run_tare"}, {0.3, -0.2}, {"force_bias"}, {0.3, -0.2}, press, solved},
   };
 }
 

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
 
@@ -22,6 +23,7 @@ Fit found(const Measurements& measurements, const Candidate& candidate, const st
   fit.parameters = parameters;
   fit.at_bound.assign(parameters.size(), false);
   fit.covariance = covariance;
+  fit.information = covariance.completeOrthogonalDecomposition().pseudoInverse();
   fit.residual.assign(measurements.size(), 0.0);
   return fit;
 }
@@ -132,6 +134,6 @@ TEST_CASE("a parameter at its bound, or one that nothing shows, is not charged")
   Fit fit = found(measurements, {{{"force_gain"}}}, {3.0}, variance(0));
   CHECK(of_parameters(experiment, fit) == doctest::Approx(0));
   fit.at_bound[0] = true;
-  fit.covariance = variance(1e-4);
+  fit.information = variance(1e4);
   CHECK(of_parameters(experiment, fit) == doctest::Approx(0));
 }

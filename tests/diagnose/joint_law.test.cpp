@@ -11,14 +11,10 @@ namespace {
 
 /// A spring of 2 N m/rad at rest at 0.1, and nothing else but what a test adds.
 JointLaw spring() {
-  return {.stiffness = 2,
-          .rest = 0.1,
-          .backlash = 0,
-          .stop = 10,
-          .stop_stiffness = 0,
-          .hardening = 0,
-          .friction = 0,
-          .arm_stiffness = 0};
+  JointLaw law;
+  law.stiffness = 2;
+  law.rest = 0.1;
+  return law;
 }
 
 /// Both sides of a law, and its slope against a difference quotient.
@@ -52,32 +48,83 @@ TEST_CASE("a spring, with hardening, play and a stop: torques by hand") {
 }
 
 TEST_CASE("a dry contact carries its torque until it slips, and turns back through sticking") {
-  JointLaw law = spring();
-  law.friction = 0.4;
-  const JointMemory last{.angle = 0.2, .friction = 0.1};
-  const double stiff = JointLaw::sticking * 2;
-  CHECK(law.dry(0.2, last, Contact::sticks).value == doctest::Approx(0.1));
-  CHECK(law.dry(0.2 + 1e-7, last, Contact::sticks).value == doctest::Approx(0.1 + stiff * 1e-7));
-  CHECK(law.dry(0.2, last, Contact::sticks).slope == stiff);
-  CHECK(law.dry(0.9, last, Contact::slips_up).value == 0.4);
-  CHECK(law.dry(0.9, last, Contact::slips_down).value == -0.4);
-  CHECK(law.dry(0.9, last, Contact::slips_up).slope == 0);
-  CHECK(spring().dry(0.9, last, Contact::slips_up).value == 0);
+  const JointLaw law = spring();
+  const JointSlider dry{JointLaw::sticking * 2, 0.4, 0};
+  const JointMemory last{.angle = 0.2};
+  const auto torque = [&](double angle, Contact contact) { return law.dry(dry, 0.1, angle, last, contact); };
+  CHECK(torque(0.2, Contact::sticks).value == doctest::Approx(0.1));
+  CHECK(torque(0.2 + 1e-7, Contact::sticks).value == doctest::Approx(0.1 + dry.stiffness * 1e-7));
+  CHECK(torque(0.2, Contact::sticks).slope == dry.stiffness);
+  CHECK(torque(0.9, Contact::slips_up).value == 0.4);
+  CHECK(torque(0.9, Contact::slips_down).value == -0.4);
+  CHECK(torque(0.9, Contact::slips_up).slope == 0);
+  CHECK(law.dry({2, 0, 0}, 0, 0.9, last, Contact::slips_up).value == 0);
 
-  CHECK(law.next(0.2, last, Contact::sticks) == Contact::sticks);
-  CHECK(law.next(0.3, last, Contact::sticks) == Contact::slips_up);
-  CHECK(law.next(0.1, last, Contact::sticks) == Contact::slips_down);
-  CHECK(law.next(0.3, last, Contact::slips_up) == Contact::slips_up);
-  CHECK(law.next(0.1, last, Contact::slips_up) == Contact::sticks);
-  CHECK(law.next(0.1, last, Contact::slips_down) == Contact::slips_down);
-  CHECK(law.next(0.3, last, Contact::slips_down) == Contact::sticks);
+  const auto next = [&](double angle, Contact contact) { return law.next(dry, 0.1, angle, last, contact); };
+  CHECK(next(0.2, Contact::sticks) == Contact::sticks);
+  CHECK(next(0.3, Contact::sticks) == Contact::slips_up);
+  CHECK(next(0.1, Contact::sticks) == Contact::slips_down);
+  CHECK(next(0.3, Contact::slips_up) == Contact::slips_up);
+  CHECK(next(0.1, Contact::slips_up) == Contact::sticks);
+  CHECK(next(0.1, Contact::slips_down) == Contact::slips_down);
+  CHECK(next(0.3, Contact::slips_down) == Contact::sticks);
+}
+
+TEST_CASE(
+    "a contact whose friction grows slips at tau (1 + growth |d|), and its torque is the slope of its work") {
+  const JointLaw law = spring();
+  const JointSlider grows{2e5, 0.4, 0.8};
+  const JointMemory last{.angle = -0.1};
+  for (const double angle : {0.5, -0.4}) {
+    for (const auto& [contact, sign] :
+         {std::pair(Contact::slips_up, 1.0), std::pair(Contact::slips_down, -1.0)}) {
+      const auto at = [&](double q) { return law.dry(grows, 0, q, last, contact); };
+      CHECK(at(angle).value == doctest::Approx(sign * (0.4 + 0.8 * std::abs(angle - 0.1))));
+      const double step = 1e-5;
+      CHECK((at(angle + step).energy - at(angle - step).energy) / (2 * step) ==
+            doctest::Approx(at(angle).value).epsilon(1e-7));
+      CHECK((at(angle + step).value - at(angle - step).value) / (2 * step) ==
+            doctest::Approx(at(angle).slope).epsilon(1e-7));
+    }
+  }
+}
+
+TEST_CASE("a spring that is stiffer to one side") {
+  JointLaw law = spring();
+  law.asymmetry = 0.2;
+  CHECK(law.elastic(0.1 + 0.3).value == doctest::Approx(2 * 1.2 * 0.3));
+  CHECK(law.elastic(0.1 - 0.3).value == doctest::Approx(-2 * 0.8 * 0.3));
+  CHECK(law.elastic(0.1 - 0.3).slope == doctest::Approx(1.6));
+  CHECK(law.elastic(0.1 - 0.3).energy == doctest::Approx(1.6 * 0.3 * 0.3 / 2));
+}
+
+TEST_CASE(
+    "beyond its yield a spring goes on at k / (1 + slope), comes back at k, and yields where it turned") {
+  JointLaw law = spring();
+  law.yield = 0.5;
+  law.flow = 0.25;
+  JointMemory memory;
+  CHECK(law.elastic(0.1 + 0.2, memory).value == doctest::Approx(0.4));
+  // 0.2 N m in excess at d = 0.35: 0.5 + 0.2 / 1.25, and the work 0.5^2 / 2 k + (0.5 + 0.66) / 2 x 0.1.
+  const Torque beyond = law.elastic(0.1 + 0.35, memory);
+  CHECK(beyond.value == doctest::Approx(0.66));
+  CHECK(beyond.slope == doctest::Approx(2 / 1.25));
+  CHECK(beyond.energy == doctest::Approx(0.0625 + 0.058));
+  law.flow_to(0.1 + 0.35, memory);
+  CHECK(memory.carried == doctest::Approx(0.66));
+  CHECK(memory.set ==
+        doctest::Approx(0.25 * 0.2 / 1.25 / 2));  // slope times what is in excess of the yield now, over k
+  CHECK(law.elastic(0.1 + 0.35, memory).value == doctest::Approx(0.66));
+  CHECK(law.elastic(0.1, memory).value == doctest::Approx(-2 * 0.02));
+  CHECK(law.elastic(0.1 + 0.35 + 0.1, memory).value == doctest::Approx(0.66 + 0.2 / 1.25));
 }
 
 TEST_CASE("a Maxwell arm forgets what it carried and takes what the joint turns") {
   JointLaw law = spring();
-  law.arm_stiffness = 3;
-  const JointMemory last{.angle = 0.2, .arm = 0.5};
-  CHECK(law.viscous(0.2, last, 0.25, 0.9).value == doctest::Approx(0.25 * 0.5));
-  CHECK(law.viscous(0.3, last, 0.25, 0.9).value == doctest::Approx(0.125 + 3 * 0.9 * 0.1));
-  CHECK(law.viscous(0.3, last, 0.25, 0.9).slope == doctest::Approx(2.7));
+  law.arm_stiffness[1] = 3;
+  JointMemory last{.angle = 0.2};
+  last.arm[1] = 0.5;
+  CHECK(law.viscous(1, 0.2, last, 0.25, 0.9).value == doctest::Approx(0.25 * 0.5));
+  CHECK(law.viscous(1, 0.3, last, 0.25, 0.9).value == doctest::Approx(0.125 + 3 * 0.9 * 0.1));
+  CHECK(law.viscous(1, 0.3, last, 0.25, 0.9).slope == doctest::Approx(2.7));
 }

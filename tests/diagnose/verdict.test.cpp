@@ -19,6 +19,8 @@ Fit found(const Experiment& experiment, const Candidate& candidate, const std::v
   for (const ParameterRange& range : Study(experiment).ranges(candidate))
     fit.parameters.push_back(range.low > 0 ? range.low + range.scale : range.scale);
   fit.at_bound.assign(fit.parameters.size(), false);
+  const auto count = static_cast<Eigen::Index>(fit.parameters.size());
+  fit.information = 1e6 * Eigen::MatrixXd::Identity(count, count);
   fit.residual = residual;
   fit.converged = true;
   return fit;
@@ -63,8 +65,19 @@ TEST_CASE("an effect whose parameter is at zero, or at the end of its range, is 
   play.at_bound = {true};
   CHECK_FALSE(genuine(Study(experiment), play));
 
+  // Play in one joint alone is that joint's.
+  Fit all = found(experiment, of({{"play"}}), residual);
+  CHECK(genuine(Study(experiment), all));
+  for (std::size_t p = 1; p < all.parameters.size(); ++p) {
+    all.parameters[p] = 0;
+    all.at_bound[p] = true;
+  }
+  CHECK_FALSE(genuine(Study(experiment), all));
+
   Fit stop = found(experiment, of({{"joint_stop", 1}}), residual);
   CHECK(genuine(Study(experiment), stop));
+  stop.information(0, 0) = 0;  // nothing touched it
+  CHECK_FALSE(genuine(Study(experiment), stop));
   stop.at_bound = {true, false};  // always touching: a stiffer joint
   stop.parameters[0] = 1e-3;
   CHECK_FALSE(genuine(Study(experiment), stop));

@@ -2,60 +2,13 @@
 /// Effects that all joints or links share: one factor or offset for all, or a value of each within its
 /// tolerance.
 
-#include <algorithm>
-#include <array>
-
 #include "diagnose/beliefs.hpp"
+#include "diagnose/model/effects/each_joint.hpp"
 #include "diagnose/model/effects/rows.hpp"
 
 namespace plumbline::diagnose {
-namespace {
 
 using beliefs::stiffness_tolerance, beliefs::length_tolerance, beliefs::angle_tolerance;
-
-bool several_elastic(const Place& at) {
-  return std::count_if(at.sizes.joint_stiffness.begin(), at.sizes.joint_stiffness.end(),
-                       [](double k) { return k > 0; }) > 1;
-}
-
-bool several_links(const Place& at) {
-  return at.sizes.link_length.size() > 1;
-}
-
-/// "a_1" … "a_30": parameter names live as long as the catalogue.
-std::string_view numbered(char letter, std::size_t joint) {
-  constexpr std::size_t most = 1000;
-  static const auto names = [] {
-    std::array<std::vector<std::string>, 26> all;
-    for (std::size_t l = 0; l < all.size(); ++l)
-      for (std::size_t i = 1; i <= most; ++i)
-        all[l].push_back(std::string(1, static_cast<char>('a' + l)) + "_" + std::to_string(i));
-    return all;
-  }();
-  return names[static_cast<std::size_t>(letter - 'a')].at(joint);
-}
-
-/// One value a joint (passive ones have none of their own where `elastic`), small by its tolerance.
-std::vector<ParameterRange> each(const Place& at, bool elastic, char letter, std::string_view unit,
-                                 double tolerance, double low, double high) {
-  std::vector<ParameterRange> all;
-  for (std::size_t i = 0; i < at.sizes.link_length.size(); ++i) {
-    const bool held = elastic && !(at.sizes.joint_stiffness[i] > 0);
-    if (!held)
-      all.push_back({numbered(letter, i), unit, Coordinate::plain, tolerance / 2, low, high, tolerance});
-  }
-  return all;
-}
-
-/// Calls `change` with each joint that has a value, and the value.
-template <class Change>
-void for_each(const Addition& to, bool elastic, Change change) {
-  std::size_t p = 0;
-  for (std::size_t i = 0; i < to.rig.length.size(); ++i)
-    if (!elastic || to.rig.stiffness[i] > 0) change(i, to.value[p++]);
-}
-
-}  // namespace
 
 std::vector<Effect> common_effects() {
   return {
@@ -86,35 +39,45 @@ std::vector<Effect> common_effects() {
       {.id = "stiffness_spread",
        .words = "stiffnesses that differ from joint to joint within their tolerance",
        .parameters =
-           [](const Place& at) { return each(at, true, 'a', "ratio", stiffness_tolerance, -0.8, 2); },
+           [](const Place& at) {
+             return each(at, {"a", "ratio", stiffness_tolerance, -0.8, 2});
+           },
        .add =
            [](const Addition& to) {
-             for_each(to, true, [&](std::size_t i, double a) { to.rig.stiffness[i] *= 1 + a; });
+             for_each_elastic(to, [&](std::size_t i, double a) { to.rig.stiffness[i] *= 1 + a; });
            },
        .possible = several_elastic},
       {.id = "length_spread",
        .words = "lengths that differ from link to link within their tolerance",
        .parameters =
-           [](const Place& at) { return each(at, false, 'a', "ratio", length_tolerance, -0.2, 0.2); },
+           [](const Place& at) {
+             return each(at, {"a", "ratio", length_tolerance, -0.2, 0.2, false});
+           },
        .add =
            [](const Addition& to) {
-             for_each(to, false, [&](std::size_t j, double a) { to.rig.length[j] *= 1 + a; });
+             for (std::size_t j = 0; j < to.rig.length.size(); ++j) to.rig.length[j] *= 1 + to.value[j];
            },
        .possible = several_links},
       {.id = "rest_spread",
        .words = "rest angles that differ from joint to joint within their tolerance",
-       .parameters = [](const Place& at) { return each(at, true, 'a', "rad", angle_tolerance, -0.3, 0.3); },
+       .parameters =
+           [](const Place& at) {
+             return each(at, {"a", "rad", angle_tolerance, -0.3, 0.3});
+           },
        .add =
            [](const Addition& to) {
-             for_each(to, true, [&](std::size_t i, double a) { to.rig.rest_error[i] += a; });
+             for_each_elastic(to, [&](std::size_t i, double a) { to.rig.rest_error[i] += a; });
            },
        .possible = several_elastic},
       {.id = "play",
        .words = "play in every joint",
-       .parameters = [](const Place& at) { return each(at, true, 'b', "rad", angle_tolerance, 0, 0.4); },
+       .parameters =
+           [](const Place& at) {
+             return each(at, {"b", "rad", angle_tolerance, 0, 0.4});
+           },
        .add =
            [](const Addition& to) {
-             for_each(to, true, [&](std::size_t i, double b) { to.rig.backlash[i] += b; });
+             for_each_elastic(to, [&](std::size_t i, double b) { to.rig.backlash[i] += b; });
            },
        .possible = several_elastic,
        .starts =
@@ -126,6 +89,50 @@ std::vector<Effect> common_effects() {
                  if (at.sizes.joint_stiffness[i] > 0)
                    starts.from.back().push_back(share * nominal.deflection[i]);
              }
+             return starts;
+           },
+       .at_least = 2},
+      {.id = "friction_spread",
+       .words = "dry friction that differs from joint to joint",
+       .dissipates = true,
+       .parameters =
+           [](const Place& at) {
+             const double slip = at.sizes.stiffness * at.sizes.deflection;
+             return each(at, {"tau", "N m", beliefs::friction_tolerance * slip, 0, 10 * slip});
+           },
+       .add =
+           [](const Addition& to) {
+             for_each_elastic(to, [&](std::size_t i, double torque) { to.rig.friction[i] += torque; });
+           },
+       .possible = several_elastic,
+       .special = {"joint_friction"},
+       .starts =
+           [](const Place& at, const Exercise& nominal) {
+             Starts starts{{}, 1};
+             for (const double share : {0.005, 0.03})
+               starts.from.emplace_back(each(at, {}).size(), share * nominal.torque);
+             return starts;
+           },
+       .probing = {.large_step = true}},
+      {.id = "hardening_spread",
+       .words = "springs that harden or soften, each on its own",
+       .parameters =
+           [](const Place& at) {
+             const double scale = 1 / (at.sizes.deflection * at.sizes.deflection);
+             return each(at, {"c", "1/rad²", beliefs::hardening_tolerance * scale, -1 * scale, 20 * scale});
+           },
+       .add =
+           [](const Addition& to) {
+             for_each_elastic(to, [&](std::size_t i, double c) { to.rig.hardening[i] += c; });
+           },
+       .possible = several_elastic,
+       .special = {"nonlinear_spring"},
+       .starts =
+           [](const Place& at, const Exercise&) {
+             const double scale = 1 / (at.sizes.deflection * at.sizes.deflection);
+             Starts starts{{}, 1};
+             for (const double share : {0.0, 0.3, -0.1})
+               starts.from.emplace_back(each(at, {}).size(), share * scale);
              return starts;
            }},
   };

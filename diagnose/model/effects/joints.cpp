@@ -37,7 +37,10 @@ std::vector<Effect> joint_effects() {
       {.id = "nonlinear_spring",
        .words = "joint springs that harden or soften with their deflection",
        .parameters = [](const Place&) { return std::vector{both_ways("c", "1/rad²", 0.5, -3, 50)}; },
-       .add = [](const Addition& to) { to.rig.hardening += to.value[0]; }},
+       .add =
+           [](const Addition& to) {
+             for (double& c : to.rig.hardening) c += to.value[0];
+           }},
       {.id = "backlash",
        .words = "play in joint {}",
        .at_joint = true,
@@ -57,7 +60,10 @@ std::vector<Effect> joint_effects() {
              const double slip = at.sizes.stiffness * at.sizes.deflection;
              return std::vector{one_way("tau_c", "N m", 0.05 * slip, 10 * slip)};
            },
-       .add = [](const Addition& to) { to.rig.friction += to.value[0]; },
+       .add =
+           [](const Addition& to) {
+             for (double& torque : to.rig.friction) torque += to.value[0];
+           },
        .starts =
            [](const Place&, const Exercise& nominal) {
              return shares_of(nominal.torque, {0.002, 0.01, 0.05}, 1);
@@ -108,8 +114,7 @@ std::vector<Effect> joint_effects() {
            },
        .add =
            [](const Addition& to) {
-             to.rig.arm_ratio += to.value[0];
-             to.rig.relaxation = to.value[1];
+             to.rig.arms.push_back({to.value[0], to.value[1]});
            },
        .possible = [](const Place& at) { return at.sizes.clock; },
        .starts =

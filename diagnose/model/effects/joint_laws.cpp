@@ -1,0 +1,217 @@
+/// \file
+/// Torque laws of the joints beyond a single number: hysteresis, stops, set, spectra of relaxation.
+
+#include <cmath>
+
+#include "diagnose/model/effects/each_joint.hpp"
+#include "diagnose/model/effects/rows.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// The torque of a mean spring at a typical deflection.
+double typical_torque(const Place& at) {
+  return at.sizes.stiffness * at.sizes.deflection;
+}
+
+// ------------------------------------------------------------------------------------------- hysteresis
+
+/// Elements that yield one after the other; with more of them a loop has more corners than noise lets see.
+constexpr std::size_t elements = 3;
+/// A stiffer element yields within less than a reading: it is dry friction.
+constexpr double stiffest = 4;
+
+/// Fitted by the turn at which an element yields, not by its torque: what it carries is then in proportion to
+/// r. \param deflection  that a joint typically has
+std::vector<ParameterRange> element_ranges(double deflection) {
+  std::vector<ParameterRange> all;
+  for (std::size_t e = 0; e < elements; ++e) {
+    all.push_back(one_way(numbered("r", e), "ratio", 0.2, stiffest));
+    all.push_back(
+        {numbered("d", e), "rad", Coordinate::plain, 0.1 * deflection, 1e-3 * deflection, 4 * deflection, 0});
+  }
+  return all;
+}
+
+Starts element_starts(double deflection) {
+  return {{{0.1, 0.02 * deflection, 0.1, 0.1 * deflection, 0.1, 0.5 * deflection}}, 1};
+}
+
+/// \param stiffness  of the joint that yields at the turn of the parameters
+void add_elements(std::vector<Slider>& sliders, double stiffness, const double* value) {
+  for (std::size_t e = 0; e < elements; ++e) {
+    const double ratio = value[2 * e], turn = value[2 * e + 1];
+    sliders.push_back({ratio, ratio * stiffness * turn});
+  }
+}
+
+bool turns_back(const Place& at) {
+  return at.sizes.turns_back;
+}
+
+std::vector<Effect> hysteresis() {
+  const Probing probing{.growing = {0, 2, 4}, .large_step = true};
+  return {
+      {.id = "hysteresis",
+       .words = "joints that give way little by little and remember where they turned",
+       .dissipates = true,
+       .parameters = [](const Place& at) { return element_ranges(at.sizes.deflection); },
+       .add =
+           [](const Addition& to) {
+             for (auto& sliders : to.rig.sliders) add_elements(sliders, to.sizes.stiffness, to.value);
+           },
+       .possible = [](const Place& at) { return turns_back(at) && several_elastic(at); },
+       .starts = [](const Place&, const Exercise& nominal) { return element_starts(nominal.largest); },
+       .probing = probing},
+      {.id = "hysteresis",
+       .words = "joint {} giving way little by little and remembering where it turned",
+       .at_joint = true,
+       .dissipates = true,
+       .parameters = [](const Place& at) { return element_ranges(at.sizes.deflection); },
+       .add =
+           [](const Addition& to) {
+             add_elements(to.rig.sliders[to.joint], to.sizes.stiffness_at(to.joint), to.value);
+           },
+       .possible = [](const Place& at) { return turns_back(at) && at.sizes.joint_stiffness[at.joint] > 0; },
+       .starts = [](const Place& at,
+                    const Exercise& nominal) { return element_starts(nominal.deflection[at.joint]); },
+       .probing = probing},
+      {.id = "load_friction",
+       .words = "dry friction in the joints that grows with their deflection",
+       .dissipates = true,
+       .parameters =
+           [](const Place& at) {
+             const double torque = typical_torque(at), rate = 1 / at.sizes.deflection;
+             return std::vector{one_way("tau_c", "N m", 0.05 * torque, 10 * torque),
+                                one_way("growth", "1/rad", 2 * rate, 100 * rate)};
+           },
+       .add =
+           [](const Addition& to) {
+             for (double& torque : to.rig.friction) torque += to.value[0];
+             to.rig.friction_growth += to.value[0] * to.value[1];
+           },
+       .possible = turns_back,
+       .special = {"joint_friction"},
+       .starts =
+           [](const Place&, const Exercise& nominal) {
+             Starts starts{{}, 1};
+             const double rate = 1 / std::max(nominal.largest, 1e-3);
+             for (const double share : {0.003, 0.015})
+               starts.from.push_back({share * nominal.torque, 3 * rate});
+             return starts;
+           },
+       .probing = {.growing = {0}, .large_step = true},
+       .at_least = 2},
+  };
+}
+
+// ---------------------------------------------------------------------------------------------- springs
+
+/// Shares of the largest deflection at which stops may begin, with soft and hard ones.
+Starts stop_starts(double reach, double stiffness) {
+  Starts starts{{}, 2};
+  for (const double share : {0.2, 0.4, 0.6, 0.8, 0.95})
+    for (const double stiff : {0.3, 3.0}) starts.from.push_back({share * reach, stiff * stiffness});
+  return starts;
+}
+
+std::vector<Effect> springs() {
+  return {
+      {.id = "asymmetric_spring",
+       .words = "springs that are stiffer to one side",
+       .parameters = [](const Place&) { return std::vector{both_ways("e", "ratio", 0.05, -0.9, 0.9)}; },
+       .add = [](const Addition& to) { to.rig.asymmetry += to.value[0]; }},
+      {.id = "joint_stops",
+       .words = "stops at every joint",
+       .parameters =
+           [](const Place& at) {
+             const double k = at.sizes.stiffness;
+             return std::vector<ParameterRange>{{"s", "rad", Coordinate::plain, 0.3, 1e-3, 3},
+                                                one_way("k_s", "N m/rad", k, 100 * k)};
+           },
+       .add =
+           [](const Addition& to) {
+             for (std::size_t i = 0; i < to.rig.stop.size(); ++i) {
+               to.rig.stop[i] = to.value[0];
+               to.rig.stop_stiffness[i] = to.value[1];
+             }
+           },
+       .possible = several_links,
+       .starts = [](const Place& at,
+                    const Exercise& nominal) { return stop_starts(nominal.largest, at.sizes.stiffness); },
+       .probing = {.growing = {1}}},
+  };
+}
+
+// ----------------------------------------------------------------------------------------- time and set
+
+std::vector<Effect> memory() {
+  return {
+      {.id = "relaxation_spectrum",
+       .words = "springs that relax in two times",
+       .dissipates = true,
+       .parameters =
+           [](const Place& at) {
+             const double low = std::log(0.1 * at.sizes.pause), high = std::log(20 * at.sizes.duration);
+             return std::vector<ParameterRange>{one_way("m_1", "ratio", 0.2, 20),
+                                                {"tau_1", "s", Coordinate::logarithm, 1, low, high},
+                                                one_way("m_2", "ratio", 0.2, 20),
+                                                {"tau_2", "s", Coordinate::logarithm, 1, low, high}};
+           },
+       .add =
+           [](const Addition& to) {
+             to.rig.arms.push_back({to.value[0], to.value[1]});
+             to.rig.arms.push_back({to.value[2], to.value[3]});
+           },
+       // Two times are told apart where readings are much closer than both.
+       .possible = [](const Place& at) { return at.sizes.clock && at.sizes.duration > 20 * at.sizes.pause; },
+       .special = {"viscoelasticity"},
+       .starts =
+           [](const Place& at, const Exercise&) {
+             const double low = std::log(2 * at.sizes.pause), high = std::log(0.4 * at.sizes.duration);
+             return Starts{{{0.1, low, 0.1, high}}, 1};
+           },
+       .probing = {.growing = {0, 2}},
+       .at_least = 2},
+      {.id = "plastic_set",
+       .words = "rest angles that stay moved after a torque that was too large",
+       .dissipates = true,
+       .parameters =
+           [](const Place& at) {
+             const double torque = typical_torque(at);
+             return std::vector<ParameterRange>{
+                 {"tau_y", "N m", Coordinate::plain, 0.3 * torque, 1e-3 * torque, 10 * torque},
+                 one_way("slope", "ratio", 0.1, 20)};
+           },
+       .add =
+           [](const Addition& to) {
+             to.rig.yield = to.value[0];
+             to.rig.flow = to.value[1];
+           },
+       .possible = turns_back,
+       .starts =
+           [](const Place&, const Exercise& nominal) {
+             Starts starts{{}, 1};
+             for (const double share : {0.2, 0.4, 0.6, 0.8})
+               starts.from.push_back({share * nominal.torque, 0.1});
+             return starts;
+           },
+       .probing = {.growing = {1}}},
+      {.id = "tendon_friction",
+       .words = "a tendon that loses tension from joint to joint",
+       .parameters = [](const Place&) { return std::vector{one_way("mu", "ratio", 0.02, 1)}; },
+       .add = [](const Addition& to) { to.rig.capstan += to.value[0]; },
+       .possible = [](const Place& at) { return at.sizes.bent_at_rest; }},
+  };
+}
+
+}  // namespace
+
+std::vector<Effect> joint_law_effects() {
+  std::vector<Effect> rows;
+  for (const auto& group : {springs, hysteresis, memory})
+    for (Effect& row : group()) rows.push_back(std::move(row));
+  return rows;
+}
+
+}  // namespace plumbline::diagnose
