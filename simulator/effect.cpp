@@ -4,10 +4,12 @@
 
 namespace plumbline::simulator {
 
-std::string Kind::name(std::size_t parameter) const {
+std::string Kind::name(const Plan& plan, std::size_t parameter) const {
   if (parameter < names.size()) return std::string(names[parameter]);
-  const std::size_t after = parameter - names.size();
-  return std::string(each[after % each.size()]) + "_" + std::to_string(after / each.size() + 1);
+  const std::size_t after = parameter - names.size(), which = after / each.size();
+  const auto counted = [](std::size_t index) { return "_" + std::to_string(index + 1); };
+  const std::string of(each[after % each.size()]);
+  return of + (by_run ? counted(which / plan.size()) + counted(which % plan.size()) : counted(which));
 }
 
 bool Kind::scales(std::size_t parameter) const {

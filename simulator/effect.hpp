@@ -25,9 +25,10 @@ struct Kind {
   void (*add)(Physics&, const Plan&, Place, const Values&);
   std::vector<std::string_view> each = {};  ///< parameters that follow any number of times: a_1, a_2, …
   std::string_view family = "one effect";   ///< under which results are counted
+  bool by_run = false;  ///< those that follow are one a joint in each run: a_1_1, a_1_2, …
 
   /// Name of a parameter, and whether it scales with the strength.
-  [[nodiscard]] std::string name(std::size_t parameter) const;
+  [[nodiscard]] std::string name(const Plan& plan, std::size_t parameter) const;
   [[nodiscard]] bool scales(std::size_t parameter) const;
 };
 

@@ -20,8 +20,7 @@ Pair load_cell(const Physics& is, const PlannedRun& run, const State& state, dou
   Pair shown;
   for (std::size_t a = 0; a < 2; ++a) {
     shown[a] = (1 + is.gain) * mixed[a] * (1 + is.curvature[a] * mixed[a]) + is.bias[a] +
-               is.drift[a] * state.t + is.zero.amplitude[a] * wave + is.warming[a] * warm;
-    if (run.id == is.other_day.run) shown[a] += is.other_day.tare[a];
+               is.drift[a] * state.t + is.zero.amplitude[a] * wave + is.warming[a] * warm + is.tare(run)[a];
   }
   shown[0] += is.guide_friction * direction;
   return shown;

@@ -65,20 +65,20 @@ std::vector<Kind> friction() {
       {"load_friction",
        "",
        false,
-       {"tau_c", "b", "d_max"},
-       {true, false, false},
+       {"tau_c", "growth"},
+       {true, false},
        false,
        6,
        turns_back,
        [](const Scene& s, Place, Random& r) {
          return Values{significant(r.log_uniform(0.002, 0.02) * torque(s), 4),
-                       significant(r.log_uniform(1.5, 6), 4), significant(largest_deflection(s), 4)};
+                       significant(r.log_uniform(1.5, 6) / largest_deflection(s), 4)};
        },
        [](Physics& is, const Plan&, Place, const Values& v) {
          for (Joint& joint : is.joint) {
            if (joint.stiffness == 0) continue;
            joint.friction.torque += v[0];
-           joint.friction.growth = v[1] / v[2];
+           joint.friction.growth = v[1];
          }
        },
        {},

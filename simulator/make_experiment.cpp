@@ -49,12 +49,12 @@ double likeness(const std::vector<Excess>& one, const std::vector<Excess>& other
   return std::abs(product) / (rms(one) * rms(other) * static_cast<double>(one.size()));
 }
 
-trial::TrueEffect label_of(const Effect& effect, double strength) {
+trial::TrueEffect label_of(const Bench& bench, const Effect& effect, double strength) {
   const bool known = effect.kind->id != "unknown";
   trial::TrueEffect label{
       std::string(effect.kind->id), effect.kind->at_joint ? effect.joint + 1 : 0, {}, strength};
   for (std::size_t p = 0; p < effect.values.size() && known; ++p)
-    label.parameters.emplace_back(effect.kind->name(p), effect.values[p]);
+    label.parameters.emplace_back(effect.kind->name(bench.plan, p), effect.values[p]);
   return label;
 }
 
@@ -101,7 +101,7 @@ Outcome together(const Bench& bench, const Cast& cast) {
 
 /// With tolerances it is as right to name any of their groups beside the cause as to leave them out; without
 /// a cause one of them must be named.
-void allow_tolerances(trial::Label& label, const std::vector<Effect>& tolerances) {
+void allow_tolerances(trial::Label& label, const Bench& bench, const std::vector<Effect>& tolerances) {
   std::vector<std::string> cause;
   for (const trial::TrueEffect& effect : label.effects)
     cause.push_back(trial::effect_key(effect.id, effect.joint));
@@ -115,7 +115,7 @@ void allow_tolerances(trial::Label& label, const std::vector<Effect>& tolerances
     }
   }
   if (!cause.empty() || tolerances.empty()) return;
-  for (const Effect& one : tolerances) label.effects.push_back(label_of(one, 0));
+  for (const Effect& one : tolerances) label.effects.push_back(label_of(bench, one, 0));
 }
 
 std::string family(const Wish& wish) {
@@ -135,7 +135,7 @@ trial::Label label(const Wish& wish, const Bench& bench, const Cast& cast, const
   label.noise_scale = bench.scatter.sigma.force / bench.scatter.declared.force;
   label.strength = outcome.effects.empty() ? 0 : significant(rms(outcome.gap), 4);
   for (const Outcome& one : cast.alone) {
-    label.effects.push_back(label_of(one.effects.front(), significant(rms(one.gap), 4)));
+    label.effects.push_back(label_of(bench, one.effects.front(), significant(rms(one.gap), 4)));
     label.description += one.effects.front().kind->description;
   }
   if (!label.description.empty()) label.channel = channels_of(outcome.gap);
@@ -144,7 +144,7 @@ trial::Label label(const Wish& wish, const Bench& bench, const Cast& cast, const
   } else if (cast.alone.size() > 1) {
     label.equivalent = equivalents(bench, outcome);
   }
-  allow_tolerances(label, cast.tolerances);
+  allow_tolerances(label, bench, cast.tolerances);
   return label;
 }
 

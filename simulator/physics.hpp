@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <vector>
 
 #include "simulator/plan.hpp"
@@ -88,11 +89,10 @@ struct Wall {
   double side = 1, height = 0, stiffness = 0;
 };
 
-/// One run on another day, clamped anew.
+/// What a run that was made on another day adds: clamped anew, the load cell set to zero anew.
 struct OtherDay {
-  std::string run;
-  std::vector<double> rest;  ///< beside the rest angles; or none
-  Pair tare{0, 0};
+  std::vector<double> rest;  ///< to the rest angles; or none
+  Pair tare{0, 0};           ///< to the load cell's zero
 };
 
 /// A sine in time or along the way.
@@ -135,8 +135,13 @@ struct Physics {
   Pair cross_talk{0, 0};  ///< c_xy, c_yx
   Pair curvature{0, 0};   ///< F (1 + curvature F)
   double saturation = std::numeric_limits<double>::infinity();
-  double lag = 0;  ///< time constant, s
-  OtherDay other_day;
+  double lag = 0;                             ///< time constant, s
+  std::map<std::string, OtherDay> other_day;  ///< by the run's id
+
+  [[nodiscard]] Pair tare(const PlannedRun& run) const {
+    const auto other = other_day.find(run.id);
+    return other == other_day.end() ? Pair{0, 0} : other->second.tare;
+  }
 };
 
 inline Physics physics_of(const Plan& plan) {
@@ -150,8 +155,8 @@ inline Physics physics_of(const Plan& plan) {
 
 /// Where a joint's spring is slack, as the run really is.
 inline double rest_angle(const Physics& is, const PlannedRun& run, std::size_t j) {
-  const OtherDay& other = is.other_day;
-  const double anew = run.id == other.run && !other.rest.empty() ? other.rest[j] : 0;
+  const auto other = is.other_day.find(run.id);
+  const double anew = other == is.other_day.end() || other->second.rest.empty() ? 0 : other->second.rest[j];
   return run.rest[j] * std::exp(-is.capstan * static_cast<double>(j)) + is.joint[j].rest_error + anew;
 }
 

@@ -1,5 +1,7 @@
 // Instruments of the wider catalogue, and runs of another day.
 
+#include <algorithm>
+
 #include "simulator/effect.hpp"
 
 namespace plumbline::simulator {
@@ -7,15 +9,11 @@ namespace {
 
 constexpr std::string_view instruments = "instruments", other_day = "another day";
 
-/// The number of a run, counted from 1, and values after it.
-Values with_run(std::size_t run, const Values& values) {
-  Values all{static_cast<double>(run + 1)};
-  all.insert(all.end(), values.begin(), values.end());
+/// Values for each run, of which this one alone differs.
+Values in_one_run(const Scene& s, std::size_t run, const Values& values) {
+  Values all(s.plan.runs.size() * values.size(), 0.0);
+  std::copy(values.begin(), values.end(), all.begin() + static_cast<std::ptrdiff_t>(run * values.size()));
   return all;
-}
-
-OtherDay day_of(const Plan& plan, const Values& v, std::vector<double> rest, Pair tare) {
-  return {plan.runs.at(static_cast<std::size_t>(v[0]) - 1).id, std::move(rest), tare};
 }
 
 }  // namespace
@@ -25,36 +23,43 @@ std::vector<Kind> sensors() {
       {"run_rest",
        "",
        false,
-       {"run"},
-       {false, true},
+       {},
+       {true},
        false,
        6,
        [](const Scene& s, Place) { return s.plan.runs.size() > 1; },
        [](const Scene& s, Place, Random& r) {
-         return with_run(r.below(s.plan.runs.size()), at_every_joint(s, r, 0.02, true));
+         return in_one_run(s, r.below(s.plan.runs.size()), at_every_joint(s, r, 0.02, true));
        },
        [](Physics& is, const Plan& plan, Place, const Values& v) {
-         is.other_day = day_of(plan, v, {v.begin() + 1, v.end()}, {0, 0});
+         const auto joints = static_cast<std::ptrdiff_t>(plan.size());
+         auto next = v.begin();
+         for (const PlannedRun& run : plan.runs) {
+           is.other_day[run.id].rest.assign(next, next + joints);
+           next += joints;
+         }
        },
        {"a"},
-       other_day},
+       other_day,
+       true},
       {"run_tare",
        "",
        false,
-       {"run", "b_x", "b_y"},
-       {false, true, true},
+       {},
+       {true, true},
        false,
        20,
        [](const Scene& s, Place) { return imposed_runs(s) > 1; },
        [](const Scene& s, Place, Random& r) {
          std::size_t run = r.below(s.plan.runs.size());
          while (s.plan.runs[run].force_controlled) run = r.below(s.plan.runs.size());
-         return with_run(run, in_plane(r, r.log_uniform(0.005, 0.05) * s.force));
+         return in_one_run(s, run, in_plane(r, r.log_uniform(0.005, 0.05) * s.force));
        },
        [](Physics& is, const Plan& plan, Place, const Values& v) {
-         is.other_day = day_of(plan, v, {}, {v[1], v[2]});
+         for (std::size_t r = 0; r < plan.runs.size(); ++r)
+           is.other_day[plan.runs[r].id].tare = {v[2 * r], v[2 * r + 1]};
        },
-       {},
+       {"b_x", "b_y"},
        other_day},
       {"cross_talk",
        "",

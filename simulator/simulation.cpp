@@ -140,9 +140,9 @@ class Bench {
   /// The load cell is the servo's: what it reads is what was told.
   Pair true_force(const Pair& told, double t) const {
     Pair cell;
-    for (std::size_t a = 0; a < 2; ++a) cell[a] = told[a] - physics_.bias[a] - physics_.drift[a] * t;
-    if (run_.id == physics_.other_day.run)
-      for (std::size_t a = 0; a < 2; ++a) cell[a] -= physics_.other_day.tare[a];
+    const Pair tare = physics_.tare(run_);
+    for (std::size_t a = 0; a < 2; ++a)
+      cell[a] = told[a] - physics_.bias[a] - physics_.drift[a] * t - tare[a];
     const auto [xy, yx] = physics_.cross_talk;
     const double gain = 1 + physics_.gain, mixed = 1 - xy * yx;
     const Pair force{(cell[0] - xy * cell[1]) / (mixed * gain), (cell[1] - yx * cell[0]) / (mixed * gain)};

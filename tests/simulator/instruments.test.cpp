@@ -52,12 +52,12 @@ TEST_CASE("cross-talk, curvature, the tare of another day, warming up, saturatio
   const Plan plan = a_bench();
   Physics is = physics_of(plan);
   is.cross_talk = {0.1, -0.2};
-  is.other_day = {plan.runs[0].id, {}, {0.3, 0}};
+  is.other_day[plan.runs[0].id].tare = {0.3, 0};
   const Readings mixed = shown(is, plan);
   CHECK(mixed[2].force[0] == doctest::Approx(2 + 0.1 * 1.5 + 0.3));
   CHECK(mixed[2].force[1] == doctest::Approx(1.5 - 0.2 * 2));
   is = physics_of(plan);
-  is.other_day = {plan.runs[1].id, {}, {0.3, 0}};
+  is.other_day[plan.runs[1].id].tare = {0.3, 0};
   CHECK(shown(is, plan)[2].force[0] == doctest::Approx(2));
   is.curvature = {0.05, 0}, is.warming = {1, 0}, is.warming_time = 4;
   CHECK(shown(is, plan)[2].force[0] == doctest::Approx(2 * 1.1 + 1 - std::exp(-1)));

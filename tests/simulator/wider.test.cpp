@@ -62,9 +62,9 @@ TEST_CASE("what changes the nominal numbers is the nominal statics of the change
                                   for (PlannedRun& run : plan.runs)
                                     for (std::size_t j = 0; j < v.size(); ++j) run.rest[j] += v[j];
                                 }) < 0.01);
-  CHECK(against_nominal_statics(bench, "run_rest", {2, 0.01, -0.02, 0.005, 0.01},
+  CHECK(against_nominal_statics(bench, "run_rest", {0, 0, 0, 0, 0.01, -0.02, 0.005, 0.01},
                                 [](Plan& plan, const Values& v) {
-                                  for (std::size_t j = 1; j < v.size(); ++j) plan.runs[1].rest[j - 1] += v[j];
+                                  for (std::size_t j = 0; j < 4; ++j) plan.runs[1].rest[j] += v[4 + j];
                                 }) < 0.01);
   CHECK(against_nominal_statics(bench, "tendon_friction", {0.05}, [](Plan& plan, const Values& v) {
           for (PlannedRun& run : plan.runs)
@@ -92,17 +92,22 @@ TEST_CASE("every kind shows at the size that labs meet, and nothing of it is not
 }
 
 TEST_CASE("a group's parameters are numbered by joint, an element's by element") {
+  const Plan plan = a_bench();
   const Kind& spread = kind("stiffness_spread", false);
-  CHECK(spread.name(0) == "a_1");
-  CHECK(spread.name(3) == "a_4");
+  CHECK(spread.name(plan, 0) == "a_1");
+  CHECK(spread.name(plan, 3) == "a_4");
   const Kind& hysteresis = kind("hysteresis", true);
-  CHECK(hysteresis.name(0) == "r_1");
-  CHECK(hysteresis.name(3) == "tau_2");
+  CHECK(hysteresis.name(plan, 0) == "r_1");
+  CHECK(hysteresis.name(plan, 3) == "tau_2");
   const Kind& day = kind("run_rest", false);
-  CHECK(day.name(0) == "run");
-  CHECK(day.name(2) == "a_2");
-  CHECK_FALSE(day.scales(0));
-  CHECK(day.scales(2));
+  CHECK(day.name(plan, 0) == "a_1_1");
+  CHECK(day.name(plan, 5) == "a_2_2");
+  const Kind& tare = kind("run_tare", false);
+  CHECK(tare.name(plan, 3) == "b_y_2");
+  const Kind& spectrum = kind("relaxation_spectrum", false);
+  CHECK(spectrum.name(plan, 3) == "tau_2");
+  CHECK(spectrum.scales(2));
+  CHECK_FALSE(spectrum.scales(3));
   CHECK_THROWS_WITH(kind("stiffness_spread", true), doctest::Contains("no such effect at a joint"));
 }
 
