@@ -18,13 +18,14 @@ namespace {
 namespace fs = std::filesystem;
 
 #ifdef PLUMBLINE_SIMULATOR
-SecretExperiments made(std::size_t trials, std::uint64_t seed, const fs::path& folder, unsigned threads,
-                       const std::function<void()>& advance) {
+SecretExperiments made(BlindTrial which, std::size_t trials, std::uint64_t seed, const fs::path& folder,
+                       unsigned threads, const std::function<void()>& advance) {
+  const auto from = which == BlindTrial::first ? simulator::Trial::first : simulator::Trial::second;
   SecretExperiments secret;
   std::mutex writing;
   in_parallel(trials, threads, [&](std::size_t i) {
     const std::string name = fmt::format("trial-{:03}", i + 1);
-    const simulator::Experiment experiment = simulator::make_experiment(seed, i + 1, name);
+    const simulator::Experiment experiment = simulator::make_experiment(from, seed, i + 1, name);
     simulator::write_experiment(experiment, folder / name);
     const std::scoped_lock lock(writing);
     secret.envelopes[name] = trial::envelope(experiment.label);
@@ -34,7 +35,8 @@ SecretExperiments made(std::size_t trials, std::uint64_t seed, const fs::path& f
   return secret;
 }
 #else
-SecretExperiments made(std::size_t, std::uint64_t, const fs::path&, unsigned, const std::function<void()>&) {
+SecretExperiments made(BlindTrial, std::size_t, std::uint64_t, const fs::path&, unsigned,
+                       const std::function<void()>&) {
   throw Error("trial --trials", "a program built without the rig",
               "one built with -DPLUMBLINE_SIMULATOR=ON, or --experiments DIR");
 }
@@ -42,9 +44,10 @@ SecretExperiments made(std::size_t, std::uint64_t, const fs::path&, unsigned, co
 
 }  // namespace
 
-SecretExperiments make_experiments(std::size_t trials, std::uint64_t seed, const fs::path& folder,
-                                   unsigned threads, const std::function<void()>& advance) {
-  SecretExperiments secret = made(trials, seed, folder, threads, advance);
+SecretExperiments make_experiments(BlindTrial which, std::size_t trials, std::uint64_t seed,
+                                   const fs::path& folder, unsigned threads,
+                                   const std::function<void()>& advance) {
+  SecretExperiments secret = made(which, trials, seed, folder, threads, advance);
   trial::Seals seals;
   for (const auto& [name, envelope] : secret.envelopes) seals[name] = trial::seal(envelope);
   files::write_text(folder / "seals.json", trial::seals_text(seals));

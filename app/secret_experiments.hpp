@@ -16,9 +16,13 @@ struct SecretExperiments {
   std::vector<double> nominal_errors;                ///< of the rigs without effect, in sigmas
 };
 
+/// Which blind trial: the first draws from the catalogue, the second from what benches bring
+/// (trial/README.md).
+enum class BlindTrial { first, second };
+
 /// Writes the experiments trial-001, trial-002, … of this seed into the folder, and seals.json beside them.
 /// \throws Error where the program was built without the rig
-SecretExperiments make_experiments(std::size_t trials, std::uint64_t seed,
+SecretExperiments make_experiments(BlindTrial which, std::size_t trials, std::uint64_t seed,
                                    const std::filesystem::path& folder, unsigned threads,
                                    const std::function<void()>& advance);
 

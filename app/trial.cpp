@@ -12,6 +12,7 @@
 #include "app/progress.hpp"
 #include "app/secret_experiments.hpp"
 #include "app/verbs.hpp"
+#include "diagnose/model/effect.hpp"
 #include "files/output_file.hpp"
 #include "files/temporary_folder.hpp"
 #include "trial/experiment_files.hpp"
@@ -26,6 +27,7 @@ namespace fs = std::filesystem;
 struct Options {
   std::size_t trials = 20;
   std::uint64_t seed = 1;
+  bool second = false;
   std::string out, experiments, json, markdown;
   double patience = 30;  // s for one diagnosis
 };
@@ -55,13 +57,15 @@ unsigned processors() {
 
 SecretExperiments make(const Options& options, const fs::path& folder) {
   Progress progress("experiments", options.trials);
-  return make_experiments(options.trials, options.seed, folder, processors(), [&] { progress.advance(); });
+  return make_experiments(options.second ? BlindTrial::second : BlindTrial::first, options.trials,
+                          options.seed, folder, processors(), [&] { progress.advance(); });
 }
 
 /// The command that gives the same table again.
 std::string command(const Options& options) {
   if (!options.experiments.empty()) return "plumbline trial --experiments " + options.experiments;
-  return fmt::format("plumbline trial --trials {} --seed {}", options.trials, options.seed);
+  return fmt::format("plumbline trial {}--trials {} --seed {}", options.second ? "--second " : "",
+                     options.trials, options.seed);
 }
 
 trial::AllDiagnosed diagnose_all(const Options& options, const trial::SealedFolder& folder,
@@ -70,6 +74,14 @@ trial::AllDiagnosed diagnose_all(const Options& options, const trial::SealedFold
   return trial::diagnose_all(folder, fs::read_symlink("/proc/self/exe"), reports,
                              std::chrono::duration<double>(options.patience), processors(),
                              [&] { progress.advance(); });
+}
+
+/// What the diagnosis of this program can name.
+trial::Catalogue catalogue() {
+  trial::Catalogue all;
+  for (const diagnose::Effect& row : diagnose::catalogue())
+    all.insert(std::string(row.id) + (row.at_joint ? "(j)" : ""));
+  return all;
 }
 
 trial::Circumstances circumstances(const Options& options, const trial::SealedFolder& folder,
@@ -103,7 +115,7 @@ void run(const Options& options) {
   const fs::path reports = place.folder() / "reports";
   const trial::AllDiagnosed diagnosed = diagnose_all(options, folder, reports);
   publish(secret, place.folder());
-  const std::vector<trial::Case> cases = trial::unseal(folder, reports, diagnosed);
+  const std::vector<trial::Case> cases = trial::unseal(folder, reports, diagnosed, catalogue());
   const trial::Circumstances about = circumstances(options, folder, secret);
   if (json) json->write(trial::as_json(about, cases).dump(2) + "\n");
   if (markdown) markdown->write(trial::as_text(about, cases, trial::Style::markdown));
@@ -126,12 +138,17 @@ void add_trial(CLI::App& app) {
   auto* seed = verb->add_option("--seed", options->seed, "Of the random numbers")
                    ->check(whole_number(0))
                    ->capture_default_str();
+  auto* second =
+      verb->add_flag("--second", options->second,
+                     "The second trial: a third outside the catalogue, a third with values of their own at "
+                     "each joint or tolerances, and noise to twice the declared and beyond");
   verb->add_option("--experiments", options->experiments,
                    "Diagnose and score the experiments in this folder instead: NAME/experiment.toml with "
                    "NAME/label.json, or sealed (trial/README.md)")
       ->type_name("DIR")
       ->excludes(trials)
-      ->excludes(seed);
+      ->excludes(seed)
+      ->excludes(second);
   verb->add_option("--out", options->out, "Keep experiments, seals, reports and labels in this folder")
       ->type_name("DIR");
   verb->add_option("--patience", options->patience, "Seconds after which a diagnosis is given up")

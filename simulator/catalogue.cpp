@@ -1,4 +1,5 @@
-// The 23 effects of the catalogue. Each lambda reads: possible at this joint; of this size; adds that.
+// The catalogue, and the first of its parts: single joints, links, loads and the bench.
+// Each lambda reads: possible at this joint; of this size; adds that.
 
 #include <algorithm>
 #include <cmath>
@@ -8,53 +9,16 @@
 namespace plumbline::simulator {
 namespace {
 
-using Place = std::size_t;
-
-bool anywhere(const Scene&, Place) {
-  return true;
-}
-/// A spring sits there and works.
-bool elastic(const Scene& s, Place j) {
-  return s.plan.nominal.stiffness[j] > 0 && s.deflection[j] > 0.04;
-}
 bool in_gravity(const Scene& s, Place) {
   return s.plan.plane == Plane::vertical;
 }
-bool end_point_imposed(const Scene& s, Place) {
-  return std::any_of(s.plan.runs.begin(), s.plan.runs.end(),
-                     [](const PlannedRun& run) { return !run.force_controlled; });
-}
-/// No reading depends on where a force-controlled carriage is taken to be.
-bool never_force_controlled(const Scene& s, Place) {
-  return std::none_of(s.plan.runs.begin(), s.plan.runs.end(),
-                      [](const PlannedRun& run) { return run.force_controlled; });
-}
-bool unloads(const Scene& s, Place) {
-  return std::any_of(s.plan.runs.begin(), s.plan.runs.end(), [](const PlannedRun& run) {
-    return run.id.find("loading") == std::string::npos || run.id.find("unloading") != std::string::npos;
-  });
-}
 bool along_imposed_and_turned(const Scene& s, Place j) {
-  return end_point_imposed(s, j) && unloads(s, j);
+  return end_point_imposed(s, j) && turns_back(s, j);
 }
 
 /// Deflection of the end point by a newton, as a scale.
 double compliance(const Scene& s) {
   return s.plan.reach() * s.plan.reach() / s.plan.typical_stiffness();
-}
-double torque(const Scene& s) {
-  return s.plan.typical_stiffness() * *std::max_element(s.deflection.begin(), s.deflection.end());
-}
-Values both_ways(Random& r, double low, double high) {
-  return {significant(r.sign() * r.log_uniform(low, high), 4)};
-}
-Values one_way(Random& r, double low, double high) {
-  return {significant(r.log_uniform(low, high), 4)};
-}
-/// Two components, of any direction.
-Values in_plane(Random& r, double size) {
-  const double angle = r.uniform(-3.14159, 3.14159);
-  return {significant(size * std::cos(angle), 4), significant(size * std::sin(angle), 4)};
 }
 
 std::vector<Kind> springs() {
@@ -118,11 +82,11 @@ std::vector<Kind> springs() {
        {true},
        false,
        6,
-       unloads,
+       turns_back,
        [](const Scene& s, Place, Random& r) { return one_way(r, 0.004 * torque(s), 0.05 * torque(s)); },
        [](Physics& is, const Plan&, Place, const Values& v) {
          for (Joint& joint : is.joint)
-           if (joint.stiffness > 0) joint.friction += v[0];
+           if (joint.stiffness > 0) joint.friction.torque += v[0];
        }},
       {"joint_stop",
        "",
@@ -165,8 +129,7 @@ std::vector<Kind> springs() {
                        significant(r.log_uniform(3 * s.pause, 0.5 * s.duration), 4)};
        },
        [](Physics& is, const Plan&, Place, const Values& v) {
-         is.arm_ratio += v[0];
-         is.relaxation = v[1];
+         for (Joint& joint : is.joint) joint.arm.push_back({v[0], v[1]});
        }},
   };
 }
@@ -353,15 +316,23 @@ std::vector<Kind> bench() {
   };
 }
 
+std::vector<Kind> joined(std::initializer_list<std::vector<Kind>> parts) {
+  std::vector<Kind> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
 }  // namespace
 
 const std::vector<Kind>& catalogue() {
-  static const std::vector<Kind> all = [] {
-    std::vector<Kind> kinds = springs();
-    for (const auto& more : {links_and_loads(), bench()}) kinds.insert(kinds.end(), more.begin(), more.end());
-    return kinds;
-  }();
+  static const std::vector<Kind> all =
+      joined({springs(), links_and_loads(), bench(), common_to_all_joints(), joint_laws(), sensors()});
   return all;
+}
+
+std::span<const Kind> first_catalogue() {
+  static const std::size_t count = joined({springs(), links_and_loads(), bench()}).size();
+  return std::span(catalogue()).first(count);
 }
 
 }  // namespace plumbline::simulator

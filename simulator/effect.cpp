@@ -1,12 +1,33 @@
 #include "simulator/effect.hpp"
 
+#include <plumbline/base/error.hpp>
+
 namespace plumbline::simulator {
+
+std::string Kind::name(const Plan& plan, std::size_t parameter) const {
+  if (parameter < names.size()) return std::string(names[parameter]);
+  const std::size_t after = parameter - names.size(), which = after / each.size();
+  const auto counted = [](std::size_t index) { return "_" + std::to_string(index + 1); };
+  const std::string of(each[after % each.size()]);
+  return of + (by_run ? counted(which / plan.size()) + counted(which % plan.size()) : counted(which));
+}
+
+bool Kind::scales(std::size_t parameter) const {
+  if (parameter < names.size()) return amplitude[parameter];
+  return amplitude[names.size() + (parameter - names.size()) % each.size()];
+}
+
+const Kind& kind(std::string_view id, bool at_joint) {
+  for (const Kind& one : catalogue())
+    if (one.id == id && one.at_joint == at_joint) return one;
+  throw Error(std::string(id), at_joint ? "no such effect at a joint" : "no such effect",
+              "one of the catalogue");
+}
 
 Effect Effect::scaled(double factor) const {
   Effect other = *this;
   for (std::size_t p = 0; p < values.size(); ++p)
-    if (kind->amplitude[p])
-      other.values[p] = significant(values[p] * (kind->inverse ? 1 / factor : factor), 4);
+    if (kind->scales(p)) other.values[p] = significant(values[p] * (kind->inverse ? 1 / factor : factor), 4);
   return other;
 }
 

@@ -1,5 +1,6 @@
 #include "simulator/instruments.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -10,28 +11,51 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 /// The load cell turns with the rail. It feels what the guide takes from the drive.
-Pair load_cell(const Physics& is, const State& state, double direction) {
+Pair load_cell(const Physics& is, const PlannedRun& run, const State& state, double direction) {
   const double c = std::cos(is.misalignment), s = std::sin(is.misalignment);
   const Pair turned{c * state.force[0] + s * state.force[1], c * state.force[1] - s * state.force[0]};
-  const double warm = std::sin(2 * std::numbers::pi * state.t / is.zero.period);
+  const Pair mixed{turned[0] + is.cross_talk[0] * turned[1], turned[1] + is.cross_talk[1] * turned[0]};
+  const double wave = std::sin(2 * std::numbers::pi * state.t / is.zero.period);
+  const double warm = -std::expm1(-state.t / is.warming_time);
   Pair shown;
-  for (std::size_t a = 0; a < 2; ++a)
-    shown[a] = (1 + is.gain) * turned[a] + is.bias[a] + is.drift[a] * state.t + is.zero.amplitude[a] * warm;
+  for (std::size_t a = 0; a < 2; ++a) {
+    shown[a] = (1 + is.gain) * mixed[a] * (1 + is.curvature[a] * mixed[a]) + is.bias[a] +
+               is.drift[a] * state.t + is.zero.amplitude[a] * wave + is.warming[a] * warm + is.tare(run)[a];
+  }
   shown[0] += is.guide_friction * direction;
   return shown;
+}
+
+/// What a cell with a time constant shows of forces that go steadily from reading to reading.
+void let_lag(Readings& readings, double lag) {
+  Pair shown = readings.front().force, before = shown;
+  for (std::size_t i = 1; i < readings.size(); ++i) {
+    const double dt = readings[i].t - readings[i - 1].t, left = std::exp(-dt / lag);
+    for (std::size_t a = 0; a < 2; ++a) {
+      const double now = readings[i].force[a], rate = (now - before[a]) / dt;
+      shown[a] = now - rate * lag + left * (shown[a] - before[a] + rate * lag);
+      before[a] = now;
+      readings[i].force[a] = shown[a];
+    }
+  }
 }
 
 /// Noise of one channel along a run.
 class Channel {
  public:
-  Channel(double sigma, const Scatter& scatter, Random& random)
-      : sigma_(sigma), scatter_(scatter), random_(random), last_(random.normal()) {}
+  Channel(const std::string& name, double sigma, const Scatter& scatter, Random& random)
+      : sigma_(name == scatter.bad_channel ? scatter.bad_factor * sigma : sigma),
+        scatter_(scatter),
+        random_(random),
+        last_(random.normal()) {}
 
-  double operator()(double value) {
+  double operator()(double value, double t) {
     if (sigma_ == 0 || std::isnan(value)) return value;
     const double r = scatter_.correlation;
     last_ = r * last_ + std::sqrt(1 - r * r) * random_.normal();
-    double shown = value + sigma_ * last_;
+    double shown = value + std::hypot(sigma_, scatter_.proportional * value) * last_;
+    if (scatter_.hum > 0)
+      shown += scatter_.hum * sigma_ * std::sin(2 * std::numbers::pi * t / scatter_.hum_period);
     if (random_.chance(scatter_.outliers)) shown += random_.sign() * random_.uniform(8, 25) * sigma_;
     if (scatter_.resolution > 0) shown = rounded(shown, significant(scatter_.resolution * sigma_, 1));
     return random_.chance(scatter_.missing) ? nothing : shown;
@@ -59,26 +83,33 @@ Readings show(const Plan& plan, const Physics& physics, const PlannedRun& run,
     } else {
       const double motion = i > 0 ? told[0] - run.commands[i - 1].value[0] : 0;
       if (motion != 0) direction = std::copysign(1, motion);
-      reading.force = load_cell(physics, state, direction);
-      if (!plan.cross_force_measured) reading.force[1] = nothing;
+      reading.force = load_cell(physics, run, state, direction);
     }
     if (plan.angles_measured) reading.q = state.q;
     readings.push_back(std::move(reading));
+  }
+  if (run.force_controlled) return readings;
+  if (physics.lag > 0) let_lag(readings, physics.lag);
+  for (Reading& one : readings) {
+    for (double& force : one.force) force = std::clamp(force, -physics.saturation, physics.saturation);
+    if (!plan.cross_force_measured) one.force[1] = nothing;
   }
   return readings;
 }
 
 Readings scattered(const PlannedRun& run, Readings readings, const Scatter& scatter, Random& random) {
   for (std::size_t a = 0; a < 2; ++a) {
-    Channel channel(run.force_controlled ? scatter.sigma.position : scatter.sigma.force, scatter, random);
+    const std::string name(1, "xy"[a]);
+    Channel channel(run.force_controlled ? name : "F" + name,
+                    run.force_controlled ? scatter.sigma.position : scatter.sigma.force, scatter, random);
     for (Reading& one : readings) {
       double& value = run.force_controlled ? one.end_point[a] : one.force[a];
-      value = channel(value);
+      value = channel(value, one.t);
     }
   }
   for (std::size_t j = 0; j < readings.front().q.size(); ++j) {
-    Channel channel(scatter.sigma.angle, scatter, random);
-    for (Reading& one : readings) one.q[j] = channel(one.q[j]);
+    Channel channel("q" + std::to_string(j + 1), scatter.sigma.angle, scatter, random);
+    for (Reading& one : readings) one.q[j] = channel(one.q[j], one.t);
   }
   return readings;
 }

@@ -24,13 +24,18 @@ struct Sigma {
 
 /// How the readings scatter.
 struct Scatter {
-  std::string kind = "declared";  ///< or misdeclared, outliers, ar1
-  Sigma sigma;                    ///< true
+  /// or misdeclared, outliers, ar1, proportional, hum, one channel
+  std::string kind = "declared";
+  Sigma sigma;  ///< true
   Sigma declared;
-  double correlation = 0;  ///< of successive readings
-  double outliers = 0;     ///< share of wild readings
-  double missing = 0;      ///< share of empty fields
-  double resolution = 0;   ///< of the instruments, in sigmas
+  double correlation = 0;          ///< of successive readings
+  double outliers = 0;             ///< share of wild readings
+  double proportional = 0;         ///< share of the reading that scatters beside sigma
+  double hum = 0, hum_period = 1;  ///< amplitude of a sine in sigmas; s
+  std::string bad_channel = {};    ///< whose sigma is
+  double bad_factor = 1;           ///< times the others'
+  double missing = 0;              ///< share of empty fields
+  double resolution = 0;           ///< of the instruments, in sigmas
 };
 
 /// What instruments without scatter show.

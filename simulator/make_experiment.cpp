@@ -7,95 +7,11 @@
 #include <optional>
 #include <plumbline/base/error.hpp>
 
-#include "simulator/draw_plan.hpp"
+#include "simulator/bench.hpp"
 #include "simulator/nominal_error.hpp"
 
 namespace plumbline::simulator {
 namespace {
-
-using States = std::vector<std::vector<State>>;
-
-/// A bench that works without any effect.
-struct Bench {
-  Plan plan;
-  States states;
-  std::vector<Readings> shown;
-  Scatter scatter;
-};
-
-std::vector<Readings> show_all(const Plan& plan, const Physics& physics, const States& states) {
-  std::vector<Readings> all;
-  for (std::size_t r = 0; r < states.size(); ++r) all.push_back(show(plan, physics, plan.runs[r], states[r]));
-  return all;
-}
-
-/// Whether the chain follows the load without a snap.
-bool calm(const States& states) {
-  constexpr double snap = 0.3;  // rad between two readings
-  for (const auto& run : states) {
-    for (std::size_t i = 1; i < run.size(); ++i)
-      for (std::size_t j = 0; j < run[i].q.size(); ++j)
-        if (std::abs(run[i].q[j] - run[i - 1].q[j]) > snap) return false;
-  }
-  return true;
-}
-
-Scene scene_of(const Bench& bench) {
-  Scene scene{bench.plan, std::vector<double>(bench.plan.size(), 0), 0, 0, 1e9};
-  for (std::size_t r = 0; r < bench.states.size(); ++r) {
-    const PlannedRun& run = bench.plan.runs[r];
-    for (const State& state : bench.states[r]) {
-      scene.force = std::max(scene.force, std::hypot(state.force[0], state.force[1]));
-      for (std::size_t j = 0; j < state.q.size(); ++j)
-        scene.deflection[j] = std::max(scene.deflection[j], std::abs(state.q[j] - run.rest[j]));
-    }
-    scene.duration = std::max(scene.duration, run.commands.back().t);
-    scene.pause = std::min(scene.pause, run.commands[1].t);
-  }
-  return scene;
-}
-
-/// What the lab declares is the true sigma rounded, or wrong by up to a factor of 1.5.
-Scatter draw_scatter(const Plan& plan, double force, Random& random) {
-  Scatter scatter;
-  const double kind = random.uniform(0, 1);
-  double wrong = 1;
-  if (kind < 0.18) {
-    scatter.kind = "misdeclared";
-    wrong = random.log_uniform(1 / 1.5, 1.5);
-  } else if (kind < 0.30) {
-    scatter.kind = "outliers";
-    scatter.outliers = random.uniform(0.01, 0.02);
-  } else if (kind < 0.40) {
-    scatter.kind = "ar1";
-    scatter.correlation = random.uniform(0.4, 0.8);
-  }
-  const Sigma is{force / random.log_uniform(60, 900), plan.reach() * random.log_uniform(1e-4, 6e-4),
-                 random.log_uniform(7e-4, 2e-3)};
-  scatter.declared = {significant(is.force, 3), significant(is.position, 3), significant(is.angle, 3)};
-  scatter.sigma = {scatter.declared.force * wrong, scatter.declared.position * wrong,
-                   scatter.declared.angle * wrong};
-  scatter.missing = random.chance(0.1) ? random.uniform(0.02, 0.06) : 0;
-  scatter.resolution = random.uniform(0.1, 0.5);
-  return scatter;
-}
-
-std::optional<Bench> draw_bench(Random& random) {
-  Bench bench;
-  bench.plan = draw_plan(random);
-  const Physics physics = physics_of(bench.plan);
-  bench.states = simulate(bench.plan, physics);
-  if (!calm(bench.states)) return std::nullopt;
-  bench.shown = show_all(bench.plan, physics, bench.states);
-  bench.scatter = draw_scatter(bench.plan, scene_of(bench).force, random);
-  return bench;
-}
-
-double rms(const std::vector<Excess>& values) {
-  double sum = 0;
-  for (const Excess& one : values) sum += one.value * one.value;
-  return std::sqrt(sum / static_cast<double>(values.size()));
-}
 
 /// Where the gap shows most: the channel with the largest share of its square, and others nearly as large.
 std::string channels_of(const std::vector<Excess>& values) {
@@ -108,22 +24,6 @@ std::string channels_of(const std::vector<Excess>& values) {
   for (const auto& [channel, square] : share)
     if (square >= nearly * largest) names += (names.empty() ? "" : ", ") + channel;
   return names;
-}
-
-/// The experiment under some effects, without scatter.
-struct Outcome {
-  std::vector<Effect> effects;
-  std::vector<Readings> shown;
-  std::vector<Excess> gap;
-};
-
-Outcome outcome_of(const Bench& bench, std::vector<Effect> effects) {
-  const Physics physics = physics_with(bench.plan, effects);
-  const States states = simulate(bench.plan, physics);
-  if (!calm(states)) throw Error("rig: the chain snaps");
-  Outcome outcome{std::move(effects), show_all(bench.plan, physics, states), {}};
-  outcome.gap = gap(bench.plan, outcome.shown, bench.shown, bench.scatter.sigma);
-  return outcome;
 }
 
 /// The effect at about the wanted strength; nothing where that is beyond what labs meet.
@@ -149,114 +49,124 @@ double likeness(const std::vector<Excess>& one, const std::vector<Excess>& other
   return std::abs(product) / (rms(one) * rms(other) * static_cast<double>(one.size()));
 }
 
-std::string key_of(const Effect& effect) {
-  return trial::effect_key(std::string(effect.kind->id), effect.kind->at_joint ? effect.joint + 1 : 0);
-}
-
-trial::TrueEffect label_of(const Effect& effect, double strength) {
+trial::TrueEffect label_of(const Bench& bench, const Effect& effect, double strength) {
   const bool known = effect.kind->id != "unknown";
   trial::TrueEffect label{
       std::string(effect.kind->id), effect.kind->at_joint ? effect.joint + 1 : 0, {}, strength};
   for (std::size_t p = 0; p < effect.values.size() && known; ++p)
-    label.parameters.emplace_back(effect.kind->names[p], effect.values[p]);
+    label.parameters.emplace_back(effect.kind->name(bench.plan, p), effect.values[p]);
   return label;
 }
 
-/// Whether yielding of the base along y shows.
-bool yields_aside(const Bench& bench, const Outcome& outcome) {
-  std::vector<Effect> along = outcome.effects;
-  for (Effect& effect : along)
-    if (effect.kind->id == "base_compliance") effect.values[1] = 0;
-  const std::vector<Excess> rest =
-      gap(bench.plan, outcome.shown, outcome_of(bench, along).shown, bench.scatter.sigma);
-  return rms(rest) * std::sqrt(static_cast<double>(rest.size())) > 2;
-}
+/// What is to be simulated: the effects that are looked for, how strong each is alone, and the tolerances
+/// beside them.
+struct Cast {
+  std::vector<Outcome> alone;
+  std::vector<Effect> tolerances;
+  double tolerance_strength = 0;
+};
 
-/// What the catalogue itself says cannot be told apart: a payload from a tare error, always; the base's
-/// yielding along x from the train's, while the end point is imposed, if nothing yields noticeably along y.
-std::vector<std::vector<std::string>> equivalents(const Bench& bench, const Outcome& outcome) {
-  const bool imposed = std::none_of(bench.plan.runs.begin(), bench.plan.runs.end(),
-                                    [](const PlannedRun& run) { return run.force_controlled; });
-  std::vector<std::vector<std::string>> all;
-  for (std::size_t e = 0; e < outcome.effects.size(); ++e) {
-    const std::string_view id = outcome.effects[e].kind->id;
-    std::string_view other;
-    if (id == "tip_payload") other = "force_bias";
-    if (id == "train_compliance" && imposed) other = "base_compliance";
-    if (id == "base_compliance" && imposed && !yields_aside(bench, outcome)) other = "train_compliance";
-    if (other.empty()) continue;
-    all.emplace_back();
-    for (std::size_t k = 0; k < outcome.effects.size(); ++k)
-      all.back().push_back(k == e ? std::string(other) : key_of(outcome.effects[k]));
+/// Nothing where the bench cannot grant the wish. What stands beside tolerances is half as strong again as
+/// they are.
+std::optional<Cast> cast(const Wish& wish, const Bench& bench, Random& random) {
+  const Scene scene = scene_of(bench);
+  Cast cast;
+  if (wish.tolerances) {
+    cast.tolerances = draw_tolerances(scene, random);
+    cast.tolerance_strength = rms(outcome_of(bench, cast.tolerances).gap);
   }
-  return all;
-}
-
-Experiment finished(const Bench& bench, const Outcome& outcome, const std::vector<double>& alone,
-                    const std::string& name, Random& random) {
-  Experiment made{name, bench.plan, bench.scatter, {}, {}, std::numeric_limits<double>::quiet_NaN()};
-  for (std::size_t r = 0; r < bench.plan.runs.size(); ++r)
-    made.runs.push_back(scattered(bench.plan.runs[r], outcome.shown[r], bench.scatter, random));
-  made.label.name = name;
-  made.label.noise = bench.scatter.kind;
-  made.label.noise_scale = bench.scatter.sigma.force / bench.scatter.declared.force;
-  made.label.strength = outcome.effects.empty() ? 0 : significant(rms(outcome.gap), 4);
-  for (std::size_t e = 0; e < outcome.effects.size(); ++e) {
-    made.label.effects.push_back(label_of(outcome.effects[e], significant(alone[e], 4)));
-    made.label.description += outcome.effects[e].kind->description;
-  }
-  if (!made.label.description.empty()) made.label.channel = channels_of(outcome.gap);
-  made.label.equivalent = equivalents(bench, outcome);
-  const Sigma& sigma = bench.scatter.sigma;
-  if (bench.plan.nominal.mass.empty())
-    made.nominal_error =
-        nominal_error(bench.plan, bench.states,
-                      {sigma.force, sigma.position, bench.plan.angles_measured ? sigma.angle : 0});
-  return made;
-}
-
-std::optional<Experiment> attempt(const Wish& wish, const std::string& name, Random& random) {
-  const std::optional<Bench> bench = draw_bench(random);
-  if (!bench) return std::nullopt;
-  const Scene scene = scene_of(*bench);
-  std::vector<Outcome> parts;
-  std::vector<double> alone;
+  constexpr double clear = 1.5, noticed = 3;
+  if (wish.tolerances && wish.kinds.empty() && cast.tolerance_strength < noticed) return std::nullopt;
   for (std::size_t e = 0; e < wish.kinds.size(); ++e) {
     const Effect effect = draw_effect(*wish.kinds[e], scene, random);
     if (!effect.kind) return std::nullopt;
-    std::optional<Outcome> part = tuned(*bench, effect, wish.strengths[e]);
+    std::optional<Outcome> part =
+        tuned(bench, effect, std::max(wish.strengths[e], clear * cast.tolerance_strength));
     if (!part) return std::nullopt;
-    alone.push_back(rms(part->gap));
-    parts.push_back(std::move(*part));
+    cast.alone.push_back(std::move(*part));
   }
-  if (parts.empty()) return finished(*bench, {{}, bench->shown, {}}, {}, name, random);
-  if (parts.size() == 1) return finished(*bench, parts.front(), alone, name, random);
   constexpr double too_alike = 0.9;
-  if (likeness(parts[0].gap, parts[1].gap) > too_alike) return std::nullopt;
-  const Outcome both = outcome_of(*bench, {parts[0].effects.front(), parts[1].effects.front()});
-  return finished(*bench, both, alone, name, random);
+  if (cast.alone.size() > 1 && likeness(cast.alone[0].gap, cast.alone[1].gap) > too_alike)
+    return std::nullopt;
+  return cast;
+}
+
+Outcome together(const Bench& bench, const Cast& cast) {
+  std::vector<Effect> all;
+  for (const Outcome& one : cast.alone) all.push_back(one.effects.front());
+  all.insert(all.end(), cast.tolerances.begin(), cast.tolerances.end());
+  if (all.empty()) return {{}, bench.shown, {}};
+  return all.size() == 1 ? cast.alone.front() : outcome_of(bench, all);
+}
+
+/// With tolerances it is as right to name any of their groups beside the cause as to leave them out; without
+/// a cause one of them must be named.
+void allow_tolerances(trial::Label& label, const Bench& bench, const std::vector<Effect>& tolerances) {
+  std::vector<std::string> cause;
+  for (const trial::TrueEffect& effect : label.effects)
+    cause.push_back(trial::effect_key(effect.id, effect.joint));
+  std::vector<std::vector<std::string>> causes = label.equivalent;
+  causes.push_back(cause);
+  for (std::size_t subset = 1; subset < std::size_t{1} << tolerances.size(); ++subset) {
+    for (std::vector<std::string> said : causes) {
+      for (std::size_t t = 0; t < tolerances.size(); ++t)
+        if ((subset >> t & 1U) != 0) said.push_back(key_of(tolerances[t]));
+      label.equivalent.push_back(said);
+    }
+  }
+  if (!cause.empty() || tolerances.empty()) return;
+  for (const Effect& one : tolerances) label.effects.push_back(label_of(bench, one, 0));
+}
+
+std::string family(const Wish& wish) {
+  if (wish.kinds.empty()) return wish.tolerances ? "tolerances alone" : "no effect";
+  if (wish.kinds.size() > 1) return "two effects";
+  const Kind& kind = *wish.kinds.front();
+  if (kind.id == "unknown") return "outside the catalogue";
+  return wish.tolerances ? "one effect beside tolerances" : std::string(kind.family);
+}
+
+trial::Label label(const Wish& wish, const Bench& bench, const Cast& cast, const Outcome& outcome,
+                   const std::string& name) {
+  trial::Label label;
+  label.name = name;
+  label.family = family(wish);
+  label.noise = bench.scatter.kind;
+  label.noise_scale = bench.scatter.sigma.force / bench.scatter.declared.force;
+  label.strength = outcome.effects.empty() ? 0 : significant(rms(outcome.gap), 4);
+  for (const Outcome& one : cast.alone) {
+    label.effects.push_back(label_of(bench, one.effects.front(), significant(rms(one.gap), 4)));
+    label.description += one.effects.front().kind->description;
+  }
+  if (!label.description.empty()) label.channel = channels_of(outcome.gap);
+  if (cast.alone.size() == 1) {
+    label.equivalent = equivalents(bench, cast.alone.front());
+  } else if (cast.alone.size() > 1) {
+    label.equivalent = equivalents(bench, outcome);
+  }
+  allow_tolerances(label, bench, cast.tolerances);
+  return label;
+}
+
+std::optional<Experiment> attempt(const Wish& wish, const std::string& name, Random& random) {
+  const std::optional<Bench> bench = draw_bench(random, wish.rough);
+  if (!bench) return std::nullopt;
+  const std::optional<Cast> parts = cast(wish, *bench, random);
+  if (!parts) return std::nullopt;
+  const Outcome outcome = together(*bench, *parts);
+  Experiment made{name, bench->plan, bench->scatter, {}, {}, std::numeric_limits<double>::quiet_NaN()};
+  for (std::size_t r = 0; r < bench->plan.runs.size(); ++r)
+    made.runs.push_back(scattered(bench->plan.runs[r], outcome.shown[r], bench->scatter, random));
+  made.label = label(wish, *bench, *parts, outcome, name);
+  const Sigma& sigma = bench->scatter.sigma;
+  if (bench->plan.nominal.mass.empty())
+    made.nominal_error =
+        nominal_error(bench->plan, bench->states,
+                      {sigma.force, sigma.position, bench->plan.angles_measured ? sigma.angle : 0});
+  return made;
 }
 
 }  // namespace
-
-Wish draw_wish(Random& random) {
-  const double kind = random.uniform(0, 1);
-  const auto known = [&] { return &random.one_of(catalogue()); };
-  if (kind < 0.15) return {};
-  if (kind < 0.75) return {{known()}, {random.log_uniform(2.2, 50)}};
-  if (kind < 0.87) return {{&random.one_of(outside())}, {random.log_uniform(6, 50)}};
-  const Kind *one = known(), *other = known();
-  // With play and dry friction in one joint its equilibrium is not unique; the others add up to one effect.
-  const auto undetermined = [&] {
-    const auto are = [&](std::string_view a, std::string_view b) {
-      return (one->id == a && other->id == b) || (one->id == b && other->id == a);
-    };
-    return one == other || are("backlash", "joint_friction") || are("tip_payload", "force_bias") ||
-           are("base_compliance", "train_compliance");
-  };
-  while (undetermined()) other = known();
-  return {{one, other}, {random.log_uniform(5, 40), random.log_uniform(5, 40)}};
-}
 
 Experiment make_experiment(const Wish& wish, const std::string& name, Random& random) {
   constexpr int patience = 400;
@@ -266,13 +176,13 @@ Experiment make_experiment(const Wish& wish, const std::string& name, Random& ra
     } catch (const Error&) {  // a chain that buckles where it must not, or does not come to rest: another one
     }
   }
-  throw Error("rig: no bench for experiment " + name + " in " + std::to_string(patience) + " attempts");
+  throw Error("simulator: no bench for experiment " + name + " in " + std::to_string(patience) + " attempts");
 }
 
 /// The wish comes first, so that benches where it cannot be granted do not make it rarer.
-Experiment make_experiment(std::uint64_t seed, std::size_t number, const std::string& name) {
+Experiment make_experiment(Trial trial, std::uint64_t seed, std::size_t number, const std::string& name) {
   Random random(seed, number);
-  const Wish wish = draw_wish(random);
+  const Wish wish = trial == Trial::first ? draw_wish(random) : draw_second_wish(random);
   return make_experiment(wish, name, random);
 }
 

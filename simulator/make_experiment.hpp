@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "simulator/effect.hpp"
 #include "simulator/instruments.hpp"
+#include "simulator/wish.hpp"
 #include "trial/label.hpp"
 
 namespace plumbline::simulator {
@@ -22,19 +22,13 @@ struct Experiment {
   double nominal_error;
 };
 
-/// Which effects, and how strong each alone should be, in sigmas; where and on which bench is left to chance.
-struct Wish {
-  std::vector<const Kind*> kinds;
-  std::vector<double> strengths;
-};
-
-/// Of a hundred, 15 have no effect, 60 have one, 13 two, and 12 one that is in no catalogue.
-Wish draw_wish(Random& random);
-
 /// \throws Error where no bench of hundreds can grant the wish
 Experiment make_experiment(const Wish& wish, const std::string& name, Random& random);
 
+/// Which trial: the first draws from the catalogue, the second from what benches bring.
+enum class Trial { first, second };
+
 /// The experiment with this number of the trial with this seed.
-Experiment make_experiment(std::uint64_t seed, std::size_t number, const std::string& name);
+Experiment make_experiment(Trial trial, std::uint64_t seed, std::size_t number, const std::string& name);
 
 }  // namespace plumbline::simulator

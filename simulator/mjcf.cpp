@@ -19,7 +19,7 @@ constexpr double speck = 1e-9;
 class Writer {
  public:
   Writer(const Plan& plan, const Physics& physics, const PlannedRun& run, const Pace& pace)
-      : physics_(physics), rest_(run.rest), pace_(pace), typical_(plan.typical_stiffness()) {}
+      : physics_(physics), run_(run), pace_(pace), typical_(plan.typical_stiffness()) {}
 
   std::string chain() {
     open("base", 0);
@@ -67,9 +67,8 @@ class Writer {
   void link(std::size_t j) {
     const Joint& joint = physics_.joint[j];
     open(fmt::format("link{}", j + 1), at_);
-    const bool native = joint.backlash == 0 && joint.softening == 0;
-    hinge(fmt::format("q{}", j + 1), native ? joint.stiffness : 0,
-          joint.stiffness > 0 ? joint.stiffness : typical_, rest_[j] + joint.rest_error);
+    hinge(fmt::format("q{}", j + 1), joint.plain() ? joint.stiffness : 0,
+          joint.stiffness > 0 ? joint.stiffness : typical_, rest_angle(physics_, run_, j));
     text_ += fmt::format("<site name=\"axis{}\"/>", j + 1);
     if (physics_.mass[j] > 0) {
       text_ += fmt::format("<body name=\"mass{}\">", j + 1);
@@ -98,7 +97,7 @@ class Writer {
   }
 
   const Physics& physics_;
-  const std::vector<double>& rest_;
+  const PlannedRun& run_;
   const Pace& pace_;
   double typical_;
   std::string text_;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace plumbline::simulator {
@@ -36,6 +37,10 @@ class Random {
   }
   template <class T>
   const T& one_of(const std::vector<T>& all) {
+    return all[below(all.size())];
+  }
+  template <class T>
+  const T& one_of(std::span<const T> all) {
     return all[below(all.size())];
   }
 

@@ -73,11 +73,26 @@ struct Timing {
 /// dry friction what the joints carry depends on the way, which damping must not bend, and bristles need
 /// short steps.
 Timing timing(const Physics& physics) {
-  bool dry = physics.pivot_friction > 0;
-  for (const Joint& joint : physics.joint) dry = dry || joint.friction > 0;
-  const double steps = dry ? 25 : 4;
-  if (physics.arm_ratio > 0) return {150, 0.92, steps, true};
-  return dry ? Timing{60, 0.8, steps, false} : Timing{24, 0.5, steps, false};
+  bool dry = physics.pivot_friction > 0, slides = false, timed = physics.lag > 0;
+  for (const Joint& joint : physics.joint) {
+    dry = dry || joint.friction.torque > 0;
+    slides = slides || !joint.slider.empty();
+    timed = timed || !joint.arm.empty() || joint.friction.fall > 0;
+  }
+  const double steps = dry ? 25 : slides ? 8 : 4;
+  if (timed) return {150, 0.92, steps, true};
+  return dry || slides ? Timing{60, 0.8, steps, false} : Timing{24, 0.5, steps, false};
+}
+
+/// How fast joints go on turning at most while arms relax and springs age, in radians a second.
+double restlessness(const Physics& physics) {
+  double most = 0;
+  for (const Joint& joint : physics.joint) {
+    double sum = joint.ageing.creep / joint.ageing.start + joint.ageing.loss / joint.ageing.warming;
+    for (const Arm& arm : joint.arm) sum += arm.ratio / arm.time;
+    most = std::max(most, sum);
+  }
+  return most;
 }
 
 class Bench {
@@ -120,19 +135,35 @@ class Bench {
 
   /// What the carriage does when it is told a command, so much later than planned.
   Pair true_command(const Command& command, double late) const {
+    return run_.force_controlled ? true_force(command.value, command.t + late) : true_end_point(command);
+  }
+  /// The load cell is the servo's: what it reads is what was told.
+  Pair true_force(const Pair& told, double t) const {
+    Pair cell;
+    const Pair tare = physics_.tare(run_);
+    for (std::size_t a = 0; a < 2; ++a)
+      cell[a] = told[a] - physics_.bias[a] - physics_.drift[a] * t - tare[a];
+    const auto [xy, yx] = physics_.cross_talk;
+    const double gain = 1 + physics_.gain, mixed = 1 - xy * yx;
+    const Pair force{(cell[0] - xy * cell[1]) / (mixed * gain), (cell[1] - yx * cell[0]) / (mixed * gain)};
+    return turned(force, physics_.misalignment);
+  }
+  Pair true_end_point(const Command& command) const {
     const Pair& first = run_.commands.front().value;
-    if (run_.force_controlled) {  // the load cell is the servo's: what it reads is what was told
-      Pair force;
-      for (std::size_t a = 0; a < 2; ++a)
-        force[a] = (command.value[a] - physics_.bias[a] - physics_.drift[a] * (command.t + late)) /
-                   (1 + physics_.gain);
-      return turned(force, physics_.misalignment);
-    }
     const Pair way =
         turned({command.value[0] - first[0], command.value[1] - first[1]}, physics_.misalignment);
+    const Pair aside = beside_straight(way);
     const double pitch = 2 * std::numbers::pi * (command.value[0] - first[0]) / physics_.screw.period;
-    return {first[0] + way[0] + physics_.position_offset[0] + physics_.screw.amplitude[0] * std::sin(pitch),
-            first[1] + way[1] + physics_.position_offset[1]};
+    const bool slipped = command.t > physics_.grip_slip_share * run_.commands.back().t;
+    return {first[0] + way[0] + aside[0] + physics_.position_offset[0] +
+                physics_.screw.amplitude[0] * std::sin(pitch) + (slipped ? physics_.grip_slip : 0),
+            first[1] + way[1] + aside[1] + physics_.position_offset[1]};
+  }
+  /// How far a bent rail leads to the left of a straight way.
+  Pair beside_straight(const Pair& way) const {
+    const double share = std::hypot(way[0], way[1]) / physics_.rail.span;
+    const double slope = 4 * physics_.rail.height / physics_.rail.span * (1 - share);
+    return {-slope * way[1], slope * way[0]};
   }
 
   [[nodiscard]] Pair end_point() const {
@@ -145,8 +176,7 @@ class Bench {
   }
 
   void bring_to_start() {
-    for (std::size_t j = 0; j < hub_.size(); ++j)
-      data_->qpos[hub_[j]] = run_.rest[j] + physics_.joint[j].rest_error;
+    for (std::size_t j = 0; j < hub_.size(); ++j) data_->qpos[hub_[j]] = rest_angle(physics_, run_, j);
     mj_kinematics(model_.get(), data_.get());
     const Pair from = run_.force_controlled ? Pair{0, 0} : end_point();
     constexpr double readings_long = 4;
@@ -169,18 +199,17 @@ class Bench {
   /// Waits for rest; how long, in seconds.
   double settle() {
     constexpr int patience = 20000;
-    // radians within a response time; Maxwell arms go on relaxing
-    const double rest = 2e-9 + physics_.arm_ratio * pace_.response / physics_.relaxation;
+    const double rest = 2e-9 + restlessness(physics_) * pace_.response;  // radians within a response time
     for (int s = 0; s < patience; ++s) {
       double fastest = 0;
       for (const int address : hub_)  // hinges have one coordinate: the same order in qvel
         fastest = std::max(fastest, std::abs(data_->qvel[address]));
       if (!std::isfinite(fastest) || data_->warning[mjWARN_BADQACC].number > 0)
-        throw Error("rig: the motion of run \"" + run_.id + "\" got out of hand");
+        throw Error("simulator: the motion of run \"" + run_.id + "\" got out of hand");
       if (fastest * pace_.response < rest) return s * pace_.timestep;
       step();
     }
-    throw Error("rig: run \"" + run_.id + "\" did not come to rest");
+    throw Error("simulator: run \"" + run_.id + "\" did not come to rest");
   }
 
   void step() {

@@ -50,6 +50,21 @@ bool outside_catalogue(const Label& label) {
   return label.effects.size() == 1 && label.effects.front().id == "unknown";
 }
 
+Label in_terms_of(const Catalogue& catalogue, Label label) {
+  std::string lacking;
+  for (const TrueEffect& effect : label.effects) {
+    const bool at_all = effect.id == "unknown" || (effect.joint == 0 && catalogue.count(effect.id) > 0);
+    if (!at_all && catalogue.count(effect.id + "(j)") == 0)
+      lacking += (lacking.empty() ? "" : ", ") + effect.id;
+  }
+  if (lacking.empty()) return label;
+  label.description = lacking + (label.description.empty() ? "" : ": " + label.description);
+  const std::size_t joint = label.effects.size() == 1 ? label.effects.front().joint : 0;
+  label.effects = {{"unknown", joint, {}, label.strength}};
+  label.equivalent.clear();
+  return label;
+}
+
 nlohmann::ordered_json as_json(const Label& label) {
   using Json = nlohmann::ordered_json;
   Json effects = Json::array();
@@ -65,6 +80,7 @@ nlohmann::ordered_json as_json(const Label& label) {
           {"effects", effects},
           {"equivalent", label.equivalent},
           {"strength_sigma", label.strength},
+          {"family", label.family},
           {"noise", label.noise},
           {"noise_scale", label.noise_scale},
           {"description", label.description},
@@ -85,6 +101,7 @@ Label label_from(const nlohmann::json& json, const std::string& source) {
   label.noise = file.text_or("noise", "");
   label.noise_scale = file.number_or("noise_scale", file.number_or("noise_factor", 1.0));
   label.description = file.text_or("description", "");
+  label.family = file.text_or("family", "");
   label.channel = file.text_or("channel", "");
   return label;
 }

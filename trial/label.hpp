@@ -3,6 +3,7 @@
 /// What is withheld from the diagnosis: the true effects of an experiment.
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,7 @@ struct Label {
   std::string noise;         ///< declared, misdeclared, outliers, ar1
   double noise_scale = 1;    ///< true sigma over declared
   std::string description;   ///< of an effect outside the catalogue
+  std::string family = {};   ///< of experiments: what results are counted by first; or none
   std::string channel = {};  ///< "Fx" or "Fx, Fy": where such an effect shows most
 };
 
@@ -38,6 +40,13 @@ std::vector<std::string> effect_keys(const files::JsonValue& effects);
 
 /// Whether the one effect is in no catalogue.
 bool outside_catalogue(const Label& label);
+
+/// The effects that a diagnosis can name: "id", and "id(j)" where it sits at one joint.
+using Catalogue = std::set<std::string>;
+
+/// The label as a diagnosis with this catalogue can know it: where it lacks one of the effects, the cause is
+/// unknown, and described by what it lacks.
+Label in_terms_of(const Catalogue& catalogue, Label label);
 
 nlohmann::ordered_json as_json(const Label& label);
 /// \param source  named in errors

@@ -100,6 +100,21 @@ Table answers(const std::string& what, const std::vector<Row>& rows) {
   return table;
 }
 
+/// Wrong and sure first.
+Table families(const std::vector<Row>& rows) {
+  Table table{
+      {"family", "n", "wrong and sure", "95 % interval", "found", "unknown", "missed gap", "false alarm"},
+      {}};
+  for (const Row& row : rows) {
+    std::vector<std::string> cells{row.name, std::to_string(row.found.total), percent(row.wrong_sure),
+                                   interval(row.wrong_sure), percent(row.found)};
+    for (const Answer answer : {Answer::unknown, Answer::missed_gap, Answer::false_alarm})
+      cells.push_back(std::to_string(row.answers[static_cast<std::size_t>(answer)]));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
 Table confusion(const Score& s) {
   Table table{{"truth", "n", "said best"}, {}};
   for (const auto& [truth, said] : s.confusion) {
@@ -166,7 +181,10 @@ nlohmann::ordered_json rows(const std::vector<Row>& all) {
     nlohmann::ordered_json answers = nlohmann::ordered_json::object();
     for (std::size_t a = 0; a < row.answers.size(); ++a)
       if (row.answers[a] > 0) answers[answer_word(static_cast<Answer>(a))] = row.answers[a];
-    list.push_back({{"name", row.name}, {"answers", answers}, {"found", proportion(row.found)}});
+    list.push_back({{"name", row.name},
+                    {"answers", answers},
+                    {"found", proportion(row.found)},
+                    {"wrong_and_sure", proportion(row.wrong_sure)}});
   }
   return list;
 }
@@ -179,6 +197,7 @@ nlohmann::ordered_json case_json(const Case& one) {
   nlohmann::ordered_json json{{"name", one.label.name},
                               {"truth", truth_words(one.label)},
                               {"strength_sigma", one.label.strength},
+                              {"family", one.label.family},
                               {"noise", one.label.noise},
                               {"answer", answer_word(one.judgement.answer)},
                               {"said", one.judgement.said},
@@ -209,13 +228,14 @@ std::string as_text(const Circumstances& circumstances, const std::vector<Case>&
                       markdown ? " Made by\n\n    " + circumstances.command + "\n\n" : "\n");
   text += seals(circumstances, s);
   constexpr std::size_t narrow = 60, wide = 160;
+  section("By family: wrong and sure", families(s.by_family));
+  section("By noise", answers("noise", s.by_noise));
   section("Failures", failures(cases, markdown ? wide : narrow));
   section("Against the aims", headline(s));
   text += "\n" + numbers(circumstances, s);
   section("By strength of the gap", answers("one effect", s.by_strength));
   section("By truth", answers("truth", s.by_truth));
   section("Confusion", confusion(s), "The best explanation, also of a class; joints left out.");
-  section("By noise", answers("noise", s.by_noise));
   section("Reliability", reliability(s),
           "How often the most probable explanation was the truth, where a gap was seen.");
   return text;
@@ -252,6 +272,7 @@ nlohmann::ordered_json as_json(const Circumstances& c, const std::vector<Case>& 
           {"by_strength", rows(s.by_strength)},
           {"by_truth", rows(s.by_truth)},
           {"by_noise", rows(s.by_noise)},
+          {"by_family", rows(s.by_family)},
           {"confusion", s.confusion},
           {"nominal_error_sigma",
            {{"benches", c.compared}, {"median", c.median_error}, {"worst", c.worst_error}}},

@@ -38,11 +38,12 @@ AllDiagnosed diagnose_all(const SealedFolder& folder, const std::filesystem::pat
 }
 
 std::vector<Case> unseal(const SealedFolder& folder, const std::filesystem::path& reports,
-                         const AllDiagnosed& diagnosed) {
+                         const AllDiagnosed& diagnosed, const Catalogue& catalogue) {
   std::vector<Case> cases;
   for (std::size_t i = 0; i < diagnosed.size(); ++i) {
     const std::string& name = folder.names()[i];
     Case one = folder.open(name);
+    one.label = in_terms_of(catalogue, std::move(one.label));
     one.judgement = judgement_of(one.label, reports / (name + ".json"), diagnosed[i]);
     one.seconds = diagnosed[i].seconds;
     cases.push_back(std::move(one));

@@ -17,8 +17,8 @@ AllDiagnosed diagnose_all(const SealedFolder& folder, const std::filesystem::pat
                           const std::filesystem::path& reports, std::chrono::duration<double> patience,
                           unsigned processes, const std::function<void()>& advance);
 
-/// Opens every seal and compares.
+/// Opens every seal and compares. \param catalogue  what this diagnosis can name
 std::vector<Case> unseal(const SealedFolder& folder, const std::filesystem::path& reports,
-                         const AllDiagnosed& diagnosed);
+                         const AllDiagnosed& diagnosed, const Catalogue& catalogue);
 
 }  // namespace plumbline::trial

@@ -18,10 +18,18 @@ bool found(const Case& one) {
   return one.judgement.answer == Answer::right || one.judgement.answer == Answer::in_class;
 }
 
+/// Identified, and wrong: also where there is nothing to identify.
+bool wrong_and_sure(const Case& one) {
+  const Answer answer = one.judgement.answer;
+  return one.judgement.said.starts_with("identified") &&
+         (answer == Answer::wrong_sure || answer == Answer::false_alarm);
+}
+
 void count(Row& row, const Case& one) {
   row.answers.resize(answer_count, 0);
   ++row.answers[static_cast<std::size_t>(one.judgement.answer)];
   row.found.add(found(one));
+  row.wrong_sure.add(wrong_and_sure(one));
 }
 
 std::string band_name(const Band& band) {
@@ -51,7 +59,6 @@ std::string said_best(const Case& one) {
   return misplaced ? judged.best + " at another joint" : judged.best;
 }
 
-/// First what has no effect, then single effects by name, two at once, outside the catalogue.
 /// The rows in the order of their keys.
 std::vector<Row> in_order(std::map<std::string, Row> by_key) {
   std::vector<Row> rows;
@@ -60,6 +67,7 @@ std::vector<Row> in_order(std::map<std::string, Row> by_key) {
   return rows;
 }
 
+/// First what has no effect, then single effects by name, two at once, outside the catalogue.
 std::vector<Row> rows_by_truth(const std::vector<Case>& cases) {
   std::map<std::string, Row> kinds;
   for (const Case& one : cases) {
@@ -82,6 +90,22 @@ std::vector<Row> rows_by_noise(const std::vector<Case>& cases) {
     count(row, one);
   }
   return in_order(std::move(kinds));
+}
+
+/// What is outside the catalogue is many families: each has its description.
+std::vector<Row> rows_by_family(const std::vector<Case>& cases) {
+  std::map<std::string, Row> families;
+  for (const Case& one : cases) {
+    if (one.label.family.empty()) continue;
+    const std::string name =
+        outside_catalogue(one.label) ? "outside: " + one.label.description : one.label.family;
+    families[name].name = name;
+    count(families[name], one);
+  }
+  std::vector<Row> rows = in_order(std::move(families));
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Row& a, const Row& b) { return a.wrong_sure.share() > b.wrong_sure.share(); });
+  return rows;
 }
 
 Spread spread(std::vector<double> values) {
@@ -114,8 +138,7 @@ void count_proportions(Score& total, const Case& one) {
   const Judgement& judged = one.judgement;
   if (is_single(label) && label.strength >= 5) total.strong.add(found(one));
   if (is_single(label) && label.strength >= 2.5 && label.strength < 5) total.weak.add(found(one));
-  if (judged.said.starts_with("identified"))
-    total.wrong_sure.add(judged.answer == Answer::wrong_sure || judged.answer == Answer::false_alarm);
+  if (judged.said.starts_with("identified")) total.wrong_sure.add(wrong_and_sure(one));
   if (label.effects.empty()) total.false_alarm.add(judged.answer == Answer::false_alarm);
   if (outside_catalogue(label)) total.outside.add(found(one));
   if (judged.place_right) total.place.add(*judged.place_right);
@@ -165,6 +188,7 @@ Score score(const std::vector<Case>& cases) {
   total.by_strength = rows_by_strength(cases);
   total.by_truth = rows_by_truth(cases);
   total.by_noise = rows_by_noise(cases);
+  total.by_family = rows_by_family(cases);
   total.reliability = reliability(cases);
   for (const double one : brier) total.brier += one / static_cast<double>(brier.size());
   total.shrunk = spread(std::move(shrunk));

@@ -36,6 +36,7 @@ struct Row {
   std::string name;
   std::vector<std::size_t> answers;  ///< by Answer
   Proportion found;                  ///< right or in the class
+  Proportion wrong_sure = {};        ///< identified, and wrong
 };
 
 /// Stated probabilities in [low, high) against how often they were right.
@@ -58,6 +59,7 @@ struct Score {
   std::vector<Row> by_strength;  ///< one effect of the catalogue
   std::vector<Row> by_truth;     ///< none, every effect, two effects, outside the catalogue
   std::vector<Row> by_noise;
+  std::vector<Row> by_family;  ///< of labels that name one; the most often wrong and sure first
   Confusion confusion;
   Proportion strong;       ///< one effect, 5 sigma or more: found
   Proportion weak;         ///< one effect, 2.5 to 5 sigma: found

@@ -92,6 +92,19 @@ TEST_CASE("a small blind trial: seals hold, every diagnosis reports, most causes
   CHECK(again.status == 0);
   CHECK(nlohmann::json::parse(here.read("again.json"))["found"] == result["found"]);
 }
+
+TEST_CASE("the second trial: sealed alike, counted by family") {
+  const Workplace here;
+  const Outcome outcome = here.plumbline("trial --second --trials 4 --seed 3 --json result.json");
+  CHECK(outcome.status == 0);
+  const auto result = nlohmann::json::parse(here.read("result.json"));
+  CHECK(result["command"] == "plumbline trial --second --trials 4 --seed 3");
+  CHECK(result["seals"]["broken"] == 0);
+  std::size_t counted = 0;
+  for (const auto& family : result["by_family"]) counted += family["found"]["total"].get<std::size_t>();
+  CHECK(counted == 4);
+  CHECK(here.plumbline("trial --second --experiments mine").status == 2);
+}
 #else
 TEST_CASE("a program without the rig says how to get one that has it") {
   const Workplace here;

@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/model/measurement.hpp"
@@ -18,15 +20,40 @@ struct Truth {
   std::vector<double> parameters;
 };
 
+/// An element beyond those of the label is nothing.
+double value_of(const plumbline::trial::TrueEffect& effect, std::string_view name) {
+  for (const auto& [own, value] : effect.parameters)
+    if (own == name) return value;
+  if (effect.id == "hysteresis") return 0;
+  throw plumbline::Error(effect.id, "a label without the parameter " + std::string(name), "one with it");
+}
+
+/// Of hysteresis the simulator draws up to five elements, the diagnosis looks for fewer.
+plumbline::simulator::Experiment one_with(const plumbline::simulator::Kind& kind, std::uint64_t stream) {
+  for (;; stream += 1000) {
+    plumbline::simulator::Random random(3, stream);
+    auto made = plumbline::simulator::make_experiment({{&kind}, {15}}, "one", random);
+    if (kind.id != "hysteresis" || made.label.effects.front().parameters.size() <= 4) return made;
+  }
+}
+
+/// Whether the diagnosis has a row for it, at one joint or at none alike.
+bool known(const plumbline::simulator::Kind& kind) {
+  const auto& all = plumbline::diagnose::catalogue();
+  return std::any_of(all.begin(), all.end(), [&](const plumbline::diagnose::Effect& effect) {
+    return effect.id == kind.id && effect.at_joint == kind.at_joint;
+  });
+}
+
 Truth truth_of(const plumbline::trial::Label& label, const plumbline::diagnose::Experiment& experiment) {
   Truth truth;
   for (const auto& effect : label.effects) {
     const plumbline::diagnose::EffectAt at(plumbline::diagnose::effect(effect.id), effect.joint);
     truth.effects.effects.push_back(at);
     const auto ranges = plumbline::diagnose::Study(experiment).ranges(at);
-    for (std::size_t p = 0; p < ranges.size(); ++p)
+    for (const auto& range : ranges)
       truth.parameters.push_back(
-          plumbline::diagnose::fitted_value(ranges[p].coordinate, effect.parameters[p].second));
+          plumbline::diagnose::fitted_value(range.coordinate, value_of(effect, range.name)));
   }
   return truth;
 }
@@ -42,9 +69,12 @@ double rms(const std::vector<double>& values) {
 TEST_CASE("every effect of the catalogue does in the rig what the forward model of the diagnosis predicts") {
   for (const plumbline::simulator::Kind& kind : plumbline::simulator::catalogue()) {
     CAPTURE(kind.id);
-    plumbline::simulator::Random random(
-        3, static_cast<std::uint64_t>(&kind - plumbline::simulator::catalogue().data()));
-    const auto made = plumbline::simulator::make_experiment({{&kind}, {15}}, "one", random);
+    if (!known(kind)) {
+      MESSAGE("not in the diagnosis: " << kind.id);
+      continue;
+    }
+    const auto made =
+        one_with(kind, static_cast<std::uint64_t>(&kind - plumbline::simulator::catalogue().data()));
     const Folder folder;
     plumbline::simulator::write_experiment(made, folder.path());
     const plumbline::diagnose::Experiment experiment = plumbline::diagnose::read_experiment(folder.path());
@@ -64,7 +94,8 @@ TEST_CASE("every effect of the catalogue does in the rig what the forward model 
 
 TEST_CASE("an experiment is the same at every making, and another with another seed") {
   const auto text = [](std::uint64_t seed) {
-    const auto made = plumbline::simulator::make_experiment(seed, 2, "one");
+    const auto made =
+        plumbline::simulator::make_experiment(plumbline::simulator::Trial::first, seed, 2, "one");
     return made.runs.front().back().force[0];
   };
   CHECK(text(11) == text(11));

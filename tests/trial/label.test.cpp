@@ -22,7 +22,7 @@ std::set<std::string> keys(const nlohmann::json& object) {
 const nlohmann::json full = nlohmann::json::parse(R"json({
   "name": "bench", "effects": [{"id": "backlash", "joint": 2, "parameters": {"b": 0.03}, "strength_sigma": 7.5}],
   "equivalent": [["joint_stop(2)"]], "strength_sigma": 12.5, "noise": "declared", "noise_scale": 1.25,
-  "description": "a thinner pin", "channel": "Fx"})json");
+  "description": "a thinner pin", "family": "pins", "channel": "Fx"})json");
 
 }  // namespace
 
@@ -32,6 +32,28 @@ TEST_CASE("a label has the keys of its schema, and every one is read") {
   CHECK(keys(full) == keys(schema["properties"]));
   CHECK(keys(full["effects"][0]) == keys(schema["properties"]["effects"]["items"]["properties"]));
   CHECK(nlohmann::json(as_json(label_from(full, "test"))) == full);
+}
+
+TEST_CASE("what a diagnosis has no row for is unknown to it, and described by its name") {
+  const Label label = label_from(full, "test");
+  CHECK(as_json(in_terms_of({"backlash(j)", "play"}, label)) == as_json(label));
+  const Label lacking = in_terms_of({"backlash", "play"}, label);
+  CHECK(outside_catalogue(lacking));
+  CHECK(lacking.effects.front().joint == 2);
+  CHECK(lacking.equivalent.empty());
+  CHECK(lacking.description == "backlash: a thinner pin");
+  Label two = label;
+  two.effects.push_back({"play", 0, {}, 9});
+  CHECK(as_json(in_terms_of({"backlash(j)", "play"}, two)) == as_json(two));
+  CHECK(in_terms_of({"backlash(j)"}, two).description == "play: a thinner pin");
+  CHECK(in_terms_of({"backlash(j)"}, two).effects.size() == 1);
+  // at whichever joint it is: a row for one joint will do
+  Label anywhere = label;
+  anywhere.effects.front().joint = 0;
+  CHECK(as_json(in_terms_of({"backlash(j)"}, anywhere)) == as_json(anywhere));
+  for (const char* none : {R"({"effects": []})", R"({"effects": [{"id": "unknown"}]})"})
+    CHECK(as_json(in_terms_of({}, label_from(nlohmann::json::parse(none), ""))) ==
+          as_json(label_from(nlohmann::json::parse(none), "")));
 }
 
 TEST_CASE("what is no label is refused in one line that says so") {

@@ -137,3 +137,20 @@ TEST_CASE("the failures come first, the worst first, and a broken seal is one") 
   CHECK(json["experiments"].size() == 9);
   CHECK(json["strong"]["total"] == 3);
 }
+
+TEST_CASE("families: what is most often wrong and sure stands first, what is outside by its description") {
+  std::vector<Case> cases = a_trial();
+  for (Case& each : cases) each.label.family = each.label.effects.empty() ? "no effect" : "one effect";
+  cases[6].label.description = "a magnet";
+  const Score s = score(cases);
+  REQUIRE(s.by_family.size() == 3);
+  CHECK(s.by_family[0].name == "no effect");  // a false alarm that is sure of itself, of two
+  CHECK(is(s.by_family[0].wrong_sure, 1, 2));
+  CHECK(s.by_family[1].name == "one effect");
+  CHECK(is(s.by_family[1].wrong_sure, 1, 6));
+  CHECK(s.by_family[2].name == "outside: a magnet");
+  CHECK(is(s.by_family[2].found, 1, 1));
+  const std::string text = as_text({}, cases, Style::terminal);
+  CHECK(text.find("By family") < text.find("Failures"));
+  CHECK(score(a_trial()).by_family.empty());
+}

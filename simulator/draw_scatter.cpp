@@ -1,0 +1,79 @@
+#include "simulator/draw_scatter.hpp"
+
+namespace plumbline::simulator {
+namespace {
+
+/// What the lab declares; the truth is so many times that.
+void draw_sigmas(Scatter& scatter, const Plan& plan, double force, double wrong, Random& random) {
+  const Sigma is{force / random.log_uniform(60, 900), plan.reach() * random.log_uniform(1e-4, 6e-4),
+                 random.log_uniform(7e-4, 2e-3)};
+  scatter.declared = {significant(is.force, 3), significant(is.position, 3), significant(is.angle, 3)};
+  scatter.sigma = {scatter.declared.force * wrong, scatter.declared.position * wrong,
+                   scatter.declared.angle * wrong};
+  scatter.missing = random.chance(0.1) ? random.uniform(0.02, 0.06) : 0;
+  scatter.resolution = random.uniform(0.1, 0.5);
+}
+
+/// One that is measured in every run that imposes the end point.
+std::string draw_channel(const Plan& plan, Random& random) {
+  std::vector<std::string> names{"Fx"};
+  if (plan.cross_force_measured) names.emplace_back("Fy");
+  for (std::size_t j = 0; j < plan.size() && plan.angles_measured; ++j)
+    names.push_back("q" + std::to_string(j + 1));
+  return random.one_of(names);
+}
+
+}  // namespace
+
+Scatter draw_scatter(const Plan& plan, double force, Random& random) {
+  Scatter scatter;
+  const double kind = random.uniform(0, 1);
+  double wrong = 1;
+  if (kind < 0.18) {
+    scatter.kind = "misdeclared";
+    wrong = random.log_uniform(1 / 1.5, 1.5);
+  } else if (kind < 0.30) {
+    scatter.kind = "outliers";
+    scatter.outliers = random.uniform(0.01, 0.02);
+  } else if (kind < 0.40) {
+    scatter.kind = "ar1";
+    scatter.correlation = random.uniform(0.4, 0.8);
+  }
+  draw_sigmas(scatter, plan, force, wrong, random);
+  return scatter;
+}
+
+Scatter draw_rough_scatter(const Plan& plan, double force, Random& random) {
+  Scatter scatter;
+  const double kind = random.uniform(0, 1);
+  double wrong = 1;
+  if (kind < 0.15) {
+    scatter.kind = "larger than declared";
+    wrong = random.log_uniform(1.5, 3);
+  } else if (kind < 0.25) {
+    scatter.kind = "smaller than declared";
+    wrong = random.log_uniform(1.0 / 3, 0.5);
+  } else if (kind < 0.37) {
+    scatter.kind = "outliers";
+    scatter.outliers = random.uniform(0.02, 0.08);
+  } else if (kind < 0.49) {
+    scatter.kind = "ar1";
+    scatter.correlation = random.uniform(0.7, 0.9);
+  } else if (kind < 0.59) {
+    scatter.kind = "proportional";
+  } else if (kind < 0.69) {
+    scatter.kind = "hum";
+    scatter.hum = random.log_uniform(1, 4);
+    scatter.hum_period = random.log_uniform(1.5, 40);
+  } else if (kind < 0.79) {
+    scatter.kind = "one channel";
+    scatter.bad_channel = draw_channel(plan, random);
+    scatter.bad_factor = random.log_uniform(2, 4);
+  }
+  draw_sigmas(scatter, plan, force, wrong, random);
+  if (scatter.kind == "proportional")  // at the largest reading so many sigmas
+    scatter.proportional = random.log_uniform(2, 8) * scatter.sigma.force / force;
+  return scatter;
+}
+
+}  // namespace plumbline::simulator

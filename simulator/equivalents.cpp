@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/bench.hpp"
+
+namespace plumbline::simulator {
+namespace {
+
+/// Whether another effect in the place of one gives the same readings, to the noise.
+bool passes_for(const Bench& bench, const Outcome& outcome, std::size_t e, const Effect& other) {
+  constexpr double noticed = 2;  // standard deviations of all readings together
+  std::vector<Effect> effects = outcome.effects;
+  effects[e] = other;
+  const std::vector<Excess> rest =
+      gap(bench.plan, outcome.shown, outcome_of(bench, effects).shown, bench.scatter.sigma);
+  return rms(rest) * std::sqrt(static_cast<double>(rest.size())) <= noticed;
+}
+
+/// All stops at one angle pass for that of the one joint that gets there, all springs that are stiffer to one
+/// side for a scale where all bend to one side.
+std::vector<std::string> tried(const Bench& bench, const Outcome& outcome, std::size_t e) {
+  const Effect& effect = outcome.effects[e];
+  std::vector<Effect> candidates;
+  if (effect.kind->id == "joint_stops")
+    for (Place j = 0; j < bench.plan.size(); ++j)
+      candidates.push_back({&kind("joint_stop", true), j, effect.values});
+  if (effect.kind->id == "asymmetric_spring")
+    for (const double sign : {1.0, -1.0})
+      candidates.push_back({&kind("stiffness_scale", false), 0, {sign * effect.values[0]}});
+  std::vector<std::string> twins;
+  for (const Effect& candidate : candidates)
+    if (passes_for(bench, outcome, e, candidate)) twins.push_back(key_of(candidate));
+  return twins;
+}
+
+/// What passes for one of the effects. A payload for a tare error, always; the base's yielding along x for
+/// the train's, while the end point is imposed, if nothing yields noticeably along y; all stiffnesses for the
+/// load cell's gain where nothing else sets a scale of force.
+std::vector<std::string> twins(const Bench& bench, const Outcome& outcome, std::size_t e) {
+  const bool imposed = std::none_of(bench.plan.runs.begin(), bench.plan.runs.end(),
+                                    [](const PlannedRun& run) { return run.force_controlled; });
+  const bool scales = imposed && outcome.effects.size() == 1 && bench.plan.nominal.mass.empty();
+  const std::string_view id = outcome.effects[e].kind->id;
+  if (id == "tip_payload") return {"force_bias"};
+  if (id == "train_compliance" && imposed) return {"base_compliance"};
+  if (id == "stiffness_scale" && scales) return {"force_gain"};
+  if (id == "force_gain" && scales) return {"stiffness_scale"};
+  const Effect& effect = outcome.effects[e];
+  if (id == "base_compliance" && imposed &&
+      passes_for(bench, outcome, e, {effect.kind, 0, {effect.values[0], 0}}))
+    return {"train_compliance"};
+  std::vector<std::string> others = tried(bench, outcome, e);
+  if (id == "asymmetric_spring" && !others.empty() && scales) others.emplace_back("force_gain");
+  return others;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::string>> equivalents(const Bench& bench, const Outcome& outcome) {
+  std::vector<std::vector<std::string>> all;
+  for (std::size_t e = 0; e < outcome.effects.size(); ++e) {
+    for (const std::string& twin : twins(bench, outcome, e)) {
+      all.emplace_back();
+      for (std::size_t k = 0; k < outcome.effects.size(); ++k)
+        all.back().push_back(k == e ? twin : key_of(outcome.effects[k]));
+    }
+  }
+  return all;
+}
+
+}  // namespace plumbline::simulator

@@ -1,0 +1,226 @@
+// Torque laws of joints beyond a single parameter: friction, hysteresis, hardening, stops, relaxation, set,
+// capstan.
+
+#include <cmath>
+
+#include "simulator/effect.hpp"
+
+namespace plumbline::simulator {
+namespace {
+
+constexpr std::string_view laws = "laws of joints", spread = "a value of its own at each joint";
+
+/// Ratio and yield of one to five sliders beside a spring; they yield one after the other as the joint turns.
+Values draw_sliders(double stiffness, double deflection, Random& r) {
+  const std::size_t count = r.one_of<std::size_t>({1, 1, 2, 2, 3, 4, 5});
+  Values all;
+  for (std::size_t m = 0; m < count; ++m) {
+    const double ratio = r.log_uniform(0.1, 0.6) / static_cast<double>(count);
+    const double bend = deflection * 0.04 * std::pow(2.2, static_cast<double>(m)) * r.uniform(0.7, 1.3);
+    all.insert(all.end(), {significant(ratio, 4), significant(ratio * stiffness * bend, 4)});
+  }
+  return all;
+}
+
+void add_sliders(Joint& joint, const Values& v) {
+  if (joint.stiffness == 0) return;
+  for (std::size_t m = 0; m + 1 < v.size(); m += 2) joint.slider.push_back({v[m], v[m + 1]});
+}
+
+/// The largest torque that a spring carries.
+double spring_torque(const Scene& s) {
+  double most = 0;
+  for (Place j = 0; j < s.plan.size(); ++j)
+    most = std::max(most, s.plan.nominal.stiffness[j] * s.deflection[j]);
+  return most;
+}
+
+bool bent_at_rest(const Scene& s, Place) {
+  return std::any_of(s.plan.runs.begin(), s.plan.runs.end(), [](const PlannedRun& run) {
+    return std::any_of(run.rest.begin() + 1, run.rest.end(), [](double q) { return std::abs(q) > 0.15; });
+  });
+}
+
+std::vector<Kind> friction() {
+  return {
+      {"friction_spread",
+       "",
+       false,
+       {},
+       {true},
+       false,
+       6,
+       [](const Scene& s, Place j) { return turns_back(s, j) && several_elastic(s, j); },
+       [](const Scene& s, Place, Random& r) {
+         Values all;
+         for (const double k : s.plan.nominal.stiffness)
+           all.push_back(k == 0 ? 0 : significant(r.log_uniform(0.003, 0.06) * torque(s), 4));
+         return all;
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Place j = 0; j < v.size(); ++j) is.joint[j].friction.torque += v[j];
+       },
+       {"tau"},
+       spread},
+      {"load_friction",
+       "",
+       false,
+       {"tau_c", "growth"},
+       {true, false},
+       false,
+       6,
+       turns_back,
+       [](const Scene& s, Place, Random& r) {
+         return Values{significant(r.log_uniform(0.002, 0.02) * torque(s), 4),
+                       significant(r.log_uniform(1.5, 6) / largest_deflection(s), 4)};
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Joint& joint : is.joint) {
+           if (joint.stiffness == 0) continue;
+           joint.friction.torque += v[0];
+           joint.friction.growth = v[1];
+         }
+       },
+       {},
+       laws},
+      {"hysteresis",
+       "",
+       false,
+       {},
+       {true, true},
+       false,
+       6,
+       turns_back,
+       [](const Scene& s, Place, Random& r) {
+         return draw_sliders(s.plan.typical_stiffness(), largest_deflection(s), r);
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Joint& joint : is.joint) add_sliders(joint, v);
+       },
+       {"r", "tau"},
+       laws},
+      {"hysteresis",
+       "",
+       true,
+       {},
+       {true, true},
+       false,
+       6,
+       [](const Scene& s, Place j) { return turns_back(s, j) && elastic(s, j); },
+       [](const Scene& s, Place j, Random& r) {
+         return draw_sliders(s.plan.nominal.stiffness[j], s.deflection[j], r);
+       },
+       [](Physics& is, const Plan&, Place j, const Values& v) { add_sliders(is.joint[j], v); },
+       {"r", "tau"},
+       laws},
+  };
+}
+
+std::vector<Kind> springs() {
+  return {
+      {"hardening_spread",
+       "",
+       false,
+       {},
+       {true},
+       false,
+       10,
+       several_elastic,
+       [](const Scene& s, Place, Random& r) { return at_every_joint(s, r, 0.4, true); },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Place j = 0; j < v.size(); ++j) is.joint[j].hardening += v[j];
+       },
+       {"c"},
+       spread},
+      {"joint_stops",
+       "",
+       false,
+       {"s", "k_s"},
+       {false, true},
+       false,
+       8,
+       [](const Scene& s, Place) { return largest_deflection(s) > 0.15; },
+       [](const Scene& s, Place, Random& r) {
+         return Values{significant(r.uniform(0.3, 0.65) * largest_deflection(s), 4),
+                       significant(r.log_uniform(0.3, 3) * s.plan.typical_stiffness(), 4)};
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Joint& joint : is.joint) joint.stop = v[0], joint.stop_stiffness = v[1];
+       },
+       {},
+       laws},
+      {"asymmetric_spring",
+       "",
+       false,
+       {"e"},
+       {true},
+       false,
+       6,
+       anywhere,
+       [](const Scene&, Place, Random& r) { return both_ways(r, 0.02, 0.12); },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Joint& joint : is.joint) joint.asymmetry += v[0];
+       },
+       {},
+       laws},
+      {"relaxation_spectrum",
+       "",
+       false,
+       {},
+       {true, false},
+       false,
+       10,
+       [](const Scene& s, Place) { return s.duration > 25 * s.pause; },
+       [](const Scene& s, Place, Random& r) {
+         return Values{significant(r.log_uniform(0.03, 0.2), 4), significant(r.uniform(1.5, 4) * s.pause, 4),
+                       significant(r.log_uniform(0.03, 0.2), 4),
+                       significant(r.uniform(0.25, 0.6) * s.duration, 4)};
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Joint& joint : is.joint) joint.arm.insert(joint.arm.end(), {{v[0], v[1]}, {v[2], v[3]}});
+       },
+       {"m", "tau"},
+       laws},
+      {"plastic_set",
+       "",
+       false,
+       {"tau_y", "slope"},
+       {false, true},
+       false,
+       6,
+       turns_back,
+       [](const Scene& s, Place, Random& r) {
+         return Values{significant(r.uniform(0.25, 0.6) * spring_torque(s), 4),
+                       significant(r.log_uniform(0.03, 0.4), 4)};
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Joint& joint : is.joint)
+           if (joint.stiffness > 0) joint.yield = v[0], joint.flow = v[1];
+       },
+       {},
+       laws},
+      {"tendon_friction",
+       "",
+       false,
+       {"mu"},
+       {true},
+       false,
+       6,
+       bent_at_rest,
+       [](const Scene&, Place, Random& r) { return one_way(r, 0.005, 0.08); },
+       [](Physics& is, const Plan&, Place, const Values& v) { is.capstan += v[0]; },
+       {},
+       laws},
+  };
+}
+
+}  // namespace
+
+std::vector<Kind> joint_laws() {
+  std::vector<Kind> kinds = friction();
+  const std::vector<Kind> more = springs();
+  kinds.insert(kinds.end(), more.begin(), more.end());
+  return kinds;
+}
+
+}  // namespace plumbline::simulator
