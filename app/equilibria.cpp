@@ -13,9 +13,11 @@
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "proofs/census.hpp"
+#include "proofs/census_task.hpp"
 #include "proofs/certain_digits.hpp"
+#include "proofs/certificate.hpp"
 #include "proofs/decimal.hpp"
+#include "proofs/equilibria_certificate.hpp"
 #include "proofs/span.hpp"
 #include "proofs/units.hpp"
 
@@ -25,14 +27,9 @@ namespace {
 struct Options {
   LoadedChain chain;
   std::vector<std::string> at, place, force;
-  std::string json;
+  std::string json, certificate;
   bool certify = false;
   int digits = 12, turns = 0;
-};
-
-struct Load {
-  Control control;
-  Point<Interval> value;  ///< where the end point is held, or the force
 };
 
 /// One equilibrium as decimals.
@@ -47,28 +44,55 @@ struct Answer {
   std::string note;                                 ///< what is known of completeness
   proofs::Window window;                            ///< of the joint angles counted; empty: all
   std::string zero;                                 ///< "0" stands for less than this, where it does
+  std::string certificate;                          ///< the file, where one is wanted
   bool complete = false, balanced = false;
 };
 
+constexpr int certificate_digits = 40;
 constexpr std::size_t most_sampled = 1000;  ///< equilibria that are listed without --certify
 
-Interval exact(const std::string& text, const char* option) {
-  const auto value = proofs::parse_decimal(text);
-  if (!value) throw Error(option, text, "two decimal numbers joined by a comma");
-  return Interval(*value);
+Point<Rational> exact(const std::vector<std::string>& pair, const char* option) {
+  const auto number = [&](const std::string& text) {
+    const auto value = proofs::parse_decimal(text);
+    if (!value) throw Error(option, text, "two decimal numbers joined by a comma");
+    return *value;
+  };
+  return {number(pair[0]), number(pair[1])};
 }
 
-Load load_of(const Options& options) {
-  if (!options.force.empty())
-    return {Control::force, {exact(options.force[0], "--force"), exact(options.force[1], "--force")}};
-  if (!options.place.empty())
-    return {Control::end_point,
-            {exact(options.place[0], "--end-point"), exact(options.place[1], "--end-point")}};
-  const auto chain = from_rational<Interval>(options.chain.exact);
-  const Point<Interval> rest = end_point(chain, chain.rest());
-  const Interval dx = options.at.empty() ? Interval(Rational(2, 5)) : exact(options.at[0], "--at");
-  const Interval dy = options.at.empty() ? Interval(0) : exact(options.at[1], "--at");
-  return {Control::end_point, {rest.x - dx, rest.y + dy}};
+proofs::CensusTask task_of(const Options& options) {
+  proofs::CensusTask task{options.chain.name, options.chain.exact, false, {}, {}, options.turns};
+  if (!options.force.empty()) {
+    task.given = proofs::Given::force;
+    task.load = exact(options.force, "--force");
+  } else if (!options.place.empty()) {
+    task.given = proofs::Given::end_point;
+    task.load = exact(options.place, "--end-point");
+  } else {
+    task.given = proofs::Given::deflection;
+    task.load = options.at.empty() ? Point<Rational>{Rational(2, 5), 0} : exact(options.at, "--at");
+  }
+  return task;
+}
+
+/// The options that ask for a task again.
+std::string command_of(const Options& options, const proofs::CensusTask& task) {
+  const char* const given = task.given == proofs::Given::force       ? "--force"
+                            : task.given == proofs::Given::end_point ? "--end-point"
+                                                                     : "--at";
+  return fmt::format("plumbline equilibria{} {} {},{}{} --certificate FILE",
+                     options.chain.path.empty() ? "" : " " + options.chain.path, given,
+                     proofs::to_exact(task.load.x), proofs::to_exact(task.load.y),
+                     task.turns > 0 ? fmt::format(" --turns {}", task.turns) : "");
+}
+
+std::string certificate_of(const Options& options, const proofs::CensusTask& task,
+                           const proofs::Census& census) {
+  const proofs::Provenance provenance{command_of(options, task), "plumbline " PLUMBLINE_VERSION, ""};
+  return proofs::certificate_file(proofs::equilibria_certificates, provenance,
+                                  {proofs::equilibria_certificate(task, census, certificate_digits)})
+             .dump(1, ' ', true) +
+         "\n";
 }
 
 std::string type_name(std::optional<std::size_t> negative) {
@@ -99,12 +123,8 @@ std::string completeness(const proofs::Census& census) {
                                : "certified: these are all with joint angles in the window";
 }
 
-Answer certified(const Options& options, const Load& load) {
-  const auto chain = from_rational<Interval>(options.chain.exact);
-  const proofs::Census census =
-      load.control == Control::force
-          ? proofs::census_under_force(chain, load.value)
-          : proofs::census_at_end_point(chain, load.value, proofs::unwound(chain, options.turns));
+Answer certified(const Options& options, const proofs::CensusTask& task) {
+  const proofs::Census census = proofs::take_census(task);
   Decimals text(options.digits);
   Answer answer;
   for (const proofs::CertifiedEquilibrium& one : census.equilibria) {
@@ -124,6 +144,7 @@ Answer certified(const Options& options, const Load& load) {
     for (const Interval& angle : box) q.push_back(angle.text(8));
     answer.undecided.push_back(std::move(q));
   }
+  if (!options.certificate.empty()) answer.certificate = certificate_of(options, task, census);
   answer.complete = census.complete();
   answer.balanced = census.balanced;
   answer.window = census.window;
@@ -172,16 +193,17 @@ class Found {
 };
 
 /// Newton's method from many random shapes: fast, for any n, and never sure to be complete.
-Answer sampled(const Options& options, const Load& load) {
-  const auto given = from_rational<Interval>(options.chain.exact);
+Answer sampled(const Options& options, const proofs::CensusTask& task) {
+  const Chain<Interval> given = proofs::enclosed_chain(task);
   const proofs::Units units = proofs::own_units(given);
   const auto middle = [](const Interval& x) { return static_cast<double>(x.middle()); };
   const auto chain = convert<double>(proofs::in_units(given, units), middle);
-  const Point<Interval> measured = proofs::in_units(load.value, load.control, units);
+  const Point<Interval> measured =
+      proofs::in_units(proofs::enclosed_load(task), task.control(), units);
   const NominalModel<double> model(chain);
   EquilibriumSolver<NominalModel<double>> solver(model);
   const Point<double> at{middle(measured.x), middle(measured.y)};
-  const bool held = load.control == Control::end_point;
+  const bool held = task.control() == Control::end_point;
   if (held) model.require_reach(at);
   Answer answer;
   if (held) answer.window = proofs::unwound(given, options.turns);
@@ -222,9 +244,9 @@ Answer sampled(const Options& options, const Load& load) {
   return answer;
 }
 
-Answer answer_of(const Options& options, const Load& load) {
+Answer answer_of(const Options& options, const proofs::CensusTask& task) {
   const Progress progress(options.certify ? "census" : "equilibria", 0);
-  return options.certify ? certified(options, load) : sampled(options, load);
+  return options.certify ? certified(options, task) : sampled(options, task);
 }
 
 /// "joint angles counted: q1 in [-3.1416, 3.1416], …".
@@ -249,11 +271,12 @@ nlohmann::ordered_json window_json(const Answer& answer) {
   return list;
 }
 
-std::string as_text(const Answer& answer, const Options& options, const Load& load) {
+std::string as_text(const Answer& answer, const Options& options, const proofs::CensusTask& task) {
+  const Point<Interval> load = proofs::enclosed_load(task);
   std::string text =
       fmt::format("{}: {} ({:.6g}, {:.6g})\n{} equilibria, by energy; {}\n", options.chain.name,
-                  load.control == Control::force ? "force" : "end point held at",
-                  static_cast<double>(load.value.x.middle()), static_cast<double>(load.value.y.middle()),
+                  task.control() == Control::force ? "force" : "end point held at",
+                  static_cast<double>(load.x.middle()), static_cast<double>(load.y.middle()),
                   answer.equilibria.size(), answer.note);
   text += window_text(answer, options.chain.exact);
   if (!answer.zero.empty()) text += "0 stands for an absolute value in " + answer.zero + "\n";
@@ -273,7 +296,8 @@ std::string as_text(const Answer& answer, const Options& options, const Load& lo
   return text;
 }
 
-nlohmann::ordered_json as_json(const Answer& answer, const Options& options, const Load& load) {
+nlohmann::ordered_json as_json(const Answer& answer, const Options& options,
+                               const proofs::CensusTask& task) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Entry& one : answer.equilibria) {
     list.push_back({{"type", one.type},
@@ -282,7 +306,7 @@ nlohmann::ordered_json as_json(const Answer& answer, const Options& options, con
                     {"end_point", {one.x, one.y}},
                     {"q", one.q}});
   }
-  return {{"chain", options.chain.name},  {"control", load.control == Control::force ? "force" : "end_point"},
+  return {{"chain", options.chain.name},  {"control", task.control() == Control::force ? "force" : "end_point"},
           {"certified", options.certify}, {"complete", answer.complete},
           {"balanced", answer.balanced},  {"joint_angles_counted", window_json(answer)},
           {"equilibria", list},           {"undecided", answer.undecided}};
@@ -290,16 +314,16 @@ nlohmann::ordered_json as_json(const Answer& answer, const Options& options, con
 
 void run(Options options) {
   Outputs outputs({options.chain.path});
-  files::OutputFile* const json = outputs.open("--json", options.json);
+  files::OutputFile *const json = outputs.open("--json", options.json),
+                           *const certificate = outputs.open("--certificate", options.certificate);
+  options.certify = options.certify || certificate;
   options.chain.read();
-  const Load load = load_of(options);
-  const Answer answer = answer_of(options, load);
-  if (json) {
-    json->write(as_json(answer, options, load).dump(2) + "\n");
-    outputs.commit();
-  } else {
-    fmt::print("{}", as_text(answer, options, load));
-  }
+  const proofs::CensusTask task = task_of(options);
+  const Answer answer = answer_of(options, task);
+  if (json) json->write(as_json(answer, options, task).dump(2) + "\n");
+  if (certificate) certificate->write(answer.certificate);
+  outputs.commit();
+  if (!json) fmt::print("{}", as_text(answer, options, task));
   if (options.certify && !answer.complete) throw CLI::RuntimeError(1);
 }
 
@@ -326,6 +350,9 @@ void add_equilibria(CLI::App& app) {
                  "angles, with the "
                  "end point held among those in the window that is printed. Exit status 1 where something "
                  "stays undecided");
+  verb->add_option("--certificate", options->certificate,
+                   "Write that proof so that proofs/check_equilibria.py checks it with integers alone")
+      ->type_name("FILE");
   verb->add_option(
           "--turns", options->turns,
           "With the end point held: count also shapes whose joints are wound up by so many full turns "

@@ -33,7 +33,10 @@ std::vector<verify::NamedText> compute(const Options& options) {
     progress.advance();
   }
   for (const verify::LoadedCase& one : cases) {
-    if (auto entry = verify::equilibria_entry(one)) loaded.equilibria.push_back(*std::move(entry));
+    if (auto found = verify::equilibria_entry(one)) {
+      loaded.equilibria.push_back(std::move(found->entry));
+      loaded.certificates.push_back(std::move(found->certificate));
+    }
     if (one.window > 0) {
       if (auto entry = verify::events_entry(one)) loaded.events.push_back(*std::move(entry));
     }

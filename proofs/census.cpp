@@ -32,29 +32,20 @@ class Search {
   [[nodiscard]] std::size_t boxes() const { return boxes_; }
 
  private:
-  static constexpr double newton_pays = 2, isolation_pays = 0.5;  // widths, in radians
+  static constexpr double isolation_pays = 0.5;  // width in radians
 
   void see(Box z) {
-    if (!system_->contract(z) || known(z)) return;
-    const double width = widest(z);
-    if (width < newton_pays) {
-      if (!system_->newton(z) || known(z)) return;
-      if (widest(z) < isolation_pays) {
-        isolate(z);
-        if (known(z)) return;
-      }
-      if (widest(z) < 0.7 * width) {
-        todo_.push_back(z);
-        return;
-      }
+    if (!system_->narrow(z) || known(z)) return;
+    const double width = z[system_->widest(z)].width();
+    if (width < isolation_pays) {
+      isolate(z);
+      if (known(z)) return;
     }
-    if (widest(z) < limits_.smallest)
+    if (width < limits_.smallest)
       give_up(z);
     else
       halve(z);
   }
-
-  [[nodiscard]] double widest(const Box& z) const { return system_->width(z, system_->widest(z)); }
 
   [[nodiscard]] bool known(const Box& z) const {
     return std::any_of(isolated.begin(), isolated.end(), [&](const Box& one) {
@@ -85,6 +76,9 @@ class Search {
   }
 
   void give_up(const Box& z) {
+    if (++open_ > limits_.open)
+      throw Error("census", fmt::format("equilibria all over more than {} smallest boxes", limits_.open),
+                  "isolated ones: here they form a continuum, or nearly");
     for (Box& cluster : undecided) {
       bool near = true;
       for (std::size_t j = 0; j < system_->unknowns() && near; ++j) {
@@ -109,7 +103,7 @@ class Search {
   const EquilibriumBox* system_;
   CensusLimits limits_;
   std::vector<Box> todo_;
-  std::size_t boxes_ = 0;
+  std::size_t boxes_ = 0, open_ = 0;
 };
 
 /// An equilibrium and the box in which it is the only one.

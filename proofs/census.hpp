@@ -13,7 +13,8 @@
 /// Branch and bound: a box of angles and force is contracted by the moment recursion from both ends and by an
 /// interval Newton step, dropped when empty, and halved. Around each root found, a box as large as possible
 /// is proved to hold exactly one (Krawczyk), and what lies in it is dropped. What can be neither dropped nor
-/// proved at the smallest size is reported as undecided: there equilibria are degenerate, or nearly.
+/// proved at the smallest size is reported as undecided: there equilibria are degenerate, or nearly. Where such
+/// boxes stand side by side equilibria form a continuum, and the search stops.
 ///
 /// A complete census is checked against topology: where the space of shapes has no border, the sum of
 /// (-1)^(negative directions) is its Euler characteristic, with the end point held as in proofs/window.hpp,
@@ -52,6 +53,7 @@ struct Census {
 struct CensusLimits {
   double smallest = 1e-6;        ///< width of a box, in radians, that is not halved any more
   std::size_t boxes = 60000000;  ///< after so many, about a minute, the search gives up
+  std::size_t open = 10000;      ///< smallest boxes that stay undecided: more are a continuum
   std::size_t listed = 10000;    ///< so many equilibria, or places left undecided, and no more
 };
 
@@ -59,14 +61,14 @@ struct CensusLimits {
 /// given. \throws Error out of reach; where some shape with all links in one line has this end point, or
 /// nearly (the
 ///         force is not bounded); for more than `most_links`; where lengths or stiffnesses differ by more
-///         than 1e60; when a limit is reached; when the count contradicts topology
+///         than 1e60; when a limit is reached; at a continuum; when the count contradicts topology
 Census census_at_end_point(const Chain<Interval>& chain, const Point<Interval>& place,
                            const Window& window = {}, const CensusLimits& limits = {});
 
 /// All equilibria under a force.
 /// \throws Error for more than `most_links`; where lengths or stiffnesses differ by more than 1e60, or the
-///         force could turn a joint by more than 1e5 rad; when a limit is reached; when the count contradicts
-///         topology
+///         force could turn a joint by more than 1e5 rad; when a limit is reached; at a continuum; when the
+///         count contradicts topology
 Census census_under_force(const Chain<Interval>& chain, const Point<Interval>& force,
                           const CensusLimits& limits = {});
 

@@ -71,8 +71,8 @@ json to_json(const Provenance& provenance) {
   return {{"command", provenance.command}, {"program", provenance.program}, {"seed", provenance.seed}};
 }
 
-json certificate_file(const Provenance& provenance, std::vector<json> certificates) {
-  json file{{"format", "plumbline-certificates"},
+json certificate_file(const char* format, const Provenance& provenance, std::vector<json> certificates) {
+  json file{{"format", format},
             {"version", 1},
             {"licence", "CC0-1.0"},
             {"provenance", to_json(provenance)},

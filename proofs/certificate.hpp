@@ -27,7 +27,11 @@ struct Provenance {
 };
 nlohmann::json to_json(const Provenance& provenance);
 
+/// The format that a file of certificates of critical forces names.
+inline constexpr const char* critical_certificates = "plumbline-certificates";
+
 /// A file of certificates: licence CC0-1.0, closed by its own digest.
-nlohmann::json certificate_file(const Provenance& provenance, std::vector<nlohmann::json> certificates);
+nlohmann::json certificate_file(const char* format, const Provenance& provenance,
+                                std::vector<nlohmann::json> certificates);
 
 }  // namespace plumbline::proofs

@@ -137,14 +137,19 @@ class Chain:
             ends = [value(c, -1 / number(f[end])) for end in ("low", "high")]
             require(f["below_high"] - f["below_low"] > 1 or ends[0] * ends[1] < 0, "no eigenvalue within the bounds")
 
-def check(document):
+def opened(document, format):
+    """The entries of a file whose envelope holds."""
     fields(document, "format version licence provenance certificates sha256")
     text = json.dumps({**document, "sha256": ""}, sort_keys=True, separators=(",", ":"))
     require(hashlib.sha256(text.encode()).hexdigest() == document["sha256"], "sha256: the file has been changed")
     require(not re.search(r"[:,\[](true|false|null)[],}]", text), "true, false or null")
     fields(document["provenance"], "command program seed")
-    require([document["format"], document["version"]] == ["plumbline-certificates", 1], "format or version")
-    for entry in document["certificates"]:
+    require([document["format"], document["version"]] == [format, 1], "format or version")
+    require(isinstance(document["certificates"], list), "certificates")
+    return document["certificates"]
+
+def check(document):
+    for entry in opened(document, "plumbline-certificates"):
         try:
             fields(entry, "chain lengths stiffness forces", "ties matrices")
             chain, modes = Chain(entry["lengths"], entry["stiffness"]), [force["mode"] for force in entry["forces"]]

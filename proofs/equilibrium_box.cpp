@@ -104,6 +104,13 @@ bool EquilibriumBox::ranges(Box& z) const {
   return true;
 }
 
+Span EquilibriumBox::torque_in(const Box& z, std::size_t joint) const {
+  if (passive_[joint]) return Span(0);
+  const Span q = joint > 0 ? z[joint] - z[joint - 1] : z[joint];
+  const Span counted = intersection(q, range_[joint]);
+  return stiffness_[joint] * ((counted.empty() ? q : counted) - rest_[joint]);
+}
+
 bool EquilibriumBox::recursion(Box& z) const {
   std::array<Span, most_links + 1> moment;  // M_i at joint i, and none at the free end
   std::array<Span, most_links> gain;        // M_i - M_{i+1}
@@ -115,8 +122,7 @@ bool EquilibriumBox::recursion(Box& z) const {
       left_x -= length_[i] * t.cosine;
       left_y -= length_[i] * t.sine;
     }
-    const Span turn = (i > 0 ? z[i] - z[i - 1] : z[i]) - rest_[i];
-    moment[i] = passive_[i] ? Span(0) : stiffness_[i] * turn;
+    moment[i] = torque_in(z, i);
   }
   if (held_ && (!left_x.contains(0) || !left_y.contains(0))) return false;
   moment[n_] = Span(0);
@@ -132,17 +138,6 @@ bool EquilibriumBox::recursion(Box& z) const {
   }
   for (std::size_t i = n_; i-- > 0;) {
     if (!bind(moment[i], moment[i + 1] + gain[i]) || !turn_by(i)) return false;
-  }
-  return true;
-}
-
-bool EquilibriumBox::contract(Box& z) const {
-  for (int round = 0; round < 4; ++round) {
-    double before = 0, after = 0;
-    for (std::size_t j = 0; j < size_; ++j) before += width(z, j);
-    if (!ranges(z) || !recursion(z)) return false;
-    for (std::size_t j = 0; j < size_; ++j) after += width(z, j);
-    if (!(after < 0.8 * before)) break;
   }
   return true;
 }
@@ -294,8 +289,8 @@ std::optional<Box> EquilibriumBox::isolate(const Midpoint& root) const {
 
 std::size_t EquilibriumBox::widest(const Box& z) const {
   std::size_t best = 0;
-  for (std::size_t j = 1; j < size_; ++j) {
-    if (width(z, j) > width(z, best)) best = j;
+  for (std::size_t j = 1; j < n_; ++j) {
+    if (z[j].width() > z[best].width()) best = j;
   }
   return best;
 }

@@ -38,19 +38,22 @@ class EquilibriumBox {
   /// Where joint i of a box may be, by its range alone.
   [[nodiscard]] const Span& range(std::size_t joint) const { return range_[joint]; }
 
-  /// Cuts off what the moment recursion, the closure and the joint ranges exclude. False: nothing is left.
-  bool contract(Box& z) const;
-  /// One interval Newton step. False: nothing is left.
-  bool newton(Box& z) const;
+  /// Cuts off what the joint ranges, the closure, the moments of link after link and interval Newton steps
+  /// exclude. The force may be unbounded. What is cut off, check_equilibria.py cuts off too. False: nothing is
+  /// left.
+  bool narrow(Box& z) const;
   /// A root near the middle of a box, in plain doubles.
   [[nodiscard]] std::optional<Midpoint> root_near(const Box& z) const;
   /// A box around a point, as large as possible, that holds exactly one root.
   [[nodiscard]] std::optional<Box> isolate(const Midpoint& root) const;
-  /// The unknown to halve: the widest, forces measured by the turn that they cause.
+  /// Whether Krawczyk's operator maps a box around a point well into its inside: it holds exactly one root.
+  [[nodiscard]] bool contracts(const Midpoint& centre, double radius, double force_radius) const;
+  [[nodiscard]] bool held() const { return held_; }
+  [[nodiscard]] bool passive(std::size_t joint) const { return passive_[joint]; }
+  /// Force that turns a joint about as far as an angle, in radians, is wide.
+  [[nodiscard]] double force_of(double angle) const { return angle / force_weight_; }
+  /// The link of the widest range of directions: that to halve.
   [[nodiscard]] std::size_t widest(const Box& z) const;
-  [[nodiscard]] double width(const Box& z, std::size_t unknown) const {
-    return z[unknown].width() * (unknown < n_ ? 1 : force_weight_);
-  }
 
  private:
   struct Matrix {
@@ -70,6 +73,10 @@ class EquilibriumBox {
   [[nodiscard]] Span fx(const Box& z) const { return held_ ? z[n_] : load_x_; }
   [[nodiscard]] Span fy(const Box& z) const { return held_ ? z[n_ + 1] : load_y_; }
   bool recursion(Box& z) const;
+  /// One interval Newton step.
+  bool newton(Box& z) const;
+  bool bounded_force(Box& z) const;
+  [[nodiscard]] Span torque_in(const Box& z, std::size_t joint) const;
   bool ranges(Box& z) const;
 
   std::size_t n_, size_;

@@ -6,6 +6,7 @@
 
 #include "proofs/census.hpp"
 #include "proofs/certain_digits.hpp"
+#include "proofs/equilibria_certificate.hpp"
 #include "verify/reference/draw.hpp"
 #include "verify/reference/set.hpp"
 
@@ -15,41 +16,28 @@ namespace {
 using nlohmann::json;
 using Model = NominalModel<Mpfr50>;
 
+constexpr int certificate_digits = 40;
+
 Rational ten_thousandths(int value) {
   return {value, 10000};
 }
 
 void add_paper(std::vector<LoadedCase>& cases) {
+  const auto held = [&](const char* name, const Chain<Rational>& chain, const Rational& x,
+                        const Rational& window, bool rest_in_pi = false) {
+    cases.push_back({{name, chain, rest_in_pi, proofs::Given::end_point, {x, 0}}, window});
+  };
   const auto four = [&](const char* name, const std::vector<int>& rest) {
     std::vector<Rational> angles;
     for (const int angle : rest) angles.push_back(ten_thousandths(angle));
-    cases.push_back({name,
-                     Chain<Rational>({1, 1, 1, 1}, {1, 1, 1, 1}, angles),
-                     false,
-                     Control::end_point,
-                     {Rational(17, 5), 0},
-                     Rational(3, 2)});
+    held(name, Chain<Rational>({1, 1, 1, 1}, {1, 1, 1, 1}, angles), Rational(17, 5), Rational(3, 2));
   };
-  cases.push_back(
-      {"paper-two-link", Chain<Rational>({1, 1}, {0, 1}), false, Control::end_point, {Rational(8, 5), 0}, 0});
-  cases.push_back({"paper-three-link-straight",
-                   Chain<Rational>({1, 1, 1}, {0, 1, 1}),
-                   false,
-                   Control::end_point,
-                   {Rational(13, 5), 0},
-                   0});
-  cases.push_back({"paper-three-link-zigzag",
-                   Chain<Rational>({1, 1, 1}, {0, 1, 1}, {0, Rational(1, 10), Rational(-1, 10)}),
-                   true,
-                   Control::end_point,
-                   {Rational(13, 5), 0},
-                   Rational(1, 10)});
-  cases.push_back({"paper-four-link-straight",
-                   Chain<Rational>({1, 1, 1, 1}, {1, 1, 1, 1}),
-                   false,
-                   Control::end_point,
-                   {Rational(18, 5), 0},
-                   0});
+  held("paper-two-link", Chain<Rational>({1, 1}, {0, 1}), Rational(8, 5), 0);
+  held("paper-three-link-straight", Chain<Rational>({1, 1, 1}, {0, 1, 1}), Rational(13, 5), 0);
+  held("paper-three-link-zigzag",
+       Chain<Rational>({1, 1, 1}, {0, 1, 1}, {0, Rational(1, 10), Rational(-1, 10)}), Rational(13, 5),
+       Rational(1, 10), true);
+  held("paper-four-link-straight", Chain<Rational>({1, 1, 1, 1}, {1, 1, 1, 1}), Rational(18, 5), 0);
   four("paper-four-link-u", {-3179, 558, 3804, 3524});
   four("paper-four-link-z", {-2417, 6821, -7958, 5170});
 }
@@ -66,7 +54,7 @@ Point<Rational> place_in_reach(Draw& draw, const Rational& reach, const Rational
   }
 }
 
-LoadedCase random_case(const std::string& name, std::size_t n, Control control, std::uint64_t seed) {
+LoadedCase random_case(const std::string& name, std::size_t n, bool held, std::uint64_t seed) {
   Draw draw(name, seed);
   std::vector<Rational> length, stiffness, rest;
   Rational reach(0);
@@ -78,19 +66,10 @@ LoadedCase random_case(const std::string& name, std::size_t n, Control control, 
   }
   const Rational longest = *std::max_element(length.begin(), length.end());
   const Rational force(draw.whole(-100, -10), 100), slope(draw.whole(-30, 30), 100);
-  const Point<Rational> given = control == Control::end_point ? place_in_reach(draw, reach, longest)
-                                                              : Point<Rational>{force, force * slope};
-  return {name,  Chain<Rational>(length, stiffness, rest),
-          false, control,
-          given, control == Control::end_point ? Rational(reach / 2) : Rational(2)};
-}
-
-Chain<Interval> enclosed(const LoadedCase& loaded) {
-  const auto chain = from_rational<Interval>(loaded.chain);
-  if (!loaded.rest_in_pi) return chain;
-  auto rest = chain.rest();
-  for (Interval& angle : rest) angle *= Interval::pi();
-  return Chain<Interval>(chain.length(), chain.stiffness(), rest);
+  const auto load = held ? place_in_reach(draw, reach, longest) : Point<Rational>{force, force * slope};
+  return {{name, Chain<Rational>(length, stiffness, rest), false,
+           held ? proofs::Given::end_point : proofs::Given::force, load},
+          held ? Rational(reach / 2) : Rational(2)};
 }
 
 json exact_list(const std::vector<Rational>& values) {
@@ -99,13 +78,13 @@ json exact_list(const std::vector<Rational>& values) {
   return list;
 }
 
-json description(const LoadedCase& loaded) {
-  return {{"case", loaded.name},
-          {"lengths", exact_list(loaded.chain.length())},
-          {"stiffness", exact_list(loaded.chain.stiffness())},
-          {"rest", exact_list(loaded.chain.rest())},
-          {"rest_unit", loaded.rest_in_pi ? "pi" : "rad"},
-          {"control", loaded.control == Control::end_point ? "end_point" : "force"}};
+json description(const proofs::CensusTask& task) {
+  return {{"case", task.name},
+          {"lengths", exact_list(task.chain.length())},
+          {"stiffness", exact_list(task.chain.stiffness())},
+          {"rest", exact_list(task.chain.rest())},
+          {"rest_unit", task.rest_in_pi ? "pi" : "rad"},
+          {"control", task.control() == Control::end_point ? "end_point" : "force"}};
 }
 
 /// "0" stands for what is within 1e-50 of it.
@@ -116,11 +95,11 @@ std::string certain_digits(const Interval& x) {
 }
 
 Branch<Mpfr50> compressed(const LoadedCase& loaded, const Mpfr50& longest_step) {
-  const auto chain = convert<Mpfr50>(enclosed(loaded), [](const Interval& x) { return Mpfr50(x.middle()); });
+  const auto chain = convert<Mpfr50>(proofs::enclosed_chain(loaded.task), [](const Interval& x) { return Mpfr50(x.middle()); });
   const Model model(chain);
   std::vector<Mpfr50> q = chain.rest();
-  Loading<Mpfr50> loading{loaded.control, {0, 0}, {-1, 0}};
-  if (loaded.control == Control::end_point) {
+  Loading<Mpfr50> loading{loaded.task.control(), {0, 0}, {-1, 0}};
+  if (loaded.task.control() == Control::end_point) {
     loading.start = end_point(chain, q);
     if (chain.passive_joint(0)) {
       q[0] -= atan2(loading.start.y, loading.start.x);
@@ -172,19 +151,14 @@ std::vector<LoadedCase> loaded_cases(ReferenceSize size, std::uint64_t seed) {
   add_paper(cases);
   for (std::size_t n = 2; n <= 5; ++n) {
     for (int i = 1; i <= (size == ReferenceSize::full ? 10 : 2); ++i) {
-      const Control control = i % 2 == 1 ? Control::end_point : Control::force;
-      cases.push_back(random_case(fmt::format("loaded-{}-{:02}", n, i), n, control, seed));
+      cases.push_back(random_case(fmt::format("loaded-{}-{:02}", n, i), n, i % 2 == 1, seed));
     }
   }
   return cases;
 }
 
-std::optional<json> equilibria_entry(const LoadedCase& loaded) {
-  const auto chain = enclosed(loaded);
-  const Point<Interval> given{Interval(loaded.given.x), Interval(loaded.given.y)};
-  const bool held = loaded.control == Control::end_point;
-  const proofs::Census census =
-      held ? proofs::census_at_end_point(chain, given) : proofs::census_under_force(chain, given);
+std::optional<CertifiedEntry> equilibria_entry(const LoadedCase& loaded) {
+  const proofs::Census census = proofs::take_census(loaded.task);
   if (!census.complete()) return std::nullopt;
   json states = json::array();
   for (const proofs::CertifiedEquilibrium& one : census.equilibria) {
@@ -203,10 +177,11 @@ std::optional<json> equilibria_entry(const LoadedCase& loaded) {
     const auto at = [&](std::size_t i) { return states.begin() + static_cast<std::ptrdiff_t>(i); };
     std::sort(at(first), at(last), [](const json& a, const json& b) { return a["angles"] < b["angles"]; });
   }
-  json entry = description(loaded);
-  entry["given"] = exact_list({loaded.given.x, loaded.given.y});
+  json entry = description(loaded.task);
+  entry["given"] = exact_list({loaded.task.load.x, loaded.task.load.y});
   entry["equilibria"] = std::move(states);
-  return entry;
+  return CertifiedEntry{std::move(entry),
+                        proofs::equilibria_certificate(loaded.task, census, certificate_digits)};
 }
 
 std::optional<json> events_entry(const LoadedCase& loaded) {
@@ -216,7 +191,7 @@ std::optional<json> events_entry(const LoadedCase& loaded) {
   json same = json::array();
   for (const auto& event : again.events) same.push_back(event_entry(event));
   if (events != same) return std::nullopt;
-  json entry = description(loaded);
+  json entry = description(loaded.task);
   entry["window"] = proofs::to_exact(loaded.window);
   entry["events"] = std::move(events);
   return entry;

@@ -5,8 +5,8 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <plumbline/loaded/equilibrium.hpp>
 
+#include "proofs/census_task.hpp"
 #include "verify/reference/chains.hpp"
 
 namespace plumbline::verify {
@@ -16,20 +16,21 @@ namespace plumbline::verify {
 inline constexpr int event_digits = 40;
 
 struct LoadedCase {
-  std::string name;
-  Chain<Rational> chain;
-  bool rest_in_pi;        ///< the rest angles are multiples of pi
-  Control control;        ///< what is imposed
-  Point<Rational> given;  ///< the end point, or the force
-  Rational window;        ///< events up to this deflection, or force; 0 for none
+  proofs::CensusTask task;
+  Rational window;  ///< events up to this deflection, or force; 0 for none
 };
 
 /// The paper's chains and random ones of two to five links; the compact ones are among the full ones.
 std::vector<LoadedCase> loaded_cases(ReferenceSize size, std::uint64_t seed);
 
+struct CertifiedEntry {
+  nlohmann::json entry;
+  nlohmann::json certificate;  ///< in the format of proofs/equilibria-certificate-format.md
+};
+
 /// All equilibria under the given load, by energy, each number to the digits that interval arithmetic proves,
 /// 50 at most; the list itself is proved complete. Nothing where that does not succeed.
-std::optional<nlohmann::json> equilibria_entry(const LoadedCase& loaded);
+std::optional<CertifiedEntry> equilibria_entry(const LoadedCase& loaded);
 
 /// Folds, bifurcations and quasi-buckling points in order on the branch through the unloaded shape while the
 /// end point, from where it is then, or the force on it, from nothing, goes along -x. With the end point

@@ -6,6 +6,7 @@
 
 #include "files/sha256.hpp"
 #include "proofs/decimal.hpp"
+#include "proofs/equilibria_certificate.hpp"
 #include "proofs/exactly.hpp"
 #include "proofs/working_precision.hpp"
 #include "verify/reference/loaded.hpp"
@@ -142,6 +143,9 @@ std::vector<NamedText> reference_files(const std::vector<ReferenceEntry>& entrie
   const auto json_text = [&](const char* format, int digits, const char* list, const std::vector<json>& all) {
     return json_file(format, digits, list, all, provenance);
   };
+  const auto certificate_text = [&](const char* format, std::vector<json> all) {
+    return line_by_line(proofs::certificate_file(format, provenance, std::move(all)), "certificates");
+  };
   std::vector<NamedText> files{
       {"chains.csv", chains_csv(entries)},
       {"forces.csv", forces_csv(entries)},
@@ -154,9 +158,11 @@ std::vector<NamedText> reference_files(const std::vector<ReferenceEntry>& entrie
       {"events.csv", events_csv(loaded.events)},
       {"events.json", json_text("events", event_digits, "cases", loaded.events)},
       {"events.schema.json", events_schema_text},
-      {"certificates.json",
-       line_by_line(proofs::certificate_file(provenance, std::move(certificates)), "certificates")},
+      {"certificates.json", certificate_text(proofs::critical_certificates, std::move(certificates))},
       {"certificate.schema.json", certificate_schema_text},
+      {"equilibria-certificates.json",
+       certificate_text(proofs::equilibria_certificates, loaded.certificates)},
+      {"equilibria-certificate.schema.json", equilibria_certificate_schema_text},
       {"README.md", reference_readme_text},
   };
   files.push_back({"datapackage.json", data_package(files, provenance).dump(2) + "\n"});

@@ -36,6 +36,7 @@ struct NamedText {
 /// What is published about loaded chains: reference_loaded.hpp.
 struct LoadedEntries {
   std::vector<nlohmann::json> equilibria, events;
+  std::vector<nlohmann::json> certificates;  ///< of the equilibria
 };
 
 /// All files of the set, README.md and datapackage.json among them.
