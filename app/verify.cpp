@@ -1,9 +1,12 @@
 #include <fmt/core.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
+#include <plumbline/base/error.hpp>
 
 #include "app/arguments.hpp"
 #include "app/outputs.hpp"
@@ -11,6 +14,7 @@
 #include "app/verbs.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/figures/figures.hpp"
+#include "verify/report/errata.hpp"
 #include "verify/report/report.hpp"
 #include "verify/sampled/sampled.hpp"
 
@@ -18,11 +22,18 @@ namespace plumbline::app {
 namespace {
 
 struct Options {
-  std::string section, claim, json, html;
+  std::string section, claim, json, html, errata;
   int precision = 50;
   std::size_t chains = 0;
   std::uint64_t seed = 1;
 };
+
+/// 0 where the output is no terminal.
+std::size_t terminal_columns() {
+  winsize size{};
+  if (isatty(STDOUT_FILENO) == 0) return 0;
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
 
 bool with_colour() {
   return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
@@ -33,7 +44,7 @@ std::vector<verify::DrawnFigure> draw_figures(const std::vector<verify::Judged>&
   std::vector<verify::DrawnFigure> drawn;
   Progress progress("figures", verify::figures().size());
   for (const verify::Figure& figure : verify::figures()) {
-    drawn.push_back({figure.number, figure.title, verify::sentence(figure, judged),
+    drawn.push_back({figure.number, figure.title, verify::verdicts_about(figure, judged),
                      page::as_svg(figure.draw(), figure.columns)});
     progress.advance();
   }
@@ -42,8 +53,12 @@ std::vector<verify::DrawnFigure> draw_figures(const std::vector<verify::Judged>&
 
 void run(const Options& options) {
   Outputs outputs({});
-  files::OutputFile *const json = outputs.open("--json", options.json), *const html = outputs.open(
-                                                                            "--html", options.html);
+  const std::string form = std::filesystem::path(options.errata).extension();
+  if (!options.errata.empty() && form != ".md" && form != ".tex")
+    throw Error("--errata", options.errata, "a file that ends in .md or .tex");
+  files::OutputFile* const json = outputs.open("--json", options.json);
+  files::OutputFile* const html = outputs.open("--html", options.html);
+  files::OutputFile* const errata = outputs.open("--errata", options.errata);
   const std::vector<verify::Claim> claims = verify::in_section(verify::all_claims(), options.section);
   const bool one = !options.claim.empty();
   const std::vector<verify::Claim> chosen = one ? verify::with_id(claims, options.claim) : claims;
@@ -64,10 +79,12 @@ void run(const Options& options) {
     const bool whole = !one && options.section.empty();
     html->write(verify::as_html(judged, whole ? draw_figures(judged) : std::vector<verify::DrawnFigure>{}));
   }
+  if (errata)
+    errata->write(form == ".md" ? verify::errata_as_markdown(judged) : verify::errata_as_latex(judged));
   outputs.commit();
-  if (!json && !html)
+  if (!json && !html && !errata)
     fmt::print("{}", one ? verify::as_detail(judged.front(), with_colour())
-                         : verify::as_table(judged, with_colour()));
+                         : verify::as_table(judged, {with_colour(), terminal_columns()}));
   if (std::any_of(judged.begin(), judged.end(), [](const verify::Judged& j) { return !j.judgement; })) {
     throw CLI::RuntimeError(1);
   }
@@ -101,6 +118,9 @@ void add_verify(CLI::App& app) {
   verb->add_option("--html", options->html,
                    "Write the claims as a page, of the whole paper with its figures redrawn")
       ->type_name("FILE");
+  verb->add_option("--errata", options->errata,
+                   "Write what is to be corrected as a document to send, in Markdown or in LaTeX")
+      ->type_name("FILE.md|.tex");
   verb->footer(
       "A refuted claim of the paper is a finding, not a failure: the exit status is 1 only when a claim "
       "could not "

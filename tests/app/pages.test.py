@@ -321,11 +321,11 @@ class Pages(unittest.TestCase):
                                       ".map(e => [e.dataset.key, e.textContent])"))
         expected = {}
         for claim in self.reports["verify"]:
-            for key in ("where", "statement", "verdict", "truth", "value"):
+            for key in ("where", "quote", "reading", "verdict", "severity", "cause", "truth", "value"):
                 if claim[key]:
                     expected[f"{claim['id']}/{key}"] = claim[key]
             for i, evidence in enumerate(claim["evidence"]):
-                for key in ("kind", "detail"):
+                for key in evidence:
                     expected[f"{claim['id']}/evidence/{i}/{key}"] = evidence[key]
         self.assertEqual(shown, expected)
         undrawn = "[...document.querySelectorAll('.wide img')].filter(i => !i.naturalWidth).length"

@@ -1,31 +1,40 @@
 #pragma once
 /// \file
-/// The claims of the paper, in its order; one list a file of this folder, its function named as the file.
+/// The claims of the paper: what it says (verify/paper) with the checks of this folder, one list of checks a
+/// file, its function named as the file.
+
+#include <utility>
 
 #include "verify/judging/claim.hpp"
 
 namespace plumbline::verify {
+
+/// By the id of the claim that each judges.
+using Checks = std::vector<std::pair<std::string, Check>>;
+
 namespace claims {
 
-std::vector<Claim> two_link();           ///< section 2, (1) to (3) and what is said around them
-std::vector<Claim> first_figures();      ///< section 2, Figures 2, 3, 5 and 6
-std::vector<Claim> three_link_model();   ///< section 2, (4) to (10)
-std::vector<Claim> symbols();            ///< section 2, the symbols of (4) to (9)
-std::vector<Claim> loaded_three_link();  ///< section 3 and 3.1, Fig. 7
-std::vector<Claim> zigzag();             ///< section 3.1, Figures 8 and 9
-std::vector<Claim> loaded_four_link();   ///< section 3.2, Table 1, Figures 11 to 13
-std::vector<Claim> quasi_buckling();     ///< section 3.2, Fig. 14 and the last paragraphs
-std::vector<Claim> three_link();         ///< section 4.1, (13) to (20)
-std::vector<Claim> linearised_model();   ///< section 4.2, (21) to (33)
-std::vector<Claim> eigenvalues();        ///< section 4.2, (34) to (36) and Algorithm 1
-std::vector<Claim> energy();             ///< section 4.2, (37) to (39)
-std::vector<Claim> four_link();          ///< section 4.2, (40), the polynomial, Tables 2 and 3
-std::vector<Claim> energy_surface();     ///< section 4.2, Fig. 16
-std::vector<Claim> discussion();         ///< section 5, what is said about straight chains
+Checks two_link();           ///< section 2, (1) to (3) and what is said around them
+Checks first_figures();      ///< section 2, Figures 2, 3, 5 and 6
+Checks three_link_model();   ///< section 2, (4) to (10)
+Checks symbols();            ///< section 2, the symbols of (4) to (9)
+Checks loaded_three_link();  ///< section 3 and 3.1, Fig. 7
+Checks zigzag();             ///< section 3.1, Figures 8 and 9
+Checks loaded_four_link();   ///< section 3.2, Table 1, Figures 11 to 13
+Checks quasi_buckling();     ///< section 3.2, Fig. 14 and the last paragraphs
+Checks three_link();         ///< section 4.1, (13) to (20)
+Checks linearised_model();   ///< section 4.2, (21) to (33)
+Checks sign_of_force();      ///< sections 2 and 4, the signs of (6), (14), (18), (24), (36) and step 4
+Checks eigenvalues();        ///< section 4.2, (34), (35) and Algorithm 1
+Checks energy();             ///< section 4.2, (37) to (39)
+Checks four_link();          ///< section 4.2, (40), the polynomial, Tables 2 and 3
+Checks energy_surface();     ///< section 4.2, Fig. 16
+Checks spatial_chains();     ///< section 5, chains in space
+Checks discussion();         ///< section 5, prismatic joints, gravity, parameters
 
 }  // namespace claims
 
-/// All of them.
+/// All of them, in the order of the paper. \throws Error where a claim has no check, or a check no claim
 std::vector<Claim> all_claims();
 
 }  // namespace plumbline::verify

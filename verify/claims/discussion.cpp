@@ -1,79 +1,20 @@
 /// \file
-/// Section 5: what the discussion says about straight chains in space, prismatic joints and gravity.
+/// Section 5: what the discussion says about prismatic joints, disturbances, gravity and parameters.
 
 #include <fmt/core.h>
 
 #include <Eigen/LU>
 #include <plumbline/straight/critical_force.hpp>
 
-#include "proofs/decimal.hpp"
-#include "proofs/exact_chain.hpp"
-#include "proofs/exact_matrix.hpp"
+#include "proofs/expression.hpp"
 #include "verify/claims/claims.hpp"
+#include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"
 
 namespace plumbline::verify {
 namespace {
 
 using GiNaC::ex;
-
-/// A straight spatial chain: joint i turns about the second axis (plane 1) or the third (plane 2).
-struct SpatialChain {
-  std::vector<Rational> length{2, 3, 1, 4, 2, 1}, stiffness{1, 2, 3, 1, 2, 4};
-  std::vector<int> plane{1, 2, 1, 2, 2, 1};
-};
-
-/// det of the bordered form K + F S, S the second-order shortening of both planes together, two end-point
-/// constraints.
-Rational spatial_determinant(const SpatialChain& chain, const Rational& F) {
-  const auto n = static_cast<Eigen::Index>(chain.length.size());
-  const Vector<Rational> z = matrix_S0(Chain<Rational>(chain.length, chain.stiffness));
-  Matrix<Rational> M = Matrix<Rational>::Zero(n + 2, n + 2);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const int plane = chain.plane[static_cast<std::size_t>(i)];
-    for (Eigen::Index j = 0; j < n; ++j) {
-      if (chain.plane[static_cast<std::size_t>(j)] == plane) M(i, j) = -F * z(std::max(i, j));
-    }
-    M(i, i) += chain.stiffness[static_cast<std::size_t>(i)];
-    M(i, n + plane - 1) = M(n + plane - 1, i) = z(i);
-  }
-  return proofs::determinant(M);
-}
-
-/// The joints of one plane, the links between them merged.
-Chain<Rational> planar_part(const SpatialChain& chain, int plane) {
-  std::vector<Rational> length;
-  std::vector<Rational> stiffness;
-  for (std::size_t i = 0; i < chain.length.size(); ++i) {
-    if (chain.plane[i] == plane) {
-      length.emplace_back(0);
-      stiffness.push_back(chain.stiffness[i]);
-    }
-    if (!length.empty()) length.back() += chain.length[i];
-  }
-  return Chain<Rational>(length, stiffness);
-}
-
-Judgement spatial(const Printed& printed, int) {
-  const SpatialChain chain;
-  const proofs::Polynomial first = proofs::bordered_determinant(planar_part(chain, 1));
-  const proofs::Polynomial second = proofs::bordered_determinant(planar_part(chain, 2));
-  bool factors = true;
-  // both sides have degree 4 in F: five points would do
-  for (int point = 1; point <= 7; ++point) {
-    const Rational F(point, 2);
-    factors =
-        factors && spatial_determinant(chain, F) == proofs::evaluate(first, F) * proofs::evaluate(second, F);
-  }
-  return judge_word(
-      printed.at(0), factors ? "minimum" : "another", {"minimum", "maximum", "sum", "another"},
-      "the critical forces of the spatial chain are those of its planar parts together; the lowest counts",
-      {{EvidenceKind::theorem, "Decomposition: to second order the two planes do not couple"},
-       {EvidenceKind::exact,
-        fmt::format("six links, joint axes in two orthogonal planes: the bordered determinant "
-                    "is the product of the planar ones at seven forces: {}",
-                    factors)}});
-}
 
 /// The unit chain of two links on a passive base whose links yield axially with stiffness kappa: determinant
 /// of the second variation at the straight equilibrium under F, in (theta_1, theta_2, u_1, u_2), bordered by
@@ -95,31 +36,111 @@ ex prismatic_determinant(const ex& F, const ex& kappa) {
 Judgement prismatic(const Printed& printed, int) {
   const bool rigid_vanishes = prismatic_determinant(2, GiNaC::numeric(9)).is_zero();
   const bool compliant_vanishes = prismatic_determinant(3, GiNaC::numeric(9)).is_zero();
-  const std::string word = compliant_vanishes && !rigid_vanishes ? "changed" : "unchanged";
-  return judge_word(
-      printed.at(0), word, {"changed", "unchanged"},
-      "axial compliance changes the critical force by a relative amount of first order in F/(kappa L): it "
-      "solves F = F_c(L_j - F/kappa_j); two links on a passive base buckle where F (L - F/kappa) = 2k, above "
-      "the rigid chain's 2k/L, and not at all when kappa < 8k/L^2; on an elastic base the force can also "
-      "fall",
-      {{EvidenceKind::theorem,
-        "Prismatic joints: at the straight shape axial and angular variations do not couple, "
-        "and the links are shorter by F/kappa_j"},
+  const bool changed = compliant_vanishes && !rigid_vanishes;
+  // the rigid chain's force for ever stiffer links: the condition on it, as a fraction of kappa^2
+  const ex compliance = GiNaC::realsymbol("c");
+  const bool small =
+      proofs::limit_at_zero(prismatic_determinant(2, 1 / compliance) * pow(compliance, 2), compliance)
+          .is_zero();
+  const std::string word = changed ? "changed" : "unchanged";
+  return {
+      printed.at(0) == word                   ? Verdict::confirmed
+      : printed.at(0) == "unchanged" && small ? Verdict::imprecise
+                                              : Verdict::refuted,
+      printed.at(0) == word
+          ? ""
+          : "to leading order in the deflections only: F solves F = F_c(L_j - F/kappa_j), a relative change "
+            "of first order in F/(kappa L); two links on a passive base buckle where F (L - F/kappa) = 2k, "
+            "above the rigid chain's 2k/L, and not at all when kappa < 8k/L^2",
+      {Evidence::by_theorem("Prismatic joints",
+                            "at the straight shape axial and angular variations do not couple, and the links "
+                            "are shorter by F/kappa_j"),
        {EvidenceKind::symbolic,
-        fmt::format(
-            "two links, k = L = 1, kappa = 9: the second variation of the full potential is singular at F "
-            "= 3: {}, at the rigid chain's F = 2: {}",
-            compliant_vanishes, rigid_vanishes)}});
+        fmt::format("two links, k = L = 1, kappa = 9: the second variation of the full potential is singular "
+                    "at F = 3: {}, at the rigid chain's F = 2: {}; there its determinant over kappa^2 "
+                    "vanishes for kappa -> infinity: {}",
+                    compliant_vanishes, rigid_vanishes, small)}},
+      ""};
 }
 
+/// The shortening of two straight links under F, from the potential kappa (u_1^2 + u_2^2) / 2 - F (u_1 +
+/// u_2).
 Judgement prismatic_deflection(const Printed& printed, int) {
-  const Rational kappa = 9;
-  const Rational F = 1;  // below both critical forces, the chain is straight
-  const Rational compliant = 2 * F / kappa;
-  return judge_word(printed.at(0), compliant > 0 ? "higher" : "equal", {"higher", "equal", "lower"},
-                    "the links shorten by F/kappa_j each",
-                    {{EvidenceKind::exact, "two links, k = L = 1, kappa = 9, F = 1: shortening " +
-                                               compliant.str() + " against 0 of the rigid chain"}});
+  const GiNaC::symbol u1("u1"), u2("u2");
+  const GiNaC::possymbol F("F"), kappa("kappa");
+  const ex x = (1 - u1) + (1 - u2), potential = kappa * (pow(u1, 2) + pow(u2, 2)) / 2 + F * x;
+  const ex found =
+      GiNaC::lsolve(GiNaC::lst{potential.diff(u1) == 0, potential.diff(u2) == 0}, GiNaC::lst{u1, u2});
+  const ex shortening = (2 - x).subs(found).normal();
+  const std::string word = shortening.info(GiNaC::info_flags::positive)   ? "higher"
+                           : shortening.is_zero()                         ? "equal"
+                           : shortening.info(GiNaC::info_flags::negative) ? "lower"
+                                                                          : "open";
+  return judge_word(printed.at(0), word, "the straight chain shortens by " + proofs::text(shortening),
+                    {{EvidenceKind::symbolic,
+                      "two straight links: the potential is stationary where they have shortened by " +
+                          proofs::text(shortening) + "; the rigid chain's deflection is 0"}});
+}
+
+/// The unstable equilibria of a chain whose shapes at an end point form closed curves.
+Judgement disturbance(const Printed& printed, int) {
+  const Rational d(1, 10);
+  const proofs::Census census = held_at(fig7_chain(), unloaded_reach(fig7_chain()) - Interval(d));
+  std::size_t unstable = 0, maxima = 0;
+  for (const auto& one : census.equilibria) {
+    if (one.negative_directions.value() == 0) continue;
+    ++unstable;
+    maxima += one.negative_directions.value() == fig7_chain().size() - 2 ? 1 : 0;
+  }
+  const bool leaves = unstable > 0 && maxima == unstable && unstable < census.equilibria.size();
+  return judge_word(
+      printed.at(0), leaves ? "stable" : "unstable", "a disturbance can lead back",
+      {Evidence::by_theorem("Stability", "an equilibrium with a negative direction is unstable"),
+       {EvidenceKind::interval,
+        fmt::format(
+            "chain of Fig. 7 at 0.1 L, certified census: each of the {} unstable equilibria is a strict "
+            "maximum of E in its only free direction, so that losing energy the chain ends in one of the "
+            "{} minima, whichever the disturbance. With more links an unstable equilibrium can be a "
+            "saddle, which the disturbances of a set of measure zero lead back to",
+            unstable, census.equilibria.size() - unstable)}});
+}
+
+/// What another scale of the force, or of all stiffnesses, does to the curve of two links.
+Judgement other_force(const Printed& printed, int) {
+  const proofs::Formulas f({"k", "L", "q", "alpha", "s"});
+  const ex force = f.parse("2*k*q/(L*sin(alpha+q))"),
+           scaled = force.subs(f.symbol("k") == f.symbol("s") * f.symbol("k"));
+  const bool shift = proofs::identical((scaled - force).diff(GiNaC::ex_to<GiNaC::symbol>(f.symbol("q"))), 0);
+  const bool stretch = proofs::identical(scaled, f.symbol("s") * force);
+  const std::string word = shift ? "shift" : stretch ? "stretch" : "another";
+  return {printed.at(0) == word                 ? Verdict::confirmed
+          : stretch && printed.at(0) == "shift" ? Verdict::convention
+                                                : Verdict::refuted,
+          printed.at(0) == word
+              ? ""
+              : "the forces at every deflection change in proportion: the curve is stretched",
+          {Evidence::by_theorem("Scaling", "all stiffnesses times s: all forces times s"),
+           {EvidenceKind::symbolic, "(1) with s k for k: F times s; the difference depends on q"}},
+          ""};
+}
+
+/// Whether other stiffnesses change the ratio of the forces at two deflections.
+Judgement other_stiffness(const Printed& printed, int) {
+  const auto ratio = [](int third) {
+    const Chain<Interval> chain({1, 1, 1}, {0, 1, third}, fig7_chain().rest());
+    const auto force = [&](const Rational& d) {
+      return held_at(chain, unloaded_reach(chain) - Interval(d)).equilibria.front().fx;
+    };
+    return force(Rational(1, 10)) / force(Rational(6, 10));
+  };
+  const Interval nominal = ratio(1), other = ratio(2);
+  const bool changes = certainly_less(nominal, other) || certainly_less(other, nominal);
+  return judge_word(
+      printed.at(0), changes ? "changes" : "keeps", "the forces keep their ratio",
+      {{EvidenceKind::interval,
+        fmt::format("chain of Fig. 7, certified censuses, least energy: force at 0.1 L over that at "
+                    "0.6 L with k = (0, 1, 1): {}, with k = (0, 1, 2): {}",
+                    certified_decimal(nominal, 5), certified_decimal(other, 5))}});
 }
 
 /// Two links clamped at the base, k = L = 1, each of weight w (towards the base) at its middle: the Hessian
@@ -138,15 +159,28 @@ Judgement gravity_stiffness(const Printed& printed, int) {
   };
   const Rational light = lateral(0);
   const Rational heavy = lateral(Rational(1, 10));
-  return judge_word(printed.at(0), light == heavy ? "unchanged" : "changed", {"changed", "unchanged"},
-                    "gravity along the axis changes the stiffness against lateral motion, as it changes the "
-                    "critical force; it "
-                    "leaves only the straight chain's axial stiffness (infinite) as it is",
-                    {{EvidenceKind::theorem, "Axial gravity"},
-                     {EvidenceKind::exact,
-                      fmt::format("two clamped links, k = L = 1: lateral stiffness dF_y/dy of the straight "
-                                  "chain {} without, {} with link weights of 1/10",
-                                  light.str(), heavy.str())}});
+  const std::string word = light == heavy ? "unchanged" : "changed";
+  // along the axis the straight chain does not yield at all: dx/dq = 0 there
+  const proofs::Formulas f({"a", "b"});
+  const ex x = f.parse("cos(a)+cos(a+b)");
+  bool rigid = true;
+  for (const char* angle : {"a", "b"})
+    rigid = rigid && x.diff(GiNaC::ex_to<GiNaC::symbol>(f.symbol(angle)))
+                         .subs(GiNaC::lst{f.symbol("a") == 0, f.symbol("b") == 0})
+                         .is_zero();
+  return {
+      printed.at(0) == word                   ? Verdict::confirmed
+      : printed.at(0) == "unchanged" && rigid ? Verdict::imprecise
+                                              : Verdict::refuted,
+      printed.at(0) == word ? ""
+                            : "so for the stiffness along the axis, which is infinite in the straight shape; "
+                              "the stiffness against lateral motion changes, as the critical force does",
+      {Evidence::by_theorem("Axial gravity", "the lateral stiffness of the end point becomes strictly less"),
+       {EvidenceKind::exact,
+        fmt::format("two clamped links, k = L = 1: lateral stiffness dF_y/dy of the straight chain {} "
+                    "without, {} with link weights of 1/10",
+                    light.str(), heavy.str())}},
+      ""};
 }
 
 Judgement gravity_critical(const Printed& printed, int) {
@@ -162,31 +196,38 @@ Judgement gravity_critical(const Printed& printed, int) {
   const Rational heavy = critical(Rational(1, 10));
   if (count_below(Chain<Rational>({1, 1}, {1, 1}), light) != 0)
     throw Error("two links", "another critical force", "5/2");
-  return judge_word(printed.at(0), light == heavy ? "unchanged" : "changed", {"changed", "unchanged"},
-                    "weights along the axis change the critical force",
-                    {{EvidenceKind::theorem,
-                      "Axial gravity: strictly lower when it compresses, strictly higher when it stretches"},
-                     {EvidenceKind::exact,
-                      fmt::format("two clamped links, k = L = 1: critical force {} without, {} with link "
-                                  "weights of 1/10 towards the base",
-                                  light.str(), heavy.str())}});
+  return judge_word(
+      printed.at(0), light == heavy ? "unchanged" : "changed",
+      "weights along the axis change the critical force",
+      {Evidence::by_theorem(
+           "Axial gravity",
+           "the critical forces are strictly lower when it compresses, strictly higher when it stretches"),
+       {EvidenceKind::exact,
+        fmt::format("two clamped links, k = L = 1: critical force {} without, {} with link "
+                    "weights of 1/10 towards the base",
+                    light.str(), heavy.str())}});
 }
 
+/// Torques of unit weights at the middles of two links by the joint angles, gravity of any direction.
 Judgement gravity_orthogonal(const Printed& printed, int) {
-  // in-plane part of a unit gravity: zero when it is normal to the plane of motion (x, y)
-  const std::vector<Rational> g = printed.at(0) == "orthogonal" ? std::vector<Rational>{0, 0, -1}
-                                  : printed.at(0) == "parallel"
-                                      ? std::vector<Rational>{0, -1, 0}
-                                      : throw Error("claim", printed.at(0), "orthogonal or parallel");
-  // torque of unit weights at the middles of two straight links about joint 1 and 2: g_y times their levers
-  const Rational torque_1 = g[1] * (Rational(1, 2) + Rational(3, 2));
-  const Rational torque_2 = g[1] * Rational(1, 2);
-  const bool none = torque_1 == 0 && torque_2 == 0;
-  return {none ? Verdict::confirmed : Verdict::refuted,
-          none ? "" : "gravity in the plane of motion loads the joints",
-          {{EvidenceKind::exact, fmt::format("joint torques of unit weights on two unit links: {}, {}",
-                                             torque_1.str(), torque_2.str())}},
-          ""};
+  const proofs::Formulas f({"q1", "q2", "gx", "gy", "gz", "z"});
+  // the middles; the plane of motion is z = const
+  const ex potential =
+      f.parse("-gx*(cos(q1)/2+cos(q1)+cos(q1+q2)/2)-gy*(sin(q1)/2+sin(q1)+sin(q1+q2)/2)-gz*2*z");
+  const bool normal = printed.at(0) == "orthogonal";
+  const GiNaC::lst direction =
+      normal ? GiNaC::lst{f.symbol("gx") == 0, f.symbol("gy") == 0} : GiNaC::lst{f.symbol("gz") == 0};
+  bool none = true;
+  for (const char* angle : {"q1", "q2"})
+    none = none &&
+           proofs::identical(potential.diff(GiNaC::ex_to<GiNaC::symbol>(f.symbol(angle))).subs(direction), 0);
+  return {
+      none ? Verdict::confirmed : Verdict::refuted,
+      none ? "" : "gravity in the plane of motion loads the joints",
+      {{EvidenceKind::symbolic,
+        "two links, weights at their middles: the torques of gravity contain its components in the plane of "
+        "motion alone, in every shape"}},
+      ""};
 }
 
 Judgement gravity_small(const Printed& printed, int) {
@@ -216,43 +257,17 @@ Judgement gravity_small(const Printed& printed, int) {
 
 }  // namespace
 
-std::vector<Claim> claims::discussion() {
+Checks claims::discussion() {
   return {
-      {"spatial-minimum",
-       "5, paragraph 1",
-       "a spatial chain of planar sub-chains buckles at the minimum of their forces",
-       {"minimum"},
-       spatial},
-      {"prismatic-joints",
-       "5, paragraph 2",
-       "prismatic joints do not affect the critical force",
-       {"unchanged"},
-       prismatic},
-      {"prismatic-deflection",
-       "5, paragraph 2",
-       "with prismatic joints the total deflections are higher",
-       {"higher"},
-       prismatic_deflection},
-      {"gravity-orthogonal",
-       "5, paragraph 5",
-       "gravity can be ignored when the plane of motion is orthogonal to it",
-       {"orthogonal"},
-       gravity_orthogonal},
-      {"gravity-axial-stiffness",
-       "5, paragraph 5",
-       "gravity along the axis does not affect the stiffness behaviour",
-       {"unchanged"},
-       gravity_stiffness},
-      {"gravity-axial-critical",
-       "5, paragraph 5",
-       "gravity along the axis changes the critical force",
-       {"changed"},
-       gravity_critical},
-      {"gravity-small",
-       "5, paragraph 5",
-       "gravity acts on these structures like a small disturbance",
-       {"small"},
-       gravity_small},
+      {"prismatic-joints", prismatic},
+      {"prismatic-deflection", prismatic_deflection},
+      {"disturbance", disturbance},
+      {"force-shift", other_force},
+      {"stiffness-shape", other_stiffness},
+      {"gravity-orthogonal", gravity_orthogonal},
+      {"gravity-axial-stiffness", gravity_stiffness},
+      {"gravity-axial-critical", gravity_critical},
+      {"gravity-small", gravity_small},
   };
 }
 

@@ -8,14 +8,12 @@
 #include <plumbline/straight/critical_force.hpp>
 
 #include "proofs/decimal.hpp"
-#include "proofs/enclosure.hpp"
 #include "proofs/exact_chain.hpp"
 #include "proofs/symbolic_chain.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/post_buckling.hpp"
 #include "verify/claims/straight_chains.hpp"
 #include "verify/judging/comparison.hpp"
-#include "verify/sampled/algorithm1_instances.hpp"
 
 namespace plumbline::verify {
 namespace {
@@ -30,12 +28,12 @@ Judgement invertible(const Printed& printed, int) {
     nonzero =
         nonzero && !det.is_zero() && (det + proofs::closed_form_coefficient(chain, 1)).expand().is_zero();
   }
-  return judge_word(printed.at(0), nonzero ? "nonzero" : "zero", {"nonzero", "zero"},
-                    "det B = -sum_i z_i^2 prod_{j != i} k_j",
-                    {{EvidenceKind::theorem,
-                      "Closed form: det B = -sum_i z_i^2 prod_{j != i} k_j, negative unless two joints "
-                      "or more are passive"},
-                     {EvidenceKind::symbolic, "n = 2 … 6: the determinant by minors equals that sum"}});
+  return judge_word(
+      printed.at(0), nonzero ? "nonzero" : "zero", "det B = -sum_i z_i^2 prod_{j != i} k_j",
+      {Evidence::by_theorem("Closed form",
+                            "det B = -sum_i z_i^2 prod_{j != i} k_j, negative unless two joints "
+                            "or more are passive"),
+       {EvidenceKind::symbolic, "n = 2 … 6: the determinant by minors equals that sum"}});
 }
 
 Judgement determinant_A(const Printed& printed, int) {
@@ -43,7 +41,7 @@ Judgement determinant_A(const Printed& printed, int) {
   for (std::size_t n = fewest; n <= most; ++n) {
     zero = zero && proofs::expanded_determinant(matrix_A(proofs::SymbolicChain::generic(n))).is_zero();
   }
-  return judge_word(printed.at(0), zero ? "zero" : "nonzero", {"nonzero", "zero"}, "det A = 0",
+  return judge_word(printed.at(0), zero ? "zero" : "nonzero", "det A = 0",
                     {{EvidenceKind::symbolic, "n = 2 … 6: the last row and column of A vanish"}});
 }
 
@@ -60,8 +58,8 @@ Judgement rank(const Printed& printed, int) {
       "rank(B^-1 A) = n: S1 is invertible, det S1 = (-1)^n L_1 … L_n; the double eigenvalue 0 has "
       "one eigenvector only",
       EvidenceKind::symbolic, "symbolic lengths and stiffnesses");
-  return with_evidence(result, EvidenceKind::theorem,
-                       "Two zeros: rank n for every chain with at most one passive joint");
+  return with_evidence(
+      result, Evidence::by_theorem("Two zeros", "rank n for every chain with at most one passive joint"));
 }
 
 Judgement zeros(const Printed& printed, int) {
@@ -69,7 +67,7 @@ Judgement zeros(const Printed& printed, int) {
       printed.at(0), [](std::size_t n) { return generic_zero(n).algebraic; },
       "the eigenvalue 0 has multiplicity two", EvidenceKind::symbolic,
       "order of lambda in the characteristic polynomial");
-  return with_evidence(result, EvidenceKind::theorem, "Two zeros: multiplicity two for every n");
+  return with_evidence(result, Evidence::by_theorem("Two zeros", "multiplicity two for every n"));
 }
 
 Judgement eigenvectors(const Printed& printed, int) {
@@ -80,8 +78,8 @@ Judgement eigenvectors(const Printed& printed, int) {
       },
       "B^-1 A is defective: it has n independent eigenvectors, n - 1 of the modes and (0, …, 0, 1)",
       EvidenceKind::exact, "distinct non-zero eigenvalues and eigenvectors of the eigenvalue 0");
-  return with_evidence(result, EvidenceKind::theorem,
-                       "Two zeros: one Jordan block of size two at 0; Simple modes");
+  return with_evidence(result,
+                       Evidence::by_theorem("Two zeros", "one Jordan block of size two at 0; Simple modes"));
 }
 
 /// How many vectors of the Jordan chain at zero describe the unbent chain on its axis.
@@ -173,8 +171,8 @@ Judgement shape_count(const Printed& printed, int) {
       printed.at(0), [](std::size_t n) { return 2 * proofs::distinct_critical_forces(unequal_chain(n)); },
       "two shapes, of opposite sign, for each of the n - 1 critical forces", EvidenceKind::exact,
       "distinct roots of det(A F + B), L_i = (3i-1)/i");
-  return with_evidence(result, EvidenceKind::theorem,
-                       "Simple modes: n - 1 critical forces, by Definiteness, all distinct");
+  return with_evidence(
+      result, Evidence::by_theorem("Simple modes", "n - 1 critical forces, by Definiteness, all distinct"));
 }
 
 /// Negative directions of E - F delta_x on the shapes with delta_y = 0, by exact elimination.
@@ -215,106 +213,70 @@ Judgement buckles_at(const Printed& printed, int) {
     found += fmt::format("{}F = {}: {}", found.empty() ? "" : ", ", F.str(), negative);
   }
   return judge_word(
-      printed.at(0), first ? "lowest" : "another", {"lowest", "highest", "another"},
+      printed.at(0), first ? "lowest" : "another",
       "the straight shape loses its stability at the lowest critical force",
-      {{EvidenceKind::theorem,
-        "Stable below the lowest force: E - F delta_x on delta_y = 0 has as many negative directions as "
-        "there "
-        "are critical forces below F"},
+      {Evidence::by_theorem("Stable below the lowest force",
+                            "E - F delta_x on delta_y = 0 has as many negative directions as "
+                            "there "
+                            "are critical forces below F"),
        {EvidenceKind::exact, "unit chain of four links, negative directions by elimination: " + found}});
 }
 
-/// Algorithm 1, run as written in a floating type, against a certified force. \throws Error when they
-/// disagree
-template <Floating Real>
-std::string algorithm1_against(const Chain<Rational>& exact, const Interval& certified) {
-  using std::abs;
-  const Chain<Real> chain = from_rational<Real>(exact);
-  const Real F = algorithm1(chain).front().force;
-  const Matrix<double> B = matrix_B(from_rational<double>(exact));
-  // backward errors of the elimination and of the QR iteration, each bounded by size^3 epsilon times the
-  // condition of B
-  const auto size = static_cast<double>(B.rows());
-  const double condition = B.norm() * B.inverse().norm();
-  const Real bound = Real(size * size * size * condition) * epsilon<Real>();
-  const Real reference(certified.middle());
-  const Real deviation = abs(F - reference) / reference;
-  if (!(deviation < bound))
-    throw Error("Algorithm 1", "number types that disagree", "agreement within rounding");
-  return fmt::format(
-      "Algorithm 1 as written gives 1/max|lambda| within {:.1e} of the certified value, relatively",
-      static_cast<double>(deviation));
+/// How the force of mode 1 begins along its bent shapes, for L = (2, 1), k = (1, k2).
+Rational initial_curvature(const Rational& k2) {
+  const Chain<Rational> chain({2, 1}, {1, k2});
+  const std::vector<Rational> q{1, -3};  // delta_y = 3 q_1 + q_2 = 0
+  const Rational F = energy_factor(chain, q);
+  return post_buckling_curvature(chain, Mode<Rational>{F, q, lateral_force(chain, F, q)});
 }
 
-/// F_x^0 = sign / max |lambda|, against (35) with the lowest force of the unit chain of four links.
-Judgement critical_force(const Printed& printed, int digits) {
+/// printed: what the straight shape is below the critical force, and beyond it
+Judgement straight_until(const Printed& printed, int) {
   const Chain<Rational> chain = four_link_chain();
-  const proofs::Polynomial chi = proofs::characteristic_polynomial(chain);
-  // all coefficients positive: no positive root, so that every non-zero lambda is negative and -1/lambda
-  // positive
-  bool negative_roots = true;
-  for (std::size_t i = 2; i <= chain.size() + 1; ++i) negative_roots = negative_roots && chi.at(i) > 0;
-  const bool right = printed.at(0) == (negative_roots ? "1" : "-1");
-  const proofs::ForceEnclosure lowest = proofs::enclose_critical_forces(chain, 1, 60).front();
-  const Interval F = hull(Interval(lowest.low), Interval(lowest.high));
-  return {right ? Verdict::confirmed : Verdict::refuted,
-          right ? ""
-                : "F_x^0 = +1/max|lambda_i|: every non-zero lambda_i is negative and (35) reads F_x = "
-                  "-1/lambda_i > 0, as "
-                  "Table 3 lists it (0.9240)",
-          {{EvidenceKind::theorem, "Definiteness: all n - 1 forces -1/lambda_i are positive"},
-           {EvidenceKind::exact,
-            fmt::format("unit chain of four links: the coefficients of the characteristic polynomial are "
-                        "all positive: {}",
-                        negative_roots)},
-           {EvidenceKind::interval, "F_x^0 bounded by exact counts: " + F.text(20)},
-           {EvidenceKind::mp50, algorithm1_against<Mpfr50>(chain, F)},
-           {EvidenceKind::real64, algorithm1_against<double>(chain, F)}},
-          certified_decimal(F, digits)};
-}
-
-/// On which side of the critical force the bent shapes begin, for two elastic chains of two links.
-Judgement bends_above(const Printed& printed, int) {
-  // the mode of L = (2, 1): delta_y = 3 q_1 + q_2 = 0
-  const auto curvature = [](const Rational& k2) {
-    const Chain<Rational> chain({2, 1}, {1, k2});
-    const std::vector<Rational> q{1, -3};
-    const Rational F = energy_factor(chain, q);
-    return post_buckling_curvature(chain, Mode<Rational>{F, q, lateral_force(chain, F, q)});
+  const auto word = [&](const Rational& F) {
+    return std::string(negative_directions(chain, F) == 0 ? "stable" : "unstable");
   };
-  const Rational stiff = curvature(1);
-  const Rational soft = curvature(Rational(1, 10));
-  const std::string side = stiff > 0 && soft > 0 ? "above" : stiff < 0 && soft < 0 ? "below" : "either";
-  if (printed.at(0) != "above" && printed.at(0) != "below" && printed.at(0) != "either") {
-    throw Error("claim", printed.at(0), "above, below or either");
-  }
-  const bool right = printed.at(0) == side;
-  const bool on_passive_base = printed.at(0) == "above" && side == "either";  // and of the paper's own chains
-  return {
-      right             ? Verdict::confirmed
-      : on_passive_base ? Verdict::imprecise
-                        : Verdict::refuted,
-      right ? ""
-            : "the straight chain is stable up to the critical force, but on an elastic base bent shapes can "
-              "exist below it "
-              "as well: L = (2, 1), k = (1, 1/10) bifurcates subcritically. On a passive base, and for the "
-              "chains that the "
-              "paper computes, bent shapes near the straight one exist above the critical force only",
-      {{EvidenceKind::theorem,
-        "Supercritical: always on a passive base; on an elastic base either sign of F_2 occurs"},
+  const std::string below = word(Rational(924, 1000)), above = word(Rational(925, 1000));
+  const Rational stiff = initial_curvature(1), soft = initial_curvature(Rational(1, 10));
+  return judge_list(
+      printed, {below, above}, fmt::format("it is {} below and {} beyond", below, above),
+      {Evidence::by_theorem("Stable below the lowest force",
+                            "the straight chain is stable under F exactly for F < F_1"),
        {EvidenceKind::exact,
-        fmt::format("F = F_1 + F_2 a^2 + … for L = (2, 1): F_2 = {} with k = (1, 1), {} with k = (1, 1/10)",
-                    stiff.str(), soft.str())}},
-      ""};
+        fmt::format(
+            "unit chain of four links, elimination at F = 0.924 and 0.925: {}, {}. Bent shapes can exist "
+            "below F_1 as well, on an elastic base: F = F_1 + F_2 a^2 + … for L = (2, 1) has F_2 = {} "
+            "with k = (1, 1), {} with k = (1, 1/10)",
+            below, above, stiff.str(), soft.str())}});
 }
 
+Judgement negative_stiffness(const Printed& printed, int) {
+  const Rational soft = initial_curvature(Rational(1, 10));
+  return judge_word(
+      printed.at(0), soft < 0 ? "feasible" : "unfeasible", "no such state was found",
+      {Evidence::by_theorem("Supercritical",
+                            "on an elastic base the force can fall along the bent shapes of mode 1"),
+       Evidence::by_theorem("Count of shapes", "with the end point held those of mode 1 are stable"),
+       {EvidenceKind::exact,
+        "L = (2, 1), k = (1, 1/10): F = F_1 + F_2 a^2 + … with F_2 = " + soft.str() +
+            ", so the bent shapes next to the straight one have a negative stiffness, are "
+            "unstable under a dead force, and stable with the end point held"}});
+}
+
+/// The number of eigenvalues with multiplicity, and of those that are not zero, from the characteristic
+/// polynomial.
 Judgement listed_eigenvalues(const Printed& printed, int) {
-  const Judgement all = judge_count(
-      printed.at(0), [](std::size_t n) { return n + 1; }, "", EvidenceKind::exact,
-      "eigenvalues of an (n+1) x (n+1) matrix");
+  const auto degree = [](std::size_t n) {
+    return proofs::characteristic_polynomial(unequal_chain(n)).size() - 1;
+  };
+  const Judgement all =
+      judge_count(printed.at(0), degree, "", EvidenceKind::exact, "degrees of the characteristic polynomial");
   const Judgement nonzero = judge_count(
-      printed.at(0), [](std::size_t n) { return n + 1 - generic_zero(n).algebraic; }, "",
-      EvidenceKind::symbolic, "non-zero eigenvalues");
+      printed.at(0),
+      [&](std::size_t n) {
+        return degree(n) - proofs::multiplicity_of_zero(proofs::characteristic_polynomial(unequal_chain(n)));
+      },
+      "", EvidenceKind::exact, "degrees of the characteristic polynomial less the power of lambda in it");
   if (all.verdict == Verdict::confirmed) return all;
   Judgement result = nonzero;
   if (nonzero.verdict == Verdict::confirmed) result.verdict = Verdict::convention;
@@ -349,7 +311,7 @@ Judgement generality(const Printed& printed, int) {
                 : "it serves " + domain +
                       ": two passive joints make B singular (a mechanism), a single link has no "
                       "non-zero eigenvalue",
-          {{EvidenceKind::theorem, "Closed form: det B != 0 exactly when at most one joint is passive"},
+          {Evidence::by_theorem("Closed form", "det B != 0 exactly when at most one joint is passive"),
            {EvidenceKind::exact,
             fmt::format("tried: elastic {}, passive base {}, passive interior joint {}, two passive joints "
                         "{}, one link {}",
@@ -374,61 +336,24 @@ Judgement agrees_with_4_1(const Printed& printed, int) {
 
 }  // namespace
 
-std::vector<Claim> claims::eigenvalues() {
+Checks claims::eigenvalues() {
   return {
-      {"B-invertible", "4.2, before (34)", "B is invertible, det B != 0", {"nonzero"}, invertible},
-      {"eq-34",
-       "4.2, (34)",
-       "(B^-1 A - lambda I) v = 0 with lambda = -1/F_x",
-       {"-1/Fx"},
-       eigenvalue_of_force},
-      {"eigenvectors",
-       "4.2, before (35)",
-       "B^-1 A has the eigenvectors v_1, …, v_{n+1}",
-       {"n+1"},
-       eigenvectors},
-      {"eq-35-force", "4.2, (35)", "F_x = -1/lambda_i", {"-1/lambda"}, force_of_eigenvalue},
-      {"eq-35-mode",
-       "4.2, (35)",
-       "q_j = mu v_ij, F_y = mu v_{i,n+1}",
-       {"mu*v1", "mu*v2", "mu*v3"},
-       scaled_mode},
-      {"two-zeros", "4.2, after (35)", "exactly two eigenvalues are zero", {"2"}, zeros},
-      {"zeros-are-straight",
-       "4.2, after (35)",
-       "the two zero eigenvalues correspond to a straight configuration",
-       {"2"},
-       straight},
-      {"det-A", "4.2, after (35)", "det A = 0", {"zero"}, determinant_A},
-      {"rank", "4.2, after (35)", "rank(B^-1 A) = n - 1", {"n-1"}, rank},
-      {"shape-count", "4.2, before (36)", "there are 2(n-1) possible shapes", {"2*(n-1)"}, shape_count},
-      {"buckles-at-lowest",
-       "4.2, before (36)",
-       "buckling happens at the lowest of the equilibrium loadings",
-       {"lowest"},
-       buckles_at},
-      {"straight-until-critical",
-       "4, first paragraph",
-       "like Euler's column, the chain keeps its straight shape until the load exceeds the critical force",
-       {"above"},
-       bends_above},
-      {"eq-36", "4.2, (36)", "critical force F_x^0 = -1/max|lambda_i|", {"-1"}, critical_force},
-      {"algorithm-1-general",
-       "4.2, before Algorithm 1",
-       "it applies to arbitrary link lengths and joint stiffnesses",
-       {"arbitrary"},
-       generality},
-      {"algorithm-1-step-3",
-       "4.2, Algorithm 1",
-       "step 3: the eigenvalues lambda_1 … lambda_{n-1} of B^-1 A",
-       {"n-1"},
-       listed_eigenvalues},
-      {"algorithm-1-step-4", "4.2, Algorithm 1", "step 4: F_x^0 = -1/max|lambda_i|", {"-1"}, critical_force},
-      {"agrees-with-4.1",
-       "4.2, last paragraph",
-       "the method agrees with the critical force of 4.1, k/L",
-       {"1"},
-       agrees_with_4_1},
+      {"B-invertible", invertible},
+      {"eq-34", eigenvalue_of_force},
+      {"eigenvectors", eigenvectors},
+      {"eq-35-force", force_of_eigenvalue},
+      {"eq-35-mode", scaled_mode},
+      {"two-zeros", zeros},
+      {"zeros-are-straight", straight},
+      {"det-A", determinant_A},
+      {"rank", rank},
+      {"shape-count", shape_count},
+      {"buckles-at-lowest", buckles_at},
+      {"straight-until-critical", straight_until},
+      {"negative-stiffness", negative_stiffness},
+      {"algorithm-1-general", generality},
+      {"algorithm-1-step-3", listed_eigenvalues},
+      {"agrees-with-4.1", agrees_with_4_1},
   };
 }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <map>
 #include <plumbline/straight/critical_force.hpp>
 
 #include "proofs/exact_chain.hpp"
@@ -10,6 +12,7 @@
 #include "verify/claims/claims.hpp"
 #include "verify/claims/straight_chains.hpp"
 #include "verify/judging/comparison.hpp"
+#include "verify/paper/paper.hpp"
 
 namespace plumbline::verify {
 namespace {
@@ -71,11 +74,12 @@ Judgement factor_order(const Printed& printed, int) {
   const ex F = GiNaC::realsymbol("F");
   for (std::size_t n = fewest; n <= most; ++n)
     equal = equal && proofs::energy_factor_of_mode(n, F).is_equal(F);
-  return judge_word(printed.at(0), equal ? "largest" : "another", {"largest", "smallest", "another"},
-                    "mu_i^0 = -1/lambda_i: the smallest factor belongs to the largest |lambda|",
-                    {{EvidenceKind::theorem,
-                      "Energy factor: mu_i^0 = F_i = -1/lambda_i exactly, for every mode of every chain"},
-                     {EvidenceKind::symbolic, "n = 2 … 6: (29) and (30) inserted in (39) leave F"}});
+  return judge_word(
+      printed.at(0), equal ? "largest" : "another",
+      "mu_i^0 = -1/lambda_i: the smallest factor belongs to the largest |lambda|",
+      {Evidence::by_theorem("Energy factor",
+                            "mu_i^0 = F_i = -1/lambda_i exactly, for every mode of every chain"),
+       {EvidenceKind::symbolic, "n = 2 … 6: (29) and (30) inserted in (39) leave F"}});
 }
 
 /// Negative directions at a small bent shape of mode m, among those that keep the end point: one for each
@@ -92,8 +96,7 @@ Judgement first_mode(const Printed& printed, int) {
     found += fmt::format("{}mode {}: {}", m == 0 ? "" : ", ", m + 1, index);
   }
   const std::string which = stable == "1" ? "minimum" : "another";
-  return judge_word(printed.at(0), which, {"minimum", "maximum", "another"},
-                    "only the mode of the minimum energy is stable",
+  return judge_word(printed.at(0), which, "only the mode of the minimum energy is stable",
                     {{EvidenceKind::exact,
                       "unit chain of four links, negative directions of the energy at the small bent shape "
                       "under an imposed end point: " +
@@ -105,38 +108,62 @@ Judgement energy_count(const Printed& printed, int) {
       printed.at(0), [](std::size_t n) { return proofs::distinct_critical_forces(unequal_chain(n)); },
       "n - 1 energies E_i = F_i delta_x, each of two mirrored shapes", EvidenceKind::exact,
       "distinct roots of det(A F + B), L_i = (3i-1)/i");
-  return with_evidence(result, EvidenceKind::theorem,
-                       "Energy factor: mu_i = F_i; by Simple modes they are distinct");
+  return with_evidence(
+      result, Evidence::by_theorem("Energy factor", "mu_i = F_i; by Simple modes they are distinct"));
+}
+
+/// The printed numbers of the equations that a later one can follow from.
+Judgement reference(const Printed& printed, const std::map<std::string, std::string>& claims,
+                    const std::function<bool(const Printed&)>& follows, const std::string& truth,
+                    const std::string& how) {
+  const auto found = claims.find(printed.at(0));
+  if (found == claims.end()) throw Error("claim", "(" + printed.at(0) + ")", "an equation near by");
+  const bool right = follows(printed_in_paper(found->second));
+  return {
+      right ? Verdict::confirmed : Verdict::refuted, right ? "" : truth, {{EvidenceKind::symbolic, how}}, ""};
+}
+
+/// (37) is the energy of joint angles mu v_ij: only an equation that introduces mu can lead to it.
+Judgement reference_of_37(const Printed& printed, int) {
+  return reference(
+      printed,
+      {{"32", "eq-31-33"}, {"33", "eq-31-33"}, {"34", "eq-34"}, {"35", "eq-35-mode"}, {"36", "eq-36"}},
+      [](const Printed& equation) {
+        return std::any_of(equation.begin(), equation.end(),
+                           [](const std::string& entry) { return entry.find("mu") != std::string::npos; });
+      },
+      "(37) follows from (35), q_j = mu v_ij; (32) has neither mu nor v_ij",
+      "q = mu v of (35) in sum k q^2 / 2 and (25) gives (37): eq-37; which of the equations before it have "
+      "mu");
+}
+
+/// Energies at one deflection: an equation between E_i and delta_x without the scale mu.
+Judgement reference_of_39(const Printed& printed, int) {
+  Judgement result = reference(
+      printed, {{"37", "eq-37"}, {"38", "eq-38"}, {"39", "eq-39"}},
+      [](const Printed& equation) {
+        return std::any_of(equation.begin(), equation.end(),
+                           [](const std::string& entry) { return entry.find("dx") != std::string::npos; });
+      },
+      "the relation of E_i to delta_x is (38)",
+      "(38) has E_i by delta_x; (37) has both by mu, from which (38) follows");
+  // (37) leads there too, by eliminating mu
+  if (result.verdict == Verdict::refuted && printed.at(0) == "37") result.verdict = Verdict::convention;
+  return result;
 }
 
 }  // namespace
 
-std::vector<Claim> claims::energy() {
-  const std::string k_sum = "k1*v1^2+k2*v2^2+k3*v3^2+k4*v4^2";
-  const std::string L_sum = "L1*v1^2+L2*(v1+v2)^2+L3*(v1+v2+v3)^2+L4*(v1+v2+v3+v4)^2";
+Checks claims::energy() {
   return {
-      {"eq-37",
-       "4.2, (37)",
-       "E_i and delta_x of a mode",
-       {"mu^2/2*(" + k_sum + ")", "mu^2/2*(" + L_sum + ")"},
-       mode_energy},
-      {"eq-38", "4.2, (38)", "E_i = mu_i^0 delta_x", {"f*dx"}, energy_law},
-      {"eq-39", "4.2, (39)", "energy factor mu_i^0", {"(" + k_sum + ")/(" + L_sum + ")"}, factor},
-      {"energy-count",
-       "4.2, after (39)",
-       "for one delta_x there are n-1 shapes with different energies",
-       {"n-1"},
-       energy_count},
-      {"first-mode-observed",
-       "4.2, after (39)",
-       "the mode with the minimum energy factor is the one observed",
-       {"minimum"},
-       first_mode},
-      {"factor-order",
-       "4.2, after (39)",
-       "the minimum of mu_i^0 belongs to the largest |lambda_i|",
-       {"largest"},
-       factor_order},
+      {"eq-37", mode_energy},
+      {"eq-38", energy_law},
+      {"eq-39", factor},
+      {"energy-count", energy_count},
+      {"first-mode-observed", first_mode},
+      {"factor-order", factor_order},
+      {"reference-37", reference_of_37},
+      {"reference-39", reference_of_39},
   };
 }
 

@@ -47,7 +47,7 @@ std::string summary() {
 }
 
 Judgement of_census(const std::string& printed, const std::string& found, const std::string& truth) {
-  return judge_word(printed, found, {printed, found}, truth, {{EvidenceKind::interval, summary()}});
+  return judge_word(printed, found, truth, {{EvidenceKind::interval, summary()}});
 }
 
 /// What a function E(q1, q2) of a chain with two constraints has had eliminated.
@@ -74,11 +74,12 @@ Judgement stability(const Printed& printed, int) {
   }
   if (found.empty()) throw Error("claim", printed.at(0), "minimum, saddle or maximum");
   return judge_word(
-      printed.at(1), found, {"stable", "unstable"},
+      printed.at(1), found,
       "the minima (U) are the stable, the maxima (Z) the unstable equilibria: the words are interchanged",
-      {{EvidenceKind::theorem,
-        "Stability: with the end point held, stable is where E has a strict minimum, and what has a negative "
-        "direction is not"},
+      {Evidence::by_theorem(
+           "Stability",
+           "with the end point held, stable is where E has a strict minimum, and what has a negative "
+           "direction is not"),
        {EvidenceKind::interval, summary()}});
 }
 
@@ -119,13 +120,18 @@ Judgement global(const Printed& printed, int) {
   return of_census(printed.at(0), equal ? "global" : "local", "some of them are only local");
 }
 
-/// "U stable, Z unstable, ZU unstable"
+/// Shape and stability, each shape once.
 Judgement shapes(const Printed& printed, int) {
-  std::set<std::string> found;
-  for (const auto& one : census().equilibria)
-    found.insert(word(one) + (one.negative_directions == 0 ? " stable" : " unstable"));
-  const std::string list = fmt::format("{}", fmt::join(found, ", "));
-  return of_census(printed.at(0), list, "the equilibria are " + list);
+  std::map<std::string, std::string> found;
+  for (const auto& one : census().equilibria) {
+    std::string& here = found[word(one)];
+    const std::string kind = one.negative_directions == 0 ? "stable" : "unstable";
+    here = here.empty() || here == kind ? kind : "either";
+  }
+  std::vector<std::string> list;
+  for (const auto& [shape, kind] : found) list.insert(list.end(), {shape, kind});
+  return judge_list(printed, list, fmt::format("the equilibria are {}", fmt::join(list, " ")),
+                    {{EvidenceKind::interval, summary()}});
 }
 
 Judgement preferred(const Printed& printed, int) {
@@ -134,50 +140,12 @@ Judgement preferred(const Printed& printed, int) {
 
 }  // namespace
 
-std::vector<Claim> claims::energy_surface() {
+Checks claims::energy_surface() {
   return {
-      {"fig-16-excluded",
-       "4.2, before Fig. 16",
-       "E(q1, q2) is obtained by excluding q2, q3",
-       {"q2", "q3"},
-       excluded},
-      {"fig-16-maxima",
-       "4.2, before Fig. 16",
-       "the maxima of E(q1, q2) are the stable equilibria",
-       {"maximum", "stable"},
-       stability},
-      {"fig-16-minima",
-       "4.2, before Fig. 16",
-       "the minima of E(q1, q2) are the unstable equilibria",
-       {"minimum", "unstable"},
-       stability},
-      {"fig-16-saddles",
-       "4.2, before Fig. 16",
-       "the saddle points are unstable equilibria",
-       {"saddle", "unstable"},
-       stability},
-      {"fig-16-kinds",
-       "4.2, Fig. 16",
-       "at 0.5 L E has two minima, two saddles and two maxima",
-       {"2 minima, 2 saddles, 2 maxima"},
-       kinds},
-      {"fig-16-global", "4.2, Fig. 16", "the maxima and the minima are global", {"global"}, global},
-      {"fig-16-count",
-       "4.2, before Fig. 16",
-       "at 0.5 L there are six equilibria, two stable and four unstable",
-       {"6: 2 stable, 4 unstable"},
-       totals},
-      {"fig-16-sheets", "4.2, Fig. 16", "the function E(q1, q2) has all six equilibria", {"6"}, sheets},
-      {"fig-16-shapes",
-       "4.2, before Fig. 16",
-       "the stable ones have the U-shape, the unstable ones Z- and ZU-shapes",
-       {"U stable, Z unstable, ZU unstable"},
-       shapes},
-      {"fig-16-prefers",
-       "4.2, before Fig. 16",
-       "at 0.5 L the U-shape still has the least energy",
-       {"U"},
-       preferred},
+      {"fig-16-excluded", excluded}, {"fig-16-maxima", stability}, {"fig-16-minima", stability},
+      {"fig-16-saddles", stability}, {"fig-16-kinds", kinds},      {"fig-16-global", global},
+      {"fig-16-count", totals},      {"fig-16-sheets", sheets},    {"fig-16-shapes", shapes},
+      {"fig-16-prefers", preferred},
   };
 }
 

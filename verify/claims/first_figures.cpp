@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <map>
 #include <plumbline/chain/linearised.hpp>
 
 #include "proofs/census.hpp"
@@ -42,10 +43,10 @@ Judgement straight_below(const Printed& printed, int) {
   const std::vector<Interval> at = minima(Interval(0), Interval(Rational(199, 100)));
   const bool straight = at.size() == 1 && at[0].contains_zero();
   return judge_word(
-      printed.at(0), straight ? "none" : "some", {"none", "some"},
-      "below F_c the only stable shape is the straight one",
-      {{EvidenceKind::theorem,
-        "Two links: for F <= 2k/L V >= (2k - FL) q^2, with equality at q = 0 only (V as in (3), alpha = 0)"},
+      printed.at(0), straight ? "none" : "some", "below F_c the only stable shape is the straight one",
+      {Evidence::by_theorem(
+           "Two links",
+           "for F <= 2k/L V >= (2k - FL) q^2, with equality at q = 0 only (V as in (3), alpha = 0)"),
        {EvidenceKind::interval, fmt::format("F = 1.99 k/L: minima of V for -pi < q < pi isolated: {}, {}",
                                             at.size(), straight ? "q = 0" : "not at q = 0")}});
 }
@@ -59,10 +60,10 @@ Judgement bent_above(const Printed& printed, int) {
     bent = bent && count == 2 && certainly_negative(at[0]) && certainly_positive(at[1]);
   }
   return judge_word(
-      printed.at(0), bent ? "bent" : "straight", {"bent", "straight"},
-      "above F_c the straight shape is a maximum of V",
-      {{EvidenceKind::interval,
-        fmt::format("minima of V at F = 2.01, 2.5 and 4 k/L: {} each, mirror images with q != 0", count)}});
+      printed.at(0), bent ? "bent" : "straight", "above F_c the straight shape is a maximum of V",
+      {Evidence::at_points(
+           fmt::format("minima of V at F = 2.01, 2.5 and 4 k/L: {} each, mirror images with q != 0", count)),
+       Evidence::by_theorem("Two links", "for F > 2k/L the straight shape is no minimum")});
 }
 
 /// Whether the deflection of the stable shape grows with the force: "depends", else "fixed".
@@ -81,9 +82,9 @@ std::string dependence(const Interval& alpha, const std::vector<Rational>& force
 Judgement shape_depends(const Printed& printed, int) {
   std::string note;
   const std::string word = dependence(Interval(0), {Rational(201, 100), Rational(25, 10), Rational(4)}, note);
-  return judge_word(
-      printed.at(0), word, {"depends", "fixed"}, "the deflection at the minimum grows with F",
-      {{EvidenceKind::interval, "deflections / L at the minima for F = 2.01, 2.5, 4 k/L: " + note}});
+  return judge_word(printed.at(0), word, "the deflection at the minimum grows with F",
+                    {Evidence::at_points("deflections / L at the minima for F = 2.01, 2.5, 4 k/L: " + note),
+                     Evidence::by_theorem("Two links", "force and deflection grow strictly with q")});
 }
 
 Judgement bent_minimum(const Printed& printed, int) {
@@ -94,9 +95,10 @@ Judgement bent_minimum(const Printed& printed, int) {
           ? "nonzero"
           : "zero";
   return judge_word(
-      printed.at(0), word, {"nonzero", "zero"}, "the minimum moves away from 0 as the force grows",
-      {{EvidenceKind::interval,
-        "alpha = pi/6, F = 0.5, 1, 2, 3 k/L: deflections / L at the minimum with alpha + q > 0: " + note}});
+      printed.at(0), word, "the minimum moves away from 0 as the force grows",
+      {Evidence::at_points(
+           "alpha = pi/6, F = 0.5, 1, 2, 3 k/L: deflections / L at the minimum with alpha + q > 0: " + note),
+       Evidence::by_theorem("Two links", "force and deflection grow strictly with q")});
 }
 
 Judgement through_zero(const Printed& printed, int) {
@@ -120,12 +122,13 @@ Judgement resists(const Printed& printed, int) {
   const auto pushed = certain_sign(work, Interval(Rational(1, 100)), Interval(Rational(26, 10)));
   const auto pulled = certain_sign(work, Interval(Rational(-52, 100)), Interval(Rational(-1, 100)));
   return judge_word(
-      printed.at(0), pushed == 1 && pulled == 1 ? "resists" : "does not", {"resists", "does not"},
+      printed.at(0), pushed == 1 && pulled == 1 ? "resists" : "does not",
       "the force has the sign of the deflection",
-      {{EvidenceKind::theorem,
-        "Two links: for 0 < alpha + q < pi F = 2kq/(L sin(alpha+q)) and Delta = 2L(cos alpha - cos(alpha+q)) "
-        "both have the "
-        "sign of q"},
+      {Evidence::by_theorem(
+           "Two links",
+           "for 0 < alpha + q < pi F = 2kq/(L sin(alpha+q)) and Delta = 2L(cos alpha - cos(alpha+q)) "
+           "both have the "
+           "sign of q"),
        {EvidenceKind::interval, "alpha = pi/6: F Delta > 0 for q in [-0.52, -0.01] and [0.01, 2.6]"}});
 }
 
@@ -145,23 +148,22 @@ Judgement equilibria(const Printed& printed, int) {
     const std::string count = std::to_string(held_at(straight_chain(), Interval(3 - d)).equilibria.size());
     found = found.empty() || found == count ? count : "changing";
   }
-  return judge_word(printed.at(0), found, {printed.at(0), found}, found + " equilibria at a deflection",
-                    {{EvidenceKind::interval, where}});
+  return judge_word(printed.at(0), found, found + " equilibria at a deflection",
+                    {Evidence::at_points(where)});
 }
 
-/// "U stable, Z unstable" when that is so of every equilibrium.
 Judgement stable_letters(const Printed& printed, int) {
-  std::string found;
+  std::map<char, std::string> found;
   for (const Rational& d : deflections) {
     for (const auto& one : held_at(straight_chain(), Interval(3 - d)).equilibria) {
-      const bool stable = one.negative_directions.value() == 0, arch = letter(one).front() == 'U';
-      const std::string word = stable == arch ? "U stable, Z unstable" : "another";
-      found = found.empty() || found == word ? word : "another";
+      std::string& word = found[letter(one).front()];
+      const std::string here = one.negative_directions.value() == 0 ? "stable" : "unstable";
+      word = word.empty() || word == here ? here : "changing";
     }
   }
-  return judge_word(
-      printed.at(0), found, {"U stable, Z unstable", "Z stable, U unstable", "another"}, found,
-      {{EvidenceKind::interval, where + ": type and signs of both bends of every equilibrium"}});
+  return judge_list(printed, {"U", found['U'], "Z", found['Z']},
+                    fmt::format("U is {}, Z is {}", found['U'], found['Z']),
+                    {Evidence::at_points(where + ": type and signs of both bends of every equilibrium")});
 }
 
 Judgement like_column(const Printed& printed, int) {
@@ -169,12 +171,12 @@ Judgement like_column(const Printed& printed, int) {
   // (16): mode 1 has F = k/L and the orientations (1, 0, -1)
   const Interval curvature = post_buckling_curvature<Interval>(
       chain, {Interval(1), {Interval(1), Interval(-1), Interval(-1)}, Interval(0)});
-  return judge_word(
-      printed.at(0), certainly_positive(curvature) ? "supercritical" : "subcritical",
-      {"supercritical", "subcritical"}, "bent shapes exist on the other side of the critical force",
-      {{EvidenceKind::theorem,
-        "Supercritical: F = F_m + F_2 a^2 + … with F_2 > 0 on a passive base, and so for Euler's column"},
-       {EvidenceKind::interval, "F_2 of the U-shape in " + curvature.text(5) + " k/L"}});
+  return judge_word(printed.at(0), certainly_positive(curvature) ? "supercritical" : "subcritical",
+                    "bent shapes exist on the other side of the critical force",
+                    {Evidence::by_theorem(
+                         "Supercritical",
+                         "F = F_m + F_2 a^2 + … with F_2 > 0 on a passive base, and so for Euler's column"),
+                     {EvidenceKind::interval, "F_2 of the U-shape in " + curvature.text(5) + " k/L"}});
 }
 
 /// The U-shape that a nearly straight chain takes, by the sign of both rest angles.
@@ -189,7 +191,7 @@ Judgement which_side(const Printed& printed, int) {
   const std::string left = side(-1), right = side(1);
   const bool chosen = left == "U+" && right == "U-";
   return judge_word(
-      printed.at(0), chosen ? "the perturbation" : "nothing", {"the perturbation", "nothing"},
+      printed.at(0), chosen ? "the perturbation" : "nothing",
       "the observed shape does not depend on the rest angles",
       {{EvidenceKind::interval,
         fmt::format("slowly compressed to 0.3 L the chain with alpha_1 = alpha_2 = -pi/60 is {}, with "
@@ -213,7 +215,8 @@ Judgement only_stable(const Printed& printed, int) {
                     small, large, observed)}},
       ""};
   if (printed.at(0) == observed && printed.at(1) == found) return result;
-  result.verdict = printed.at(0) == observed ? Verdict::imprecise : Verdict::refuted;
+  result.verdict =
+      printed.at(0) == observed && printed.at(1) == "the only stable" ? Verdict::imprecise : Verdict::refuted;
   result.truth = fmt::format("slow compression leads to {}; it is {}, and the other is reached by a push",
                              observed, found);
   return result;
@@ -288,13 +291,12 @@ Judgement beyond(const Printed& printed, int) {
   const bool continuous =
       grows == 1 && deflects == 1 && start.is_zero() && leading.info(GiNaC::info_flags::positive);
   return judge_word(
-      printed.at(0), continuous ? "continuously" : "with a jump", {"continuously", "with a jump"},
-      "the shape jumps again",
-      {{EvidenceKind::theorem,
-        "U of three links: F = k phi/(L sin phi) and Delta = 2L(1 - cos phi) are analytic and strictly "
-        "increasing for 0 < phi "
-        "< "
-        "2 pi/3: N = sin phi - phi cos phi has N(0) = 0, N' = phi sin phi > 0"},
+      printed.at(0), continuous ? "continuously" : "with a jump", "the shape jumps again",
+      {Evidence::by_theorem("U of three links",
+                            "F = k phi/(L sin phi) and Delta = 2L(1 - cos phi) are analytic and strictly "
+                            "increasing for 0 < phi "
+                            "< "
+                            "2 pi/3: N = sin phi - phi cos phi has N(0) = 0, N' = phi sin phi > 0"),
        {EvidenceKind::symbolic, "(phi, -phi, -phi) satisfies (6) with that force; Delta/L -> " +
                                     proofs::text(start) +
                                     " for phi -> 0, so that the shape does not jump at F_c either"},
@@ -313,61 +315,29 @@ Judgement shapes(const Printed& printed, int) {
     const std::string here = std::string(u ? "U" : "") + (z ? "Z" : "") + (more ? "?" : "");
     found = found.empty() || found == here ? here : "changing";
   }
-  return judge_word(printed.at(0), found, {printed.at(0), found}, "the equilibria have the shapes " + found,
-                    {{EvidenceKind::interval, where + ": signs of both bends of every equilibrium"}});
+  return judge_word(printed.at(0), found, "the equilibria have the shapes " + found,
+                    {Evidence::at_points(where + ": signs of both bends of every equilibrium")});
 }
 
 }  // namespace
 
-std::vector<Claim> claims::first_figures() {
+Checks claims::first_figures() {
   return {
-      {"fig-2a",
-       "2, Fig. 2a",
-       "up to the critical force the straight chain does not deflect",
-       {"none"},
-       straight_below},
-      {"fig-2b-shape", "2, Fig. 2b", "above F_c the stable shape is not straight", {"bent"}, bent_above},
-      {"fig-2b-force", "2, Fig. 2b", "the stable shape depends on the force", {"depends"}, shape_depends},
-      {"fig-3a-zero", "2, Fig. 3a", "alpha != 0: the curve passes through (0, 0)", {"0", "0"}, through_zero},
-      {"fig-3a-spring", "2, Fig. 3a", "alpha != 0: the chain always resists the load", {"resists"}, resists},
-      {"fig-3b-minimum",
-       "2, Fig. 3b",
-       "alpha != 0: the minimum has Delta != 0, depending on F",
-       {"nonzero"},
-       bent_minimum},
-      {"fig-5-like-column",
-       "2, Fig. 5",
-       "the straight three-link chain behaves like Euler's column",
-       {"supercritical"},
-       like_column},
-      {"fig-5-count", "2, Fig. 5", "there are four equilibria U+, U-, Z+, Z-", {"4"}, equilibria},
-      {"fig-5-stable", "2, Fig. 5", "only U+ and U- are stable", {"U stable, Z unstable"}, stable_letters},
-      {"fig-5-side",
-       "2, Fig. 5",
-       "small perturbations of the rest angles decide between U+ and U-",
-       {"the perturbation"},
-       which_side},
-      {"fig-5b-only",
-       "2, Fig. 5b",
-       "for (epsilon, epsilon) the initial U+ is the only stable shape that can be observed",
-       {"U+", "the only stable"},
-       only_stable},
-      {"fig-5b-name",
-       "2, Fig. 5b",
-       "the chain with (alpha1, alpha2) = (epsilon, epsilon) is initially U+",
-       {"U+"},
-       quasi_straight_name},
-      {"fig-5-sines",
-       "2, Fig. 5",
-       "U- and Z-shapes correspond to the half sine and the sine of the column",
-       {"half sine", "full sine"},
-       sines},
-      {"three-link-beyond",
-       "2, last paragraph",
-       "once it has buckled the shape changes continuously while the load grows",
-       {"continuously"},
-       beyond},
-      {"fig-6-shapes", "2, Fig. 6", "after buckling there are U- and Z-shapes", {"UZ"}, shapes},
+      {"fig-2a", straight_below},
+      {"fig-2b-shape", bent_above},
+      {"fig-2b-force", shape_depends},
+      {"fig-3a-zero", through_zero},
+      {"fig-3a-spring", resists},
+      {"fig-3b-minimum", bent_minimum},
+      {"fig-5-like-column", like_column},
+      {"fig-5-count", equilibria},
+      {"fig-5-stable", stable_letters},
+      {"fig-5-side", which_side},
+      {"fig-5b-only", only_stable},
+      {"fig-5b-name", quasi_straight_name},
+      {"fig-5-sines", sines},
+      {"three-link-beyond", beyond},
+      {"fig-6-shapes", shapes},
   };
 }
 

@@ -3,11 +3,14 @@
 
 #include <fmt/core.h>
 
-#include <plumbline/chain/linearised.hpp>
+#include <algorithm>
+#include <sstream>
 
 #include "proofs/symbolic_statics.hpp"
 #include "verify/claims/claims.hpp"
+#include "verify/claims/sign_of_force.hpp"
 #include "verify/judging/comparison.hpp"
+#include "verify/judging/matrix_formula.hpp"
 
 namespace plumbline::verify {
 namespace {
@@ -86,55 +89,250 @@ Judgement full_jacobian(const Printed& printed, int) {
                         "derivatives of the end point by the joint angles, n = 4");
 }
 
-/// Virtual work: E - F.p is stationary; its derivative is K q - J^T F = -(M + J^T F) with M of (24).
+Rational number(const ex& e) {
+  Rational value;
+  std::istringstream(proofs::text(e.normal())) >> value;
+  return value;
+}
+
+Matrix<Rational> column(const std::vector<Rational>& entries) {
+  Matrix<Rational> result(static_cast<Eigen::Index>(entries.size()), 1);
+  for (std::size_t i = 0; i < entries.size(); ++i) result(static_cast<Eigen::Index>(i), 0) = entries[i];
+  return result;
+}
+
+Matrix<Rational> scalar(const Rational& x) {
+  return Matrix<Rational>::Constant(1, 1, x);
+}
+
+/// One chain, shape and force in numbers: L = (2, 3, 5, 7), k = (1, 4, 6, 9), q = (3, -1, 4, 1), F = (7/2,
+/// -5).
+struct Example {
+  std::vector<Rational> length{2, 3, 5, 7}, stiffness{1, 4, 6, 9}, q{3, -1, 4, 1};
+  Rational Fx{7, 2}, Fy{-5};
+};
+
+/// (22) at links of the directions (c, s) = (3/5, 4/5) and so on: the gradient of E + F_x x + F_y y by the
+/// joint angles, F positive in compression as in (6).
 Judgement equilibrium(const Printed& printed, int) {
-  const proofs::SymbolicShape shape = general_shape();
-  const ex Fx = formulas().symbol("Fx");
-  const ex Fy = formulas().symbol("Fy");
-  ex potential = -Fx * end_point(shape)(0, 0) - Fy * end_point(shape)(1, 0);
-  for (unsigned i = 0; i < n; ++i) potential += shape.stiffness[i] * pow(shape.q[i], 2) / 2;
-  const int sign = std::stoi(printed.at(0) + "1");  // of M = ∓ K q
-  const GiNaC::matrix J = jacobian(shape);
-  bool right = true;
-  for (unsigned i = 0; i < n; ++i) {
-    const ex residual = sign * shape.stiffness[i] * shape.q[i] + J(0, i) * Fx + J(1, i) * Fy;
-    right = right && proofs::identical(residual, -derivative(potential, shape.q[i]));
+  const Example example;
+  const std::vector<Rational> c{Rational(3, 5), Rational(12, 13), Rational(-8, 17), Rational(4, 5)},
+      s{Rational(4, 5), Rational(-5, 13), Rational(15, 17), Rational(3, 5)};
+  const proofs::Formulas turns({"t1", "t2", "t3", "t4"});
+  ex x = 0, y = 0;
+  GiNaC::lst directions;
+  for (unsigned j = 0; j < n; ++j) {
+    const ex t = turns.symbol(fmt::format("t{}", j + 1)), L = turns.parse(example.length[j].str());
+    x += L * cos(t);
+    y += L * sin(t);
+    directions.append(cos(t) == turns.parse(c[j].str()));
+    directions.append(sin(t) == turns.parse(s[j].str()));
   }
+  Matrix<Rational> J(2, n), K = Matrix<Rational>::Zero(n, n);
+  std::vector<Rational> torque, gradient;
+  for (unsigned i = 0; i < n; ++i) {
+    J(0, i) = J(1, i) = 0;
+    ex dx = 0, dy = 0;  // joint i + 1 turns all links from there on
+    for (unsigned j = i; j < n; ++j) {
+      J(0, i) -= example.length[j] * s[j];
+      J(1, i) += example.length[j] * c[j];
+      dx += derivative(x, turns.symbol(fmt::format("t{}", j + 1)));
+      dy += derivative(y, turns.symbol(fmt::format("t{}", j + 1)));
+    }
+    torque.push_back(example.stiffness[i] * example.q[i]);
+    gradient.push_back(torque.back() + example.Fx * number(dx.subs(directions)) +
+                       example.Fy * number(dy.subs(directions)));
+  }
+  const auto residual =
+      evaluated(printed.at(0), {{"J", J}, {"M", column(torque)}, {"F", column({example.Fx, example.Fy})}});
+  const bool right = residual && *residual == column(gradient);
   return {right ? Verdict::confirmed : Verdict::refuted,
-          right ? "" : "with F the force on the end point, M = -K q: the springs resist",
-          {{EvidenceKind::symbolic, "gradient of the potential E - F.p, n = 4: zero where J^T F - K q = 0"}},
+          right ? "" : "M + J^T F = 0",
+          {{EvidenceKind::exact,
+            "four links in rationals: the printed left side equals the gradient of E + F_x x + F_y y by the "
+            "joint "
+            "angles, with M = K q and F positive in compression as in (6)"}},
           ""};
 }
 
-Judgement torque_sign(const Printed& printed, int) {
-  const std::string coefficient = equilibrium({"-"}, 0).verdict == Verdict::confirmed ? "-1" : "1";
-  const std::string opposite = coefficient == "1" ? "-1" : "1";  // what it is for the opposite force
-  const Verdict verdict = printed.at(0) == coefficient ? Verdict::confirmed
-                          : printed.at(0) == opposite  ? Verdict::convention
-                                                       : Verdict::refuted;
-  return {verdict,
-          verdict == Verdict::confirmed ? ""
-                                        : "M = +K q in J^T F + M = 0, as in (6), (14), (18), (29), makes F "
-                                          "the force that the chain exerts on its "
-                                          "surroundings (compression positive); M = -K q, as in (24), makes "
-                                          "it the force on the chain (compression "
-                                          "negative). The paper uses both",
-          {{EvidenceKind::symbolic,
-            "gradient of E - F.p: for the force on the end point M = " + coefficient + " K q"}},
+/// K, S1, S0, q, F_x, F_y of the example, S1 and S0 as the first-order parts of its kinematics.
+NamedMatrices linear_model() {
+  const Example example;
+  proofs::SymbolicShape shape;
+  const ex epsilon = GiNaC::realsymbol("epsilon");
+  for (const Rational& L : example.length) shape.length.push_back(formulas().parse(L.str()));
+  for (const Rational& k : example.stiffness) shape.stiffness.push_back(formulas().parse(k.str()));
+  Matrix<Rational> S1(n, n), K = Matrix<Rational>::Zero(n, n);
+  std::vector<Rational> S0;
+  for (unsigned j = 0; j < n; ++j) {
+    shape.q.assign(n, 0);
+    shape.q[j] = epsilon;  // joint j alone turns
+    const GiNaC::matrix J = jacobian(shape);
+    for (unsigned i = 0; i < n; ++i) S1(i, j) = number(proofs::series_coefficient(J(0, i), epsilon, 1));
+    S0.push_back(number(proofs::series_coefficient(J(1, j), epsilon, 0)));
+    K(j, j) = example.stiffness[j];
+  }
+  return {{"K", K},
+          {"S1", S1},
+          {"S0", column(S0)},
+          {"q", column(example.q)},
+          {"Fx", scalar(example.Fx)},
+          {"Fy", scalar(example.Fy)}};
+}
+
+/// First-order parts of the balance (22) and of delta_y, with q and F_y of first order, from the kinematics.
+Matrix<Rational> linear_sides() {
+  const Example example;
+  proofs::SymbolicShape shape;
+  const ex epsilon = GiNaC::realsymbol("epsilon");
+  for (unsigned i = 0; i < n; ++i) {
+    shape.length.push_back(formulas().parse(example.length[i].str()));
+    shape.stiffness.push_back(formulas().parse(example.stiffness[i].str()));
+    shape.q.push_back(epsilon * formulas().parse(example.q[i].str()));
+  }
+  const GiNaC::matrix balance = proofs::torque_balance(shape, formulas().parse(example.Fx.str()),
+                                                       epsilon * formulas().parse(example.Fy.str()));
+  std::vector<Rational> sides;
+  for (unsigned i = 0; i < n; ++i)
+    sides.push_back(number(proofs::series_coefficient(balance(i, 0), epsilon, 1)));
+  sides.push_back(number(proofs::series_coefficient(deflections(shape)[1], epsilon, 1)));
+  return column(sides);
+}
+
+const std::string how_linear =
+    "L = (2, 3, 5, 7), k = (1, 4, 6, 9), q = (3, -1, 4, 1), F = (7/2, -5) in rationals, against the "
+    "first-order part "
+    "of ";
+
+/// (29), term by term; its sign of K as the smallest set of corrections leaves it.
+Judgement linear_equilibrium(const Printed& printed, int) {
+  if (printed.size() != 3) throw Error("claim", fmt::format("{} terms", printed.size()), "3");
+  const NamedMatrices model = linear_model();
+  const int sign = printed[0].starts_with('-') ? -1 : 1;
+  Matrix<Rational> expected = linear_sides().topRows(n);
+  if (sign < 0) expected -= Rational(2) * model.at("K") * model.at("q");
+  Matrix<Rational> total = Matrix<Rational>::Zero(n, 1);
+  bool right = true;
+  for (const std::string& term : printed) {
+    const auto value = evaluated(term, model);
+    right = right && value && value->rows() == n && value->cols() == 1;
+    if (right) total += *value;
+  }
+  right = right && total == expected;
+  Signs signs = printed_signs();
+  signs["(29)"] = sign;
+  Judgement result = judge_place("(29)", signs);
+  if (!right) result.verdict = Verdict::refuted;
+  result.truth = result.verdict == Verdict::confirmed ? "" : "K q + S1 q F_x + S0 F_y = 0";
+  return with_evidence(result, {EvidenceKind::exact, how_linear + "(22)"});
+}
+
+/// (30): the first-order part of delta_y.
+Judgement constraint(const Printed& printed, int) {
+  const auto value = evaluated(printed.at(0), linear_model());
+  const bool right = value && *value == scalar(linear_sides()(n, 0));
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : "S0^T q = 0",
+          {{EvidenceKind::exact, how_linear + "delta_y in (21)"}},
           ""};
+}
+
+/// A block of the size that its place demands; "0" fits everywhere.
+std::optional<Matrix<Rational>> block(const std::string& text, Eigen::Index rows, Eigen::Index columns,
+                                      const NamedMatrices& model) {
+  if (text == "0") return Matrix<Rational>(Matrix<Rational>::Zero(rows, columns));
+  const auto value = evaluated(text, model);
+  return value && value->rows() == rows && value->cols() == columns ? value : std::nullopt;
+}
+
+/// printed: (32), the blocks of A, of B and of v in (33), by rows
+Judgement blocks(const Printed& printed, int) {
+  if (printed.size() != 11) throw Error("claim", fmt::format("{} blocks", printed.size()), "11");
+  NamedMatrices model = linear_model();
+  const Judgement wrong{Verdict::refuted,
+                        "(A F_x + B) v with A = [S1 0; 0 0], B = [K S0; S0^T 0], v = [q; F_y]",
+                        {{EvidenceKind::exact, how_linear + "(22) and delta_y in (21)"}},
+                        ""};
+  const auto square = [&](std::size_t first) -> std::optional<Matrix<Rational>> {
+    Matrix<Rational> whole(n + 1, n + 1);
+    for (std::size_t b = 0; b < 4; ++b) {
+      const Eigen::Index row = b < 2 ? 0 : n, col = b % 2 == 0 ? 0 : n;
+      const auto part = block(printed[first + b], row == 0 ? n : 1, col == 0 ? n : 1, model);
+      if (!part) return std::nullopt;
+      whole.block(row, col, part->rows(), part->cols()) = *part;
+    }
+    return whole;
+  };
+  const auto A = square(1), B = square(5);
+  const auto q = block(printed[9], n, 1, model), Fy = block(printed[10], 1, 1, model);
+  if (!A || !B || !q || !Fy) return wrong;
+  Matrix<Rational> v(n + 1, 1);
+  v << *q, *Fy;
+  const auto pencil = evaluated(printed[0], {{"A", *A}, {"B", *B}, {"Fx", model.at("Fx")}});
+  if (!pencil || pencil->cols() != v.rows() || Matrix<Rational>(*pencil * v) != linear_sides()) return wrong;
+  Judgement right = wrong;
+  right.verdict = Verdict::confirmed;
+  right.truth = "";
+  return right;
+}
+
+/// (29) and (30) in symbols, row by row, from the kinematics.
+std::vector<ex> linear_rows() {
+  const Scaled scaled;
+  const GiNaC::matrix balance =
+      proofs::torque_balance(scaled.shape, formulas().symbol("Fx"), scaled.epsilon * formulas().symbol("Fy"));
+  std::vector<ex> rows;
+  for (unsigned i = 0; i < n; ++i)
+    rows.push_back(proofs::series_coefficient(balance(i, 0), scaled.epsilon, 1));
+  rows.push_back(proofs::series_coefficient(deflections(scaled.shape)[1], scaled.epsilon, 1));
+  return rows;
+}
+
+std::vector<ex> linear_unknowns() {
+  std::vector<ex> unknowns = symbols("q");
+  unknowns.push_back(formulas().symbol("Fx"));
+  unknowns.push_back(formulas().symbol("Fy"));
+  return unknowns;
 }
 
 Judgement counts(const Printed& printed, int) {
-  const Chain<Rational> chain(std::vector<Rational>(n, 1), std::vector<Rational>(n, 1));
-  const Eigen::Index equations = matrix_A(chain).rows();
-  const Eigen::Index unknowns = matrix_A(chain).cols() + 1;  // v and F_x
-  const std::string found = fmt::format("n+{} equations, n+{} unknowns", equations - n, unknowns - n);
-  const bool right = printed.at(0) == found;
-  return {right ? Verdict::confirmed : Verdict::refuted,
-          right ? "" : found,
-          {{EvidenceKind::exact, fmt::format("n = 4: A and B are {} x {}, the unknowns are q, F_y and F_x",
-                                             equations, matrix_A(chain).cols())}},
-          ""};
+  const std::vector<ex> rows = linear_rows(), candidates = linear_unknowns();
+  const auto occurs = [&](const ex& unknown) {
+    return std::any_of(rows.begin(), rows.end(), [&](const ex& row) { return row.has(unknown); });
+  };
+  const auto unknowns = static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(), occurs));
+  const std::string found = fmt::format("n+{} equations, n+{} unknowns", rows.size() - n, unknowns - n);
+  return judge_word(
+      printed.at(0), found, found,
+      {{EvidenceKind::symbolic,
+        fmt::format("n = 4: the first-order parts of (22) and of delta_y are {} rows, in which {} of "
+                    "q_1 … q_4, F_x, F_y occur",
+                    rows.size(), unknowns)}});
+}
+
+/// The highest degree of (29) and (30) in all unknowns together, and at a given F_x.
+Judgement degree(const Printed& printed, int) {
+  const ex t = GiNaC::realsymbol("t");
+  const auto together = [&](const std::vector<ex>& unknowns) {
+    GiNaC::lst scaled;
+    for (const ex& unknown : unknowns) scaled.append(unknown == t * unknown);
+    int most = 0;
+    for (const ex& row : linear_rows()) most = std::max(most, row.subs(scaled).expand().degree(t));
+    return most;
+  };
+  std::vector<ex> all = linear_unknowns(), at_force = symbols("q");
+  at_force.push_back(formulas().symbol("Fy"));
+  const int both = together(all), given = together(at_force);
+  const std::string found = both == 1 ? "linear" : "bilinear";
+  return {
+      printed.at(0) == found                    ? Verdict::confirmed
+      : printed.at(0) == "linear" && given == 1 ? Verdict::convention
+                                                : Verdict::refuted,
+      printed.at(0) == found ? ""
+                             : "linear in q and F_y at a given F_x; in all n + 2 unknowns bilinear, by q F_x",
+      {{EvidenceKind::symbolic,
+        fmt::format("n = 4: degree of the rows in q, F_x, F_y together {}, in q and F_y {}", both, given)}},
+      ""};
 }
 
 Judgement nonlinear_counts(const Printed& printed, int) {
@@ -168,10 +366,10 @@ Judgement linear_word(const Printed& printed, int) {
   const int order_x = proofs::leading_order(d[0], scaled.epsilon);
   const int order_y = proofs::leading_order(d[1], scaled.epsilon);
   const bool right = printed.at(0) == std::to_string(order_x) && printed.at(1) == std::to_string(order_y);
-  const bool nearly = printed.at(1) == std::to_string(order_y);
-  return {right    ? Verdict::confirmed
-          : nearly ? Verdict::imprecise
-                   : Verdict::refuted,
+  const bool lowest_order = printed.at(0) == "1" && printed.at(1) == std::to_string(order_y);
+  return {right          ? Verdict::confirmed
+          : lowest_order ? Verdict::convention
+                         : Verdict::refuted,
           right
               ? ""
               : fmt::format(
@@ -220,135 +418,24 @@ Judgement s0_vector(const Printed& printed, int) {
                         "second row of (23) at q = 0, n = 4");
 }
 
-/// (22) with (24), to first order: row i of -K q + S1 q F_x + S0 F_y.
-Judgement linear_equilibrium(const Printed& printed, int) {
-  const ex Fx = formulas().symbol("Fx");
-  const ex Fy = formulas().symbol("Fy");
-  const std::vector<ex> q = symbols("q");
-  ex torque = 0;
-  for (unsigned j = 0; j < n; ++j) torque += s1_entry(0, j) * q[j];
-  const ex spring = symbols("k")[0] * q[0];
-  const ex load = torque * Fx + (symbols("L")[0] + symbols("L")[1] + symbols("L")[2] + symbols("L")[3]) * Fy;
-  const int sign = std::stoi(printed.at(0) + "1");
-  const ex row = sign * spring + load;
-  const bool right = proofs::proportional(row, load - spring);
-  const bool other_convention = proofs::proportional(row, load + spring);
-  return {right ? Verdict::confirmed : Verdict::refuted,
-          right ? ""
-                : "from (22), (24) and (27) follows -K q + S1 q F_x + S0 F_y = 0; (29) as printed holds for "
-                  "the opposite "
-                  "force, compression positive, that is with M = +K q as in (6)",
-          {{EvidenceKind::symbolic, fmt::format("first row for n = 4: the printed one is a multiple of (22) "
-                                                "with (24): {}; of (22) with M = +K q: {}",
-                                                right, other_convention)}},
-          ""};
-}
-
-Judgement constraint(const Printed& printed, int) {
-  const Scaled scaled;
-  return judge_formulas(formulas(), printed, {scaled.leading(deflections(scaled.shape)[1])}, {"delta_y"},
-                        "first-order part of delta_y in (21), n = 4");
-}
-
-/// (A F_x ± B) v against the left sides of (29) and (30), computed from S1, S0 and K one by one.
-Judgement blocks(const Printed& printed, int) {
-  const Chain<Rational> chain({2, 3, 5, 7}, {1, 4, 6, 9});
-  const Matrix<Rational> A = matrix_A(chain);
-  const Matrix<Rational> B = matrix_B(chain);
-  const Matrix<Rational> S1 = matrix_S1(chain);
-  const Vector<Rational> S0 = matrix_S0(chain);
-  Vector<Rational> v(5);
-  v << 3, -1, 4, 1, -5;
-  const Rational Fx(7, 2);
-  const Vector<Rational> q = v.head(4);
-  Vector<Rational> expected(5);
-  for (Eigen::Index i = 0; i < 4; ++i) {
-    expected(i) = chain.stiffness()[static_cast<std::size_t>(i)] * q(i) + (S1 * q)(i)*Fx + S0(i) * v(4);
-  }
-  expected(4) = S0.dot(q);
-  const int sign = std::stoi(printed.at(0) + "1");
-  const bool right = Vector<Rational>((A * Fx + Rational(sign) * B) * v) == expected;
-  return {right ? Verdict::confirmed : Verdict::refuted,
-          right ? "" : "(A F_x + B) v = 0",
-          {{EvidenceKind::exact,
-            "L = (2,3,5,7), k = (1,4,6,9), v = (3,-1,4,1,-5), F_x = 7/2: (A F_x + B) v equals the left "
-            "sides of (29) and (30)"}},
-          ""};
-}
-
 }  // namespace
 
-std::vector<Claim> claims::linearised_model() {
-  const Printed tails{"L1+L2+L3+L4", "L2+L3+L4", "L3+L4", "L4"};
-  const Printed s1{
-      "-(L1+L2+L3+L4)", "-(L2+L3+L4)", "-(L3+L4)", "-L4", "-(L2+L3+L4)", "-(L2+L3+L4)", "-(L3+L4)", "-L4",
-      "-(L3+L4)",       "-(L3+L4)",    "-(L3+L4)", "-L4", "-L4",         "-L4",         "-L4",      "-L4"};
+Checks claims::linearised_model() {
   return {
-      {"eq-21",
-       "4.2, (21)",
-       "deflections (delta_x, delta_y) of the straight chain's end point",
-       {"L1+L2+L3+L4-L1*cos(q1)-L2*cos(q1+q2)-L3*cos(q1+q2+q3)-L4*cos(q1+q2+q3+q4)",
-        "L1*sin(q1)+L2*sin(q1+q2)+L3*sin(q1+q2+q3)+L4*sin(q1+q2+q3+q4)"},
-       geometry},
-      {"eq-22-24",
-       "4.2, (22), (24)",
-       "equilibrium is M + J^T F = 0 with M = -(k_1 q_1, …, k_n q_n)",
-       {"-"},
-       equilibrium},
-      {"torque-sign",
-       "4.1, (14), and 2, (6)",
-       "equilibrium is M + J^T F = 0 with M = +(0, k q_1, k q_2)",
-       {"1"},
-       torque_sign},
-      {"eq-23",
-       "4.2, (23)",
-       "kinematic Jacobian of n links",
-       {"-L1*sin(q1)-L2*sin(q1+q2)-L3*sin(q1+q2+q3)-L4*sin(q1+q2+q3+q4)",
-        "-L2*sin(q1+q2)-L3*sin(q1+q2+q3)-L4*sin(q1+q2+q3+q4)", "-L3*sin(q1+q2+q3)-L4*sin(q1+q2+q3+q4)",
-        "-L4*sin(q1+q2+q3+q4)", "L1*cos(q1)+L2*cos(q1+q2)+L3*cos(q1+q2+q3)+L4*cos(q1+q2+q3+q4)",
-        "L2*cos(q1+q2)+L3*cos(q1+q2+q3)+L4*cos(q1+q2+q3+q4)", "L3*cos(q1+q2+q3)+L4*cos(q1+q2+q3+q4)",
-        "L4*cos(q1+q2+q3+q4)"},
-       full_jacobian},
-      {"linearised",
-       "4.2, before (25)",
-       "for small angles the geometry (21) can be linearized, which gives (25)",
-       {"1", "1"},
-       linear_word},
-      {"eq-25",
-       "4.2, (25)",
-       "delta_x = sum L_j (q_1+…+q_j)^2 / 2, delta_y = sum L_j (q_1+…+q_j)",
-       {"(L1*q1^2+L2*(q1+q2)^2+L3*(q1+q2+q3)^2+L4*(q1+q2+q3+q4)^2)/2",
-        "L1*q1+L2*(q1+q2)+L3*(q1+q2+q3)+L4*(q1+q2+q3+q4)"},
-       small_geometry},
-      {"eq-26",
-       "4.2, (26)",
-       "Jacobian for small angles",
-       {"-L1*q1-L2*(q1+q2)-L3*(q1+q2+q3)-L4*(q1+q2+q3+q4)", "-L2*(q1+q2)-L3*(q1+q2+q3)-L4*(q1+q2+q3+q4)",
-        "-L3*(q1+q2+q3)-L4*(q1+q2+q3+q4)", "-L4*(q1+q2+q3+q4)", tails[0], tails[1], tails[2], tails[3]},
-       small_jacobian_entries},
-      {"eq-28-S1", "4.2, (27), (28)", "S1 has the entries -(L_m + … + L_n), m = max(i, j)", s1, s1_matrix},
-      {"eq-28-S0", "4.2, (27), (28)", "S0 has the entries L_i + … + L_n", tails, s0_vector},
-      {"eq-29", "4.2, (29)", "(22) becomes K q + S1 q F_x + S0 F_y = 0", {"+"}, linear_equilibrium},
-      {"eq-30",
-       "4.2, (30)",
-       "delta_y = 0 is S0^T q = 0",
-       {"(L1+L2+L3+L4)*q1+(L2+L3+L4)*q2+(L3+L4)*q3+L4*q4"},
-       constraint},
-      {"unknowns-nonlinear",
-       "4.2, before (25)",
-       "(22) with (21) are n+2 equations for n+2 unknowns",
-       {"n+2 equations, n+2 unknowns"},
-       nonlinear_counts},
-      {"unknowns",
-       "4.2, before (31)",
-       "(29) and (30) are n+1 equations with n+2 unknowns",
-       {"n+1 equations, n+2 unknowns"},
-       counts},
-      {"eq-31-33",
-       "4.2, (31) to (33)",
-       "(29) and (30) are (A F_x + B) v = 0 with the blocks of (33)",
-       {"+"},
-       blocks},
+      {"eq-21", geometry},
+      {"eq-22", equilibrium},
+      {"eq-23", full_jacobian},
+      {"linearised", linear_word},
+      {"eq-25", small_geometry},
+      {"eq-26", small_jacobian_entries},
+      {"eq-28-S1", s1_matrix},
+      {"eq-28-S0", s0_vector},
+      {"eq-29", linear_equilibrium},
+      {"eq-30", constraint},
+      {"unknowns-nonlinear", nonlinear_counts},
+      {"unknowns", counts},
+      {"extended-linear", degree},
+      {"eq-31-33", blocks},
   };
 }
 

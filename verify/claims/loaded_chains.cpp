@@ -3,22 +3,25 @@
 #include <fmt/core.h>
 
 #include <boost/math/tools/roots.hpp>
+#include <map>
 #include <plumbline/branch/point_at_load.hpp>
 #include <plumbline/branch/sharpen.hpp>
 #include <plumbline/branch/slow_loading.hpp>
 #include <plumbline/loaded/nominal_model.hpp>
 
+#include "proofs/decimal.hpp"
 #include "proofs/exactly.hpp"
 #include "verify/judging/sign.hpp"
+#include "verify/paper/paper.hpp"
 
 namespace plumbline::verify {
 
 namespace {
 
-Chain<Interval> unit_chain(const std::vector<int>& ten_thousandths) {
+/// Four unit links at rest at the first four printed angles.
+Chain<Interval> unit_chain(const Printed& printed) {
   std::vector<Interval> rest;
-  rest.reserve(ten_thousandths.size());
-  for (const int angle : ten_thousandths) rest.emplace_back(Rational(angle, 10000));
+  for (std::size_t i = 0; i < 4; ++i) rest.emplace_back(proofs::parse_decimal(printed.at(i)).value());
   return Chain<Interval>({1, 1, 1, 1}, {1, 1, 1, 1}, rest);
 }
 
@@ -86,10 +89,10 @@ Chain<Interval> fig8_chain() {
 }
 
 Chain<Interval> u_shaped_chain() {
-  return unit_chain({-3179, 558, 3804, 3524});
+  return unit_chain(printed_in_paper("table-1-u"));
 }
 Chain<Interval> z_shaped_chain() {
-  return unit_chain({-2417, 6821, -7958, 5170});
+  return unit_chain(printed_in_paper("table-1-z"));
 }
 
 Matrix<Rational> bent_jacobian(std::size_t n) {
@@ -115,9 +118,15 @@ Interval table_1_reach() {
 }
 
 proofs::Census held_at(const Chain<Interval>& chain, const Interval& x) {
+  static std::map<std::string, proofs::Census> known;  // many claims look at the same ones
+  std::string key = x.text(60);
+  for (const auto& numbers : {chain.length(), chain.stiffness(), chain.rest()})
+    for (const Interval& number : numbers) key += " " + number.text(60);
+  const auto found = known.find(key);
+  if (found != known.end()) return found->second;
   proofs::Census census = proofs::census_at_end_point(chain, {x, Interval(0)});
   if (!census.complete()) throw Error("census", "undecided boxes", "a regular deflection");
-  return census;
+  return known.emplace(key, std::move(census)).first->second;
 }
 
 std::string types(const proofs::Census& census) {

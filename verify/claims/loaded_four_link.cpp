@@ -14,6 +14,7 @@
 #include "verify/claims/claims.hpp"
 #include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"
+#include "verify/paper/paper.hpp"
 
 namespace plumbline::verify {
 namespace {
@@ -53,25 +54,35 @@ Judgement freedom(const Printed& printed, int) {
                      EvidenceKind::exact, "n less the rank of J in rationals, bent shape");
 }
 
-/// Where the end point of a chain of Table 1 may be: each printed angle stands for all that round to it.
-Point<Interval> place_in_table(const Chain<Interval>& chain) {
-  const Interval half(Rational(1, 20000));
-  std::vector<Interval> q = chain.rest();
-  for (Interval& angle : q) angle = hull(angle - half, angle + half);
-  return end_point(chain, q);
+/// A printed angle: all that round to it.
+Interval rounded(const std::string& decimal) {
+  const std::optional<Rational> angle = proofs::parse_decimal(decimal);
+  const std::size_t point = decimal.find('.');
+  if (!angle || point == std::string::npos) throw Error("claim", "'" + decimal + "'", "an angle");
+  Rational half(1, 2);
+  for (std::size_t i = point + 1; i < decimal.size(); ++i) half /= 10;
+  return hull(Interval(Rational(*angle - half)), Interval(Rational(*angle + half)));
 }
 
-Judgement table1_place(const Chain<Interval>& chain, const Printed& printed) {
-  const Point<Interval> p = place_in_table(chain), middle = end_point(chain, chain.rest());
-  const bool right = p.x.contains(proofs::parse_decimal(printed.at(0)).value()) &&
-                     p.y.contains(proofs::parse_decimal(printed.at(1)).value());
-  const std::string found =
-      fmt::format("({}, {}) L", certified_decimal(middle.x, 6), certified_decimal(middle.y, 3));
-  return {right ? Verdict::confirmed : Verdict::refuted,
-          right ? "" : "the end point is " + found,
-          {{EvidenceKind::interval, "direct kinematics: " + found + " at the printed angles, in " +
-                                        p.x.text(5) + ", " + p.y.text(5) + " for all that round to them"}},
-          ""};
+/// Where the end point of a unit chain with four printed angles may be.
+Point<Interval> place_of(const Printed& printed) {
+  std::vector<Interval> q;
+  for (std::size_t i = 0; i < 4; ++i) q.push_back(rounded(printed.at(i)));
+  return end_point(Chain<Interval>({1, 1, 1, 1}, {1, 1, 1, 1}, {0, 0, 0, 0}), q);
+}
+
+/// printed: four angles, x and y
+Judgement table1_place(const Printed& printed, int) {
+  if (printed.size() != 6) throw Error("claim", fmt::format("{} entries", printed.size()), "6");
+  const Point<Interval> p = place_of(printed);
+  const bool right = p.x.contains(proofs::parse_decimal(printed[4]).value()) &&
+                     p.y.contains(proofs::parse_decimal(printed[5]).value());
+  const std::string found = fmt::format("({}, {}) L", p.x.text(6), p.y.text(6));
+  return {
+      right ? Verdict::confirmed : Verdict::refuted,
+      right ? "" : "the end point is in " + found,
+      {{EvidenceKind::interval, "direct kinematics for all angles that round to the printed ones: " + found}},
+      ""};
 }
 
 /// (11): what the initial displacement of both rows of Table 1 is.
@@ -79,16 +90,16 @@ Judgement initial_displacement(const Printed& printed, int) {
   const Rational stated = proofs::parse_decimal(printed.at(0)).value();
   bool right = true;
   std::vector<std::string> found;
-  for (const Chain<Interval>& chain : {u_shaped_chain(), z_shaped_chain()}) {
-    right = right && (Interval(4) - place_in_table(chain).x).contains(stated);
-    found.push_back(certified_decimal(Interval(4) - end_point(chain, chain.rest()).x, 4));
+  for (const char* row : {"table-1-u", "table-1-z"}) {
+    const Interval displacement = Interval(4) - place_of(printed_in_paper(row)).x;
+    right = right && displacement.contains(stated);
+    found.push_back(displacement.text(5));
   }
   const std::string list = fmt::format("{} L", fmt::join(found, " L and "));
-  return {
-      right ? Verdict::confirmed : Verdict::refuted,
-      right ? "" : "Delta_x is " + list,
-      {{EvidenceKind::interval, "4 L - x_0 at the angles of Table 1: " + list + ", within their rounding"}},
-      ""};
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : "Delta_x is in " + list,
+          {{EvidenceKind::interval, "4 L - x_0 for all angles that round to those of Table 1: " + list}},
+          ""};
 }
 
 /// (12) against (11) and (21): delta_x = x_0 - x.
@@ -103,29 +114,35 @@ Judgement loaded_deflection(const Printed& printed, int) {
       "Delta_x = 0 it is the delta_x of (21)");
 }
 
-/// The printed rest angles of Table 1 against the shapes of a straight unit chain held at 3.8.
+/// Signs and angles of Table 1 against the shapes of a straight unit chain held at 3.8, to a unit of the last
+/// place.
 Judgement table1_origin(const Printed& printed, int) {
+  if (printed.size() != 5) throw Error("claim", fmt::format("{} entries", printed.size()), "5");
   const Chain<Interval> straight({1, 1, 1, 1}, {1, 1, 1, 1}, {0, 0, 0, 0});
   const proofs::Census census = held_at(straight, table_1_reach());
-  Interval nearest(100);
-  std::string kind;
-  for (const auto& one : census.equilibria) {
-    Interval distance(0);
-    for (std::size_t i = 0; i < printed.size() - 1; ++i)
-      distance += sqr(one.q.at(i) - Interval(proofs::parse_decimal(printed.at(i + 1)).value()));
-    if (!certainly_less(distance, nearest)) continue;
-    nearest = distance;
-    kind = signs(one);
+  const auto one = std::find_if(census.equilibria.begin(), census.equilibria.end(),
+                                [&](const auto& shape) { return signs(shape) == printed[0]; });
+  std::vector<std::string> angles, other;
+  bool right = one != census.equilibria.end();
+  for (std::size_t i = 0; right && i < 4; ++i) {
+    const Interval place = rounded(printed[i + 1]),
+                   twice = place + place - Interval(place.middle(), place.middle());
+    const Interval& angle = one->q[i];  // `twice` is a unit to either side
+    right = certainly_less(Interval(twice.lower(), twice.lower()), angle) &&
+            certainly_less(angle, Interval(twice.upper(), twice.upper()));
+    angles.push_back(certified_decimal(angle, 6));
+    if (!certainly_less(place, angle) && !certainly_less(angle, place)) continue;
+    other.push_back(printed[i + 1]);
   }
-  const bool right = kind == printed.at(0) && certainly_less(nearest, Interval(Rational(1, 1000000)));
   return {
       right ? Verdict::confirmed : Verdict::refuted,
-      right ? "" : "the nearest buckled shape of the straight chain has the signs " + kind,
+      right ? ""
+            : "no shape of the straight chain has these signs and, to a unit of the last place, these angles",
       {{EvidenceKind::interval,
-        fmt::format(
-            "the angles are those of the straight unit chain buckled to 0.2 L, signs {}, to {} rad: nearest "
-            "of the {} shapes of a certified census",
-            kind, proofs::Located(sqrt(nearest).middle()).str(2), census.equilibria.size())}},
+        fmt::format("the straight unit chain held at (3.8, 0), certified census of {} shapes: {}; rounded to "
+                    "four places other than printed: {}",
+                    census.equilibria.size(), fmt::join(angles, ", "),
+                    other.empty() ? "none" : fmt::format("{}", fmt::join(other, ", ")))}},
       ""};
 }
 
@@ -133,7 +150,7 @@ Judgement surface(const Chain<Interval>& chain, const Printed& printed) {
   const proofs::Census census = at_deflection(chain, Rational(2, 5));
   const std::string found = extrema(census, 1);
   return judge_word(
-      printed.at(0), found, {printed.at(0), found},
+      printed.at(0), found,
       fmt::format("on the sheet q_4 > 0 there are {}; {} equilibria in all", found, census.equilibria.size()),
       {{EvidenceKind::interval,
         fmt::format("certified census at the end point (3.4, 0), {} boxes", census.boxes)}});
@@ -143,40 +160,43 @@ Judgement stable_signs(const Chain<Interval>& chain, const SlowPath& path, const
   const Rational d(2, 5);
   const std::string found = signs(reached(at_deflection(chain, d), path, d));
   return judge_word(
-      printed.at(0), found, {printed.at(0), found},
-      "the shape that the chain has at 0.4 L has the signs " + found,
+      printed.at(0), found, "the shape that the chain has at 0.4 L has the signs " + found,
       {{EvidenceKind::interval,
         "certified census at the end point (3.4, 0): the state of the slowly compressed chain, signs " +
             found}});
 }
 
-/// A fold makes the forces jump though the energy surface moves continuously: continuity proves nothing.
+/// A fold makes the forces jump though the energy surface moves continuously: continuity alone proves
+/// nothing.
 Judgement continuity_proof(const Printed& printed, int) {
   const auto all = claims::loaded_three_link();
   const auto bent =
-      std::find_if(all.begin(), all.end(), [](const Claim& c) { return c.id == "bent-continuous"; });
-  const Judgement snap = bent->check({"can jump"}, 10);
-  const bool counterexample = snap.verdict == Verdict::confirmed;
-  return judge_word(
-      printed.at(0), counterexample ? "does not prove" : "proves", {"proves", "does not prove"},
-      "the minimum that is followed can vanish while the surface changes continuously; that the curves "
-      "of Fig. 12 are continuous is shown by following them (fig-12-continuous)",
-      {snap.evidence.front()});
+      std::find_if(all.begin(), all.end(), [](const auto& one) { return one.first == "bent-continuous"; });
+  const Judgement snap = bent->second({"can jump"}, 10);
+  const std::string found = snap.verdict == Verdict::confirmed ? "does not prove" : "proves";
+  return {
+      printed.at(0) == found ? Verdict::confirmed : Verdict::imprecise,
+      printed.at(0) == found
+          ? ""
+          : "so as long as the minimum that is followed does not vanish, as it can while the surface changes "
+            "continuously; that the curves of Fig. 12 are continuous is shown by following them",
+      {snap.evidence.front()},
+      ""};
 }
 
 Judgement u_continuous(const Printed& printed, int) {
-  return judge_word(printed.at(0), u_path().continuity(), {"continuous", "a jump", "open"},
-                    "stability is lost on the way", {u_path().evidence()});
+  return judge_word(printed.at(0), u_path().continuity(), "stability is lost on the way",
+                    {u_path().evidence()});
 }
 
 Judgement u_resistance(const Printed& printed, int) {
   return judge_word(printed.at(0), u_path().stiff() ? "increasing" : "not increasing",
-                    {"increasing", "not increasing"}, "the force falls somewhere", {u_path().evidence()});
+                    "the force falls somewhere", {u_path().evidence()});
 }
 
 Judgement u_stiffness(const Printed& printed, int) {
   const bool falls = u_path().regular() && u_path().proved[0].softens;
-  return judge_word(printed.at(0), falls ? "decreasing" : "another", {"decreasing", "another"},
+  return judge_word(printed.at(0), falls ? "decreasing" : "another",
                     "the tangent stiffness does not fall all along", {u_path().evidence()});
 }
 
@@ -204,10 +224,12 @@ Judgement singular_surface(const Printed& printed, int digits) {
                        late = at_deflection(u_shaped_chain(), Rational(7, 5));
   const std::string u = extrema(early, 1);
   const bool regular = extrema(middle, 1) == u && extrema(late, 1) == u;
-  const std::string found =
-      std::string(before != after ? "Z singular" : "Z regular") + (regular ? ", U regular" : ", U singular");
-  Judgement result = judge_word(
-      printed.at(0), found, {printed.at(0), found}, found,
+  const std::string z_word = before != after ? "singular" : "regular",
+                    u_word = regular ? "regular" : "singular";
+  const BranchPoint<proofs::Located> followed = z_path().at(proofs::exactly(fold.point.load));
+  const proofs::Located distance = (followed.theta - fold.point.theta).cwiseAbs().maxCoeff();
+  Judgement result = judge_list(
+      printed, {"Z", z_word, "U", u_word}, fmt::format("Z {}, U {}", z_word, u_word),
       {{EvidenceKind::interval,
         fmt::format(
             "certified censuses, q_4 > 0: the Z-chain 1e-5 L before ({}) and after ({}) the value; the "
@@ -215,123 +237,64 @@ Judgement singular_surface(const Printed& printed, int digits) {
             "L)",
             before, after, u, middle.equilibria.size(), late.equilibria.size())},
        {EvidenceKind::mp50,
-        "birth of a minimum and a saddle, a fold, located by Newton's method in 64 digits"}});
+        fmt::format(
+            "birth of a minimum and a saddle, a fold, located by Newton's method in 64 digits; the slowly "
+            "compressed chain passes it regularly, in another shape: a link points {} rad otherwise",
+            distance.str(3))}});
   result.value = located(fold.point.load, digits);
   return result;
 }
 
-/// Whether the place where the Z-chain's surface is singular is a state of the chain that is compressed.
-Judgement apart(const Printed& printed, int digits) {
-  const BranchEvent<proofs::Located> fold = birth();
-  const BranchPoint<proofs::Located> followed = z_path().at(proofs::exactly(fold.point.load));
-  const proofs::Located distance = (followed.theta - fold.point.theta).cwiseAbs().maxCoeff();
-  const bool beside = z_path().regular() && distance > proofs::Located("0.01");
+/// The forces that hold the end point on its line.
+Judgement forces_needed(const SlowPath& path, const Printed& printed, int digits) {
+  bool along = true, across = true;
+  std::vector<std::string> lateral;
+  for (const auto& one : states(path, {Rational(1, 10), Rational(2, 5), Rational(4, 5)})) {
+    along = along && !one.fx.contains_zero();
+    across = across && !one.fy.contains_zero();
+    lateral.push_back(certified_decimal(one.fy, 5));
+  }
+  std::vector<std::string> found;
+  if (along) found.emplace_back("Fx");
+  if (across) found.emplace_back("Fy");
   Judgement result =
-      judge_word(printed.at(0), beside ? "another shape" : "the shape", {"the shape", "another shape"},
-                 "where the surface is singular two other equilibria are born; the shape that the chain has, "
-                 "and its force, "
-                 "pass that deflection regularly",
-                 {z_path().evidence(),
-                  {EvidenceKind::mp50,
-                   fmt::format("at the fold, {} L, the followed shape differs from the one that is born by "
-                               "up to {} rad in a link's orientation",
-                               fold.point.load.str(8), distance.str(3))}});
-  result.value = located(fold.point.load, digits);
+      judge_list(printed, found, fmt::format("{}", fmt::join(found, ", ")),
+                 {Evidence::at_points(fmt::format(
+                     "certified censuses at 0.1, 0.4 and 0.8 L, the slowly compressed chain: F_y = {} k/L",
+                     fmt::join(lateral, ", ")))});
+  result.value =
+      certified_decimal(states(path, {Rational(2, 5)})[0].fy, std::min(digits, 30)) + " k/L at 0.4 L";
   return result;
 }
 
 }  // namespace
 
-std::vector<Claim> claims::loaded_four_link() {
-  const std::string x = "L1*cos(q1)+L2*cos(q1+q2)+L3*cos(q1+q2+q3)+L4*cos(q1+q2+q3+q4)";
+Checks claims::loaded_four_link() {
   return {
-      {"eq-11", "3.2, (11)", "x_0 = sum L_j cos(q_1 + … + q_j)", {x}, direct_kinematics},
-      {"redundancy",
-       "3.2, after (11)",
-       "with the end point held n - 2 joint angles are independent",
-       {"n-2"},
-       freedom},
-      {"table-1-u",
-       "3.2, Table 1",
-       "end point of the U-shape",
-       {"3.8", "0"},
-       [](const Printed& printed, int) { return table1_place(u_shaped_chain(), printed); }},
-      {"table-1-z",
-       "3.2, Table 1",
-       "end point of the Z-shape",
-       {"3.8", "0"},
-       [](const Printed& printed, int) { return table1_place(z_shaped_chain(), printed); }},
-      {"table-1-u-shape",
-       "3.2, Table 1",
-       "the first row is a U-shape",
-       {"-+++", "-0.3179", "0.0558", "0.3804", "0.3524"},
-       table1_origin},
-      {"table-1-z-shape",
-       "3.2, Table 1",
-       "the second row is a Z-shape",
-       {"-+-+", "-0.2417", "0.6821", "-0.7958", "0.5170"},
-       table1_origin},
-      {"initial-displacement",
-       "3.2, (11), Table 1",
-       "both initial shapes have Delta_x = 0.2 L",
-       {"0.2"},
-       initial_displacement},
-      {"eq-11-12",
-       "3.2, (11), (12)",
-       "x_0 = sum L_j - Delta_x and x = sum L_j - Delta_x - delta_x",
-       {"L1+L2+L3+L4-Dx", "L1+L2+L3+L4-Dx-dx"},
-       loaded_deflection},
-      {"eq-12", "3.2, (12)", "x = sum L_j cos(q_1 + … + q_j) under load", {x}, direct_kinematics},
-      {"fig-11-count",
-       "3.2, Fig. 11",
-       "the U-chain at 0.4 L, q4 > 0: one maximum, one minimum, one saddle",
-       {"1 minima, 1 saddles, 1 maxima"},
-       [](const Printed& printed, int) { return surface(u_shaped_chain(), printed); }},
+      {"eq-11", direct_kinematics},
+      {"redundancy", freedom},
+      {"table-1-u", table1_place},
+      {"table-1-z", table1_place},
+      {"table-1-u-shape", table1_origin},
+      {"table-1-z-shape", table1_origin},
+      {"initial-displacement", initial_displacement},
+      {"eq-11-12", loaded_deflection},
+      {"eq-12", direct_kinematics},
+      {"fig-11-count", [](const Printed& printed, int) { return surface(u_shaped_chain(), printed); }},
       {"fig-11-shape",
-       "3.2, Fig. 11",
-       "the stable shape at 0.4 L is a U-shape as the initial one",
-       {"-+++"},
        [](const Printed& printed, int) { return stable_signs(u_shaped_chain(), u_path(), printed); }},
-      {"fig-11-continuity",
-       "3.2, after Fig. 12",
-       "a continuous evolution of E proves that the force-deflection curves are continuous",
-       {"proves"},
-       continuity_proof},
-      {"fig-12-continuous",
-       "3.2, Fig. 12",
-       "the curves are continuous, the shape changes smoothly",
-       {"continuous"},
-       u_continuous},
-      {"fig-12-resistance",
-       "3.2, Fig. 12",
-       "the resistance is gradually increasing",
-       {"increasing"},
-       u_resistance},
-      {"fig-12-stiffness",
-       "3.2, Fig. 12",
-       "the stiffness of the U-chain is continuously decreasing",
-       {"decreasing"},
-       u_stiffness},
-      {"fig-13-count",
-       "3.2, Fig. 13",
-       "the Z-chain at 0.4 L, q4 > 0: one maximum and one minimum",
-       {"1 minima, 0 saddles, 1 maxima"},
-       [](const Printed& printed, int) { return surface(z_shaped_chain(), printed); }},
+      {"fig-11-continuity", continuity_proof},
+      {"fig-12-continuous", u_continuous},
+      {"fig-12-resistance", u_resistance},
+      {"fig-12-stiffness", u_stiffness},
+      {"fig-12-lateral",
+       [](const Printed& printed, int digits) { return forces_needed(u_path(), printed, digits); }},
+      {"fig-14-lateral",
+       [](const Printed& printed, int digits) { return forces_needed(z_path(), printed, digits); }},
+      {"fig-13-count", [](const Printed& printed, int) { return surface(z_shaped_chain(), printed); }},
       {"fig-13-shape",
-       "3.2, Fig. 13",
-       "the stable shape at 0.4 L is a Z-shape as the initial one",
-       {"-+-+"},
        [](const Printed& printed, int) { return stable_signs(z_shaped_chain(), z_path(), printed); }},
-      {"fig-13-singularities",
-       "3.2, Fig. 13",
-       "the surfaces of the Z-chain evolve with singularities, unlike those of the U-chain",
-       {"Z singular, U regular"},
-       singular_surface},
-      {"fig-13-apart",
-       "3.2, after Fig. 13",
-       "the singular area of the force-deflection curve is where the surface is singular",
-       {"the shape"},
-       apart},
+      {"fig-13-singularities", singular_surface},
   };
 }
 

@@ -4,9 +4,9 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "proofs/census.hpp"
 #include "proofs/symbolic_statics.hpp"
@@ -39,21 +39,18 @@ const proofs::Census& census() {
   return instance;
 }
 
-/// A printed vector such as "[Fx Fy]^T": the numbers of its rows and columns.
-std::pair<std::size_t, std::size_t> size_of(const std::string& vector) {
-  const std::size_t end = vector.find(']');
-  if (vector.empty() || vector.front() != '[' || end == std::string::npos)
-    throw Error("claim", "'" + vector + "'", "entries in square brackets");
-  std::istringstream entries(vector.substr(1, end - 1));
-  std::size_t count = 0;
-  for (std::string entry; entries >> entry;) ++count;
-  return vector.substr(end + 1) == "^T" ? std::pair{count, std::size_t{1}} : std::pair{std::size_t{1}, count};
+/// The size of a printed vector such as "[Fx Fy]^T", which has to have these entries.
+std::pair<std::size_t, std::size_t> size_of(const std::string& vector, const std::string& entries) {
+  const std::size_t count = 1 + static_cast<std::size_t>(std::count(entries.begin(), entries.end(), ' '));
+  if (vector == "[" + entries + "]") return {1, count};
+  if (vector == "[" + entries + "]^T") return {count, 1};
+  throw Error("claim", "'" + vector + "'", "[" + entries + "] or its transpose");
 }
 
 /// Whether J^T F + M has a meaning for F and M as printed.
 Judgement sizes(const Printed& printed, int) {
   const GiNaC::matrix J = jacobian(ThreeLinks().shape());
-  const auto force = size_of(printed.at(0)), torque = size_of(printed.at(1));
+  const auto force = size_of(printed.at(0), "Fx Fy"), torque = size_of(printed.at(1), "0 k*q1 k*q2");
   const std::pair<std::size_t, std::size_t> right_force{J.rows(), 1}, right_torque{J.cols(), 1};
   const auto transposed = [](const auto& size) { return std::pair{size.second, size.first}; };
   const auto fits = [&](const auto& size, const auto& right) {
@@ -105,13 +102,18 @@ Judgement one_phi(const Printed& printed, int) {
     const Interval y0 = end_point(chain, {one.q[0], chain.rest()[1], chain.rest()[2]}).y;
     another = another && !y0.contains_zero();
   }
-  return judge_word(
-      printed.at(0), another ? "2" : "1", {"1", "2"},
-      "the base joint turns under the load: phi of (4) is the initial orientation, with y_0 = 0, and phi "
-      "of (5) another one",
+  const std::string found = another ? "2" : "1";
+  return {
+      printed.at(0) == found ? Verdict::confirmed
+      : printed.at(0) == "1" ? Verdict::convention
+                             : Verdict::refuted,
+      printed.at(0) == found
+          ? ""
+          : "phi of (4) is the first link's orientation without load, with y_0 = 0, and phi of "
+            "(5) that under it: the base joint turns",
       {{EvidenceKind::interval,
-        "chain of Fig. 7 at 0.1 L, certified census: phi of each equilibrium put into (4) gives "
-        "y_0 != 0"}});
+        "chain of Fig. 7 at 0.1 L, certified census: phi of each equilibrium put into (4) gives y_0 != 0"}},
+      ""};
 }
 
 /// What Delta depends on, and what these angles are.
@@ -132,9 +134,10 @@ Judgement deflection_angles(const Printed& printed, int) {
   const bool joints = proofs::identical(second, shape.q[1]) && proofs::identical(third, shape.q[2]);
   const std::string kind = proofs::identical(second, shape.q[0] + shape.q[1]) ? "orientation" : "joint";
   const bool right = joints && printed.at(2) == kind;
-  return {!joints ? Verdict::refuted
-          : right ? Verdict::confirmed
-                  : Verdict::imprecise,
+  return {!joints                          ? Verdict::refuted
+          : right                          ? Verdict::confirmed
+          : printed.at(2) == "orientation" ? Verdict::convention
+                                           : Verdict::refuted,
           right ? ""
                 : "Delta depends on the joint angles alpha_1 + q_1 and alpha_2 + q_2; the orientations of "
                   "the links are phi, phi + alpha_1 + q_1 and so on",
@@ -163,54 +166,26 @@ Judgement elbow_sine(const Printed& printed, int) {
           ""};
 }
 
-/// Whether the sign of S_2 alone tells the equilibria apart.
+/// What tells the equilibria apart.
 Judgement not_unique(const Printed& printed, int) {
   std::map<char, std::size_t> count;
   for (const auto& one : census().equilibria) ++count[sign_character(sin(one.q[2]))];
-  bool more = false;
-  for (const auto& [sign, number] : count) more = more || number > 1;
-  const std::string found = more ? "the sign and phi" : "the sign";
-  Judgement result{
-      Verdict::confirmed,
-      "",
+  return judge_word(
+      printed.at(0), count['+'] > 0 && count['-'] > 0 ? "the sign" : "phi",
+      "all of them have one sign of S_2",
       {{EvidenceKind::interval,
         fmt::format("chain of Fig. 7 at 0.1 L, certified census: {} equilibria with S_2 > 0, {} with "
-                    "S_2 < 0",
-                    count['+'], count['-'])}},
-      ""};
-  if (printed.at(0) == found) return result;
-  result.verdict = printed.at(0) == "the sign" ? Verdict::imprecise : Verdict::refuted;
-  result.truth =
-      "also with the sign of S_2 fixed there are several: E has a minimum and a maximum over phi for either";
-  return result;
+                    "S_2 < 0; so either sign has several, which phi tells apart",
+                    count['+'], count['-'])}});
 }
 
 }  // namespace
 
-std::vector<Claim> claims::symbols() {
+Checks claims::symbols() {
   return {
-      {"eq-6-sizes",
-       "2, (6)",
-       "in (6) F = [Fx Fy] and M = [0 k q1 k q2]^T",
-       {"[Fx Fy]", "[0 k*q1 k*q2]^T"},
-       sizes},
-      {"eq-6",
-       "2, (6)",
-       "J^T F + M = 0 with M = (0, k q1, k q2) is static equilibrium",
-       {"0", "k*q1", "k*q2"},
-       balance},
-      {"phi-one-angle", "2, (4), (5)", "(4) and (5) hold with one angle phi", {"1"}, one_phi},
-      {"deflection-angles",
-       "2, before (4)",
-       "Delta depends on the orientation angles alpha1+q1 and alpha2+q2",
-       {"alpha1+q1", "alpha2+q2", "orientation"},
-       deflection_angles},
-      {"eq-9-S2", "2, after (9)", "S2 = ±sqrt(1 - C2^2), with both signs", {"1-C2^2", "2"}, elbow_sine},
-      {"not-unique",
-       "3.1, before Fig. 7",
-       "the equilibria are not unique because of the sign of S2 in (9)",
-       {"the sign"},
-       not_unique},
+      {"eq-6-sizes", sizes},      {"eq-6", balance},
+      {"phi-one-angle", one_phi}, {"deflection-angles", deflection_angles},
+      {"eq-9-S2", elbow_sine},    {"not-unique", not_unique},
   };
 }
 

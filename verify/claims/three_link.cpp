@@ -7,8 +7,10 @@
 #include <plumbline/straight/critical_force.hpp>
 #include <sstream>
 
+#include "proofs/decimal.hpp"
 #include "proofs/symbolic_statics.hpp"
 #include "verify/claims/claims.hpp"
+#include "verify/claims/loaded_chains.hpp"
 #include "verify/claims/straight_chains.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/sign.hpp"
@@ -163,7 +165,7 @@ Judgement no_exact_solution(const Printed& printed, int) {
   if (!balanced(z_shape(), closed))
     throw Error("Z-shape", "a closed form that does not solve (18)", "one that does");
   return judge_word(
-      printed.at(0), solvable ? "solutions" : "no solutions", {"solutions", "no solutions"},
+      printed.at(0), solvable ? "solutions" : "no solutions",
       "with the right entry (1,1) of (17) the three equations do have an exact solution at (phi, -3 phi, 3 "
       "phi), for "
       "every phi with sin 3 phi != 0: F = 3 k phi / (L sin 3 phi) (cos 2 phi + 2 cos phi, 2 sin phi - sin 2 "
@@ -190,25 +192,16 @@ Judgement asymptotic_z(const Printed& printed, int) {
   const auto second = [](const ex& e) {
     return proofs::text(proofs::series_coefficient(e * L() / k(), phi(), 2));
   };
-  return {
-      same         ? Verdict::confirmed
-      : same_limit ? Verdict::imprecise
-                   : Verdict::refuted,
-      same
-          ? ""
-          : fmt::format(
-                "only the limit is right: exactly F_x = 3k phi (cos 2phi + 2 cos phi)/(L sin 3phi), F_y = 3k "
-                "phi (2 sin phi - sin 2phi)/(L sin 3phi) != 0; and on the shapes (phi, -psi, psi) that keep "
-                "y = 0, F_x = k psi/(L sin phi) = (k/L)(3 + {} phi^2 + …), F_y = 0",
-                second(on_axis)),
-      {{EvidenceKind::symbolic,
-        fmt::format("coefficients of phi^2 of F_x L/k: printed {}, exact at (phi, -3phi, 3phi) {}, exact at "
-                    "y = 0 {}; "
-                    "limit of F_x: {} against {}",
-                    second(printed_Fx), second(exact.Fx), second(on_axis),
-                    proofs::text(proofs::limit_at_zero(printed_Fx, phi())),
-                    proofs::text(proofs::limit_at_zero(exact.Fx, phi())))}},
-      ""};
+  return {same || same_limit ? Verdict::confirmed : Verdict::refuted,
+          same || same_limit ? "" : "F_x -> 3k/L, F_y -> 0",
+          {{EvidenceKind::symbolic,
+            fmt::format("limit of F_x: {} against {}. The next terms differ: coefficients of phi^2 of F_x "
+                        "L/k: printed {}, "
+                        "exact at (phi, -3phi, 3phi) {}, on the shapes (phi, -psi, psi) that keep y = 0 {}",
+                        proofs::text(proofs::limit_at_zero(printed_Fx, phi())),
+                        proofs::text(proofs::limit_at_zero(exact.Fx, phi())), second(printed_Fx),
+                        second(exact.Fx), second(on_axis))}},
+          ""};
 }
 
 Judgement two_shapes(const Printed& printed, int) {
@@ -216,37 +209,55 @@ Judgement two_shapes(const Printed& printed, int) {
   // beyond the sum of all critical forces none is left; 100 is far beyond k/L + 3k/L
   const std::size_t count = count_below(chain, Rational(100));
   return judge_word(
-      printed.at(0), std::to_string(count), {"1", "2", "3", "4"},
-      fmt::format("there are {}, up to the sign of phi", count),
-      {{EvidenceKind::theorem, "Definiteness: n - 1 critical forces; Simple modes: all distinct"},
+      printed.at(0), std::to_string(count), fmt::format("there are {}, up to the sign of phi", count),
+      {Evidence::by_theorem("Definiteness", "n - 1 critical forces; Simple modes: all distinct"),
        {EvidenceKind::exact,
         fmt::format("recursion on the unit chain: {} critical forces below 100", count)}});
 }
 
+/// The first two shapes of a column between pins, cut into equal links.
 Judgement column_shapes(const Printed& printed, int) {
-  // a column cut into n links has n - 1 shapes, without bound
-  std::string counts;
-  std::size_t most = 0;
-  for (const std::size_t n : {3U, 6U, 12U, 24U}) {
-    const Chain<Rational> column(std::vector<Rational>(n, Rational(1, n)), [&] {
-      std::vector<Rational> stiffness(n, Rational(n));
-      stiffness[0] = 0;
-      return stiffness;
-    }());
-    most = count_below(column, Rational(1000000));
-    counts += fmt::format("{}{} links: {}", counts.empty() ? "" : ", ", n, most);
+  // mode m has link orientations cos((j - 1/2) a), a = m pi / n; their sums are the heights of the joints
+  const proofs::Formulas half({"b"});  // a = 2b
+  bool heights = true;
+  for (int j = 1; j <= 6; ++j) {
+    const ex link = half.parse(fmt::format("2*sin(b)*cos({}*b)", 2 * j - 1)),
+             rise = half.parse(fmt::format("sin({}*b)-sin({}*b)", 2 * j, 2 * j - 2));
+    heights = heights && proofs::identical(link, rise);
   }
-  const bool right = std::to_string(most) == printed.at(0);
-  const bool first_two = printed.at(0) == "2" && most > 2;
-  return {right       ? Verdict::confirmed
-          : first_two ? Verdict::imprecise
-                      : Verdict::refuted,
-          right ? ""
-                : "the three-link chain has two shapes; Euler's column has infinitely many, of which the "
-                  "half and the "
-                  "full sine are the first two (its loads are in the ratio 1 : 4, here 1 : 3)",
-          {{EvidenceKind::exact, "shapes of a pinned column cut into equal links: " + counts}},
-          ""};
+  return judge_list(
+      printed, heights ? Printed{"half sine", "full sine"} : Printed{},
+      "the joints of mode m lie on sin(m pi j/n)",
+      {Evidence::by_theorem(
+           "Equal links",
+           "mode m of n equal links between pins has the orientations cos((j - 1/2) m pi/n); "
+           "the column is the limit, with infinitely many shapes, in the ratio of "
+           "forces 1 : 4 : 9 (here 1 : 3)"),
+       {EvidenceKind::symbolic,
+        "2 sin(a/2) cos((j - 1/2) a) = sin(j a) - sin((j - 1) a): the heights are sin(m pi j/n), a half sine "
+        "for m = 1, a full one for m = 2"}});
+}
+
+/// Where the curves of Fig. 5 begin.
+Judgement curves_begin(const Printed& printed, int) {
+  std::vector<std::string> limits;
+  for (const proofs::SymbolicShape& s : {u_shape(), z_shape()})
+    limits.push_back(proofs::text((proofs::limit_at_zero(solve(s).Fx, phi()) * L() / k()).normal()));
+  const proofs::Census census = held_at(three_link_chain_at(0, 0), Interval(3 - Rational(1, 1000)));
+  bool near = census.equilibria.size() == 4;
+  std::vector<std::string> found;
+  for (const auto& one : census.equilibria) {
+    const Rational limit = proofs::parse_decimal(letter(one).front() == 'U' ? limits[0] : limits[1]).value();
+    const Interval off = -one.fx - Interval(limit);
+    near = near && certainly_less(off, Interval(Rational(1, 100))) &&
+           certainly_less(-off, Interval(Rational(1, 100)));
+    found.push_back(fmt::format("{} {}", letter(one), certified_decimal(-one.fx, 6)));
+  }
+  return judge_list(
+      printed, near ? limits : std::vector<std::string>{}, fmt::format("{} k/L", fmt::join(limits, " and ")),
+      {{EvidenceKind::symbolic, "limits (16) and (20) from the solutions of (14) and (18)"},
+       {EvidenceKind::interval,
+        fmt::format("certified census of the straight chain at 0.001 L: {} k/L", fmt::join(found, ", "))}});
 }
 
 /// Twice E - F delta_x to second order in small joint angles: its sign on the directions that keep the end
@@ -284,7 +295,7 @@ Judgement force_order(const Printed& printed, int) {
                     u < z   ? "lower"
                     : u > z ? "higher"
                             : "equal",
-                    {"lower", "higher", "equal"}, "the critical force of the U-shape is lower",
+                    "the critical force of the U-shape is lower",
                     {{EvidenceKind::exact, fmt::format("L = k = 1: {} against {}", u.str(), z.str())}});
 }
 
@@ -309,8 +320,7 @@ Judgement stable_curve(const Printed& printed, int) {
       Interval(Rational(1, 1000)), Interval(Rational(209, 100)));
   const ex at_zero = proofs::limit_at_zero(closed / k(), phi());
   const bool stable = positive == 1 && at_zero.info(GiNaC::info_flags::positive);
-  return judge_word(printed.at(0), stable ? "stable" : "unstable", {"stable", "unstable"},
-                    "the U-shape is stable",
+  return judge_word(printed.at(0), stable ? "stable" : "unstable", "the U-shape is stable",
                     {{EvidenceKind::interval,
                       "second variation under an imposed end point, 2k (1 + 2c)(1 + 2c - phi c / sin phi) "
                       "with c = cos phi, "
@@ -320,75 +330,25 @@ Judgement stable_curve(const Printed& printed, int) {
 
 }  // namespace
 
-std::vector<Claim> claims::three_link() {
-  const std::string no_exact =
-      "the equilibrium equations have no exact solution at the angles (phi, -3phi, 3phi)";
+Checks claims::three_link() {
   return {
-      {"u-shape-closes",
-       "4.1, before (13)",
-       "the angles (phi, -phi, -phi) keep the end point on the axis",
-       {"phi", "-phi", "-phi"},
-       closes},
-      {"z-shape-closes",
-       "4.1, before (13)",
-       "the angles (phi, -3phi, 3phi) keep the end point on the axis",
-       {"phi", "-3*phi", "3*phi"},
-       closes},
-      {"eq-13",
-       "4.1, (13)",
-       "Jacobian of the U-shape",
-       {"0", "sin(phi)", "sin(phi)", "1+2*cos(phi)", "1+cos(phi)", "cos(phi)"},
-       jacobian_u},
-      {"eq-14",
-       "4.1, (14)",
-       "equilibrium of the U-shape",
-       {"L*(1+2*cos(phi))*Fy", "L*sin(phi)*Fx+L*(1+cos(phi))*Fy-k*phi", "L*sin(phi)*Fx+L*cos(phi)*Fy-k*phi"},
-       balance_u},
-      {"eq-15", "4.1, (15)", "F_x = k phi / L sin phi, F_y = 0", {"k*phi/L*sin(phi)", "0"}, solution_u},
-      {"u-curve-stable",
-       "4.1, after (15)",
-       "the U-shapes form the stable force-deflection curve",
-       {"stable"},
-       stable_curve},
-      {"eq-16", "4.1, (16)", "critical force of the U-shape is k/L", {"k/L"}, limit_u},
-      {"eq-17",
-       "4.1, (17)",
-       "Jacobian of the Z-shape (phi, -3phi, 3phi)",
-       {"0", "sin(2*phi)-sin(phi)", "-sin(phi)", "cos(2*phi)+2*cos(phi)", "cos(2*phi)+cos(phi)", "cos(phi)"},
-       jacobian_z},
-      {"eq-18",
-       "4.1, (18)",
-       "equilibrium of the Z-shape",
-       {"L*(cos(2*phi)+2*cos(phi))*Fy", "L*(sin(2*phi)-sin(phi))*Fx+L*(cos(2*phi)+cos(phi))*Fy-k*3*phi",
-        "-L*sin(phi)*Fx+L*cos(phi)*Fy+k*3*phi"},
-       balance_z},
-      {"z-no-exact-solution", "4.1, after (18)", no_exact, {"no solutions"}, no_exact_solution},
-      {"eq-19",
-       "4.1, (19)",
-       "F_x -> 3k phi / L sin phi, F_y = 0 for small phi",
-       {"3*k*phi/L*sin(phi)", "0"},
-       asymptotic_z},
-      {"eq-20", "4.1, (20)", "critical force of the Z-shape is 3k/L", {"3*k/L"}, limit_z},
-      {"three-link-two-shapes",
-       "4.1, after (20)",
-       "the three-link chain has two post-buckling shapes",
-       {"2"},
-       two_shapes},
-      {"column-two-shapes",
-       "4.1, after (20)",
-       "so has Euler's column: half sine and full sine",
-       {"2"},
-       column_shapes},
-      {"three-link-order",
-       "4.1, after (20)",
-       "the critical force of the U-shape is lower than that of the Z-shape",
-       {"lower"},
-       force_order},
-      {"three-link-stability",
-       "4.1, after (20)",
-       "the U-shape is stable, the Z-shape unstable",
-       {"stable", "unstable"},
-       stability},
+      {"u-shape-closes", closes},
+      {"z-shape-closes", closes},
+      {"eq-13", jacobian_u},
+      {"eq-14", balance_u},
+      {"eq-15", solution_u},
+      {"u-curve-stable", stable_curve},
+      {"eq-16", limit_u},
+      {"eq-17", jacobian_z},
+      {"eq-18", balance_z},
+      {"z-no-exact-solution", no_exact_solution},
+      {"eq-19", asymptotic_z},
+      {"eq-20", limit_z},
+      {"three-link-two-shapes", two_shapes},
+      {"column-two-shapes", column_shapes},
+      {"agrees-with-fig-5", curves_begin},
+      {"three-link-order", force_order},
+      {"three-link-stability", stability},
   };
 }
 

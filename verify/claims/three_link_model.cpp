@@ -14,6 +14,8 @@
 #include "verify/claims/claims.hpp"
 #include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"
+#include "verify/judging/matrix_formula.hpp"
+#include "verify/paper/paper.hpp"
 
 namespace plumbline::verify {
 namespace {
@@ -23,7 +25,7 @@ using GiNaC::ex;
 /// The angles of Fig. 4 and the symbols of (4) to (10).
 const proofs::Formulas& formulas() {
   static const proofs::Formulas instance(
-      {"L", "k", "phi", "alpha1", "alpha2", "q1", "q2", "x0", "y0", "Delta", "S2", "C2", "Fx"});
+      {"L", "k", "phi", "alpha1", "alpha2", "q1", "q2", "x0", "y0", "Delta", "S2", "C2", "Fx", "E"});
   return instance;
 }
 ex symbol(const char* name) {
@@ -67,28 +69,38 @@ Judgement jacobian_entries(const Printed& printed, int) {
           ""};
 }
 
-/// The entries of (7), in the paper's abbreviations.
-const Printed printed_jacobian{"-S0-S01-S012", "-S01-S012", "-S012", "C0+C01+C012", "C01+C012", "C012"};
+/// "S02" can stand for "S012": the same letter, first and last link.
+bool abbreviates(const std::string& shorter, const std::string& longer) {
+  return shorter.substr(0, 2) == longer.substr(0, 2) && shorter.back() == longer.back();
+}
 
 Judgement abbreviations(const Printed& printed, int) {
   const std::set<std::string> defined(printed.begin(), printed.end());
   std::set<std::string> used;
-  for (const std::string& entry : printed_jacobian) {
+  for (const std::string& entry : printed_in_paper("eq-7")) {
     for (std::size_t at = 0, end; (at = entry.find_first_of("SC", at)) != std::string::npos; at = end) {
       end = std::min(entry.find_first_of("+-", at), entry.size());
       used.insert(entry.substr(at, end - at));
     }
   }
-  std::vector<std::string> missing;
+  std::vector<std::string> missing, idle;
   std::set_difference(used.begin(), used.end(), defined.begin(), defined.end(), std::back_inserter(missing));
-  return {missing.empty() ? Verdict::confirmed : Verdict::refuted,
-          missing.empty() ? ""
-                          : fmt::format("(7) uses {}, which the text does not define; what it defines under "
-                                        "another name is meant",
-                                        fmt::join(missing, " and ")),
-          {{EvidenceKind::exact,
-            fmt::format("names in (7), {}, against names that are defined after it", fmt::join(used, ", "))}},
-          ""};
+  std::set_difference(defined.begin(), defined.end(), used.begin(), used.end(), std::back_inserter(idle));
+  const bool right = missing.empty() && idle.empty() && printed.size() == used.size();
+  const bool meant =
+      printed.size() == used.size() && !missing.empty() &&
+      std::equal(missing.begin(), missing.end(), idle.begin(), idle.end(),
+                 [](const auto& longer, const auto& shorter) { return abbreviates(shorter, longer); });
+  return {
+      right   ? Verdict::confirmed
+      : meant ? Verdict::convention
+              : Verdict::refuted,
+      right ? ""
+            : fmt::format("(7) uses {}, which the text does not define; {} that it defines instead is meant",
+                          fmt::join(missing, " and "), fmt::join(idle, " and ")),
+      {{EvidenceKind::exact,
+        fmt::format("names in (7), {}, against names that are defined after it", fmt::join(used, ", "))}},
+      ""};
 }
 
 /// The least favourable kind of equilibrium that a census of the U-chain holds.
@@ -97,25 +109,31 @@ Judgement kind_of_point(const Printed& printed, int) {
       held_at(fig7_chain(), unloaded_reach(fig7_chain()) - Interval(Rational(1, 10)));
   bool all_minima = true;
   for (const auto& one : census.equilibria) all_minima = all_minima && one.negative_directions == 0;
-  return judge_word(
-      printed.at(0), all_minima ? "minimum" : "stationary point", {"minimum", "stationary point"},
-      "an equilibrium is a stationary point of the potential energy; minima are the stable ones",
-      {{EvidenceKind::interval, "certified census of the chain of Fig. 7 at 0.1 L: " + types(census) +
-                                    ", and (8) gives the force of each"}});
+  const std::string found = all_minima ? "minimum" : "stationary point";
+  return {printed.at(0) == found ? Verdict::confirmed : Verdict::imprecise,
+          printed.at(0) == found
+              ? ""
+              : "so for a stable one; every equilibrium is a stationary point of the energy",
+          {Evidence::by_theorem("Stability", "minima are stable, what has a negative direction is not"),
+           {EvidenceKind::interval, "certified census of the chain of Fig. 7 at 0.1 L: " + types(census) +
+                                        ", and (8) gives the force of each"}},
+          ""};
 }
 
-Judgement force_sign(const Printed& printed, int) {
-  Matrix<Rational> J(2, 3);
+/// (8), a formula in J and M, with torques that (6) makes for a known force.
+Judgement force_of_torques(const Printed& printed, int) {
+  Matrix<Rational> J(2, 3), F(2, 1);
   J << 1, 2, 3, -1, 4, 2;
-  const Vector<Rational> F = Vector<Rational>{{5, -7}};
-  const Vector<Rational> M = -(J.transpose() * F);  // (6)
-  const Matrix<Rational> square = J * J.transpose();
-  const Vector<Rational> found = Eigen::FullPivLU<Matrix<Rational>>(square).solve(Vector<Rational>(J * M));
-  const std::string sign = found == F ? "+" : found == Vector<Rational>(-F) ? "-" : "none";
-  return judge_word(
-      printed.at(0), sign, {"+", "-"}, "F = " + sign + "(J^T)^+ M",
-      {{EvidenceKind::exact, "J = (1 2 3; -1 4 2), F = (5, -7), M = -J^T F from (6): (J^T)^+ M = " + sign +
-                                 "F. It is an equilibrium only where M lies in the range of J^T"}});
+  F << 5, -7;
+  const Matrix<Rational> M = -(J.transpose() * F);
+  const auto found = evaluated(printed.at(0), {{"J", J}, {"M", M}});
+  const bool right = found && *found == F;
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : "F = -(J^T)^+ M",
+          {{EvidenceKind::exact,
+            "J = (1 2 3; -1 4 2), M = -J^T F of (6) with F = (5, -7): the formula gives F back. It is "
+            "an equilibrium only where M lies in the range of J^T"}},
+          ""};
 }
 
 Judgement reduced_space(const Printed& printed, int) {
@@ -123,7 +141,7 @@ Judgement reduced_space(const Printed& printed, int) {
   row << Rational(3, 5) + Rational(5, 13) + 1, Rational(5, 13) + 1, Rational(1);
   const auto freedom = 3 - Eigen::FullPivLU<Matrix<Rational>>(row).rank();
   return judge_word(
-      printed.at(0), std::to_string(freedom), {"1", "2", "3"}, fmt::format("{} variables", freedom),
+      printed.at(0), std::to_string(freedom), fmt::format("{} variables", freedom),
       {{EvidenceKind::exact,
         "three angles, one condition y = 0 of rank 1. (Delta, phi) leave the sign of S_2 open: every "
         "pair belongs to two shapes"}});
@@ -163,8 +181,8 @@ Judgement inverse_kinematics(const Printed& printed, int) {
                               value("phi", phi),
                               value("alpha1", alpha1),
                               value("alpha2", alpha2),
-                              value("x0", proofs::Located(x + 1)),
-                              value("Delta", 1),
+                              value("x0", proofs::Located(x + 2)),
+                              value("Delta", 2),
                               value("y0", y),
                               value("S2", sin(third)),
                               value("C2", cos(third))};
@@ -207,14 +225,19 @@ Judgement extremum(const Printed& printed, bool stable) {
                     local = stable ? "local minimum" : "local maximum";
   std::vector<std::string> energies;
   for (const auto* one : some) energies.push_back(certified_decimal(one->energy, 5));
-  return judge_word(
-      printed.at(0), alike ? absolute : local, {absolute, local},
-      fmt::format("every {} of E over phi is an equilibrium of that kind; {} finds one of {}", local,
-                  absolute, some.size()),
-      {{EvidenceKind::interval,
-        fmt::format("chain of Fig. 7 at 0.1 L, certified census: {} {} equilibria with "
-                    "E = {} k",
-                    some.size(), stable ? "stable" : "unstable", fmt::join(energies, " and "))}});
+  const std::string found = alike ? absolute : local;
+  return {printed.at(0) == found      ? Verdict::confirmed
+          : printed.at(0) == absolute ? Verdict::convention
+                                      : Verdict::refuted,
+          printed.at(0) == found
+              ? ""
+              : fmt::format("every {} of E over phi is meant; the absolute one alone would be one "
+                            "of {}",
+                            local, some.size()),
+          {{EvidenceKind::interval,
+            fmt::format("chain of Fig. 7 at 0.1 L, certified census: {} {} equilibria with E = {} k",
+                        some.size(), stable ? "stable" : "unstable", fmt::join(energies, " and "))}},
+          ""};
 }
 
 Judgement potential_energy(const Printed& printed, int) {
@@ -223,74 +246,97 @@ Judgement potential_energy(const Printed& printed, int) {
                         "two springs; the base joint has none");
 }
 
+/// The gradient by (phi, q1, q2) of a potential of E, Fx and Delta, Delta as a function of the shape, less
+/// J^T F + M of (6) with F = (Fx, 0).
+bool belongs_to_6(const ex& potential, const ex& deflection) {
+  const ex L = symbol("L"), k = symbol("k"), q1 = symbol("q1"), q2 = symbol("q2");
+  const proofs::SymbolicShape shape{
+      {L, L, L}, {0, k, k}, {symbol("phi"), symbol("alpha1") + q1, symbol("alpha2") + q2}};
+  const GiNaC::matrix J = proofs::jacobian(shape);
+  const ex of_shape = potential.subs(
+      GiNaC::lst{symbol("E") == k * q1 * q1 / 2 + k * q2 * q2 / 2, symbol("Delta") == deflection});
+  const ex torque[] = {0, k * q1, k * q2};
+  const char* const names[] = {"phi", "q1", "q2"};
+  for (unsigned i = 0; i < 3; ++i) {
+    const ex slope = of_shape.diff(GiNaC::ex_to<GiNaC::symbol>(symbol(names[i])));
+    if (!proofs::identical(slope, J(0, i) * symbol("Fx") + torque[i])) return false;
+  }
+  return true;
+}
+
+ex loaded_x() {
+  return place(symbol("alpha1") + symbol("q1"), symbol("alpha2") + symbol("q2"))[0];
+}
+
 Judgement load_term(const Printed& printed, int) {
-  const ex term = formulas().parse(printed.at(0));
-  const bool free = term.diff(GiNaC::ex_to<GiNaC::symbol>(symbol("phi"))).is_zero();
-  return {free ? Verdict::confirmed : Verdict::refuted,
-          free ? "" : "a term that depends on phi moves the extrema",
-          {{EvidenceKind::symbolic, "derivative of the load's term by phi at given Delta and F_x"}},
+  const ex potential = formulas().parse(printed.at(0));
+  const bool free = potential.diff(GiNaC::ex_to<GiNaC::symbol>(symbol("phi"))).is_zero();
+  const bool right = free && belongs_to_6(potential, symbol("x0") - loaded_x());
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : "V = E - F_x Delta",
+          {{EvidenceKind::symbolic,
+            "the gradient of the printed V by (phi, q1, q2), Delta = x_0 - x of (5), is J^T F + M of (6) "
+            "with F = "
+            "(F_x, 0); at a given Delta its load term does not depend on phi"}},
           ""};
+}
+
+/// printed: x and y by Delta
+Judgement deflection_sign(const Printed& printed, int) {
+  const ex x = formulas().parse(printed.at(0)), y = formulas().parse(printed.at(1));
+  const ex deflection = symbol("Delta");
+  // solved for Delta: x is linear in it
+  const ex slope = x.diff(GiNaC::ex_to<GiNaC::symbol>(deflection));
+  const bool linear = !slope.is_zero() && slope.info(GiNaC::info_flags::numeric);
+  const bool right = linear && y.is_zero() &&
+                     belongs_to_6(symbol("E") - symbol("Fx") * deflection,
+                                  ((loaded_x() - x.subs(deflection == 0)) / slope).expand()) &&
+                     proofs::identical(x.subs(deflection == 0), symbol("x0"));
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : "x = x_0 - Delta, y = 0",
+          {{EvidenceKind::symbolic,
+            "with Delta from the printed x, V = E - F_x Delta has the gradient J^T F + M of (6), in which "
+            "F_x is positive "
+            "in compression; without deflection x = x_0; y_0 = y = 0 by the constraint"}},
+          ""};
+}
+
+/// What (10) is to the potential energy E - F_x Delta.
+Judgement potential_or_strain(const Printed& printed, int) {
+  const ex energy = formulas().parse(printed.at(0)), full = symbol("E") - symbol("Fx") * symbol("Delta");
+  const bool same = proofs::identical(energy, full);
+  const bool apart_from_load =
+      proofs::identical(energy, symbol("E"));  // at a given Delta the two differ by a constant
+  return {
+      same              ? Verdict::confirmed
+      : apart_from_load ? Verdict::convention
+                        : Verdict::refuted,
+      same ? ""
+           : "(10) is the strain energy; at a given Delta it differs from the potential energy by a constant",
+      {{EvidenceKind::symbolic,
+        "E - F_x Delta less (10) is -F_x Delta, the same for all shapes with that Delta"}},
+      ""};
 }
 
 }  // namespace
 
-std::vector<Claim> claims::three_link_model() {
+Checks claims::three_link_model() {
   return {
-      {"eq-4",
-       "2, (4)",
-       "initial end point of three links",
-       {"L*cos(phi)+L*cos(phi+alpha1)+L*cos(phi+alpha1+alpha2)",
-        "L*sin(phi)+L*sin(phi+alpha1)+L*sin(phi+alpha1+alpha2)"},
-       initial_place},
-      {"eq-5",
-       "2, (5)",
-       "end point under load",
-       {"L*cos(phi)+L*cos(phi+alpha1+q1)+L*cos(phi+alpha1+q1+alpha2+q2)",
-        "L*sin(phi)+L*sin(phi+alpha1+q1)+L*sin(phi+alpha1+q1+alpha2+q2)"},
-       loaded_place},
-      {"eq-7", "2, (7)", "Jacobian of three links", printed_jacobian, jacobian_entries},
-      {"eq-7-names",
-       "2, after (7)",
-       "the abbreviations of (7) are S0, C0, S01, C01, S02, C02",
-       {"S0", "C0", "S01", "C01", "S02", "C02"},
-       abbreviations},
-      {"equilibrium-is-minimum",
-       "2, before (8)",
-       "static equilibrium corresponds to the minimum of the potential energy",
-       {"minimum"},
-       kind_of_point},
-      {"eq-8", "2, (8)", "F = -(J^T)^+ M solves J^T F + M = 0", {"-"}, force_sign},
-      {"reduced-space",
-       "2, before (9)",
-       "(phi, q1, q2) reduces to the two variables (Delta, phi)",
-       {"2"},
-       reduced_space},
-      {"eq-9-angles",
-       "2, (9)",
-       "q1 and q2 from Delta and phi",
-       {"atan2(y0-L*sin(phi),x0-Delta-L*cos(phi))-atan2(L*S2,L+L*C2)-phi-alpha1", "atan2(S2,C2)-alpha2"},
-       inverse_kinematics},
-      {"eq-9-C2",
-       "2, after (9)",
-       "C2 = ((x0-Delta-L cos phi)^2 + (y0-L sin phi)^2 - 2L^2) / 2L^2",
-       {"((x0-Delta-L*cos(phi))^2+(y0-L*sin(phi))^2-2*L^2)/2*L^2"},
-       elbow},
-      {"arg-min",
-       "2, before (10)",
-       "phi = arg min E for a stable equilibrium",
-       {"arg min"},
-       [](const Printed& printed, int) { return extremum(printed, true); }},
-      {"arg-max",
-       "2, before (10)",
-       "phi = arg max E for an unstable equilibrium",
-       {"arg max"},
-       [](const Printed& printed, int) { return extremum(printed, false); }},
-      {"eq-10", "2, (10)", "E = k q1^2/2 + k q2^2/2", {"k*q1^2/2+k*q2^2/2"}, potential_energy},
-      {"strain-energy-suffices",
-       "2, after (10)",
-       "at given Delta the term -Fx Delta is not necessary to find phi",
-       {"-Fx*Delta"},
-       load_term},
+      {"eq-4", initial_place},
+      {"eq-5", loaded_place},
+      {"eq-7", jacobian_entries},
+      {"eq-7-names", abbreviations},
+      {"equilibrium-is-minimum", kind_of_point},
+      {"eq-8", force_of_torques},
+      {"reduced-space", reduced_space},
+      {"eq-9-angles", inverse_kinematics},
+      {"eq-9-C2", elbow},
+      {"arg-min", [](const Printed& printed, int) { return extremum(printed, true); }},
+      {"arg-max", [](const Printed& printed, int) { return extremum(printed, false); }},
+      {"eq-10", potential_energy},
+      {"strain-energy-suffices", load_term},
+      {"end-point-deflection", deflection_sign},
+      {"energy-10", potential_or_strain},
   };
 }
 

@@ -51,36 +51,38 @@ const std::vector<Figure>& figures() {
 }
 
 std::vector<Claim> claims_about(const Figure& figure) {
-  const std::string name = fmt::format("Fig. {}", figure.number);
+  const std::string own =
+      fmt::format(", Fig. {}", figure.number);  // where a claim stands at the figure itself
   std::vector<Claim> about;
   for (Claim& claim : all_claims()) {
-    const std::size_t at = claim.where.find(name);
-    const bool mentioned = at != std::string::npos && (at + name.size() == claim.where.size() ||
-                                                       std::isdigit(claim.where[at + name.size()]) == 0);
+    const std::size_t at = claim.where.find(own);
+    const bool there = at != std::string::npos && (at + own.size() == claim.where.size() ||
+                                                   std::isdigit(claim.where[at + own.size()]) == 0);
     const auto& more = figure.further_claims;
-    if (mentioned || std::find(more.begin(), more.end(), claim.id) != more.end())
+    if (there || std::find(more.begin(), more.end(), claim.id) != more.end())
       about.push_back(std::move(claim));
   }
   return about;
 }
 
-std::string sentence(const Figure& figure, const std::vector<Judged>& judged) {
-  std::vector<std::string> agreed, others;
+Verdicts verdicts_about(const Figure& figure, const std::vector<Judged>& judged) {
+  Verdicts all{{"confirmed", {}}, {"refuted", {}}, {"imprecise", {}}, {"convention", {}}};
   for (const Claim& claim : claims_about(figure)) {
     const auto one =
         std::find_if(judged.begin(), judged.end(), [&](const Judged& j) { return j.claim.id == claim.id; });
     if (one == judged.end() || !one->judgement) continue;
-    const Judgement& judgement = *one->judgement;
-    if (judgement.verdict == Verdict::confirmed)
-      agreed.push_back(claim.statement);
-    else
-      others.push_back(
-          fmt::format("{}: \"{}\"; rather: {}", name(judgement.verdict), claim.statement, judgement.truth));
+    for (auto& [verdict, ids] : all)
+      if (verdict == name(one->judgement->verdict)) ids.push_back(claim.id);
   }
-  std::string text = "The paper is ";
-  if (!agreed.empty()) text += fmt::format("confirmed: \"{}\"", fmt::join(agreed, "\", \""));
-  if (!agreed.empty() && !others.empty()) text += ". It is ";
-  return text + fmt::format("{}.", fmt::join(others, ". It is "));
+  std::erase_if(all, [](const auto& part) { return part.second.empty(); });
+  return all;
+}
+
+std::string in_words(const Verdicts& verdicts) {
+  std::vector<std::string> parts;
+  for (const auto& [verdict, ids] : verdicts)
+    parts.push_back(fmt::format("{}: {}", verdict, fmt::join(ids, ", ")));
+  return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 }  // namespace plumbline::verify

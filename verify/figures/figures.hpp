@@ -3,6 +3,7 @@
 /// The paper's figures 2 to 16, from computation.
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "page/plot.hpp"
@@ -22,9 +23,14 @@ struct Figure {
 /// The claims about a figure.
 std::vector<Claim> claims_about(const Figure& figure);
 
-/// What the paper says that a figure shows, and whether the computation agrees: from the claims about it,
-/// found among judged ones.
-std::string sentence(const Figure& figure, const std::vector<Judged>& judged);
+/// Ids of claims by the verdict on them.
+using Verdicts = std::vector<std::pair<std::string, std::vector<std::string>>>;
+
+/// The verdicts on the claims about a figure, found among judged ones.
+Verdicts verdicts_about(const Figure& figure, const std::vector<Judged>& judged);
+
+/// "confirmed: fig-8-smooth; refuted: fig-8-jump, fig-8-shapes".
+std::string in_words(const Verdicts& verdicts);
 
 /// All figures that are drawn, ascending.
 const std::vector<Figure>& figures();

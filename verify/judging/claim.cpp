@@ -1,12 +1,54 @@
 #include "verify/judging/claim.hpp"
 
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <array>
+#include <plumbline/base/error.hpp>
 
 namespace plumbline::verify {
+namespace {
+
+/// What is no row of signs and has no digit, as numbers and formulas have, is a word.
+bool is_word(const std::string& text) {
+  return text.find_first_not_of("+-") != std::string::npos &&
+         text.find_first_of("0123456789") == std::string::npos;
+}
+
+}  // namespace
+
+Judgement judge_print(const Claim& claim, const Printed& printed, int digits) {
+  if (printed.empty() || (!claim.list && printed.size() != claim.printed.size()))
+    throw Error("claim", fmt::format("{} printed entries", printed.size()),
+                claim.list ? "one or more" : fmt::format("{}", claim.printed.size()));
+  for (const std::string& text : printed) {
+    if (!claim.words.empty() && is_word(text) &&
+        std::find(claim.words.begin(), claim.words.end(), text) == claim.words.end())
+      throw Error("claim", "'" + text + "'", fmt::format("one of: {}", fmt::join(claim.words, ", ")));
+  }
+  Judgement judgement = claim.check(printed, digits);
+  std::stable_sort(judgement.evidence.begin(), judgement.evidence.end(),
+                   [](const Evidence& a, const Evidence& b) { return a.kind < b.kind; });
+  return judgement;
+}
+
+std::optional<Severity> severity(const Claim& claim, Verdict verdict) {
+  if (verdict == Verdict::confirmed) return std::nullopt;
+  if (verdict == Verdict::convention) return Severity::convention;
+  if (claim.subject == Subject::name) return Severity::wording;
+  if (claim.subject == Subject::number) return Severity::number;
+  return verdict == Verdict::imprecise ? Severity::wording : Severity::result;
+}
 
 std::string_view name(Verdict verdict) {
   static constexpr std::array<std::string_view, 4> names{"confirmed", "refuted", "imprecise", "convention"};
   return names.at(static_cast<std::size_t>(verdict));
+}
+
+std::string_view name(Severity severity) {
+  static constexpr std::array<std::string_view, 4> names{"result", "number", "wording", "convention"};
+  return names.at(static_cast<std::size_t>(severity));
 }
 
 std::string_view name(EvidenceKind kind) {

@@ -31,11 +31,12 @@ std::string certified_fixed(const Interval& value, int places) {
   return low;
 }
 
-/// Whether the printed number is within one percent of every value of the enclosure.
-bool within_percent(const Rational& printed, const Interval& value) {
+/// Whether the printed number is within a unit of its last place of every value of the enclosure.
+bool within_a_unit(const Rational& printed, const Interval& value, int places) {
+  Rational unit = 1;
+  for (int i = 0; i < places; ++i) unit /= 10;
   const Interval error = Interval(printed) - value;
-  const Interval bound = value / Interval(100);
-  return !certainly_less(sqr(bound), sqr(error));
+  return certainly_less(error, Interval(unit)) && certainly_less(-error, Interval(unit));
 }
 
 }  // namespace
@@ -62,11 +63,7 @@ Judgement judge_formulas(const proofs::Formulas& formulas, const Printed& printe
   for (std::size_t i = 0; i < printed.size(); ++i) {
     if (proofs::identical(formulas.parse(printed[i]), computed[i])) continue;
     if (proofs::identical(formulas.parse(fraction_reading(printed[i])), computed[i])) {
-      result.verdict = worst(result.verdict, Verdict::convention);
-      truths.push_back(
-          fmt::format("{} = {} with all that follows the slash in the denominator; read by the usual "
-                      "precedence, {} is another function",
-                      names[i], fraction_reading(printed[i]), printed[i]));
+      result.evidence[0].detail += fmt::format("; {} is {}", names[i], fraction_reading(printed[i]));
     } else {
       result.verdict = Verdict::refuted;
       truths.push_back(fmt::format("{} = {}, not {}", names[i], proofs::text(computed[i]), printed[i]));
@@ -76,12 +73,14 @@ Judgement judge_formulas(const proofs::Formulas& formulas, const Printed& printe
   return result;
 }
 
-Judgement judge_word(const std::string& printed, const std::string& computed,
-                     const std::vector<std::string>& possible, const std::string& truth,
+Judgement judge_word(const std::string& printed, const std::string& computed, const std::string& truth,
                      std::vector<Evidence> evidence) {
-  if (std::find(possible.begin(), possible.end(), printed) == possible.end()) {
-    throw Error("claim", "'" + printed + "'", fmt::format("one of: {}", fmt::join(possible, ", ")));
-  }
+  const bool right = printed == computed;
+  return {right ? Verdict::confirmed : Verdict::refuted, right ? "" : truth, std::move(evidence), ""};
+}
+
+Judgement judge_list(const Printed& printed, const std::vector<std::string>& computed,
+                     const std::string& truth, std::vector<Evidence> evidence) {
   const bool right = printed == computed;
   return {right ? Verdict::confirmed : Verdict::refuted, right ? "" : truth, std::move(evidence), ""};
 }
@@ -104,8 +103,8 @@ Judgement judge_count(const std::string& printed, const std::function<std::size_
           ""};
 }
 
-Judgement with_evidence(Judgement judgement, EvidenceKind kind, const std::string& detail) {
-  judgement.evidence.push_back({kind, detail});
+Judgement with_evidence(Judgement judgement, Evidence evidence) {
+  judgement.evidence.push_back(std::move(evidence));
   std::stable_sort(judgement.evidence.begin(), judgement.evidence.end(),
                    [](const Evidence& a, const Evidence& b) { return a.kind < b.kind; });
   return judgement;
@@ -122,7 +121,9 @@ Judgement judge_decimals(const Printed& printed, const std::vector<Interval>& co
     const std::string right = certified_fixed(computed[i], places_behind_point(printed[i]));
     if (right == printed[i]) continue;
     result.verdict =
-        worst(result.verdict, within_percent(*number, computed[i]) ? Verdict::imprecise : Verdict::refuted);
+        worst(result.verdict, within_a_unit(*number, computed[i], places_behind_point(printed[i]))
+                                  ? Verdict::imprecise
+                                  : Verdict::refuted);
     truths.push_back(
         fmt::format("{} = {}, printed {}", names[i], certified_decimal(computed[i], 10), printed[i]));
   }

@@ -14,18 +14,19 @@ namespace plumbline::verify {
 std::string fraction_reading(const std::string& formula);
 
 /// Printed formulas against computed expressions, entry by entry; `names` label the entries.
-/// Confirmed when all are identical. Convention when an entry is identical only in its fraction reading. Else
-/// refuted, with the computed expression of each wrong entry as the truth. \throws Error when the counts
-/// differ
+/// Confirmed when all are identical, as they stand or in their fraction reading. Else refuted, with the
+/// computed expression of each wrong entry as the truth. \throws Error when the counts differ
 Judgement judge_formulas(const proofs::Formulas& formulas, const Printed& printed,
                          const std::vector<GiNaC::ex>& computed, const std::vector<std::string>& names,
                          const std::string& how);
 
 /// A printed word against the computed one: confirmed or refuted, with the truth as a full sentence.
-/// \param possible the words that the computation can give; any other printed word is an Error
-Judgement judge_word(const std::string& printed, const std::string& computed,
-                     const std::vector<std::string>& possible, const std::string& truth,
+Judgement judge_word(const std::string& printed, const std::string& computed, const std::string& truth,
                      std::vector<Evidence> evidence);
+
+/// A printed list against the computed one, complete and in its order: confirmed or refuted.
+Judgement judge_list(const Printed& printed, const std::vector<std::string>& computed,
+                     const std::string& truth, std::vector<Evidence> evidence);
 
 /// A printed count such as "n-1" against the count computed for n = 2 … 6: confirmed or refuted.
 Judgement judge_count(const std::string& printed, const std::function<std::size_t(std::size_t)>& count,
@@ -36,12 +37,11 @@ inline constexpr std::size_t fewest = 2;
 inline constexpr std::size_t most = 6;
 
 /// Adds evidence in its place, the strongest first.
-Judgement with_evidence(Judgement judgement, EvidenceKind kind, const std::string& detail);
+Judgement with_evidence(Judgement judgement, Evidence evidence);
 
 /// Printed decimals against certified enclosures. A decimal claims half a unit of its last place: confirmed
-/// when the computed values round to what is printed, imprecise when all are within one percent, else
-/// refuted. The truth lists each wrong entry by its name. \throws Error when an enclosure is too wide to
-/// decide a rounding
+/// when the computed values round to what is printed, imprecise when all are within a unit, else refuted. The
+/// truth lists each wrong entry by its name. \throws Error when an enclosure is too wide to decide a rounding
 Judgement judge_decimals(const Printed& printed, const std::vector<Interval>& computed,
                          const std::vector<std::string>& names, const std::string& how);
 

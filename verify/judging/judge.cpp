@@ -16,7 +16,7 @@ std::vector<Judged> judge(const std::vector<Claim>& claims, int digits,
   std::vector<Judged> result;
   for (const Claim& claim : claims) {
     try {
-      result.push_back({claim, claim.check(claim.printed, digits), ""});
+      result.push_back({claim, judge_print(claim, claim.printed, digits), ""});
     } catch (const std::exception& error) {
       result.push_back({claim, std::nullopt, error.what()});
     }
@@ -28,25 +28,23 @@ std::vector<Judged> judge(const std::vector<Claim>& claims, int digits,
 std::vector<Judged> judge_sampled(const SampledChains& sampled, std::uint64_t seed) {
   std::vector<Judged> result;
   for (const SampledProperty& p : sampled.properties) {
-    std::string id = "sampled-" + p.name;
-    std::replace(id.begin(), id.end(), ' ', '-');
-    const Claim claim{id, "of random chains", p.statement, {}, {}};
+    Claim claim;
+    claim.id = "sampled-" + p.name;
+    std::replace(claim.id.begin(), claim.id.end(), ' ', '-');
+    claim.where = "of random chains";
+    claim.reading = p.statement;
+    claim.cause = claim.id;
     if (p.failures > 0) {
       result.push_back(
           {claim, std::nullopt,
            fmt::format("{} of {} chains fail, the first is {}", p.failures, p.chains, p.counterexample)});
       continue;
     }
-    const std::string detail =
-        fmt::format("{} chains of seed {}, none fails; at most {:.2g} of the allowance used", p.chains, seed,
-                    p.worst_margin);
+    std::string detail = fmt::format("{} chains of seed {}, none fails; at most {:.2g} of the allowance used",
+                                     p.chains, seed, p.worst_margin);
+    if (p.name == "double") detail += "; " + summary(sampled.agreement);
     result.push_back({claim, Judgement{Verdict::confirmed, "", {{EvidenceKind::sampled, detail}}, ""}, ""});
   }
-  const Claim digits{
-      "sampled-digits", "of random chains", "the digits that Algorithm 1 in double gets right", {}, {}};
-  result.push_back(
-      {digits, Judgement{Verdict::confirmed, "", {{EvidenceKind::sampled, summary(sampled.agreement)}}, ""},
-       ""});
   return result;
 }
 

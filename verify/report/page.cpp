@@ -1,10 +1,13 @@
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 
+#include "page/formula.hpp"
 #include "page/markup.hpp"
+#include "verify/paper/paper.hpp"
+#include "verify/report/errata.hpp"
 #include "verify/report/page_texts.hpp"
 #include "verify/report/report.hpp"
 
@@ -13,26 +16,58 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string in_base64(const std::string& bytes) {
-  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');
-  const int length =
-      EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data()),
-                      reinterpret_cast<const unsigned char*>(bytes.data()), static_cast<int>(bytes.size()));
-  text.resize(static_cast<std::size_t>(length));
+/// A drawing as part of an address: coordinates to a tenth of a pixel, what an attribute cannot hold escaped.
+std::string in_address(const std::string& svg) {
+  static const std::regex finer(R"((\.\d)\d+)"), gaps(R"(\s+)");
+  const std::string drawing = std::regex_replace(std::regex_replace(svg, finer, "$1"), gaps, " ");
+  std::string address;
+  for (const char c : drawing) {
+    if (std::string_view("%#<>\"&").find(c) != std::string_view::npos)
+      address += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    else
+      address += c;
+  }
+  return address;
+}
+
+/// The anchor of a heading.
+std::string anchor(const std::string& heading) {
+  std::string text;
+  for (const char c : heading)
+    text += c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
 }
 
+/// The printed formulas, set; none where a part is no formula.
+Json formulas(const Printed& printed) {
+  Json list = Json::array();
+  for (const std::string& text : printed) {
+    const auto set = page::as_mathml(text);
+    if (!set) return Json::array();
+    list.push_back(*set);
+  }
+  return list;
+}
+
 /// One claim of the report, with what its card shows besides.
-Json card(const Json& report, const Printed& printed) {
+Json card(const Json& report, const Claim& claim) {
   Json view = report;
-  view["has_truth"] = !report["truth"].get<std::string>().empty();
-  view["has_value"] = !report["value"].get<std::string>().empty();
+  for (const std::string key : {"quote", "truth", "value"}) view["has_" + key] = report[key] != "";
   view["has_evidence"] = !report["evidence"].empty();
-  view["has_print"] = !printed.empty();
-  view["printed"] = fmt::format("{}", fmt::join(printed, " | "));
+  view["charitable"] = claim.charitable;
+  view["has_severity"] = !report["severity"].is_null();
+  view["has_print"] = !claim.printed.empty();
+  view["print"] = fmt::format("{}", fmt::join(claim.printed, " | "));
+  view["formulas"] = formulas(claim.printed);
+  view["has_formulas"] = !view["formulas"].empty();
+  view["source"] = claim.source;
+  view["has_source"] = !claim.source.empty();
   std::vector<std::string> kinds;
   for (std::size_t i = 0; i < report["evidence"].size(); ++i) {
-    view["evidence"][i]["place"] = std::to_string(i);
+    Json& one = view["evidence"][i];
+    one["place"] = std::to_string(i);
+    one["has_theorem"] = one.contains("theorem");
+    if (one.contains("theorem")) one["anchor"] = anchor(one["theorem"].get<std::string>());
     const auto kind = report["evidence"][i]["kind"].get<std::string>();
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
   }
@@ -47,11 +82,12 @@ Json sections(const std::vector<Judged>& judged, const Json& report) {
     if (list.empty() || section_of(judged[i].claim) != section) {
       section = section_of(judged[i].claim);
       const bool of_paper = std::isdigit(static_cast<unsigned char>(section[0])) != 0;
-      list.push_back({{"number", std::to_string(list.size() + 1)},
-                      {"heading", (of_paper ? "Section " : "Properties ") + section},
-                      {"claims", Json::array()}});
+      list.push_back(
+          {{"number", std::to_string(list.size() + 1)},
+           {"heading", of_paper ? section + " " + section_title(section) : "Properties " + section},
+           {"claims", Json::array()}});
     }
-    list.back()["claims"].push_back(card(report[i], judged[i].claim.printed));
+    list.back()["claims"].push_back(card(report[i], judged[i].claim));
   }
   return list;
 }
@@ -69,13 +105,32 @@ Json counts(const Json& report) {
   return list;
 }
 
+Json corrections(const std::vector<Judged>& judged) {
+  const std::vector<Erratum> found = errata(judged);
+  Json list = Json::array();
+  for (const Erratum& one : found) {
+    Json claims = Json::array();
+    for (const Judged& j : one.claims) claims.push_back(j.claim.id);
+    list.push_back({{"id", one.cause.id},
+                    {"title", one.cause.title.empty() ? one.claims.front().claim.where : one.cause.title},
+                    {"severity", std::string(name(one.severity))},
+                    {"claims", std::move(claims)},
+                    {"has_correction", !one.cause.correction.empty()},
+                    {"correction", one.cause.correction},
+                    {"effect", one.cause.effect}});
+  }
+  return {{"any", !found.empty()}, {"count", count_of(found)}, {"list", std::move(list)}};
+}
+
 Json gallery(const std::vector<DrawnFigure>& figures) {
   Json list = Json::array();
   for (const DrawnFigure& one : figures) {
+    Json verdicts = Json::array();
+    for (const auto& [verdict, ids] : one.verdicts) verdicts.push_back({{"verdict", verdict}, {"ids", ids}});
     list.push_back({{"number", std::to_string(one.number)},
                     {"title", one.title},
-                    {"sentence", one.sentence},
-                    {"image", in_base64(one.svg)}});
+                    {"verdicts", std::move(verdicts)},
+                    {"image", in_address(one.svg)}});
   }
   const bool any = !list.empty();
   return {{"any", any}, {"list", std::move(list)}};
@@ -89,6 +144,7 @@ std::string as_html(const std::vector<Judged>& judged, const std::vector<DrawnFi
                         page::filled(claims_template, {{"total", std::to_string(judged.size())},
                                                        {"counts", counts(report)},
                                                        {"sections", sections(judged, report)},
+                                                       {"errata", corrections(judged)},
                                                        {"figures", gallery(figures)}}));
 }
 

@@ -1,15 +1,21 @@
 #include "verify/report/report.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include <cctype>
 #include <map>
 #include <sstream>
 
+#include "verify/paper/paper.hpp"
+#include "verify/report/errata.hpp"
+
 namespace plumbline::verify {
 namespace {
 
-constexpr std::size_t width = 80;
+constexpr std::size_t width = 80;  // of what is wrapped
 
 std::string verdict_of(const Judged& judged) {
   return judged.judgement ? std::string(name(judged.judgement->verdict)) : "unjudged";
@@ -78,11 +84,14 @@ std::string bold(const std::string& text, bool colour) {
   return colour ? "\033[1m" + text + "\033[0m" : text;
 }
 
-std::string line(const Judged& judged, bool colour) {
+/// One line a claim; the reading is cut where the terminal ends, and whole where there is none.
+std::string line(const Judged& judged, const Style& style) {
   const std::string verdict = verdict_of(judged);
-  return fmt::format("  {} {} {} {}\n", fitted(judged.claim.id, 23),
-                     painted(fitted(verdict, 10), verdict, colour), fitted(strongest(judged), 8),
-                     fitted(judged.claim.statement, width - 46));
+  const std::string& reading = judged.claim.reading;
+  return fmt::format(
+      "  {} {} {} {}\n", fitted(judged.claim.id, 23), painted(fitted(verdict, 10), verdict, style.colour),
+      fitted(strongest(judged), 8),
+      style.columns == 0 ? reading : fitted(reading, std::max<std::size_t>(style.columns, 66) - 46));
 }
 
 std::string summary(const std::vector<Judged>& judged, bool colour) {
@@ -96,51 +105,64 @@ std::string summary(const std::vector<Judged>& judged, bool colour) {
   return fmt::format("{} claims: {}\n", judged.size(), parts);
 }
 
-std::string erratum(const Judged& judged, bool colour) {
-  const std::string verdict = verdict_of(judged);
-  const std::string truth = judged.judgement ? judged.judgement->truth : judged.problem;
-  return fmt::format("  {} ({}, {})\n", bold(judged.claim.id, colour), judged.claim.where,
-                     painted(verdict, verdict, colour)) +
-         wrapped("printed: " + judged.claim.statement, 4) + wrapped("true: " + truth, 4);
+std::string erratum(const Erratum& one, bool colour) {
+  std::string text = fmt::format("  {} ({})\n", bold(one.cause.id, colour), name(one.severity));
+  if (!one.cause.title.empty()) text += wrapped(one.cause.title, 4);
+  for (const Judged& judged : one.claims) {
+    const std::string verdict = verdict_of(judged);
+    text += fmt::format("    {} ({}, {})\n", judged.claim.id, judged.claim.where,
+                        painted(verdict, verdict, colour)) +
+            wrapped("printed: “" + judged.claim.quote + "”", 6) +
+            wrapped("true: " + judged.judgement->truth, 6);
+  }
+  return text;
+}
+
+std::string heading(const std::string& section) {
+  const bool of_paper = std::isdigit(static_cast<unsigned char>(section[0])) != 0;
+  const std::string title = section_title(section);
+  return (of_paper ? "Section " : "Properties ") + section + (title.empty() ? "" : ": " + title);
 }
 
 }  // namespace
 
-std::string as_table(const std::vector<Judged>& judged, bool colour) {
+std::string as_table(const std::vector<Judged>& judged, const Style& style) {
   std::string text;
   std::string section;
   for (const Judged& j : judged) {
     if (section_of(j.claim) != section) {
       section = section_of(j.claim);
-      text += (text.empty() ? "" : "\n") +
-              bold((std::isdigit(static_cast<unsigned char>(section[0])) != 0 ? "Section " : "Properties ") +
-                       section,
-                   colour) +
-              "\n";
+      text += (text.empty() ? "" : "\n") + bold(heading(section), style.colour) + "\n";
     }
-    text += line(j, colour);
+    text += line(j, style);
   }
-  text += "\n" + summary(judged, colour);
-  std::string errata;
+  text += "\n" + summary(judged, style.colour);
   for (const Judged& j : judged) {
-    if (verdict_of(j) != "confirmed") errata += erratum(j, colour);
+    if (!j.judgement) text += fmt::format("  {}: {}\n", j.claim.id, j.problem);
   }
-  return errata.empty() ? text : text + "\n" + bold("Errata", colour) + "\n" + errata;
+  const std::vector<Erratum> list = errata(judged);
+  if (list.empty()) return text;
+  text += fmt::format("{}\n\n{}\n", count_of(list), bold("Errata", style.colour));
+  for (const Erratum& one : list) text += erratum(one, style.colour);
+  return text;
 }
 
 std::string as_detail(const Judged& judged, bool colour) {
   const std::string verdict = verdict_of(judged);
-  std::string text = fmt::format("{}  ({})\n", bold(judged.claim.id, colour), judged.claim.where);
-  text += wrapped("statement: " + judged.claim.statement, 2);
-  std::string printed;
-  for (const std::string& part : judged.claim.printed) printed += (printed.empty() ? "" : " | ") + part;
-  text += wrapped("printed: " + printed, 2);
+  const Claim& claim = judged.claim;
+  std::string text = fmt::format("{}  ({})\n", bold(claim.id, colour), claim.where);
+  text += wrapped("quote: “" + claim.quote + "”", 2);
+  text += wrapped(fmt::format("reading{}: {}", claim.charitable ? ", charitable" : "", claim.reading), 2);
+  text += wrapped(fmt::format("judged as: {}", fmt::join(claim.printed, " | ")), 2);
   text += "  verdict: " + painted(verdict, verdict, colour) + "\n";
   if (!judged.judgement) return text + wrapped("problem: " + judged.problem, 2);
+  if (const auto grave = severity(claim, judged.judgement->verdict))
+    text += fmt::format("  severity: {}\n  cause: {}\n", name(*grave), claim.cause);
   if (!judged.judgement->truth.empty()) text += wrapped("true: " + judged.judgement->truth, 2);
   if (!judged.judgement->value.empty()) text += wrapped("value: " + judged.judgement->value, 2);
   for (const Evidence& e : judged.judgement->evidence) {
-    text += wrapped(fmt::format("evidence, {}: {}", name(e.kind), e.detail), 2);
+    const std::string theorem = e.theorem.empty() ? "" : " “" + e.theorem + "”";
+    text += wrapped(fmt::format("evidence, {}{}: {}", name(e.kind), theorem, e.detail), 2);
   }
   return text;
 }
@@ -151,15 +173,26 @@ nlohmann::ordered_json as_json(const std::vector<Judged>& judged) {
     nlohmann::ordered_json evidence = nlohmann::ordered_json::array();
     const Judgement judgement = j.judgement.value_or(Judgement{Verdict::refuted, j.problem, {}, ""});
     for (const Evidence& e : judgement.evidence) {
-      evidence.push_back({{"kind", std::string(name(e.kind))}, {"detail", e.detail}});
+      nlohmann::ordered_json one{{"kind", std::string(name(e.kind))}, {"detail", e.detail}};
+      if (!e.theorem.empty()) one["theorem"] = e.theorem;
+      evidence.push_back(std::move(one));
     }
-    list.push_back({{"id", j.claim.id},
-                    {"where", j.claim.where},
-                    {"statement", j.claim.statement},
-                    {"verdict", verdict_of(j)},
-                    {"truth", judgement.truth},
-                    {"evidence", evidence},
-                    {"value", judgement.value}});
+    const auto grave = j.judgement ? severity(j.claim, judgement.verdict) : std::nullopt;
+    nlohmann::ordered_json one;
+    one["id"] = j.claim.id;
+    one["where"] = j.claim.where;
+    one["quote"] = j.claim.quote;
+    one["reading"] = j.claim.reading;
+    one["charity"] = j.claim.charitable ? "charitable" : "literal";
+    one["printed"] = j.claim.printed;
+    one["verdict"] = verdict_of(j);
+    one["severity"] =
+        grave ? nlohmann::ordered_json(std::string(name(*grave))) : nlohmann::ordered_json(nullptr);
+    one["cause"] = grave ? nlohmann::ordered_json(j.claim.cause) : nlohmann::ordered_json(nullptr);
+    one["truth"] = judgement.truth;
+    one["evidence"] = std::move(evidence);
+    one["value"] = judgement.value;
+    list.push_back(std::move(one));
   }
   return list;
 }

@@ -5,25 +5,32 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "verify/figures/figures.hpp"
 #include "verify/judging/judge.hpp"
 
 namespace plumbline::verify {
 
-/// A table by section, one line a claim; a summary; then the errata: every claim that is not confirmed as
-/// printed, with the true statement. At most 80 columns. \param colour with terminal colours
-std::string as_table(const std::vector<Judged>& judged, bool colour);
+struct Style {
+  bool colour = false;      ///< terminal colours
+  std::size_t columns = 0;  ///< of the terminal, 0 where there is none: then no reading is cut
+};
+
+/// A table by section, one line a claim; a summary; then the errata, those of one cause together.
+std::string as_table(const std::vector<Judged>& judged, const Style& style);
 
 /// Everything about one claim.
 std::string as_detail(const Judged& judged, bool colour);
 
-/// A list of objects with the keys id, where, statement, verdict, truth, evidence (a list of kind and
-/// detail), value. A claim that could not be judged has the verdict "unjudged" and the reason as its truth.
+/// A list of objects with the keys id, where, quote, reading, charity, printed, verdict, severity and cause
+/// (null where there is nothing to correct), truth, evidence (a list of kind, detail and for a theorem its
+/// name), value. A claim that could not be judged has the verdict "unjudged" and the reason as its truth.
 nlohmann::ordered_json as_json(const std::vector<Judged>& judged);
 
 /// A figure of the paper, redrawn.
 struct DrawnFigure {
   int number;
-  std::string title, sentence;  ///< what is drawn; what the paper's drawing shows, and whether it agrees
+  std::string title;
+  Verdicts verdicts;  ///< of the claims about it
   std::string svg;
 };
 
