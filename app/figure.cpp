@@ -38,7 +38,7 @@ void run(const Options& options) {
     files::write_text(path, drawing);
     progress.advance();
     fmt::print("{}: {}\n  {}\n", path.string(), figure->title,
-               in_words(verdicts_about(*figure, verify::judge(claims_about(*figure), 10))));
+               verify::in_words(verdicts_about(*figure, verify::judge(claims_about(*figure), 10))));
   }
 }
 
