@@ -10,21 +10,24 @@ namespace {
 
 constexpr std::string_view laws = "laws of joints", spread = "a value of its own at each joint";
 
-/// Ratio and yield of one to five sliders beside a spring; they yield one after the other as the joint turns.
-Values draw_sliders(double stiffness, double deflection, Random& r) {
+/// Stiffness, over that of the joint, of one to five sliders beside a spring, and the turn after which each
+/// yields, one after the other.
+Values draw_sliders(double deflection, Random& r) {
   const std::size_t count = r.one_of<std::size_t>({1, 1, 2, 2, 3, 4, 5});
   Values all;
   for (std::size_t m = 0; m < count; ++m) {
     const double ratio = r.log_uniform(0.1, 0.6) / static_cast<double>(count);
-    const double bend = deflection * 0.04 * std::pow(2.2, static_cast<double>(m)) * r.uniform(0.7, 1.3);
-    all.insert(all.end(), {significant(ratio, 4), significant(ratio * stiffness * bend, 4)});
+    const double turn = deflection * 0.04 * std::pow(2.2, static_cast<double>(m)) * r.uniform(0.7, 1.3);
+    all.insert(all.end(), {significant(ratio, 4), significant(turn, 4)});
   }
   return all;
 }
 
-void add_sliders(Joint& joint, const Values& v) {
+/// \param stiffness  of the joint that yields at those turns
+void add_sliders(Joint& joint, double stiffness, const Values& v) {
   if (joint.stiffness == 0) return;
-  for (std::size_t m = 0; m + 1 < v.size(); m += 2) joint.slider.push_back({v[m], v[m + 1]});
+  for (std::size_t m = 0; m + 1 < v.size(); m += 2)
+    joint.slider.push_back({v[m], v[m] * stiffness * v[m + 1]});
 }
 
 /// The largest torque that a spring carries.
@@ -87,31 +90,29 @@ std::vector<Kind> friction() {
        "",
        false,
        {},
-       {true, true},
+       {true, false},
        false,
        6,
        turns_back,
-       [](const Scene& s, Place, Random& r) {
-         return draw_sliders(s.plan.typical_stiffness(), largest_deflection(s), r);
+       [](const Scene& s, Place, Random& r) { return draw_sliders(largest_deflection(s), r); },
+       [](Physics& is, const Plan& plan, Place, const Values& v) {
+         for (Joint& joint : is.joint) add_sliders(joint, plan.typical_stiffness(), v);
        },
-       [](Physics& is, const Plan&, Place, const Values& v) {
-         for (Joint& joint : is.joint) add_sliders(joint, v);
-       },
-       {"r", "tau"},
+       {"r", "d"},
        laws},
       {"hysteresis",
        "",
        true,
        {},
-       {true, true},
+       {true, false},
        false,
        6,
        [](const Scene& s, Place j) { return turns_back(s, j) && elastic(s, j); },
-       [](const Scene& s, Place j, Random& r) {
-         return draw_sliders(s.plan.nominal.stiffness[j], s.deflection[j], r);
+       [](const Scene& s, Place j, Random& r) { return draw_sliders(s.deflection[j], r); },
+       [](Physics& is, const Plan& plan, Place j, const Values& v) {
+         add_sliders(is.joint[j], plan.nominal.stiffness[j], v);
        },
-       [](Physics& is, const Plan&, Place j, const Values& v) { add_sliders(is.joint[j], v); },
-       {"r", "tau"},
+       {"r", "d"},
        laws},
   };
 }

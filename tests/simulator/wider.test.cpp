@@ -98,7 +98,7 @@ TEST_CASE("a group's parameters are numbered by joint, an element's by element")
   CHECK(spread.name(plan, 3) == "a_4");
   const Kind& hysteresis = kind("hysteresis", true);
   CHECK(hysteresis.name(plan, 0) == "r_1");
-  CHECK(hysteresis.name(plan, 3) == "tau_2");
+  CHECK(hysteresis.name(plan, 3) == "d_2");
   const Kind& day = kind("run_rest", false);
   CHECK(day.name(plan, 0) == "a_1_1");
   CHECK(day.name(plan, 5) == "a_2_2");
