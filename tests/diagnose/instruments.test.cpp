@@ -1,0 +1,159 @@
+/// Instruments of the wider catalogue, and runs that differ.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/model/study.hpp"
+#include "tests/diagnose/bench.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+using namespace plumbline::diagnose::test;
+
+namespace {
+
+Prediction predicted(const Experiment& experiment, const Candidate& candidate,
+                     const std::vector<double>& value) {
+  Prediction prediction = predict(Study(experiment), candidate, value, true);
+  REQUIRE(prediction.reached);
+  return prediction;
+}
+
+double difference(const Trace& a, const Trace& b) {
+  return (a - b).abs().maxCoeff();
+}
+
+/// Three presses that differ.
+Experiment presses() {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 8, true);
+  press(experiment, {0.3, -0.5, 0.4}, {-0.05, 0.02}, 8, true);
+  press(experiment, {-0.2, 0.5, 0.4}, {-0.04, 0}, 8, false);
+  return experiment;
+}
+
+bool offered(const Experiment& experiment, const char* id) {
+  const std::vector<EffectAt> possible = possible_effects(Study(experiment));
+  return std::find(possible.begin(), possible.end(), EffectAt(id)) != possible.end();
+}
+
+}  // namespace
+
+TEST_CASE("a tare of one run moves that run's readings and no other") {
+  const Experiment experiment = presses();
+  const Prediction nominal = predicted(experiment, {}, {});
+  const Prediction tared = predicted(experiment, only("run_tare"), {0, 0, 0.3, -0.2, 0, 0});
+  for (const std::size_t r : {0U, 2U}) CHECK(difference(tared.runs[r], nominal.runs[r]) == 0);
+  CHECK(difference(tared.runs[1].col(column_Fx), nominal.runs[1].col(column_Fx) + 0.3) < 1e-12);
+  CHECK(difference(tared.runs[1].col(column_Fy), nominal.runs[1].col(column_Fy) - 0.2) < 1e-12);
+  CHECK(tared.sensitivity[2][0].abs().maxCoeff() == 0);
+  CHECK(tared.sensitivity[2][1].col(column_Fx).minCoeff() == doctest::Approx(1));
+  CHECK(difference(predicted(experiment, only("run_tare"), {0.3, -0.2, 0.3, -0.2, 0.3, -0.2}).runs[2],
+                   predicted(experiment, only("force_bias"), {0.3, -0.2}).runs[2]) == 0);
+}
+
+TEST_CASE("a run keeps its values where others are left out") {
+  const Experiment experiment = presses();
+  const std::vector<double> tare{0, 0, 0, 0, 0.3, -0.2};
+  Experiment last = Study(experiment).experiment();
+  last.runs.erase(last.runs.begin(), last.runs.begin() + 2);
+  const Study study(last);
+  REQUIRE(study.ranges(EffectAt("run_tare")).size() == tare.size());
+  CHECK(difference(predict(study, only("run_tare"), tare).runs[0],
+                   predicted(experiment, only("run_tare"), tare).runs[2]) == 0);
+}
+
+TEST_CASE("rest angles of one run: those of rest_spread in that run alone") {
+  const Experiment experiment = presses();
+  const Prediction nominal = predicted(experiment, {}, {});
+  const Prediction other = predicted(experiment, only("run_rest"), {0, 0, 0, 0.02, -0.01, 0.03, 0, 0, 0});
+  const Prediction everywhere = predicted(experiment, only("rest_spread"), {0.02, -0.01, 0.03});
+  CHECK(difference(other.runs[0], nominal.runs[0]) == 0);
+  CHECK(difference(other.runs[1], everywhere.runs[1]) == 0);
+  CHECK(difference(other.runs[1], nominal.runs[1]) > 1e-3);
+}
+
+TEST_CASE("cross-talk of what is read, and of what a servo is told to hold") {
+  Experiment experiment = presses();
+  const Trace nominal = predicted(experiment, {}, {}).runs[0];
+  const Trace read = predicted(experiment, only("cross_talk"), {0.05, -0.02}).runs[0];
+  CHECK(difference(read.col(column_Fx), nominal.col(column_Fx) + 0.05 * nominal.col(column_Fy)) < 1e-12);
+  CHECK(difference(read.col(column_Fy), nominal.col(column_Fy) - 0.02 * nominal.col(column_Fx)) < 1e-12);
+
+  // The cell shows what is commanded where the true force is (1 + C)^-1 of it.
+  experiment.runs.clear();
+  load(experiment, {0.2, 0.3, -0.3}, {-1, 0.5}, {-1, 0.5}, 1);
+  Experiment turned = experiment;
+  const double determinant = 1 + 0.05 * 0.02;
+  for (Reading& one : turned.runs[0].readings) {
+    one.Fx = (-1 - 0.05 * 0.5) / determinant;
+    one.Fy = (0.5 + 0.02 * -1) / determinant;
+  }
+  const auto q = [](const Prediction& of) { return of.runs[0].rightCols(3); };
+  CHECK(difference(q(predicted(experiment, only("cross_talk"), {0.05, -0.02})),
+                   q(predicted(turned, {}, {}))) < 1e-9);
+  CHECK_FALSE(offered(experiment, "cross_talk"));
+}
+
+TEST_CASE("a cell at the end of its range shows the limit, and is suspected where readings form a plateau") {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
+  const Trace nominal = predicted(experiment, {}, {}).runs[0];
+  const double limit = 0.6 * nominal.col(column_Fx).abs().maxCoeff();
+  const Trace shown = predicted(experiment, only("saturation"), {1 / limit}).runs[0];
+  for (const ChannelColumn column : {column_Fx, column_Fy})
+    CHECK(difference(shown.col(column), nominal.col(column).min(limit).max(-limit)) < 1e-12);
+  CHECK(offered(measured(experiment, only("saturation"), {1 / limit}, 4), "saturation"));
+  CHECK_FALSE(offered(measured(experiment, {}, {}, 4), "saturation"));
+}
+
+TEST_CASE("a cell with a time constant comes near a held force as 1 - exp(-t / tau)") {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 1, false, 1e-6);
+  Run& run = experiment.runs[0];
+  for (int i = 1; i <= 20; ++i) {
+    run.readings.push_back(run.readings[1]);
+    run.readings.back().t = 1e-6 + 0.5 * i;
+  }
+  const double force = predicted(experiment, {}, {}).runs[0](1, column_Fx), tau = 2;
+  const Trace shown = predicted(experiment, only("sensor_lag"), {tau}).runs[0];
+  for (Eigen::Index row = 1; row < shown.rows(); ++row) {
+    const double held = 0.5 * static_cast<double>(row - 1);
+    CHECK(shown(row, column_Fx) ==
+          doctest::Approx((1 - std::exp(-held / tau)) * force).epsilon(1e-5).scale(1));
+  }
+}
+
+TEST_CASE("a rate behind a steady force: the lag times the rate") {
+  // The straight side of a small press: forces go nearly in proportion to the way.
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-1e-4, 0}, 40, false, 2);
+  const Trace nominal = predicted(experiment, {}, {}).runs[0];
+  const Trace shown = predicted(experiment, only("sensor_lag"), {3.0}).runs[0];
+  const double rate = (nominal(40, column_Fx) - nominal(39, column_Fx)) / 2;
+  CHECK(nominal(40, column_Fx) - shown(40, column_Fx) == doctest::Approx(3.0 * rate).epsilon(1e-3));
+}
+
+TEST_CASE("what one run, one component or a counted clock cannot show is not offered") {
+  Experiment experiment = presses();
+  CHECK(offered(experiment, "run_tare"));
+  CHECK(offered(experiment, "run_rest"));
+  CHECK(offered(experiment, "cross_talk"));
+  CHECK(offered(experiment, "hysteresis"));
+  Experiment one = experiment;
+  one.runs.resize(1);
+  CHECK_FALSE(offered(one, "run_tare"));
+  CHECK_FALSE(offered(one, "run_rest"));
+  Experiment along = experiment;
+  for (Run& run : along.runs)
+    for (Reading& reading : run.readings) reading.Fy = nan_value();
+  CHECK_FALSE(offered(along, "cross_talk"));
+  Experiment forth = experiment;
+  forth.runs.erase(forth.runs.begin(), forth.runs.begin() + 2);
+  for (const char* id : {"hysteresis", "load_friction", "plastic_set"}) CHECK_FALSE(offered(forth, id));
+  Experiment counted = experiment;
+  for (Run& run : counted.runs)
+    for (std::size_t i = 0; i < run.readings.size(); ++i) run.readings[i].t = static_cast<double>(i);
+  for (const char* id : {"sensor_lag", "relaxation_spectrum"}) CHECK_FALSE(offered(counted, id));
+}

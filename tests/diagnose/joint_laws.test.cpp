@@ -1,0 +1,212 @@
+/// The torque laws of the wider catalogue, in closed form for one joint and in balance for three.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "diagnose/model/study.hpp"
+#include "tests/diagnose/bench.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+using namespace plumbline::diagnose::test;
+
+namespace {
+
+double angle(const Trace& trace, Eigen::Index row, std::size_t i) {
+  return trace(row, column_q + static_cast<Eigen::Index>(i));
+}
+
+constexpr double stiffness = 2, length = 0.5;
+
+/// One joint under a transverse force that takes these values one after the other.
+Experiment one_joint(const std::vector<double>& forces, double interval = 1) {
+  Experiment experiment = three_links();
+  experiment.link_length = {length};
+  experiment.joint_stiffness = {stiffness};
+  experiment.link_mass = {0};
+  Run run{"load", Control::force, {0.0}, {}};
+  for (const double force : forces)
+    run.readings.push_back({interval * static_cast<double>(run.readings.size()), 0, 0, 0, force, {0.0}});
+  experiment.runs.push_back(run);
+  return experiment;
+}
+
+/// From one value to the next in steps.
+std::vector<double> steps_through(const std::vector<double>& corners, int steps) {
+  std::vector<double> all{corners.front()};
+  for (std::size_t c = 1; c < corners.size(); ++c)
+    for (int i = 1; i <= steps; ++i)
+      all.push_back(corners[c - 1] + (corners[c] - corners[c - 1]) * static_cast<double>(i) / steps);
+  return all;
+}
+
+double moment(const Trace& trace, Eigen::Index row) {
+  return length * std::cos(angle(trace, row, 0)) * trace(row, column_Fy);
+}
+
+Trace predicted(const Experiment& experiment, const Candidate& candidate, const std::vector<double>& value) {
+  const Prediction prediction = predict(Study(experiment), candidate, value);
+  REQUIRE(prediction.reached);
+  return prediction.runs[0];
+}
+
+/// Moment of the end force about each joint, and the joint's deflection.
+struct Balance {
+  std::array<double, 3> moment, deflection;
+};
+
+std::vector<Balance> balances(const Experiment& experiment, const Trace& trace) {
+  std::vector<Balance> all;
+  for (Eigen::Index row = 0; row < trace.rows(); ++row) {
+    Balance& one = all.emplace_back();
+    double x = trace(row, column_x), y = trace(row, column_y), theta = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      one.moment[i] = x * trace(row, column_Fy) - y * trace(row, column_Fx);
+      one.deflection[i] = angle(trace, row, i) - experiment.runs[0].rest[i];
+      theta += angle(trace, row, i);
+      x -= experiment.link_length[i] * std::cos(theta);
+      y -= experiment.link_length[i] * std::sin(theta);
+    }
+  }
+  return all;
+}
+
+Experiment cycle() {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0.01}, 40, true);
+  return experiment;
+}
+
+double difference(const Trace& a, const Trace& b) {
+  return (a - b).abs().maxCoeff();
+}
+
+constexpr double solved = 1e-8;
+
+}  // namespace
+
+TEST_CASE("each joint slips at its own friction, and all alike are joint_friction") {
+  const Experiment experiment = cycle();
+  const std::vector<double> tau{0.01, 0.03, 0.005};
+  const Trace trace = predicted(experiment, only("friction_spread"), tau);
+  std::array<int, 3> slips{};
+  for (const Balance& one : balances(experiment, trace)) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double carried = std::abs(one.moment[i] - experiment.joint_stiffness[i] * one.deflection[i]);
+      CHECK(carried <= tau[i] * (1 + 1e-6));
+      slips[i] += carried > tau[i] * (1 - 1e-6);
+    }
+  }
+  for (const int count : slips) CHECK(count > 10);
+  CHECK(difference(predicted(experiment, only("friction_spread"), {0.02, 0.02, 0.02}),
+                   predicted(experiment, only("joint_friction"), {0.02})) == 0);
+}
+
+TEST_CASE("joints that harden each on its own, that are stiffer to one side, and stops at all of them") {
+  const Experiment experiment = cycle();
+  const std::vector<double> c{1.5, -0.5, 4};
+  const std::vector<double>& k = experiment.joint_stiffness;
+  const auto torque = [](double value) { return doctest::Approx(value).epsilon(solved).scale(1); };
+  for (const Balance& one : balances(experiment, predicted(experiment, only("hardening_spread"), c)))
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double d = one.deflection[i];
+      CHECK(one.moment[i] == torque(k[i] * d * (1 + c[i] * d * d)));
+    }
+  for (const Balance& one : balances(experiment, predicted(experiment, only("asymmetric_spring"), {0.2})))
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double d = one.deflection[i];
+      CHECK(one.moment[i] == torque(k[i] * d * (d > 0 ? 1.2 : 0.8)));
+    }
+  for (const Balance& one : balances(experiment, predicted(experiment, only("joint_stops"), {0.1, 3.0})))
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double d = one.deflection[i], excess = std::max(0.0, std::abs(d) - 0.1);
+      CHECK(one.moment[i] == torque(k[i] * d + std::copysign(3.0 * excess, d)));
+    }
+  CHECK(difference(predicted(experiment, only("hardening_spread"), {2, 2, 2}),
+                   predicted(experiment, only("nonlinear_spring"), {2})) == 0);
+}
+
+TEST_CASE("a Jenkins element: the way back is the way there twice as large, and a closed loop is forgotten") {
+  // There, back to a half, there again, and on: Masing's rules.
+  const int steps = 50;
+  const Trace trace = predicted(one_joint(steps_through({0, 0.4, 0.2, 0.4, 0.6}, steps)),
+                                only("hysteresis", 1), {0.5, 0.03, 0, 1, 0, 1});
+  const double yield = 0.5 * stiffness * 0.03;
+  const auto virgin = [&](double q) { return stiffness * q + std::min(0.5 * stiffness * q, yield); };
+  const auto branch = [&](double turn) {
+    return stiffness * turn + std::min(0.5 * stiffness * turn, 2 * yield);
+  };
+  const auto torque = [](double value) { return doctest::Approx(value).epsilon(solved).scale(1); };
+  const Eigen::Index turn = steps, back = 2 * steps, closed = 3 * steps;
+  for (Eigen::Index row = 0; row <= turn; ++row)
+    CHECK(moment(trace, row) == torque(virgin(angle(trace, row, 0))));
+  for (Eigen::Index row = turn; row <= back; ++row)
+    CHECK(moment(trace, turn) - moment(trace, row) ==
+          torque(branch(angle(trace, turn, 0) - angle(trace, row, 0))));
+  for (Eigen::Index row = back; row <= closed; ++row)
+    CHECK(moment(trace, row) - moment(trace, back) ==
+          torque(branch(angle(trace, row, 0) - angle(trace, back, 0))));
+  CHECK(angle(trace, closed, 0) == doctest::Approx(angle(trace, turn, 0)).epsilon(solved));
+  for (Eigen::Index row = closed; row < trace.rows(); ++row)
+    CHECK(moment(trace, row) == torque(virgin(angle(trace, row, 0))));
+}
+
+TEST_CASE("a very stiff element is dry friction, and one that never yields is a stiffer spring") {
+  const Experiment experiment = cycle();
+  // r k is as stiff as a contact that sticks; a joint of mean stiffness 1.5 yields at 0.02 N m.
+  const double r = 1e5;
+  CHECK(difference(predicted(experiment, only("hysteresis"), {r, 0.02 / (r * 1.5), 0, 1, 0, 1}),
+                   predicted(experiment, only("joint_friction"), {0.02})) < solved);
+  CHECK(difference(predicted(experiment, only("hysteresis", 2), {0.3, 9, 0, 1, 0, 1}),
+                   predicted(experiment, only("joint_stiffness", 2), {0.3})) < solved);
+}
+
+TEST_CASE("friction that grows with the deflection") {
+  const Trace trace = predicted(one_joint(steps_through({0, 0.6, 0}, 40)), only("load_friction"), {0.03, 5});
+  for (const Eigen::Index row : {20, 40, 75}) {
+    const double q = angle(trace, row, 0), way = row > 40 ? -1 : 1;
+    CHECK(moment(trace, row) - stiffness * q == doctest::Approx(way * 0.03 * (1 + 5 * q)).epsilon(1e-6));
+  }
+  CHECK(difference(predicted(cycle(), only("load_friction"), {0.02, 0}),
+                   predicted(cycle(), only("joint_friction"), {0.02})) == 0);
+}
+
+TEST_CASE("a torque beyond the yield leaves the rest angle moved by slope times the excess over k") {
+  const Trace trace =
+      predicted(one_joint(steps_through({0, 0.6, 0, 0.3}, 30)), only("plastic_set"), {0.15, 0.25});
+  const double largest = moment(trace, 30), set = 0.25 * (largest - 0.15) / stiffness;
+  CHECK(largest > 0.25);
+  CHECK(angle(trace, 10, 0) == doctest::Approx(moment(trace, 10) / stiffness));
+  CHECK(angle(trace, 30, 0) == doctest::Approx(largest / stiffness + set));
+  CHECK(angle(trace, 60, 0) == doctest::Approx(set));
+  // Below what it has carried it is a spring about its new rest.
+  CHECK(angle(trace, 90, 0) - set == doctest::Approx(moment(trace, 90) / stiffness));
+}
+
+TEST_CASE("a held chain relaxes in two times, and two arms of one time are one arm") {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 1, false, 1e-6);
+  Run& run = experiment.runs[0];
+  for (int i = 1; i <= 30; ++i) {
+    run.readings.push_back(run.readings[1]);
+    run.readings.back().t = 1e-6 + 5.0 * i;
+  }
+  const Trace trace =
+      predicted(experiment, only("relaxation_spectrum"), {0.4, std::log(10.0), 0.2, std::log(60.0)});
+  const double nominal = predicted(experiment, {}, {})(1, column_Fx);
+  for (Eigen::Index row = 1; row < trace.rows(); ++row) {
+    const double held = 5.0 * static_cast<double>(row - 1);
+    CHECK(trace(row, column_Fx) ==
+          doctest::Approx((1 + 0.4 * std::exp(-held / 10) + 0.2 * std::exp(-held / 60)) * nominal)
+              .epsilon(1e-5));
+  }
+}
+
+TEST_CASE("a tendon's loss is what exp(-mu) takes from each rest angle beyond the first") {
+  const std::vector<double> rest{0.3, -0.5, 0.4};
+  const Experiment commanded = cycle();
+  Experiment lost = commanded;
+  for (std::size_t i = 0; i < 3; ++i)
+    lost.runs[0].rest[i] = rest[i] * std::exp(-0.05 * static_cast<double>(i));
+  CHECK(difference(predicted(commanded, only("tendon_friction"), {0.05}), predicted(lost, {}, {})) < solved);
+}
