@@ -25,6 +25,7 @@ const Source sources[] = {
     {claims::quasi_buckling, "quasi_buckling"},
     {claims::three_link, "three_link"},
     {claims::linearised_model, "linearised_model"},
+    {claims::linear_equations, "linear_equations"},
     {claims::sign_of_force, "sign_of_force"},
     {claims::eigenvalues, "eigenvalues"},
     {claims::energy, "energy"},

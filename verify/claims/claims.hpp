@@ -23,7 +23,8 @@ Checks zigzag();             ///< section 3.1, Figures 8 and 9
 Checks loaded_four_link();   ///< section 3.2, Table 1, Figures 11 to 13
 Checks quasi_buckling();     ///< section 3.2, Fig. 14 and the last paragraphs
 Checks three_link();         ///< section 4.1, (13) to (20)
-Checks linearised_model();   ///< section 4.2, (21) to (33)
+Checks linearised_model();   ///< section 4.2, (21), (23), (25) to (28)
+Checks linear_equations();   ///< section 4.2, (22), (29) to (33)
 Checks sign_of_force();      ///< sections 2 and 4, the signs of (6), (14), (18), (24), (36) and step 4
 Checks eigenvalues();        ///< section 4.2, (34), (35) and Algorithm 1
 Checks energy();             ///< section 4.2, (37) to (39)

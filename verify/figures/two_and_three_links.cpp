@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -80,10 +81,20 @@ std::string letter(const BranchPoint<double>& p) {
          (p.load > 0 && p.force.x > 0 ? " pulled" : "");
 }
 
+/// The shape along a branch: its letter, and where it becomes another one.
+std::string letters(const Branch<double>& branch) {
+  const std::string last = letter(branch.points.back());
+  const auto other = std::find_if(branch.points.rbegin(), branch.points.rend(),
+                                  [&](const auto& p) { return p.load > 1e-3 && letter(p) != last; });
+  if (other == branch.points.rend()) return last;
+  const auto next = other.base();  // the first point that has the last letter
+  return fmt::format("{}, from {:.2f} on {}", letter(*other), next->load, last);
+}
+
 void add_report(page::Panel& panel, const proofs::PathReport& report, int first_colour) {
   int colour = first_colour;
   for (const auto& branch : report.branches) {
-    add_curves(panel.curves, branch, colour++, deflection, compression, letter(branch.points.back()));
+    add_curves(panel.curves, branch, colour++, deflection, compression, letters(branch));
     for (const auto& event : branch.events)
       panel.marks.push_back({event.point.load, -event.point.force.x, std::string(name(event.kind)),
                              event.kind == EventKind::quasi_buckling ? 6 : 7});
@@ -99,7 +110,7 @@ page::Panel force_panel(const std::string& title, const proofs::PathReport& repo
 
 page::Panel shapes_panel(const std::string& title, const Chain<double>& chain,
                          const std::vector<BranchPoint<double>>& points) {
-  page::Panel panel{title, "x / L", "y / L", {}, {}, "set key below", true};
+  page::Panel panel{title, "x / L", "y / L", {}, {}, "set key rmargin", true};
   int colour = 1;
   for (const auto& p : points)
     panel.curves.push_back({outline(chain, p.theta), colour++, p.negative_directions > 0,
@@ -168,7 +179,7 @@ std::vector<page::Panel> draw_figure_7() {
   const proofs::PathReport report = proofs::follow_all(task);
   std::vector<BranchPoint<double>> last;
   for (const auto& branch : report.branches) last.push_back(branch.points.back());
-  return {force_panel("α = (-π/4, -π/3)", report, "set yrange [-6:6]\nset key below"),
+  return {force_panel("α = (-π/4, -π/3)", report, "set yrange [-6:6]\nset key bottom right"),
           shapes_panel("shapes at the ends of the branches", task.chain, last)};
 }
 
@@ -179,8 +190,9 @@ std::vector<page::Panel> draw_figure_8() {
   std::vector<BranchPoint<double>> shapes;
   for (const double load : {0.0, 0.0407353, 0.1, 0.256, 0.6})
     shapes.push_back(proofs::state_at(task, slow.branches, load));
-  return {force_panel("the slowly loaded chain, α = (π/10, -π/10)", slow, ""),
-          force_panel("every branch", all, "set yrange [0:4]"), shapes_panel("shapes", task.chain, shapes)};
+  return {force_panel("the slowly loaded chain, α = (π/10, -π/10)", slow, "set key bottom right"),
+          force_panel("every branch", all, "set yrange [0:4]\nset key bottom right"),
+          shapes_panel("shapes", task.chain, shapes)};
 }
 
 std::vector<page::Panel> draw_figure_9() {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <regex>
 
 #include "page/formula.hpp"
 #include "page/markup.hpp"
@@ -16,12 +15,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A drawing as part of an address: coordinates to a tenth of a pixel, what an attribute cannot hold escaped.
+/// A drawing as part of an address, what an attribute cannot hold escaped.
 std::string in_address(const std::string& svg) {
-  static const std::regex finer(R"((\.\d)\d+)"), gaps(R"(\s+)");
-  const std::string drawing = std::regex_replace(std::regex_replace(svg, finer, "$1"), gaps, " ");
   std::string address;
-  for (const char c : drawing) {
+  for (const char c : svg) {
     if (std::string_view("%#<>\"&").find(c) != std::string_view::npos)
       address += fmt::format("%{:02X}", static_cast<unsigned char>(c));
     else
