@@ -12,6 +12,8 @@
 #include "app/path_report.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
+#include "proofs/certificate.hpp"
+#include "proofs/path_certificate.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -20,7 +22,7 @@ struct Options {
   LoadedChain chain;
   double to = 0, dy = 0, step = 0.005;
   std::vector<double> force;
-  std::string branches = "stable", csv, json, svg;
+  std::string branches = "stable", csv, json, svg, certificate;
   int side = 1, digits = 0;
   bool certify = false;
 };
@@ -46,6 +48,12 @@ std::pair<Loading<Real>, Real> loading_of(const Options& options, const Chain<Re
   return {{held ? Control::end_point : Control::force, start, {x / size, y / size}}, size};
 }
 
+/// The load's direction as the options give it.
+Point<Rational> direction_of(const Options& options) {
+  return options.force.empty() ? Point<Rational>{Rational(-options.to), Rational(options.dy)}
+                               : Point<Rational>{Rational(options.force[0]), Rational(options.force[1])};
+}
+
 struct Followed {
   proofs::PathReport report;
   LocatedReport located;
@@ -67,11 +75,31 @@ Followed follow(const Options& options, const proofs::PathTask& task) {
   return all;
 }
 
+std::string certificate_of(const Options& options, const CertifiedReport& certified) {
+  const Point<Rational> direction = direction_of(options);
+  const proofs::PathGiven given{options.chain.name, options.chain.exact, false,
+                                options.force.empty() ? Control::end_point : Control::force, direction};
+  const std::string load = options.force.empty()
+                               ? fmt::format("--to {} --dy {}", options.to, options.dy)
+                               : fmt::format("--force {},{}", options.force[0], options.force[1]);
+  const proofs::Provenance provenance{
+      fmt::format("plumbline path{} {} --branches {} --side {} --step {} --certificate FILE",
+                  options.chain.path.empty() ? "" : " " + options.chain.path, load, options.branches,
+                  options.side, options.step),
+      "plumbline " PLUMBLINE_VERSION, ""};
+  return proofs::certificate_file(proofs::path_certificates, provenance,
+                                  {proofs::path_certificate(given, certified)})
+             .dump(1, ' ', true) +
+         "\n";
+}
+
 void run(Options options) {
   Outputs outputs({options.chain.path});
   files::OutputFile *const csv = outputs.open("--csv", options.csv),
                            *const json = outputs.open("--json", options.json),
-                           *const svg = outputs.open("--svg", options.svg);
+                           *const svg = outputs.open("--svg", options.svg),
+                           *const certificate = outputs.open("--certificate", options.certificate);
+  options.certify = options.certify || certificate;
   options.chain.read();
   const auto chain = from_rational<double>(options.chain.exact);
   const auto [loading, last] = loading_of(options, chain);
@@ -88,6 +116,7 @@ void run(Options options) {
     if (options.certify) all["certificates"] = as_json(certified);
     json->write(all.dump(2) + "\n");
   }
+  if (certificate) certificate->write(certificate_of(options, certified));
   outputs.commit();
   if (!csv && !json && !svg)
     fmt::print("{}{}{}", as_text(report), options.digits > 0 ? as_text(located, options.digits) : "",
@@ -140,6 +169,9 @@ void add_path(CLI::App& app) {
       "branch without gap or jump, where it is stable, and where the load turns. Around a "
       "bifurcation, where equilibria are not regular, a small gap is left out and listed (text and "
       "JSON). Exit status 1 where anything else stays open");
+  verb->add_option("--certificate", options->certificate,
+                   "Write that proof so that proofs/check_paths.py checks it with integers alone")
+      ->type_name("FILE");
   const auto output = [&](const char* flag, std::string& target, const char* what) {
     verb->add_option(flag, target, what)->type_name("[FILE]")->expected(0, 1)->default_str("-");
   };

@@ -14,6 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t most_links_with_path = 2;  ///< of random chains: certificates of paths are long
+
 struct Options {
   fs::path out;
   bool compact = false;
@@ -39,6 +41,9 @@ std::vector<verify::NamedText> compute(const Options& options) {
     }
     if (one.window > 0) {
       if (auto entry = verify::events_entry(one)) loaded.events.push_back(*std::move(entry));
+      if (one.task.chain.size() <= most_links_with_path || !one.task.name.starts_with("loaded")) {
+        if (auto entry = verify::path_entry(one)) loaded.paths.push_back(*std::move(entry));
+      }
     }
     progress.advance();
   }

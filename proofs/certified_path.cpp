@@ -45,7 +45,16 @@ class Prover {
       : model_(convert<double>(chain, [](const Interval& x) { return middle_of(x); })),
         brancher_(model_, {loading.control, middle_of(loading.start), middle_of(loading.direction)},
                   absolute_angles(model_.chain().rest())),
-        equations_(chain, loading) {}
+        equations_(chain, loading),
+        scale_(Vector<double>::Ones(equations_.unknowns())) {
+    const auto& length = model_.chain().length();
+    const auto& stiffness = model_.chain().stiffness();
+    const double reach = *std::max_element(length.begin(), length.end()),
+                 force = *std::max_element(stiffness.begin(), stiffness.end()) / reach;
+    const auto n = static_cast<Eigen::Index>(model_.size());
+    scale_.tail(scale_.size() - n).setConstant(force);
+    if (loading.control == Control::end_point) scale_(scale_.size() - 1) = reach;
+  }
 
   PathCertificate run(const Branch<double>& branch, double gap);
 
@@ -71,6 +80,7 @@ class Prover {
   Model model_;
   Brancher<Model> brancher_;
   BranchEquations equations_;
+  Vector<double> scale_;  ///< of the unknowns
   PathCertificate result_;
   const char* obstacle_ = "";
 
@@ -147,6 +157,8 @@ bool Prover::join(const BranchPoint<double>& at, const Segment& before, const Se
     return false;
   }
   result_.distance = std::max(result_.distance, distance);
+  double& farthest = result_.pieces.back().distance;
+  farthest = std::max(farthest, (box->image.array() / scale_.array()).maxCoeff());
   const int way = sign(equations_.load(tangent(*box)));
   if (way == 0) return true;
   if (!settle(way, at.load)) return false;
@@ -210,6 +222,8 @@ bool Prover::prove(Points points, bool closed) {
   bend_.reset();
   slope_ = 0;
   least_.reset();
+  result_.pieces.push_back({{points.front()}, {}, {}, 0});
+  const std::size_t runs = result_.runs.size(), folds = result_.folds.size();
   std::reverse(points.begin(), points.end());
   BranchPoint<double> here = points.back();
   points.pop_back();
@@ -232,6 +246,7 @@ bool Prover::prove(Points points, bool closed) {
       if (!first) first = next;
       last = std::move(next);
       here = there;
+      result_.pieces.back().points.push_back(here);
       points.pop_back();
       continue;
     }
@@ -240,13 +255,19 @@ bool Prover::prove(Points points, bool closed) {
     if (!middle) return fail(hull(Span(here.load), Span(there.load)), obstacle_);
     points.push_back(std::move(*middle));
   }
-  if (!last) return true;
+  if (!last) {
+    result_.pieces.pop_back();
+    return true;
+  }
   if (!join(here, *last, closed ? *first : *last))
     return result_.certified() ? fail(here.load, obstacle_) : false;
   if (bend_) return fail(bend_->load, turn_open);
   if (!typed_) return fail(here.load, type_open);
   result_.runs.back().to = here.load;
   if (least_) result_.counted = false;
+  ProvedPiece& piece = result_.pieces.back();
+  piece.runs.assign(result_.runs.begin() + static_cast<std::ptrdiff_t>(runs), result_.runs.end());
+  piece.folds.assign(result_.folds.begin() + static_cast<std::ptrdiff_t>(folds), result_.folds.end());
   return true;
 }
 

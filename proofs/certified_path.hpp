@@ -28,7 +28,18 @@ struct CertifiedRun {
   std::size_t negative_directions;
 };
 
+/// A regular piece: between neighbours among its points a tube is proved.
+struct ProvedPiece {
+  std::vector<BranchPoint<double>> points;
+  std::vector<CertifiedRun> runs;
+  std::vector<Span> folds;
+  /// So near are the points to the curve: links in radians, forces as shares of max k / max L, deflections of
+  /// max L.
+  double distance;
+};
+
 struct PathCertificate {
+  std::vector<ProvedPiece> pieces;
   std::vector<CertifiedRun> runs;  ///< in the order of the path
   std::vector<Span> folds;         ///< loads: in each the load turns exactly once
   std::vector<Span> gaps;  ///< loads around the bifurcations, where equilibria are not regular: not covered

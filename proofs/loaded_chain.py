@@ -4,7 +4,7 @@ from fractions import Fraction
 from itertools import accumulate, combinations
 
 from check_certificates import number, require
-from exact_intervals import Numbers, common, inverse, middle, minus, negative_eigenvalues, opposite, plus, width, zero_in
+from exact_intervals import Numbers, minus, negative_eigenvalues, opposite, plus, zero_in
 
 def unit_above(values):
     """A power of two above them; one where all are zero."""
@@ -20,135 +20,33 @@ class Chain:
         L, k, rest = ([number(x) for x in entry[name]] for name in ("lengths", "stiffness", "rest"))
         n = self.n = len(L)
         require(n == len(k) == len(rest) and 0 < n <= 16 and min(L) > 0 <= min(k), "no such chain")
+        require(entry["rest_unit"] in ("rad", "pi"), "rest_unit")
         self.length, self.stiffness = unit_above(L), unit_above(k)
-        require(entry["control"] in ("end_point", "deflection", "force"), "control")
-        require(entry["rest_unit"] in ("rad", "pi") and len(entry["load"]) == 2, "rest_unit or load")
         self.scale = max(L), max(k) or Fraction(1)  # of what is right to so many digits
         spread = max(self.length / min(L), self.stiffness / min([x for x in k if x] or [self.stiffness]))
         N = self.numbers = Numbers(bits + int(spread).bit_length())
         self.held, self.passive = entry["control"] != "force", [not x for x in k]
+        self.size = n + 2 * self.held
         self.L, self.k = [N.of(x / self.length) for x in L], [N.of(x / self.stiffness) for x in k]
         self.rest = [N.times(N.of(x), N.pi) if entry["rest_unit"] == "pi" else N.of(x) for x in rest]
-        self.load = self.loaded([number(x) for x in entry["load"]], entry["control"])
-        self.size = n + 2 * self.held
-        self.range = [self.around(i, entry) for i in range(n)]
 
-    def loaded(self, load, control):
-        if control == "force": return [self.numbers.of(x * self.length / self.stiffness) for x in load]
-        place = [self.numbers.of(x / self.length) for x in load]
-        if control == "end_point": return place
-        x, y = self.end_point([self.numbers.circle(t) for t in accumulate(self.rest, plus)])
-        return [minus(x, place[0]), plus(y, place[1])]
+    def unloaded(self):
+        """The end point without load."""
+        return self.end_point([self.numbers.circle(t) for t in accumulate(self.rest, plus)])
 
     def end_point(self, circles):
         x = y = (0, 0)
         for L, (c, s) in zip(self.L, circles): x, y = plus(x, self.numbers.times(L, c)), plus(y, self.numbers.times(L, s))
         return x, y
 
-    def around(self, i, entry):
-        """The joint angles counted; of a passive joint one turn, of which there are no others."""
-        N, pi = self.numbers, self.numbers.pi
-        if not self.held:
-            require("window" not in entry and "turns" not in entry, "a window under a force")
-        else:
-            turns, nearest = entry["turns"], entry["window"][i]
-            require(isinstance(turns, int) and 0 <= turns <= 100 and isinstance(nearest, int), "turns or window")
-            require(len(entry["window"]) == self.n and abs(nearest) < 10**6, "window")
-            if i == 0 or self.passive[i]: require(nearest == 0, "window")
-            centre = N.multiple(pi, nearest)
-            off, tie = minus(self.rest[i], centre), pi[1] // 2 + (N.one >> 30)
-            if i and not self.passive[i]: require(-tie <= off[0] and off[1] <= tie, "window")
-        if self.passive[i]: return plus(N.of(Fraction("0.1234567")), (-pi[1], pi[1]))
-        if self.held:
-            half = pi[1] * (2 * turns + 1)
-            return plus(self.rest[i] if i == 0 else centre, (-half, half))
-        force, beyond = sum(max(map(abs, f)) for f in self.load), (0, sum(L[1] for L in self.L[i:]))
-        turn = N.over(N.times((0, force), beyond), self.k[i])[1]
-        return plus(self.rest[i], (-turn, turn))
-
-    def everywhere(self):
-        return list(accumulate(self.range, plus))
-
-    def torques(self, theta):
-        N, before, T = self.numbers, (0, 0), []
-        for i, t in enumerate(theta):
-            q, before = common(minus(t, before), self.range[i]), t
-            T.append((0, 0) if self.passive[i] else N.times(self.k[i], minus(q, self.rest[i])))
-        return T + [(0, 0)]
-
-    def narrow(self, theta):
-        """What is left of a box of link directions, with the forces there. Raises Nothing where nothing is."""
-        theta, force = list(theta), None if self.held else self.load
-        for _ in range(8):
-            size = sum(map(width, theta))
-            self.keep_in_range(theta)
-            force = self.balance(theta, force)
-            if force and max(map(width, theta)) < 2 * self.numbers.one: theta, force = self.newton(theta, force)
-            if 10 * sum(map(width, theta)) > 8 * size: break
-        return theta, force
-
-    def keep_in_range(self, theta):
-        theta[0] = common(theta[0], self.range[0])
-        for i in range(1, self.n): theta[i] = common(theta[i], plus(theta[i - 1], self.range[i]))
-        for i in range(self.n - 1, 0, -1): theta[i - 1] = common(theta[i - 1], minus(theta[i], self.range[i]))
-
-    def balance(self, theta, force):
-        """Narrows theta and the force by the moments of link after link."""
-        N, n, T = self.numbers, self.n, self.torques(theta)
-        circles = [N.circle(t) for t in theta]
-        if self.held:
-            for given, found in zip(self.load, self.end_point(circles)): common(given, found)
-            x, y = self.load
-            rows = [(opposite(y), x, T[0])]  # a Fx + b Fy = m: about the base, and of each link
-            for i, (c, s) in enumerate(circles):
-                rows.append((N.times(self.L[i], s), opposite(N.times(self.L[i], c)), minus(T[i + 1], T[i])))
-            force = self.bounded(rows, force)
-            if not force: return None
-        gain = []
-        for L, (c, s) in zip(self.L, circles): gain.append(N.times(L, minus(N.times(force[1], c), N.times(force[0], s))))
-        if self.held: T[0] = common(T[0], minus(N.times(self.load[0], force[1]), N.times(self.load[1], force[0])))
-        for i in range(n):
-            self.turn(theta, T, i)
-            T[i + 1] = common(T[i + 1], minus(T[i], gain[i]))
-        for i in range(n - 1, -1, -1):
-            T[i] = common(T[i], plus(T[i + 1], gain[i]))
-            self.turn(theta, T, i)
-        return force
-
-    def bounded(self, rows, force):
-        """Bounds of a force that all rows allow; nothing where no two of them bound it."""
-        N = self.numbers
-        if not force:
-            for (a, b, m), (c, d, p) in combinations(rows, 2):
-                det = minus(N.times(a, d), N.times(b, c))
-                if zero_in(det): continue
-                x = N.over(minus(N.times(m, d), N.times(b, p)), det)
-                y = N.over(minus(N.times(a, p), N.times(m, c)), det)
-                force = [common(force[0], x), common(force[1], y)] if force else [x, y]
-            if not force: return None
-        x, y = force
-        for a, b, m in rows:
-            if not zero_in(a): x = common(x, N.over(minus(m, N.times(b, y)), a))
-            if not zero_in(b): y = common(y, N.over(minus(m, N.times(a, x)), b))
-        return [x, y]
-
-    def turn(self, theta, T, i):
-        """What the moment says of the directions on both sides of joint i."""
-        if self.passive[i]: return
-        q = plus(self.rest[i], self.numbers.over(T[i], self.k[i]))
-        if i == 0: theta[0] = common(theta[0], q)
-        else:
-            theta[i] = common(theta[i], plus(theta[i - 1], q))
-            theta[i - 1] = common(theta[i - 1], minus(theta[i], q))
-
-    def residual(self, theta, force):
+    def residual(self, theta, force, place):
         N, before, T = self.numbers, (0, 0), []
         for k, t, rest in zip(self.k, theta, self.rest): T, before = T + [N.times(k, minus(minus(t, before), rest))], t
         T.append((0, 0))
         circles = [N.circle(t) for t in theta]
         pull = [N.times(L, minus(N.times(force[0], s), N.times(force[1], c))) for L, (c, s) in zip(self.L, circles)]
         f = [plus(minus(T[i], T[i + 1]), pull[i]) for i in range(self.n)]
-        if self.held: f += [minus(a, p) for a, p in zip(self.end_point(circles), self.load)]
+        if self.held: f += [minus(a, p) for a, p in zip(self.end_point(circles), place)]
         return f
 
     def derivative(self, theta, force):
@@ -163,37 +61,6 @@ class Chain:
                 A[i][i + 1] = A[i + 1][i] = opposite(self.k[i + 1])
             if self.held: A[i][n], A[i][n + 1], A[n][i], A[n + 1][i] = y, opposite(x), opposite(y), x
         return A
-
-    def newton(self, theta, force):
-        """One step of Newton's method in intervals: f(x) = f(m) + A (x - m) with A somewhere in A(box)."""
-        N, n = self.numbers, self.n
-        x = theta + force if self.held else theta
-        m = [(middle(a),) * 2 for a in x]
-        A = self.derivative(theta, force)
-        Y = inverse([[middle(a) for a in row] for row in A], N)
-        if not Y: return theta, force
-        f, columns = self.residual(m[:n], m[n:] or force), [*zip(*A)]
-        for i in range(self.size):
-            total, G = N.weighted(Y[i], f), [N.weighted(Y[i], column) for column in columns]
-            for j in range(self.size):
-                if j != i: total = plus(total, N.times(G[j], minus(x[j], m[j])))
-            if not zero_in(G[i]): x[i] = common(x[i], minus(m[i], N.over(total, G[i])))
-        return x[:n], x[n:] or force
-
-    def krawczyk(self, m, x):
-        """Krawczyk's operator over the box x around m: maps x into its inside where x holds exactly one equilibrium."""
-        N, n, force = self.numbers, self.n, self.load
-        Y = inverse([[middle(a) for a in row] for row in self.derivative(m[:n], m[n:] or force)], N)
-        require(Y, "a ball around a singular point")
-        f, columns = self.residual(m[:n], m[n:] or force), [*zip(*self.derivative(x[:n], x[n:] or force))]
-        image = []
-        for i in range(self.size):
-            total = minus(m[i], N.weighted(Y[i], f))
-            for j in range(self.size):
-                defect = minus((N.one * (i == j),) * 2, N.weighted(Y[i], columns[j]))
-                total = plus(total, N.times(defect, minus(x[j], m[j])))
-            image.append(total)
-        return image
 
     def negative_directions(self, theta, force):
         """Of the energy's Hessian, where the end point is held on the shapes that keep it there."""

@@ -10,10 +10,11 @@
 #include <random>
 #include <set>
 
-#include "proofs/census.hpp"
 #include "proofs/critical_modes.hpp"
 #include "proofs/decimal.hpp"
+#include "proofs/equilibria_certificate.hpp"
 #include "proofs/span.hpp"
+#include "tests/proofs/stand_alone.hpp"
 
 using namespace plumbline;
 using namespace plumbline::proofs;
@@ -219,8 +220,19 @@ std::size_t missing(const Census& census, const Case& one, Adversary& adversary,
   return lost;
 }
 
+constexpr std::size_t certified_share = 20;  ///< one complete census in so many is checked by the stand-alone program
+
 struct Tally {
   std::size_t cases = 0, complete = 0, balanced = 0, refused = 0;
+  std::vector<nlohmann::json> certificates;
+
+  void certify(const Case& one, const Census& census) {
+    const Given given = one.control == Control::force ? Given::force : Given::end_point;
+    try {
+      certificates.push_back(equilibria_certificate({"adversary", one.chain(), false, given, one.load}, census, 40));
+    } catch (const Error&) {  // too near a fold for double precision: no certificate is no false one
+    }
+  }
 };
 
 void attack(const Case& one, Adversary& adversary, Tally& tally) {
@@ -243,12 +255,15 @@ void attack(const Case& one, Adversary& adversary, Tally& tally) {
   const int length = adversary.whole(-140, 140), stiffness = adversary.whole(-140, 140);
   const Signature here = signature(*census);
   limits.boxes = 1200000;
-  CHECK(agree(here, signature(Adversary::in_units(one, length, stiffness).census(limits), stiffness)));
-  CHECK(agree(here, signature(Adversary::mirrored(one).census(limits))));
+  // what another rounding leaves undecided is no contradiction
+  const auto same = [&](const Census& other, int unit) { return !other.complete() || agree(here, signature(other, unit)); };
+  CHECK(same(Adversary::in_units(one, length, stiffness).census(limits), stiffness));
+  CHECK(same(Adversary::mirrored(one).census(limits), 0));
   const bool all_elastic_behind =
       std::all_of(one.stiffness.begin() + 1, one.stiffness.end(), [](const Rational& k) { return k != 0; });
   if (one.control == Control::end_point && one.stiffness[0] == 0 && all_elastic_behind)
-    CHECK(agree(here, signature(Adversary::reversed(one).census(limits))));
+    CHECK(same(Adversary::reversed(one).census(limits), 0));
+  if (tally.complete % certified_share == 0) tally.certify(one, *census);
 }
 
 /// A straight chain with two parts whose lowest forces agree to some digits, or exactly.
@@ -293,13 +308,13 @@ TEST_CASE("the adversary finds no false certificate") {
   for (std::size_t i = 0; i < cases; ++i) {
     CAPTURE(seed + i);
     Adversary adversary(seed + i);
-    const auto n = static_cast<std::size_t>(adversary.whole(2, 3));
+    const auto n = static_cast<std::size_t>(adversary.whole(2, 4));
     switch (i % 5) {
       case 0:
         attack(adversary.ordinary(n), adversary, tally);
         break;
       case 1:
-        attack(adversary.at_the_edge(2), adversary, tally);
+        attack(adversary.at_the_edge(std::min<std::size_t>(n, 3)), adversary, tally);
         break;
       case 2:
         attack(adversary.symmetric(n), adversary, tally);
@@ -312,6 +327,7 @@ TEST_CASE("the adversary finds no false certificate") {
     }
   }
   MESSAGE(cases, " cases from seed ", seed, ": ", tally.cases, " censuses, ", tally.complete, " complete, ",
-          tally.balanced, " balanced, ", tally.refused, " refused");
+          tally.balanced, " balanced, ", tally.refused, " refused; ", tally.certificates.size(), " certificates");
+  CHECK(check_alone("check_equilibria.py", equilibria_certificates, tally.certificates) == 0);
   CHECK(tally.complete * 2 > tally.cases);
 }

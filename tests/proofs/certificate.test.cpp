@@ -1,12 +1,10 @@
 #include "proofs/certificate.hpp"
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "proofs/decimal.hpp"
+#include "tests/proofs/stand_alone.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;
@@ -31,17 +29,6 @@ Chain<Rational> graded_chain(std::mt19937_64& random, std::size_t n, int decades
   return Chain<Rational>(length, stiffness);
 }
 
-/// What the stand-alone checker says of certificates: its exit status, 0 when all hold.
-int check_alone(const std::vector<json>& certificates) {
-  const auto path = std::filesystem::temp_directory_path() / "plumbline-certificate-test.json";
-  std::ofstream(path) << certificate_file(critical_certificates, {"test", "test", ""}, certificates);
-  const std::string command =
-      "python3 " PLUMBLINE_SOURCE_DIR "/proofs/check_certificates.py " + path.string();
-  const int status = std::system((command + " >/dev/null").c_str());
-  std::filesystem::remove(path);
-  return status;
-}
-
 }  // namespace
 
 TEST_CASE("the stand-alone checker confirms chains graded over sixteen decades, with shapes and matrices") {
@@ -55,7 +42,7 @@ TEST_CASE("the stand-alone checker confirms chains graded over sixteen decades, 
       CHECK(certificates.back()["forces"].size() == n - 1);
     }
   }
-  CHECK(check_alone(certificates) == 0);
+  CHECK(check_alone("check_certificates.py", critical_certificates, certificates) == 0);
 }
 
 TEST_CASE("two equal critical forces are proved equal") {
@@ -66,7 +53,7 @@ TEST_CASE("two equal critical forces are proved equal") {
   REQUIRE(rational["ties"].size() == 1);
   CHECK(rational["ties"][0]["factor"].size() == 2);
   CHECK(rational["forces"][0]["low"] == rational["forces"][1]["low"]);
-  CHECK(check_alone({rational}) == 0);
+  CHECK(check_alone("check_certificates.py", critical_certificates, {rational}) == 0);
   // a part in 10^40 apart: different, with equal digits; the shapes are told apart all the same
   const auto stiffness = *parse_decimal("3.0000000000000000000000000000000000000001");
   const Chain<Rational> near({1, 1, 1}, {stiffness, 0, 1});
@@ -76,11 +63,11 @@ TEST_CASE("two equal critical forces are proved equal") {
   const json shapes = certificate("near tie", near, certify(near, 2, 2, 30));
   CHECK(shapes["forces"][0]["below_high"] == 1);
   CHECK(shapes["forces"][0]["shape"]["last"] == 3);
-  CHECK(check_alone({apart, shapes}) == 0);
+  CHECK(check_alone("check_certificates.py", critical_certificates, {apart, shapes}) == 0);
 }
 
 TEST_CASE("a thousand links") {
   std::mt19937_64 random(2);
   const auto chain = graded_chain(random, 1000, 1, 0);
-  CHECK(check_alone({certificate("long", chain, certify(chain, 1, 1, 50))}) == 0);
+  CHECK(check_alone("check_certificates.py", critical_certificates, {certificate("long", chain, certify(chain, 1, 1, 50))}) == 0);
 }

@@ -1,13 +1,9 @@
 #include "proofs/equilibria_certificate.hpp"
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <random>
 
-#include "proofs/certificate.hpp"
 #include "proofs/decimal.hpp"
+#include "tests/proofs/stand_alone.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;
@@ -15,15 +11,6 @@ using namespace plumbline::proofs;
 using nlohmann::json;
 
 namespace {
-
-int check_alone(const std::vector<json>& certificates) {
-  const auto path = std::filesystem::temp_directory_path() / "plumbline-equilibria-test.json";
-  std::ofstream(path) << certificate_file(equilibria_certificates, {"test", "test", ""}, certificates);
-  const std::string command = "python3 " PLUMBLINE_SOURCE_DIR "/proofs/check_equilibria.py " + path.string();
-  const int status = std::system((command + " >/dev/null").c_str());
-  std::filesystem::remove(path);
-  return status;
-}
 
 json certified(const CensusTask& task) {
   return equilibria_certificate(task, take_census(task), 40);
@@ -70,7 +57,7 @@ TEST_CASE("the stand-alone checker confirms censuses of random chains, passive j
     CHECK(certificates.back()["equilibria"].size() == census.equilibria.size());
     CHECK(certificates.back()["digits"] == 40);
   }
-  CHECK(check_alone(certificates) == 0);
+  CHECK(check_alone("check_equilibria.py", equilibria_certificates, certificates) == 0);
 }
 
 TEST_CASE("certificates in units of any size, and of windows of more turns") {
@@ -87,7 +74,7 @@ TEST_CASE("certificates in units of any size, and of windows of more turns") {
   std::vector<json> certificates;
   for (const CensusTask& one : {task, scaled, pushed, wound, graded}) certificates.push_back(certified(one));
   CHECK(certificates[0]["equilibria"].size() == certificates[1]["equilibria"].size());
-  CHECK(check_alone(certificates) == 0);
+  CHECK(check_alone("check_equilibria.py", equilibria_certificates, certificates) == 0);
 }
 
 TEST_CASE("there is no certificate of what a census leaves open") {

@@ -7,6 +7,8 @@
 #include "proofs/census.hpp"
 #include "proofs/certain_digits.hpp"
 #include "proofs/equilibria_certificate.hpp"
+#include "proofs/followed_path.hpp"
+#include "proofs/path_certificate.hpp"
 #include "verify/reference/draw.hpp"
 #include "verify/reference/set.hpp"
 
@@ -17,6 +19,7 @@ using nlohmann::json;
 using Model = NominalModel<Mpfr50>;
 
 constexpr int certificate_digits = 40;
+constexpr double longest_path_step = 0.2;  ///< in radians; a tube that cannot be so long is halved
 
 Rational ten_thousandths(int value) {
   return {value, 10000};
@@ -40,6 +43,14 @@ void add_paper(std::vector<LoadedCase>& cases) {
   held("paper-four-link-straight", Chain<Rational>({1, 1, 1, 1}, {1, 1, 1, 1}), Rational(18, 5), 0);
   four("paper-four-link-u", {-3179, 558, 3804, 3524});
   four("paper-four-link-z", {-2417, 6821, -7958, 5170});
+}
+
+/// A chain that snaps: its branch has a fold on the way.
+LoadedCase snapping() {
+  const std::vector<Rational> rest{Rational(3, 5), Rational(-6, 5), Rational(3, 5), 0};
+  return {{"snap-four-link", Chain<Rational>({1, 1, 1, 1}, {5, 5, 5, 6}, rest), false,
+           proofs::Given::end_point, {Rational(5, 2), 0}},
+          Rational(29, 25)};
 }
 
 /// A place well within reach: no farther than nine tenths of all links in line, no nearer than the longest
@@ -149,6 +160,7 @@ std::string state_columns(const json& state) {
 std::vector<LoadedCase> loaded_cases(ReferenceSize size, std::uint64_t seed) {
   std::vector<LoadedCase> cases;
   add_paper(cases);
+  cases.push_back(snapping());
   for (std::size_t n = 2; n <= 5; ++n) {
     for (int i = 1; i <= (size == ReferenceSize::full ? 10 : 2); ++i) {
       cases.push_back(random_case(fmt::format("loaded-{}-{:02}", n, i), n, i % 2 == 1, seed));
@@ -195,6 +207,27 @@ std::optional<json> events_entry(const LoadedCase& loaded) {
   entry["window"] = proofs::to_exact(loaded.window);
   entry["events"] = std::move(events);
   return entry;
+}
+
+std::optional<json> path_entry(const LoadedCase& loaded) {
+  const proofs::CensusTask& task = loaded.task;
+  if (task.chain.passive_joint(0)) return std::nullopt;
+  const auto exact = proofs::enclosed_chain(task);
+  const auto middle = [](const Interval& x) { return static_cast<double>(x.middle()); };
+  const auto chain = convert<double>(exact, middle);
+  Loading<Interval> loading{task.control(), {0, 0}, {-1, 0}};
+  if (task.control() == Control::end_point) loading.start = end_point(exact, exact.rest());
+  const proofs::PathTask path{chain,
+                              {task.control(), {middle(loading.start.x), middle(loading.start.y)}, {-1, 0}},
+                              static_cast<double>(loaded.window),
+                              longest_path_step};
+  std::vector<proofs::PathCertificate> parts;
+  const proofs::PathReport followed = proofs::follow_slowly(path);
+  for (const Branch<double>& branch : followed.branches) {
+    parts.push_back(proofs::certify(exact, loading, branch));
+    if (!parts.back().certified()) return std::nullopt;
+  }
+  return proofs::path_certificate({task.name, task.chain, task.rest_in_pi, task.control(), {-1, 0}}, parts);
 }
 
 std::string equilibria_csv(const std::vector<json>& entries) {

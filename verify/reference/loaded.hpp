@@ -20,7 +20,7 @@ struct LoadedCase {
   Rational window;  ///< events up to this deflection, or force; 0 for none
 };
 
-/// The paper's chains and random ones of two to five links; the compact ones are among the full ones.
+/// The paper's chains, one that snaps, and random ones of two to five links; the compact ones are among the full ones.
 std::vector<LoadedCase> loaded_cases(ReferenceSize size, std::uint64_t seed);
 
 struct CertifiedEntry {
@@ -37,6 +37,10 @@ std::optional<CertifiedEntry> equilibria_entry(const LoadedCase& loaded);
 /// held, a passive base is turned so that the unloaded end point lies on the x axis. Nothing where the two
 /// computations differ.
 std::optional<nlohmann::json> events_entry(const LoadedCase& loaded);
+
+/// A certificate of what the chain does while it is loaded slowly up to `window`, jumps included, in the
+/// format of proofs/path-certificate-format.md. Nothing for a passive base, and where a part is not proved.
+std::optional<nlohmann::json> path_entry(const LoadedCase& loaded);
 
 /// The entries as a table: a row for each equilibrium or event, the lists in it joined by semicolons.
 std::string equilibria_csv(const std::vector<nlohmann::json>& entries);

@@ -8,6 +8,7 @@
 #include "proofs/decimal.hpp"
 #include "proofs/equilibria_certificate.hpp"
 #include "proofs/exactly.hpp"
+#include "proofs/path_certificate.hpp"
 #include "proofs/working_precision.hpp"
 #include "verify/reference/loaded.hpp"
 #include "verify/reference/texts.hpp"
@@ -163,6 +164,8 @@ std::vector<NamedText> reference_files(const std::vector<ReferenceEntry>& entrie
       {"equilibria-certificates.json",
        certificate_text(proofs::equilibria_certificates, loaded.certificates)},
       {"equilibria-certificate.schema.json", equilibria_certificate_schema_text},
+      {"path-certificates.json", certificate_text(proofs::path_certificates, loaded.paths)},
+      {"path-certificate.schema.json", path_certificate_schema_text},
       {"README.md", reference_readme_text},
   };
   files.push_back({"datapackage.json", data_package(files, provenance).dump(2) + "\n"});

@@ -37,6 +37,7 @@ struct NamedText {
 struct LoadedEntries {
   std::vector<nlohmann::json> equilibria, events;
   std::vector<nlohmann::json> certificates;  ///< of the equilibria
+  std::vector<nlohmann::json> paths;         ///< certificates
 };
 
 /// All files of the set, README.md and datapackage.json among them.

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// Certificates of paths that need none of our code to check, in the format of
+/// proofs/path-certificate-format.md.
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "proofs/certified_path.hpp"
+
+namespace plumbline::proofs {
+
+/// The format that a file of them names.
+inline constexpr const char* path_certificates = "plumbline-path-certificates";
+
+/// What a path was followed with, in exact numbers.
+struct PathGiven {
+  std::string name;
+  Chain<Rational> chain;
+  bool rest_in_pi;  ///< the rest angles are multiples of pi
+  Control control;
+  Point<Rational> direction;  ///< of the load, of any length
+};
+
+/// The entry of proved branches: their points, and what is proved of the curves through them.
+/// \throws Error where something failed
+nlohmann::json path_certificate(const PathGiven& given, const std::vector<PathCertificate>& branches);
+
+}  // namespace plumbline::proofs

@@ -1,0 +1,55 @@
+#include "proofs/path_certificate.hpp"
+
+#include "proofs/followed_path.hpp"
+#include "tests/proofs/stand_alone.hpp"
+#include "tests/property.hpp"
+
+using namespace plumbline;
+using namespace plumbline::proofs;
+using nlohmann::json;
+
+namespace {
+
+/// What is proved of a path, all branches or the slow loading.
+json certified(const Chain<Rational>& chain, Control control, const Point<Rational>& direction, double last, bool all) {
+  const auto middle = [](const Interval& x) { return static_cast<double>(x.middle()); };
+  const auto exact = from_rational<Interval>(chain);
+  const Interval x(direction.x), y(direction.y), size = sqrt(sqr(x) + sqr(y));
+  Loading<Interval> loading{control, {0, 0}, {x / size, y / size}};
+  if (control == Control::end_point) loading.start = end_point(exact, exact.rest());
+  const PathTask task{convert<double>(exact, middle),
+                      {control,
+                       {middle(loading.start.x), middle(loading.start.y)},
+                       {middle(loading.direction.x), middle(loading.direction.y)}},
+                      last,
+                      0.2};
+  std::vector<PathCertificate> parts;
+  const PathReport followed = all ? follow_all(task) : follow_slowly(task);
+  for (const Branch<double>& branch : followed.branches) parts.push_back(certify(exact, loading, branch));
+  return path_certificate({"test", chain, false, control, direction}, parts);
+}
+
+std::size_t folds(const json& certificate) {
+  std::size_t count = 0;
+  for (const json& part : certificate["parts"]) count += part["folds"].size();
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("the stand-alone checker confirms paths: jumps, folds, gaps, passive bases, forces, any units") {
+  const Rational half(1, 2);
+  const Chain<Rational> snap({1, 1, 1, 1}, {5, 5, 5, 6}, {Rational(3, 5), Rational(-6, 5), Rational(3, 5), 0});
+  const Chain<Rational> zigzag({1, 1, 1}, {0, 1, 1}, {Rational(-1, 10), Rational(3, 10), Rational(-3, 10)});
+  const Chain<Rational> unequal({1, Rational(3, 2)}, {1, half}, {half, -1});
+  const Chain<Rational> scaled({1000, 1500}, {Rational(1, 100000), half / 100000}, {half, -1});
+  const std::vector<json> certificates{
+      certified(snap, Control::end_point, {-2, 0}, 1.16, false),
+      certified(zigzag, Control::end_point, {-1, 0}, 0.3, false),
+      certified(unequal, Control::end_point, {-1, 1}, 0.5, true),
+      certified(unequal, Control::force, {-1, Rational(1, 10)}, 1.5, false),
+      certified(scaled, Control::force, {-1, Rational(1, 10)}, 1.5e-8, false)};
+  CHECK(folds(certificates[0]) > 0);
+  CHECK(certificates[1]["parts"].size() == 2);
+  for (const json& one : certificates) CHECK(check_alone("check_paths.py", path_certificates, {one}) == 0);
+}
