@@ -24,12 +24,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double usual_patience = 30;  // s for one diagnosis
+
 struct Options {
   std::size_t trials = 20;
   std::uint64_t seed = 1;
   bool second = false;
   std::string out, experiments, json, markdown;
-  double patience = 30;  // s for one diagnosis
+  double patience = usual_patience;
 };
 
 /// Where the trial takes place: the folder that the user names, which must be new or empty, or one for a
@@ -63,9 +65,11 @@ SecretExperiments make(const Options& options, const fs::path& folder) {
 
 /// The command that gives the same table again.
 std::string command(const Options& options) {
-  if (!options.experiments.empty()) return "plumbline trial --experiments " + options.experiments;
-  return fmt::format("plumbline trial {}--trials {} --seed {}", options.second ? "--second " : "",
-                     options.trials, options.seed);
+  const std::string patience =
+      options.patience == usual_patience ? "" : fmt::format(" --patience {}", options.patience);
+  if (!options.experiments.empty()) return "plumbline trial --experiments " + options.experiments + patience;
+  return fmt::format("plumbline trial {}--trials {} --seed {}{}", options.second ? "--second " : "",
+                     options.trials, options.seed, patience);
 }
 
 trial::AllDiagnosed diagnose_all(const Options& options, const trial::SealedFolder& folder,
