@@ -60,6 +60,7 @@ double log_prior(const Study& study, const Candidate& candidate) {
     const double places =
         candidate.effects[i].joint > 0 ? static_cast<double>(study.sizes().link_length.size()) : 1.0;
     log_p += std::log(static_cast<double>(i + 1) / (static_cast<double>(catalogue().size()) * places));
+    if (!candidate.effects[i].effect->special.empty()) log_p += std::log(beliefs::refinement);
   }
   return log_p;
 }

@@ -187,6 +187,6 @@ TEST_CASE("figure: two links are drawn, with a sentence") {
   const Outcome outcome = here.plumbline("figure 2");
   CHECK(outcome.status == 0);
   CHECK(contains(outcome.out, "figure-02.svg"));
-  CHECK(contains(outcome.out, "The paper is confirmed: "));
+  CHECK(contains(outcome.out, "  confirmed: "));
   CHECK(contains(here.read("figure-02.svg"), "<svg"));
 }

@@ -66,18 +66,32 @@ def loaded_chains(folder):
                           statuses=[0, 1])])
 
 
+def dragged():
+    """A joint whose torque ripples, and which drags against its motion here and there."""
+    last = {}
+
+    def law(joint, d, k):
+        way = d - last.get(joint, 0)
+        last[joint] = d
+        if joint == 0 or way == 0:
+            return k * d
+        return k * d + 0.12 * math.sin(25 * d) + math.copysign(0.2 * abs(math.sin(9 * d)), way)
+    return law
+
+
 def reports(folder):
     linear = lambda joint, d, k: k * d
     rippled = lambda joint, d, k: k * d + (0.12 * math.sin(25 * d) if joint == 1 else 0)
     two_links.write(folder / "no-gap", linear, control=("displacement", "force"), angles=True)
     two_links.write(folder / "ripple", rippled, control=("displacement", "displacement"), angles=True, readings=60)
+    two_links.write(folder / "drag", dragged(), control=("displacement", "displacement"), angles=True, readings=60)
     two_links.write(folder / "one-spring", lambda joint, d, k: 1.3 * k * d, stiffness=(0.0, 1.5))
     verdicts = {}
-    for name in ("no-gap", "ripple", "one-spring"):
+    for name in ("no-gap", "ripple", "drag", "one-spring"):
         verdicts[name] = written("diagnose", name, folder=folder)
     bundled = written("diagnose", "--next", folder=folder)
     found = {name: report["cause"]["verdict"] for name, report in verdicts.items()}
-    assert found == {"no-gap": "none", "ripple": "unknown", "one-spring": "ambiguous"}, found
+    assert found == {"no-gap": "none", "ripple": "unknown", "drag": "unknown", "one-spring": "ambiguous"}, found
     assert bundled["cause"]["verdict"] == "identified"
     hold("gap-diagnosis", [*verdicts.values(), bundled])
 

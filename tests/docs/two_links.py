@@ -41,7 +41,7 @@ def write(folder, law, *, control=("displacement",), angles=False, stiffness=STI
             values = {**dict(zip(("x", "y"), end_point(q))), **dict(zip(("Fx", "Fy"), F))}
             for channel in ("Fx", "Fy") if kind == "displacement" else ("x", "y"):
                 values[channel] += noise.gauss(0, SIGMA[channel])
-            fields = [t, *values.values()] + [a + noise.gauss(0, SIGMA["q"]) for a in q if angles]
+            fields = [2 * t, *values.values()] + [a + noise.gauss(0, SIGMA["q"]) for a in q if angles]
             lines.append(",".join(f"{value:.9g}" for value in fields))
         (folder / f"run-{number}.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
     (folder / "experiment.toml").write_text(text, encoding="utf-8")
