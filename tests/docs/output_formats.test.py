@@ -54,6 +54,10 @@ def straight_chains(folder):
     hold("check", [written("check", "values.csv", "--chains", "good.csv", folder=folder, statuses=[1])])
 
 
+def claims(folder):
+    hold("verify", [written("verify", "--section", "4.2", folder=folder)])
+
+
 def loaded_chains(folder):
     (folder / "three.toml").write_text("lengths = [1, 1, 1]\nstiffness = [1, 1, 1]\n", encoding="utf-8")
     (folder / "two.toml").write_text("lengths = [1, 1]\nstiffness = [1, 1]\nrest = [0.3, -0.5]\n", encoding="utf-8")
@@ -129,6 +133,6 @@ def report_document():
 
 report_document()
 with tempfile.TemporaryDirectory() as place:
-    for step in (straight_chains, loaded_chains, reports, trial):
+    for step in (straight_chains, claims, loaded_chains, reports, trial):
         (Path(place) / step.__name__).mkdir()
         step(Path(place) / step.__name__)
