@@ -96,7 +96,9 @@ std::string certificates(const Results& results, const Options& options) {
                              options.all ? " --all" : "", options.certify),
       .program = "plumbline " PLUMBLINE_VERSION,
       .seed = ""};
-  return proofs::certificate_file(proofs::critical_certificates, provenance, results.certificates).dump(1, ' ', true) + "\n";
+  return proofs::certificate_file(proofs::critical_certificates, provenance, results.certificates)
+             .dump(1, ' ', true) +
+         "\n";
 }
 
 /// Whether a file is a chain or a table of chains, not what was written here before.

@@ -198,8 +198,7 @@ Answer sampled(const Options& options, const proofs::CensusTask& task) {
   const proofs::Units units = proofs::own_units(given);
   const auto middle = [](const Interval& x) { return static_cast<double>(x.middle()); };
   const auto chain = convert<double>(proofs::in_units(given, units), middle);
-  const Point<Interval> measured =
-      proofs::in_units(proofs::enclosed_load(task), task.control(), units);
+  const Point<Interval> measured = proofs::in_units(proofs::enclosed_load(task), task.control(), units);
   const NominalModel<double> model(chain);
   EquilibriumSolver<NominalModel<double>> solver(model);
   const Point<double> at{middle(measured.x), middle(measured.y)};
@@ -273,11 +272,10 @@ nlohmann::ordered_json window_json(const Answer& answer) {
 
 std::string as_text(const Answer& answer, const Options& options, const proofs::CensusTask& task) {
   const Point<Interval> load = proofs::enclosed_load(task);
-  std::string text =
-      fmt::format("{}: {} ({:.6g}, {:.6g})\n{} equilibria, by energy; {}\n", options.chain.name,
-                  task.control() == Control::force ? "force" : "end point held at",
-                  static_cast<double>(load.x.middle()), static_cast<double>(load.y.middle()),
-                  answer.equilibria.size(), answer.note);
+  std::string text = fmt::format(
+      "{}: {} ({:.6g}, {:.6g})\n{} equilibria, by energy; {}\n", options.chain.name,
+      task.control() == Control::force ? "force" : "end point held at", static_cast<double>(load.x.middle()),
+      static_cast<double>(load.y.middle()), answer.equilibria.size(), answer.note);
   text += window_text(answer, options.chain.exact);
   if (!answer.zero.empty()) text += "0 stands for an absolute value in " + answer.zero + "\n";
   for (std::size_t i = 0; i < answer.equilibria.size(); ++i) {
@@ -296,8 +294,7 @@ std::string as_text(const Answer& answer, const Options& options, const proofs::
   return text;
 }
 
-nlohmann::ordered_json as_json(const Answer& answer, const Options& options,
-                               const proofs::CensusTask& task) {
+nlohmann::ordered_json as_json(const Answer& answer, const Options& options, const proofs::CensusTask& task) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Entry& one : answer.equilibria) {
     list.push_back({{"type", one.type},
@@ -306,16 +303,18 @@ nlohmann::ordered_json as_json(const Answer& answer, const Options& options,
                     {"end_point", {one.x, one.y}},
                     {"q", one.q}});
   }
-  return {{"chain", options.chain.name},  {"control", task.control() == Control::force ? "force" : "end_point"},
-          {"certified", options.certify}, {"complete", answer.complete},
-          {"balanced", answer.balanced},  {"joint_angles_counted", window_json(answer)},
-          {"equilibria", list},           {"undecided", answer.undecided}};
+  return {
+      {"chain", options.chain.name},  {"control", task.control() == Control::force ? "force" : "end_point"},
+      {"certified", options.certify}, {"complete", answer.complete},
+      {"balanced", answer.balanced},  {"joint_angles_counted", window_json(answer)},
+      {"equilibria", list},           {"undecided", answer.undecided}};
 }
 
 void run(Options options) {
   Outputs outputs({options.chain.path});
-  files::OutputFile *const json = outputs.open("--json", options.json),
-                           *const certificate = outputs.open("--certificate", options.certificate);
+  files::OutputFile *const json = outputs.open("--json", options.json), *const certificate =
+                                                                            outputs.open("--certificate",
+                                                                                         options.certificate);
   options.certify = options.certify || certificate;
   options.chain.read();
   const proofs::CensusTask task = task_of(options);

@@ -13,8 +13,8 @@
 /// Branch and bound: a box of angles and force is contracted by the moment recursion from both ends and by an
 /// interval Newton step, dropped when empty, and halved. Around each root found, a box as large as possible
 /// is proved to hold exactly one (Krawczyk), and what lies in it is dropped. What can be neither dropped nor
-/// proved at the smallest size is reported as undecided: there equilibria are degenerate, or nearly. Where such
-/// boxes stand side by side equilibria form a continuum, and the search stops.
+/// proved at the smallest size is reported as undecided: there equilibria are degenerate, or nearly. Where
+/// such boxes stand side by side equilibria form a continuum, and the search stops.
 ///
 /// A complete census is checked against topology: where the space of shapes has no border, the sum of
 /// (-1)^(negative directions) is its Euler characteristic, with the end point held as in proofs/window.hpp,

@@ -23,7 +23,9 @@ struct CensusTask {
   Point<Rational> load;
   int turns = 0;  ///< further full turns that are counted, where the end point is held
 
-  [[nodiscard]] Control control() const { return given == Given::force ? Control::force : Control::end_point; }
+  [[nodiscard]] Control control() const {
+    return given == Given::force ? Control::force : Control::end_point;
+  }
 };
 
 /// The chain, rest angles in radians.

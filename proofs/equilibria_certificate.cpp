@@ -135,8 +135,9 @@ json stated(const CertifiedEquilibrium& one, const Rounding& text, bool held, co
 json window_of(const CensusTask& task, const Window& window) {
   json list = json::array();
   for (std::size_t i = 0; i < window.size(); ++i) {
-    const Interval centre = (Interval(window[i].lower(), window[i].lower()) +
-                             Interval(window[i].upper(), window[i].upper())) / (Interval(2) * Interval::pi());
+    const Interval centre =
+        (Interval(window[i].lower(), window[i].lower()) + Interval(window[i].upper(), window[i].upper())) /
+        (Interval(2) * Interval::pi());
     const bool own = i == 0 || task.chain.passive_joint(i);
     list.push_back(own ? 0 : std::lround(static_cast<double>(centre.middle())));
   }
@@ -157,7 +158,8 @@ json equilibria_certificate(const CensusTask& task, const Census& census, int di
   std::vector<Box> balls;
   for (const CertifiedEquilibrium& one : census.equilibria) {
     if (!one.negative_directions)
-      throw Error("certificate", "an equilibrium of a type that stays open", "equilibria farther from a fold");
+      throw Error("certificate", "an equilibrium of a type that stays open",
+                  "equilibria farther from a fold");
     const Midpoint centre = centre_of(one, units.force());
     const Radii r = radii(system, centre, units.force());
     equilibria.push_back(stated(one, text, held, r));

@@ -39,8 +39,8 @@ class EquilibriumBox {
   [[nodiscard]] const Span& range(std::size_t joint) const { return range_[joint]; }
 
   /// Cuts off what the joint ranges, the closure, the moments of link after link and interval Newton steps
-  /// exclude. The force may be unbounded. What is cut off, check_equilibria.py cuts off too. False: nothing is
-  /// left.
+  /// exclude. The force may be unbounded. What is cut off, check_equilibria.py cuts off too. False: nothing
+  /// is left.
   bool narrow(Box& z) const;
   /// A root near the middle of a box, in plain doubles.
   [[nodiscard]] std::optional<Midpoint> root_near(const Box& z) const;

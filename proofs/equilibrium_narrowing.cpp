@@ -78,7 +78,8 @@ bool EquilibriumBox::contracts(const Midpoint& centre, double radius, double for
       for (std::size_t l = 0; l < size_; ++l) defect -= Y.entry[i][l] * A.entry[l][j];
       image += defect.magnitude() * r[j];
     }
-    if (!(image + offset.magnitude() < 0.95 * r[i])) return false;  // well inside: the centre is rounded later
+    if (!(image + offset.magnitude() < 0.95 * r[i]))
+      return false;  // well inside: the centre is rounded later
   }
   return true;
 }

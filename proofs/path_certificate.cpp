@@ -39,7 +39,8 @@ json bounds(const Span& fold) {
 json stated(const ProvedPiece& piece, bool held) {
   json points = json::array(), runs = json::array(), folds = json::array();
   for (const BranchPoint<double>& point : piece.points) points.push_back(stated(point, held));
-  for (const CertifiedRun& run : piece.runs) runs.push_back({run.from < run.to ? 1 : -1, run.negative_directions});
+  for (const CertifiedRun& run : piece.runs)
+    runs.push_back({run.from < run.to ? 1 : -1, run.negative_directions});
   for (const Span& fold : piece.folds) folds.push_back(bounds(fold));
   return {{"points", points}, {"runs", runs}, {"folds", folds}, {"near", text(piece.distance * 2 + 1e-12)}};
 }
@@ -50,7 +51,8 @@ json path_certificate(const PathGiven& given, const std::vector<PathCertificate>
   json parts = json::array();
   for (const PathCertificate& branch : branches) {
     if (!branch.certified()) throw Error("certificate", branch.failure, "a path that is proved");
-    for (const ProvedPiece& piece : branch.pieces) parts.push_back(stated(piece, given.control == Control::end_point));
+    for (const ProvedPiece& piece : branch.pieces)
+      parts.push_back(stated(piece, given.control == Control::end_point));
   }
   return {{"case", given.name},
           {"lengths", exact_list(given.chain.length())},

@@ -220,7 +220,8 @@ std::size_t missing(const Census& census, const Case& one, Adversary& adversary,
   return lost;
 }
 
-constexpr std::size_t certified_share = 20;  ///< one complete census in so many is checked by the stand-alone program
+constexpr std::size_t certified_share =
+    20;  ///< one complete census in so many is checked by the stand-alone program
 
 struct Tally {
   std::size_t cases = 0, complete = 0, balanced = 0, refused = 0;
@@ -229,7 +230,8 @@ struct Tally {
   void certify(const Case& one, const Census& census) {
     const Given given = one.control == Control::force ? Given::force : Given::end_point;
     try {
-      certificates.push_back(equilibria_certificate({"adversary", one.chain(), false, given, one.load}, census, 40));
+      certificates.push_back(
+          equilibria_certificate({"adversary", one.chain(), false, given, one.load}, census, 40));
     } catch (const Error&) {  // too near a fold for double precision: no certificate is no false one
     }
   }
@@ -256,7 +258,9 @@ void attack(const Case& one, Adversary& adversary, Tally& tally) {
   const Signature here = signature(*census);
   limits.boxes = 1200000;
   // what another rounding leaves undecided is no contradiction
-  const auto same = [&](const Census& other, int unit) { return !other.complete() || agree(here, signature(other, unit)); };
+  const auto same = [&](const Census& other, int unit) {
+    return !other.complete() || agree(here, signature(other, unit));
+  };
   CHECK(same(Adversary::in_units(one, length, stiffness).census(limits), stiffness));
   CHECK(same(Adversary::mirrored(one).census(limits), 0));
   const bool all_elastic_behind =
@@ -327,7 +331,8 @@ TEST_CASE("the adversary finds no false certificate") {
     }
   }
   MESSAGE(cases, " cases from seed ", seed, ": ", tally.cases, " censuses, ", tally.complete, " complete, ",
-          tally.balanced, " balanced, ", tally.refused, " refused; ", tally.certificates.size(), " certificates");
+          tally.balanced, " balanced, ", tally.refused, " refused; ", tally.certificates.size(),
+          " certificates");
   CHECK(check_alone("check_equilibria.py", equilibria_certificates, tally.certificates) == 0);
   CHECK(tally.complete * 2 > tally.cases);
 }

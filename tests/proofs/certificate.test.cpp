@@ -69,5 +69,6 @@ TEST_CASE("two equal critical forces are proved equal") {
 TEST_CASE("a thousand links") {
   std::mt19937_64 random(2);
   const auto chain = graded_chain(random, 1000, 1, 0);
-  CHECK(check_alone("check_certificates.py", critical_certificates, {certificate("long", chain, certify(chain, 1, 1, 50))}) == 0);
+  CHECK(check_alone("check_certificates.py", critical_certificates,
+                    {certificate("long", chain, certify(chain, 1, 1, 50))}) == 0);
 }

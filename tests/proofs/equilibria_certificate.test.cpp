@@ -68,9 +68,11 @@ TEST_CASE("certificates in units of any size, and of windows of more turns") {
   const CensusTask task{"unit", unit, false, Given::end_point, place, 0};
   const CensusTask scaled{"huge", huge, false, Given::end_point, {place.x * large, place.y * large}, 0};
   const CensusTask pushed{"pushed", unit, false, Given::deflection, {Rational(2, 5), 0}, 0};
-  const CensusTask wound{"wound", Chain<Rational>({1, 1}, {1, 1}), false, Given::end_point, {1, Rational(1, 3)}, 1};
-  const CensusTask graded{"graded", Chain<Rational>({1, Rational(1, 1000)}, {1000, Rational(1, 10)}), false,
-                          Given::force, {-500, 3}, 0};
+  const CensusTask wound{
+      "wound", Chain<Rational>({1, 1}, {1, 1}), false, Given::end_point, {1, Rational(1, 3)}, 1};
+  const CensusTask graded{"graded",  Chain<Rational>({1, Rational(1, 1000)}, {1000, Rational(1, 10)}),
+                          false,     Given::force,
+                          {-500, 3}, 0};
   std::vector<json> certificates;
   for (const CensusTask& one : {task, scaled, pushed, wound, graded}) certificates.push_back(certified(one));
   CHECK(certificates[0]["equilibria"].size() == certificates[1]["equilibria"].size());

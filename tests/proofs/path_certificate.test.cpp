@@ -11,7 +11,8 @@ using nlohmann::json;
 namespace {
 
 /// What is proved of a path, all branches or the slow loading.
-json certified(const Chain<Rational>& chain, Control control, const Point<Rational>& direction, double last, bool all) {
+json certified(const Chain<Rational>& chain, Control control, const Point<Rational>& direction, double last,
+               bool all) {
   const auto middle = [](const Interval& x) { return static_cast<double>(x.middle()); };
   const auto exact = from_rational<Interval>(chain);
   const Interval x(direction.x), y(direction.y), size = sqrt(sqr(x) + sqr(y));
@@ -39,7 +40,8 @@ std::size_t folds(const json& certificate) {
 
 TEST_CASE("the stand-alone checker confirms paths: jumps, folds, gaps, passive bases, forces, any units") {
   const Rational half(1, 2);
-  const Chain<Rational> snap({1, 1, 1, 1}, {5, 5, 5, 6}, {Rational(3, 5), Rational(-6, 5), Rational(3, 5), 0});
+  const Chain<Rational> snap({1, 1, 1, 1}, {5, 5, 5, 6},
+                             {Rational(3, 5), Rational(-6, 5), Rational(3, 5), 0});
   const Chain<Rational> zigzag({1, 1, 1}, {0, 1, 1}, {Rational(-1, 10), Rational(3, 10), Rational(-3, 10)});
   const Chain<Rational> unequal({1, Rational(3, 2)}, {1, half}, {half, -1});
   const Chain<Rational> scaled({1000, 1500}, {Rational(1, 100000), half / 100000}, {half, -1});

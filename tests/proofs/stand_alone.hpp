@@ -13,7 +13,8 @@ namespace plumbline::proofs {
 
 /// \param checker  in proofs/
 /// \returns its exit status, 0 when all certificates hold
-inline int check_alone(const std::string& checker, const char* format, const std::vector<nlohmann::json>& certificates) {
+inline int check_alone(const std::string& checker, const char* format,
+                       const std::vector<nlohmann::json>& certificates) {
   const auto path = std::filesystem::temp_directory_path() / ("plumbline-" + checker + ".json");
   std::ofstream(path) << certificate_file(format, {"test", "test", ""}, certificates);
   const std::string command = "python3 -B " PLUMBLINE_SOURCE_DIR "/proofs/" + checker + " " + path.string();

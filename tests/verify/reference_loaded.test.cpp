@@ -58,8 +58,9 @@ TEST_CASE("events are equilibria at their load, and the compact cases are among 
       }
       const Mpfr50 fx = number(event["force"][0]), fy = number(event["force"][1]);
       for (std::size_t i = 0; i < joints.size(); ++i) {
-        const Mpfr50 spring = from_rational<Mpfr50>(loaded.task.chain.stiffness()[i]) *
-                              (number(event["angles"][i]) - from_rational<Mpfr50>(loaded.task.chain.rest()[i]));
+        const Mpfr50 spring =
+            from_rational<Mpfr50>(loaded.task.chain.stiffness()[i]) *
+            (number(event["angles"][i]) - from_rational<Mpfr50>(loaded.task.chain.rest()[i]));
         CHECK(abs(spring - ((x - joints[i].x) * fy - (y - joints[i].y) * fx)) < Mpfr50("1e-37"));
       }
       ++events;

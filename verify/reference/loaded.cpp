@@ -48,8 +48,11 @@ void add_paper(std::vector<LoadedCase>& cases) {
 /// A chain that snaps: its branch has a fold on the way.
 LoadedCase snapping() {
   const std::vector<Rational> rest{Rational(3, 5), Rational(-6, 5), Rational(3, 5), 0};
-  return {{"snap-four-link", Chain<Rational>({1, 1, 1, 1}, {5, 5, 5, 6}, rest), false,
-           proofs::Given::end_point, {Rational(5, 2), 0}},
+  return {{"snap-four-link",
+           Chain<Rational>({1, 1, 1, 1}, {5, 5, 5, 6}, rest),
+           false,
+           proofs::Given::end_point,
+           {Rational(5, 2), 0}},
           Rational(29, 25)};
 }
 
@@ -106,7 +109,8 @@ std::string certain_digits(const Interval& x) {
 }
 
 Branch<Mpfr50> compressed(const LoadedCase& loaded, const Mpfr50& longest_step) {
-  const auto chain = convert<Mpfr50>(proofs::enclosed_chain(loaded.task), [](const Interval& x) { return Mpfr50(x.middle()); });
+  const auto chain = convert<Mpfr50>(proofs::enclosed_chain(loaded.task),
+                                     [](const Interval& x) { return Mpfr50(x.middle()); });
   const Model model(chain);
   std::vector<Mpfr50> q = chain.rest();
   Loading<Mpfr50> loading{loaded.task.control(), {0, 0}, {-1, 0}};

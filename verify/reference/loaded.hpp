@@ -20,7 +20,8 @@ struct LoadedCase {
   Rational window;  ///< events up to this deflection, or force; 0 for none
 };
 
-/// The paper's chains, one that snaps, and random ones of two to five links; the compact ones are among the full ones.
+/// The paper's chains, one that snaps, and random ones of two to five links; the compact ones are among the
+/// full ones.
 std::vector<LoadedCase> loaded_cases(ReferenceSize size, std::uint64_t seed);
 
 struct CertifiedEntry {
