@@ -11,6 +11,9 @@ namespace plumbline::diagnose::beliefs {
 /// Spread of the logarithm of true over declared sigma: most labs know theirs to a quarter. What the readings
 /// say themselves widens it without a limit, for the others err by any factor.
 inline constexpr double scale_spread = 0.25;
+/// Readings that scatter more than so many times the declared sigma scatter for a reason: a ripple of the
+/// device that nobody has listed is more likely than a sigma that is as wrong.
+inline constexpr double largest_scale = 5;
 /// Spread of the half-normal correlation of neighbouring readings: 0.6 is rare, but possible.
 inline constexpr double correlation_spread = 0.3;
 /// So many readings of a bench are slips, knocks and dropouts, with noise so many times as wide.
@@ -20,16 +23,16 @@ inline constexpr double outlier_share = 0.02, outlier_width = 10;
 
 /// Springs and printed hinges repeat to a tenth, cut lengths to a percent, assembled angles to a degree.
 inline constexpr double stiffness_tolerance = 0.1, length_tolerance = 0.01, angle_tolerance = 0.02;
-/// Friction of a joint comes to a tenth of what its spring carries at a typical deflection, the departure of a
-/// spring from a straight line there to as much again.
+/// Friction of a joint comes to a tenth of what its spring carries at a typical deflection, the departure of
+/// a spring from a straight line there to as much again.
 inline constexpr double friction_tolerance = 0.1, hardening_tolerance = 1;
 
 // ---- How many causes there are ----
 
 /// Shares of gaps that have one cause, two, three. Which effects, and where, is all alike.
 inline constexpr double one_cause = 0.75, two_causes = 0.20, three_causes = 0.05;
-/// But an effect that has a plainer one as a special case (friction that grows, and friction) is so much rarer
-/// than that: what is refined answers to whatever else is wrong of the model.
+/// But an effect that has a plainer one as a special case (friction that grows, and friction) is so much
+/// rarer than that: what is refined answers to whatever else is wrong of the model.
 inline constexpr double refinement = 0.1;
 /// Prior probability that a gap's cause is in nobody's catalogue.
 inline constexpr double outside = 0.1;

@@ -41,6 +41,12 @@ GapAnswer ask_for_gap(const Measurements& measurements, const std::vector<double
   return gap;
 }
 
+/// Whether the readings of some channel scatter so much that what looks like noise is taken for a ripple.
+bool ripples(const Measurements& measurements, const NoiseModel& noise) {
+  return std::any_of(measurements.series().begin(), measurements.series().end(),
+                     [&](const Series& series) { return noise.of(series.channel) > beliefs::largest_scale; });
+}
+
 /// The hypotheses that a search on fewer readings left standing, fitted to all of them.
 Findings confirmed(const Study& study, const Findings& found) {
   // More readings cannot lift what fell behind by so much.
@@ -242,7 +248,13 @@ Diagnosis diagnose(const Study& study, const Report& progress, bool plan) {
   diagnosis.experiment = study.experiment().name;
   diagnosis.gap = ask_for_gap(study.measurements(), residual);
   diagnosis.noise = diagnosis.gap.test.noise;
-  if (diagnosis.gap.present) explain(study, residual, diagnosis, report);
+  if (diagnosis.gap.present) {
+    explain(study, residual, diagnosis, report);
+  } else if (ripples(study.measurements(), diagnosis.noise)) {
+    diagnosis.gap.present = true;
+    diagnosis.cause.verdict = CauseVerdict::unknown;
+    diagnosis.cause.unknown = 1;
+  }
   diagnosis.where = locate(study, study.nominal(), residual, diagnosis.noise);
   imply_joints(study, residual, diagnosis);
   if (diagnosis.gap.present && diagnosis.cause.verdict == CauseVerdict::unknown)

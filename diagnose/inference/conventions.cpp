@@ -13,6 +13,8 @@ namespace {
 constexpr double misfit_in_doubt = 0.05;
 /// A conversion must leave no more than this share of the misfit.
 constexpr double left_at_most = 0.05;
+/// Nor more than this share of the readings: a bench with a large gap can look like its mirror image.
+constexpr double missed_at_most = 0.3;
 
 /// Sums of squares of a measured column of one run, from the unloaded state on, against the prediction.
 struct Column {
@@ -226,6 +228,7 @@ class Check {
       if (!centred(sensor, conversion.tolerance)) return {};
     trial.left_as_is = relative_rms(whole.was);
     trial.left = relative_rms(whole.is);
+    if (trial.left > missed_at_most) return {};
     return trial;
   }
 

@@ -43,6 +43,11 @@ double log_parameter_prior(const ParameterRange& range, double value) {
   return std::log(sides / (std::numbers::pi * range.scale * (1 + ratio * ratio)));
 }
 
+/// How common an effect is beside a plain one.
+double commonness(const Effect& effect) {
+  return effect.special.empty() ? 1 : beliefs::refinement;
+}
+
 }  // namespace
 
 double log_likelihood(const Measurements& measurements, const std::vector<double>& residual,
@@ -56,11 +61,16 @@ double log_prior(const Study& study, const Candidate& candidate) {
   constexpr double share[] = {1.0, beliefs::one_cause, beliefs::two_causes, beliefs::three_causes};
   const std::size_t count = candidate.effects.size();
   double log_p = std::log(share[std::min<std::size_t>(count, 3)]);
+  static const double all = [] {
+    double sum = 0;
+    for (const Effect& one : catalogue()) sum += commonness(one);
+    return sum;
+  }();
   for (std::size_t i = 0; i < count; ++i) {
     const double places =
         candidate.effects[i].joint > 0 ? static_cast<double>(study.sizes().link_length.size()) : 1.0;
-    log_p += std::log(static_cast<double>(i + 1) / (static_cast<double>(catalogue().size()) * places));
-    if (!candidate.effects[i].effect->special.empty()) log_p += std::log(beliefs::refinement);
+    const double common = commonness(*candidate.effects[i].effect);
+    log_p += std::log(static_cast<double>(i + 1) * common / (all * places));
   }
   return log_p;
 }

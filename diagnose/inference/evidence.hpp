@@ -15,7 +15,8 @@ double log_likelihood(const Measurements& measurements, const std::vector<double
 
 /// Logarithm of the prior probability that these effects act at these places, before any reading: a gap has
 /// one cause in three of four experiments, two in one of five, three in the rest; every effect is as likely
-/// as every other, and equally likely at each of its places.
+/// as every other, but rarer where a plainer one is a special case of it, and equally likely at each of its
+/// places.
 double log_prior(const Study& study, const Candidate& candidate);
 
 /// Logarithm of the evidence, by Laplace's method at the fit: likelihood, times the prior density of the

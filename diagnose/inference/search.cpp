@@ -63,7 +63,8 @@ class Searcher {
     std::vector<Combination> combinations;
     for (std::size_t s = 0; s < std::min(seeds, from.size()); ++s) {
       for (const Prospect& prospect : screen(study_, from[s], settings_))
-        offer(combinations, joined(from[s], prospect));
+        if (Combination both = joined(from[s], prospect); !too_free(both.candidate))
+          offer(combinations, std::move(both));
     }
     std::sort(combinations.begin(), combinations.end(),
               [](const Combination& a, const Combination& b) { return a.cost < b.cost; });
@@ -90,6 +91,13 @@ class Searcher {
     const Instance rest = part(study_, combination.candidate, combination.parameters,
                                [&](const EffectAt& at) { return at != left_out; });
     return fit_from(study_, rest.candidate, settings_, rest.parameters);
+  }
+
+  /// Whether more than one of its effects has a value a joint, a link or a run: two of them follow anything.
+  [[nodiscard]] bool too_free(const Candidate& candidate) const {
+    constexpr std::size_t few = 4;
+    return std::count_if(candidate.effects.begin(), candidate.effects.end(),
+                         [&](const EffectAt& at) { return study_.ranges(at).size() > few; }) > 1;
   }
 
   /// Keeps what converged, unless its parameters are too many for so few readings: three for each. Those
