@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "files/text_file.hpp"
+#include "files/output_file.hpp"
 #include "simulator/write_experiment.hpp"
 
 namespace {
@@ -33,29 +33,17 @@ const Kind& kind(std::string_view id) {
   return *std::find_if(all.begin(), all.end(), [&](const Kind& one) { return one.id == id; });
 }
 
-/// A name a kind: the id, and where the same one sits at one joint or at all, which.
-std::string name_of(const Kind& one) {
-  const auto& all = plumbline::simulator::catalogue();
-  const bool twice =
-      std::count_if(all.begin(), all.end(), [&](const Kind& other) { return other.id == one.id; }) > 1;
-  return std::string(one.id) + (twice && one.at_joint ? "-joint" : "");
-}
-
 std::vector<Wanted> all_wanted() {
   std::vector<Wanted> all;
-  // In the order in which they were first made: the place in the list is the stream of random numbers.
-  const std::size_t first_part = plumbline::simulator::first_catalogue().size();
-  const auto& known = plumbline::simulator::catalogue();
-  for (std::size_t i = 0; i < first_part; ++i) all.push_back({name_of(known[i]), {{&known[i]}, {clear}}});
+  for (const Kind& one : plumbline::simulator::first_catalogue())
+    all.push_back({std::string(one.id), {{&one}, {clear}}});
   for (const int number : {1, 2}) all.push_back({fmt::format("none-{}", number), {}});
   for (const auto& [one, other] :
        {std::pair("joint_friction", "force_bias"), std::pair("gravity", "joint_stiffness")})
     all.push_back({fmt::format("{}-{}", one, other), {{&kind(one), &kind(other)}, {clear, clear}}});
   for (const std::size_t number : {0U, 3U, 7U})
     all.push_back(
-        {fmt::format("outside-{}", number), {{&plumbline::simulator::outside().at(number)}, {clear}}});
-  for (std::size_t i = first_part; i < known.size(); ++i)
-    all.push_back({name_of(known[i]), {{&known[i]}, {clear}}});
+        {fmt::format("outside-{}", number), {{&plumbline::simulator::first_outside()[number]}, {clear}}});
   return all;
 }
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The simulator and the diagnosis share no line of mechanics: what both include, however far down, is
 infrastructure. Left out is the file that compares the simulator with the nominal statics, for it is there to
-use both; nothing that it computes reaches an experiment. Usage: independence.test.py SOURCE_FOLDER"""
+use both; nothing that it computes reaches an experiment. What is outside the catalogue is in one file of the
+simulator. Usage: independence.test.py SOURCE_FOLDER"""
 
 import pathlib
 import re
@@ -45,6 +46,8 @@ assert any(p.startswith("core/plumbline/") and "/base/" not in p for p in diagno
 wrong = sorted(p for p in simulator & diagnosis if not INFRASTRUCTURE.fullmatch(p))
 crossing = sorted(p for p in simulator if p.startswith("diagnose/")) + \
     sorted(p for p in diagnosis if p.startswith(("simulator/", "trial/")))
+outside = [p.name for p in sorted((root / "simulator").glob("*.cpp")) if '{"unknown"' in p.read_text()]
+assert outside == ["outside.cpp"], f"effects outside the catalogue in {outside}, expected in outside.cpp alone"
 for path in wrong:
     print(f"{path}: found in both, expected in one of simulator and diagnose")
 for path in crossing:
