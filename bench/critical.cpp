@@ -267,7 +267,7 @@ void digits_table(std::ostream& out, Findings& findings) {
         {"Eigen", [&] { return Forces{eigen_algorithm1_lowest(stock)}; }},
         {"Eigen without heap", [&] { return Forces{eigen_algorithm1_lowest(high)}; }},
         {"enclosure",
-         [&] { return Forces{enclose_critical_forces(exact, 1, 50)[0].low.convert_to<double>()}; }}};
+         [&] { return Forces{proofs::enclose_critical_forces(exact, 1, 50)[0].low.convert_to<double>()}; }}};
     race(runners, 2);
     out << fmt::format("| {} | {} | {:.4g} | {:.4g} | {:.3g} |\n", n, in_units(runners[0].seconds),
                        runners[1].ratio, runners[2].ratio, runners[3].ratio);
