@@ -79,14 +79,18 @@ std::string replaced(const std::string& text, const char* what, const char* by) 
 
 /// Without what gnuplot writes but no one sees: empty groups, defaults, hundredths of a pixel.
 std::string compact(const std::string& svg) {
-  static const std::regex tag("<[^>]*>");
+  static const std::regex tag("<[a-rt-z][^>]*>");  // none of the head, whose numbers are versions
   std::string text;
-  for (std::sregex_iterator one(svg.begin(), svg.end(), tag), end; one != end; ++one)
-    text += one->prefix().str() + replaced(one->str(), R"((\.\d)\d+)", "$1");
-  text = replaced(text, R"(\s+)", " ");
+  std::size_t last = 0;
+  for (std::sregex_iterator one(svg.begin(), svg.end(), tag), end; one != end; ++one) {
+    const std::string shorter = replaced(replaced(one->str(), R"((\.\d)\d+)", "$1"), R"((\d)\.0\b)", "$1");
+    text += one->prefix().str() + replaced(shorter, R"((\d) L(?=[\d-]))", "$1 ");  // after M a line is meant
+    last = static_cast<std::size_t>(one->position() + one->length());
+  }
+  text = replaced(text + svg.substr(last), R"(\s+)", " ");
   text = replaced(
-      text, R"( stroke-linecap="butt"| stroke-linejoin="miter"| stroke-width="1\.0"| class="gridline")", "");
-  text = replaced(text, R"( font-family="Helvetica"| font-size="12\.0")", "");
+      text, R"( stroke-linecap="butt"| stroke-linejoin="miter"| stroke-width="1"| class="gridline")", "");
+  text = replaced(text, R"( font-family="Helvetica"| font-size="12")", "");
   text = replaced(text, R"(rgb\( ?68, ?68, ?68\))", "#444");
   text = replaced(text, R"(rgb\( ?221, ?221, ?221\))", "#ddd");
   text = replaced(text, R"(<tspan ?>([^<]*)</tspan></text>)", "$1</text>");

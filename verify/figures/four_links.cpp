@@ -28,7 +28,7 @@ proofs::PathTask compressed(const Chain<double>& chain, double reach, double las
 page::Panel energy_surface(const Chain<double>& chain, double x, int elbow, const std::string& title) {
   page::Panel panel{title, "q_1 [rad]", "q_2 [rad]", {}, {}, "set xrange [-1.6:1.6]\nset yrange [-2.2:2.2]",
                     false};
-  constexpr int steps = 110;
+  constexpr int steps = 80;
   for (int i = 0; i <= steps; ++i) {
     for (int j = 0; j <= steps; ++j) {
       const double q1 = -1.6 + 3.2 * i / steps, q2 = -2.2 + 4.4 * j / steps, turned = q1 + q2;

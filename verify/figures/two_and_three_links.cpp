@@ -110,7 +110,7 @@ page::Panel force_panel(const std::string& title, const proofs::PathReport& repo
 
 page::Panel shapes_panel(const std::string& title, const Chain<double>& chain,
                          const std::vector<BranchPoint<double>>& points) {
-  page::Panel panel{title, "x / L", "y / L", {}, {}, "set key rmargin", true};
+  page::Panel panel{title, "x / L", "y / L", {}, {}, "set key below", true};
   int colour = 1;
   for (const auto& p : points)
     panel.curves.push_back({outline(chain, p.theta), colour++, p.negative_directions > 0,
@@ -179,8 +179,9 @@ std::vector<page::Panel> draw_figure_7() {
   const proofs::PathReport report = proofs::follow_all(task);
   std::vector<BranchPoint<double>> last;
   for (const auto& branch : report.branches) last.push_back(branch.points.back());
-  return {force_panel("α = (-π/4, -π/3)", report, "set yrange [-6:6]\nset key bottom right"),
-          shapes_panel("shapes at the ends of the branches", task.chain, last)};
+  page::Panel shapes = shapes_panel("shapes at the ends of the branches", task.chain, last);
+  shapes.extra = "set key rmargin";  // below, it would lie on the axis title
+  return {force_panel("α = (-π/4, -π/3)", report, "set yrange [-6:6]\nset key bottom right"), shapes};
 }
 
 std::vector<page::Panel> draw_figure_8() {
@@ -216,7 +217,7 @@ std::vector<page::Panel> draw_figure_9() {
     for (const int elbow : {1, -1}) {
       page::Curve curve{{}, elbow > 0 ? 1 : 2, false, elbow > 0 ? "q_3 bends left" : "q_3 bends right", 1.6};
       const double widest = std::acos((x * x - 3) / (2 * x));  // links 2 and 3 stretched
-      constexpr int steps = 315;
+      constexpr int steps = 160;
       for (int step = 0; step <= steps; ++step) {
         const double phi = widest * std::sin(pi * (static_cast<double>(step) / steps - 0.5)),
                      dx = x - std::cos(phi), dy = -std::sin(phi);
