@@ -144,7 +144,8 @@ std::string heading(Severity severity) {
 }
 
 std::string title(const Erratum& erratum) {
-  return erratum.cause.title.empty() ? erratum.claims.front().claim.where : erratum.cause.title;
+  const Claim& first = erratum.claims.front().claim;
+  return erratum.cause.title.empty() ? first.where + ": " + first.reading : erratum.cause.title;
 }
 
 /// The strongest evidence of the gravest claim.
