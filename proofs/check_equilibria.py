@@ -188,7 +188,8 @@ class Ball:
             low, high = N.of(value - Fraction(scale) / 10**digits), N.of(value + Fraction(scale) / 10**digits)
             require(low[1] <= found[0] and found[1] <= high[0], "a number that is not right to so many digits")
         for i, (angle, counted) in enumerate(zip(self.q, chain.range)):
-            require(angle[0] <= counted[1] and counted[0] <= angle[1], f"joint {i + 1} outside of the window")
+            counts = chain.passive[i] or (angle[0] <= counted[1] and counted[0] <= angle[1])
+            require(counts, f"joint {i + 1} outside of the window")
         require(chain.negative_directions(theta, force) == stated["negative_directions"], "negative directions")
 
     def differs(self, other, chain):
@@ -229,14 +230,14 @@ class Covering:
         m = middle(box[j])
         return box[:j] + [(m, box[j][1])] + box[j + 1:], box[:j] + [(box[j][0], m)] + box[j + 1:]
 
-    def leaf(self, box, patience=4):
+    def leaf(self, box, patience=6):
         """Other roundings than those of whoever made the tree may leave a box open by a hair: then it is halved."""
         self.leaves += 1
         try: theta, force = self.chain.narrow(box)
         except Nothing: return
         if (force or not self.chain.held) and any(self.within(theta, force, ball) for ball in self.balls): return
         require(patience, f"box {self.leaves} is neither excluded nor within a ball")
-        for half in self.halves(box, max(range(self.chain.n), key=lambda j: width(theta[j]))): self.leaf(half, patience - 1)
+        for half in self.halves(theta, max(range(self.chain.n), key=lambda j: width(theta[j]))): self.leaf(half, patience - 1)
 
     def within(self, theta, force, ball):
         chain, shift, turned = self.chain, (0, 0), []
