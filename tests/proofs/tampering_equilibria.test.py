@@ -73,7 +73,9 @@ def lies(document, path):
     if key in ("control", "rest_unit"):
         yield from {"control": {"end_point", "deflection", "force"}, "rest_unit": {"pi"}}[key] - {old}
     elif key == "covering":
-        yield from (old[:-1], old + ".", old[1:], ".", "a" + old, old.replace("a", "b", 1) + ".", "q" + old[1:])
+        if len(old) > 200:  # less, and a checker that halves boxes itself may prove all of it
+            yield "."
+        yield from (old[:-1], old + ".", old[1:], "a" + old, old.replace("a", "b", 1) + ".", "q" + old[1:])
     elif re.fullmatch(r"-?\d+(\.\d+)?(e-?\d+)?", old):
         x = Fraction(old)
         if key in ("radius", "force_radius"):
