@@ -10,17 +10,6 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Whether the commanded path turns back.
-bool turns_back(const Run& run) {
-  Vector2 last(0, 0);
-  for (std::size_t i = 1; i < run.readings.size(); ++i) {
-    const Vector2 step = run.command(run.readings[i]) - run.command(run.readings[i - 1]);
-    if (step.dot(last) < 0) return true;
-    if (step != Vector2(0, 0)) last = step;
-  }
-  return false;
-}
-
 /// How far a run's command goes from where it begins.
 double reach_of_command(const Run& run) {
   double reach = 0;
@@ -35,7 +24,7 @@ std::optional<std::size_t> spare_run(const Experiment& experiment) {
   using Kind = std::pair<Control, bool>;
   std::map<Kind, std::vector<std::size_t>> kinds;
   for (std::size_t r = 0; r < experiment.runs.size(); ++r)
-    kinds[{experiment.runs[r].control, turns_back(experiment.runs[r])}].push_back(r);
+    kinds[{experiment.runs[r].control, experiment.runs[r].turns_back()}].push_back(r);
   auto& most = std::max_element(kinds.begin(), kinds.end(), [](const auto& a, const auto& b) {
                  return a.second.size() < b.second.size();
                })->second;
@@ -164,12 +153,11 @@ Experiment without(const Experiment& experiment, const HeldOut& heldout) {
   constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t r = 0; r < rest.runs.size(); ++r) {
     Run& run = rest.runs[r];
+    const std::vector<Channel> measured = run.measured();
     for (std::size_t i = 0; i < run.readings.size(); ++i) {
       if (!heldout.reading[r][i]) continue;
       Reading& reading = run.readings[i];
-      (run.holds_end_point() ? reading.Fx : reading.x) = unseen;
-      (run.holds_end_point() ? reading.Fy : reading.y) = unseen;
-      std::fill(reading.q.begin(), reading.q.end(), unseen);
+      for (const Channel& channel : measured) channel.in(reading) = unseen;
     }
   }
   // A run of which nothing is left would only be walked for nothing.

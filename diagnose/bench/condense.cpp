@@ -18,18 +18,6 @@ double median(std::vector<double> values) {
   return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-/// Whether the command turns back at each reading.
-std::vector<bool> turning_points(const Run& run) {
-  std::vector<bool> turns(run.readings.size(), false);
-  Eigen::Vector2d last(0, 0);
-  for (std::size_t i = 1; i < run.readings.size(); ++i) {
-    const Eigen::Vector2d step = run.command(run.readings[i]) - run.command(run.readings[i - 1]);
-    turns[i - 1] = step.dot(last) < 0;
-    if (step != Eigen::Vector2d(0, 0)) last = step;
-  }
-  return turns;
-}
-
 /// Draws the readings of one run together, group by group.
 class Condenser {
  public:
@@ -39,7 +27,7 @@ class Condenser {
   }
 
   Run result() {
-    const std::vector<bool> turns = turning_points(run_);
+    const std::vector<bool> turns = run_.turning_points();
     const std::size_t end = run_.readings.size();
     for (std::size_t from = 0; from < end;) {
       std::size_t to = from + 1;

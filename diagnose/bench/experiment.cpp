@@ -1,7 +1,9 @@
 #include "diagnose/bench/experiment.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace plumbline::diagnose {
 namespace {
@@ -20,6 +22,27 @@ std::array<Channel, 2> Run::imposed() const {
 Eigen::Vector2d Run::command(const Reading& reading) const {
   const std::array<Channel, 2> channels = imposed();
   return {channels[0].of(reading), channels[1].of(reading)};
+}
+
+std::vector<bool> Run::turning_points() const {
+  std::vector<bool> turns(readings.size(), false);
+  std::optional<std::size_t> before;  // the last reading with a command
+  Eigen::Vector2d last_step(0, 0);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (!command(readings[i]).allFinite()) continue;
+    if (before) {
+      const Eigen::Vector2d step = command(readings[i]) - command(readings[*before]);
+      turns[*before] = step.dot(last_step) < 0;
+      if (step != Eigen::Vector2d(0, 0)) last_step = step;
+    }
+    before = i;
+  }
+  return turns;
+}
+
+bool Run::turns_back() const {
+  const std::vector<bool> turns = turning_points();
+  return std::find(turns.begin(), turns.end(), true) != turns.end();
 }
 
 std::vector<Channel> Run::measured() const {

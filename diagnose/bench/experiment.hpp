@@ -40,6 +40,9 @@ struct Run {
   [[nodiscard]] std::array<Channel, 2> imposed() const;
   /// What was commanded at a reading: an end point, m, or a force, N.
   [[nodiscard]] Eigen::Vector2d command(const Reading& reading) const;
+  /// By reading, whether the command goes back from there: its next step is against the one before.
+  [[nodiscard]] std::vector<bool> turning_points() const;
+  [[nodiscard]] bool turns_back() const;
   /// What answers: the other of force and end point, then the joint angles that the run has columns for.
   [[nodiscard]] std::vector<Channel> measured() const;
   /// First and last of the readings as they were taken, from 0, that a reading stands for.

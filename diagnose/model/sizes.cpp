@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace plumbline::diagnose {
 namespace {
@@ -48,22 +47,6 @@ bool reads_both_forces(const Run& run) {
          any_reading(run, [](const Reading& reading) { return std::isfinite(reading.Fy); });
 }
 
-/// Whether a step of what is imposed goes against one before it.
-bool goes_back(const Run& run) {
-  const double nowhere = std::numeric_limits<double>::quiet_NaN();
-  Eigen::Vector2d last(nowhere, nowhere), last_step(0, 0);
-  for (const Reading& reading : run.readings) {
-    const Eigen::Vector2d at = run.command(reading);
-    if (!at.allFinite()) continue;
-    if (const Eigen::Vector2d step = at - last; step.squaredNorm() > 0) {
-      if (step.dot(last_step) < 0) return true;
-      last_step = step;
-    }
-    last = at;
-  }
-  return false;
-}
-
 /// The largest force component that is read, and how many readings come as near to it as noise allows.
 void find_plateau(const Experiment& experiment, Sizes& size) {
   const auto each_component = [&](auto use) {
@@ -101,7 +84,7 @@ Sizes sizes_of(const Experiment& experiment) {
     size.measures_force = size.measures_force || reads_force(run);
     size.clock = size.clock || !counts_readings(run.readings);
     size.measures_both_forces = size.measures_both_forces || reads_both_forces(run);
-    size.turns_back = size.turns_back || goes_back(run);
+    size.turns_back = size.turns_back || run.turns_back();
     size.bent_at_rest = size.bent_at_rest || std::any_of(run.rest.begin() + 1, run.rest.end(),
                                                          [](double angle) { return angle != 0; });
   }

@@ -129,4 +129,9 @@ inline Experiment measured(Experiment experiment, const Candidate& truth,
   return experiment;
 }
 
+/// Predicted angle of joint i, from 0.
+inline double angle(const Trace& trace, Eigen::Index row, std::size_t i) {
+  return trace(row, column_q + static_cast<Eigen::Index>(i));
+}
+
 }  // namespace plumbline::diagnose::test

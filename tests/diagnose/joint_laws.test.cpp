@@ -12,10 +12,6 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-double angle(const Trace& trace, Eigen::Index row, std::size_t i) {
-  return trace(row, column_q + static_cast<Eigen::Index>(i));
-}
-
 constexpr double stiffness = 2, length = 0.5;
 
 /// One joint under a transverse force that takes these values one after the other.

@@ -12,10 +12,6 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-double angle(const Trace& trace, Eigen::Index row, std::size_t i) {
-  return trace(row, column_q + static_cast<Eigen::Index>(i));
-}
-
 /// Work of the environment on the end point, by the trapezoidal rule.
 double work(const Trace& trace, Eigen::Index from, Eigen::Index to) {
   double sum = 0;
