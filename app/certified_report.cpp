@@ -37,10 +37,14 @@ nlohmann::ordered_json pairs(const std::vector<proofs::Span>& loads) {
 }  // namespace
 
 CertifiedReport certify(const proofs::PathReport& report, const Chain<Interval>& chain,
-                        const Loading<Interval>& loading) {
+                        const Loading<Interval>& loading, const std::vector<proofs::Symmetry>& symmetries) {
   CertifiedReport certified;
-  for (const Branch<double>& branch : report.branches)
+  for (const Branch<double>& branch : report.branches) {
     certified.push_back(proofs::certify(chain, loading, branch));
+    certified.back().symmetric = !symmetries.empty();
+  }
+  for (std::size_t b = 0; report.history && b + 1 < certified.size(); ++b)
+    proofs::join(certified[b], report.branches[b], certified[b + 1], chain, loading, symmetries);
   return certified;
 }
 
@@ -61,9 +65,16 @@ std::string as_text(const CertifiedReport& report) {
     for (const proofs::Span& least : one.softest)
       all += "  the tangent stiffness has one local minimum in " + text(least, digits) + "\n";
     if (one.certified()) all += stiffness_elsewhere(one);
+    if (one.fork)
+      all += fmt::format("  a symmetric pitchfork in {}: part {} goes on from it without a gap\n",
+                         text(*one.fork, digits), b + 2);
     for (const proofs::Span& gap : one.gaps)
-      all += "  not covered, a bifurcation or nearly one, across which the branch is not proved to be one: " +
-             text(gap, digits) + "\n";
+      all += fmt::format("  not covered, {}, across which the branch is not proved to be one: {}\n",
+                         one.symmetric
+                             ? "a bifurcation or nearly one"
+                             : "a bifurcation unfolded, for the chain has no symmetry that makes one,\n"
+                               "  or nearly one",
+                         text(gap, digits));
     if (one.failed_at)
       all += fmt::format("  NOT proved from {} on: {}\n", text(*one.failed_at, digits), one.failure);
   }
@@ -79,6 +90,8 @@ nlohmann::ordered_json as_json(const CertifiedReport& report) {
     nlohmann::ordered_json failure;
     if (one.failed_at)
       failure = {{"load", {one.failed_at->low, one.failed_at->high}}, {"reason", one.failure}};
+    nlohmann::ordered_json fork;
+    if (one.fork) fork = {one.fork->low, one.fork->high};
     list.push_back({{"certified", one.certified()},
                     {"segments", one.segments},
                     {"widest_tube", one.tube},
@@ -89,6 +102,7 @@ nlohmann::ordered_json as_json(const CertifiedReport& report) {
                     {"least_stiffness", pairs(one.softest)},
                     {"least_stiffness_counted", one.certified() && one.counted},
                     {"gaps", pairs(one.gaps)},
+                    {"pitchfork", fork},
                     {"failure", failure}});
   }
   return list;

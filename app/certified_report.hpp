@@ -12,8 +12,9 @@ namespace plumbline::app {
 /// One certificate a branch.
 using CertifiedReport = std::vector<proofs::PathCertificate>;
 
+/// \param symmetries  that the chain has exactly
 CertifiedReport certify(const proofs::PathReport& report, const Chain<Interval>& chain,
-                        const Loading<Interval>& loading);
+                        const Loading<Interval>& loading, const std::vector<proofs::Symmetry>& symmetries);
 
 /// Whether everything is proved but what lies in the gaps around bifurcations.
 bool complete(const CertifiedReport& report);

@@ -70,7 +70,9 @@ Followed follow(const Options& options, const proofs::PathTask& task) {
   }
   if (options.certify) {
     const auto exact = from_rational<Interval>(options.chain.exact);
-    all.certified = certify(all.report, exact, loading_of(options, exact).first);
+    const Loading<Interval> loading = loading_of(options, exact).first;
+    all.certified = certify(all.report, exact, loading,
+                            proofs::symmetries(options.chain.exact, loading.control, direction_of(options)));
   }
   return all;
 }

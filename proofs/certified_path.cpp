@@ -1,5 +1,6 @@
 #include "proofs/certified_path.hpp"
 
+#include "proofs/pitchfork.hpp"
 #include "proofs/regular_pieces.hpp"
 #include "proofs/regular_tube.hpp"
 
@@ -159,6 +160,8 @@ bool Prover::join(const BranchPoint<double>& at, const Segment& before, const Se
   result_.distance = std::max(result_.distance, distance);
   double& farthest = result_.pieces.back().distance;
   farthest = std::max(farthest, (box->image.array() / scale_.array()).maxCoeff());
+  double& absolute = result_.pieces.back().absolute;
+  absolute = std::max(absolute, box->image.maxCoeff());
   const int way = sign(equations_.load(tangent(*box)));
   if (way == 0) return true;
   if (!settle(way, at.load)) return false;
@@ -222,7 +225,7 @@ bool Prover::prove(Points points, bool closed) {
   bend_.reset();
   slope_ = 0;
   least_.reset();
-  result_.pieces.push_back({{points.front()}, {}, {}, 0});
+  result_.pieces.push_back({{points.front()}, {}, {}, 0, 0});
   const std::size_t runs = result_.runs.size(), folds = result_.folds.size();
   std::reverse(points.begin(), points.end());
   BranchPoint<double> here = points.back();
@@ -288,6 +291,25 @@ PathCertificate Prover::run(const Branch<double>& branch, double gap) {
 bool PathCertificate::regular() const {
   return certified() && gaps.empty() && runs.size() == 1 && runs[0].negative_directions == 0 &&
          runs[0].from < runs[0].to;
+}
+
+void join(PathCertificate& before, const Branch<double>& branch, const PathCertificate& after,
+          const Chain<Interval>& chain, const Loading<Interval>& loading,
+          const std::vector<Symmetry>& symmetries) {
+  const bool ends_there = !branch.events.empty() && branch.events.back().kind == EventKind::bifurcation &&
+                          before.pieces.size() == before.gaps.size();
+  if (!ends_there || before.pieces.empty() || after.pieces.empty() || !before.certified()) return;
+  const auto near = [](const BranchPoint<double>& point, const ProvedPiece& piece) {
+    return Near{point, piece.absolute};
+  };
+  const ProvedPiece &last = before.pieces.back(), &first = after.pieces.front();
+  for (const Symmetry& symmetry : symmetries) {
+    before.fork = pitchfork(chain, loading, symmetry, near(last.points.back(), last),
+                            branch.events.back().point, near(first.points.front(), first));
+    if (!before.fork) continue;
+    before.gaps.pop_back();
+    return;
+  }
 }
 
 PathCertificate certify(const Chain<Interval>& chain, const Loading<Interval>& loading,

@@ -19,6 +19,7 @@
 #include <string>
 
 #include "proofs/span.hpp"
+#include "proofs/symmetry.hpp"
 
 namespace plumbline::proofs {
 
@@ -36,6 +37,7 @@ struct ProvedPiece {
   /// So near are the points to the curve: links in radians, forces as shares of max k / max L, deflections of
   /// max L.
   double distance;
+  double absolute;  ///< the same, whatever the units
 };
 
 struct PathCertificate {
@@ -43,6 +45,9 @@ struct PathCertificate {
   std::vector<CertifiedRun> runs;  ///< in the order of the path
   std::vector<Span> folds;         ///< loads: in each the load turns exactly once
   std::vector<Span> gaps;  ///< loads around the bifurcations, where equilibria are not regular: not covered
+  /// Loads of the symmetric bifurcation at the end, through which the next branch is proved to go on.
+  std::optional<Span> fork;
+  bool symmetric = false;  ///< the chain has a symmetry, which may make its bifurcations
   std::optional<Span> failed_at;  ///< loads where the first tube, or its type, is not proved
   std::string failure;            ///< why not
   bool finite = true;             ///< the tangent stiffness along the load is finite all along
@@ -59,6 +64,12 @@ struct PathCertificate {
   /// Certified without a gap, stable, and the load grows all along.
   [[nodiscard]] bool regular() const;
 };
+
+/// Where a branch ends in a gap around a bifurcation, and the next one begins on its other side: proves that
+/// they are one path through a symmetric pitchfork, which closes the gap.
+void join(PathCertificate& before, const Branch<double>& branch, const PathCertificate& after,
+          const Chain<Interval>& chain, const Loading<Interval>& loading,
+          const std::vector<Symmetry>& symmetries);
 
 /// Proves what it can of a branch. O(n^3) a segment.
 /// \param chain, loading  what the branch was followed with, enclosed
