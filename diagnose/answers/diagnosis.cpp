@@ -63,6 +63,17 @@ Findings confirmed(const Study& study, const Findings& found) {
   return all;
 }
 
+/// 95 % bounds of one parameter: of what a tolerance holds, nearly a Gaussian, by its spread; of others by
+/// profile likelihood.
+Profile bounds(const Study& study, const Fit& fit, std::size_t parameter, const FitSettings& settings) {
+  const ParameterRange range = study.ranges(fit.candidate)[parameter];
+  const auto p = static_cast<Eigen::Index>(parameter);
+  if (!(range.tolerance > 0) || fit.at_bound[parameter])
+    return profile(study, fit, parameter, settings, rise_95);
+  const double reach = std::sqrt(rise_95 * fit.covariance(p, p)), value = fit.parameters[parameter];
+  return {std::max(range.low, value - reach), std::min(range.high, value + reach)};
+}
+
 /// Values and bounds for the best explanation, in the noise that it leaves.
 std::vector<std::vector<Estimate>> estimate(const Study& study, const Fit& found, const NoiseModel& noise) {
   FitSettings settings;
@@ -73,9 +84,9 @@ std::vector<std::vector<Estimate>> estimate(const Study& study, const Fit& found
   for (const EffectAt& at : fit.candidate.effects) {
     result.emplace_back();
     for (const ParameterRange& range : study.ranges(at)) {
-      const Profile bounds = profile(study, fit, p, settings, rise_95);
+      const Profile reach = bounds(study, fit, p, settings);
       result.back().push_back({std::string(range.name), std::string(range.unit),
-                               catalogue_value(range.coordinate, fit.parameters[p]), bounds.low, bounds.high,
+                               catalogue_value(range.coordinate, fit.parameters[p]), reach.low, reach.high,
                                fit.at_bound[p]});
       ++p;
     }
@@ -129,7 +140,7 @@ bool predicts(const std::optional<Shrink>& blind, double times) {
 void accept_remainder(const Study& study, const HeldOut& heldout, const NoiseModel& noise, Cause& cause) {
   if (cause.verdict != CauseVerdict::unknown || cause.ranking.empty()) return;
   const Fit& best = cause.ranking[cause.best].hypothesis.fit;
-  if (best.candidate.effects.size() > 2 || !genuine(study, best)) return;
+  if (best.candidate.count() > 2 || !genuine(study, best)) return;
   const std::optional<Shrink> blind = blind_shrink(study, heldout, best, noise);
   if (!predicts(blind, beliefs::nearly) || blind->noise_floor_ratio > beliefs::clear) return;
   settle_on(cause, cause.best, beliefs::other_than_nearly);
@@ -142,7 +153,7 @@ void accept_remainder(const Study& study, const HeldOut& heldout, const NoiseMod
 void demand_prediction(const Study& study, const HeldOut& heldout, const NoiseModel& noise, Cause& cause) {
   if (cause.verdict == CauseVerdict::unknown) return;
   const Fit& best = cause.ranking[cause.best].hypothesis.fit;
-  const std::size_t effects = best.candidate.effects.size();
+  const std::size_t effects = best.candidate.count();
   if (heldout.empty() && effects < 3) return;
   if (predicts(blind_shrink(study, heldout, best, noise), beliefs::predicts)) return;
   const double refuted = effects < 3 ? beliefs::wrong_unpredicted : beliefs::wrong_unpredicted_three;
@@ -202,7 +213,7 @@ void explain(const Study& study, const std::vector<double>& residual, Diagnosis&
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.or_unknown)
     offer_law_to(study, heldout, chosen, diagnosis);
   diagnosis.not_exercised = never_exercised(study, chosen);
-  if (!diagnosis.cause.ranking.empty())
+  if (diagnosis.cause.verdict != CauseVerdict::unknown)
     diagnosis.estimates =
         estimate(study, diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit, findings.noise);
 }

@@ -33,9 +33,10 @@ struct Diagnosis {
   GapAnswer gap;
   Where where;
   Cause cause;
-  NoiseModel noise;                              ///< that the best explanation leaves
-  std::vector<std::vector<Estimate>> estimates;  ///< [effect of the best explanation][parameter]
-  std::vector<EffectAt> not_exercised;           ///< effects that these runs could not have shown
+  NoiseModel noise;  ///< that the best explanation leaves
+  std::vector<std::vector<Estimate>>
+      estimates;                        ///< [effect of the best explanation][parameter]; of a known cause
+  std::vector<EffectAt> not_exercised;  ///< effects that these runs could not have shown
   std::optional<Shrink> shrink;
   std::optional<OfferedLaw> law;    ///< where the cause may be unknown: a law that closes the gap
   std::optional<Missing> missing;   ///< for `unknown`: what is missing, without a catalogue

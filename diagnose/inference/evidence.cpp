@@ -59,18 +59,19 @@ double log_likelihood(const Measurements& measurements, const std::vector<double
 
 double log_prior(const Study& study, const Candidate& candidate) {
   constexpr double share[] = {1.0, beliefs::one_cause, beliefs::two_causes, beliefs::three_causes};
-  const std::size_t count = candidate.effects.size();
+  const std::size_t count = candidate.count();
   double log_p = std::log(share[std::min<std::size_t>(count, 3)]);
   static const double all = [] {
     double sum = 0;
     for (const Effect& one : catalogue()) sum += commonness(one);
     return sum;
   }();
-  for (std::size_t i = 0; i < count; ++i) {
-    const double places =
-        candidate.effects[i].joint > 0 ? static_cast<double>(study.sizes().link_length.size()) : 1.0;
-    const double common = commonness(*candidate.effects[i].effect);
-    log_p += std::log(static_cast<double>(i + 1) * common / (all * places));
+  for (std::size_t i = 0; i < count; ++i) log_p += std::log(static_cast<double>(i + 1));  // in any order
+  if (candidate.machined()) log_p -= std::log(all);
+  for (const EffectAt& at : candidate.effects) {
+    if (candidate.machined() && at.effect->of_machining) continue;
+    const double places = at.joint > 0 ? static_cast<double>(study.sizes().link_length.size()) : 1.0;
+    log_p += std::log(commonness(*at.effect) / (all * places));
   }
   return log_p;
 }

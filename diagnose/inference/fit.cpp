@@ -208,12 +208,14 @@ void judge(Problem& problem, double outlier_bound, Fit& fitted) {
     if (!fitted.at_bound[p]) inside.push_back(static_cast<Eigen::Index>(p));
   }
   if (inside.empty()) return;
-  const Eigen::MatrixXd columns = weighted(Eigen::all, inside);
-  const Eigen::VectorXd norm = columns.colwise().norm().cwiseMax(1e-300);
-  const Eigen::MatrixXd unit = columns * norm.cwiseInverse().asDiagonal();
-  const Eigen::MatrixXd inverse =
-      Eigen::MatrixXd(unit.transpose() * unit).completeOrthogonalDecomposition().pseudoInverse();
-  const Eigen::VectorXd scale = norm.cwiseInverse();
+  Eigen::MatrixXd precision = fitted.information(inside, inside);
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    const double tolerance = ranges[static_cast<std::size_t>(inside[i])].tolerance;
+    if (tolerance > 0) precision.diagonal()(static_cast<Eigen::Index>(i)) += std::pow(tolerance, -2);
+  }
+  const Eigen::VectorXd scale = precision.diagonal().cwiseSqrt().cwiseMax(1e-300).cwiseInverse();
+  const Eigen::MatrixXd unit = scale.asDiagonal() * precision * scale.asDiagonal();
+  const Eigen::MatrixXd inverse = unit.completeOrthogonalDecomposition().pseudoInverse();
   fitted.covariance(inside, inside) = scale.asDiagonal() * inverse * scale.asDiagonal();
 }
 

@@ -24,8 +24,9 @@ struct Fit {
   Candidate candidate;
   std::vector<double> parameters;  ///< fitted coordinates
   std::vector<bool> at_bound;      ///< by parameter
-  Eigen::MatrixXd covariance;      ///< of the parameters; zero rows for those at a bound
-  Eigen::MatrixXd jacobian;        ///< of the whitened residual; zero rows where it is not visible
+  /// Of the parameters, given the readings and the priors of tolerances; zero rows for those at a bound.
+  Eigen::MatrixXd covariance;
+  Eigen::MatrixXd jacobian;  ///< of the whitened residual; zero rows where it is not visible
   /// Information that the visible values hold on the parameters, J^T J in whitened units. A zero on the
   /// diagonal: the runs never exercised it.
   Eigen::MatrixXd information;

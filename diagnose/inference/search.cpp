@@ -75,6 +75,19 @@ class Searcher {
     return fits;
   }
 
+  /// Everything that machining leaves, at once; nothing where the bench cannot show it all, or where it has
+  /// too many values to be fitted in time.
+  [[nodiscard]] std::vector<Fit> machined() const {
+    constexpr std::size_t most_values = 40;
+    Candidate candidate;
+    for (const EffectAt& at : possible_effects(study_))
+      if (at.effect->of_machining) candidate.effects.push_back(at);
+    std::vector<Fit> fits;
+    if (candidate.machined() && study_.ranges(candidate).size() <= most_values)
+      keep(fits, fit(study_, candidate, settings_));
+    return fits;
+  }
+
   /// The best combinations with one effect left out, started where the combination stands: a search that went
   /// astray alone may have found its place in company.
   [[nodiscard]] std::vector<Fit> parts(const std::vector<Fit>& combinations) const {
@@ -94,10 +107,12 @@ class Searcher {
   }
 
   /// Whether more than one of its effects has a value a joint, a link or a run: two of them follow anything.
+  /// Machining has its own: together they are held by narrow tolerances.
   [[nodiscard]] bool too_free(const Candidate& candidate) const {
     constexpr std::size_t few = 4;
-    return std::count_if(candidate.effects.begin(), candidate.effects.end(),
-                         [&](const EffectAt& at) { return study_.ranges(at).size() > few; }) > 1;
+    return std::count_if(candidate.effects.begin(), candidate.effects.end(), [&](const EffectAt& at) {
+             return !(candidate.machined() && at.effect->of_machining) && study_.ranges(at).size() > few;
+           }) > 1;
   }
 
   /// Keeps what converged, unless its parameters are too many for so few readings: three for each. Those
@@ -159,10 +174,15 @@ Findings search(const Study& study, const std::function<void(double)>& progress)
   report(0.1);
   constexpr double look_further = 0.05;  // a search more costs time alone
   if (!fits.empty() && p_value() < look_further) {
-    const std::vector<Fit> pairs = searcher.extended(fits, single_seeds);
+    std::vector<Fit> pairs = searcher.extended(fits, single_seeds);
     add(fits, pairs);
     add(fits, searcher.parts(pairs));
-    report(0.5);
+    report(0.4);
+    const std::vector<Fit> machined = searcher.machined();
+    add(pairs, searcher.extended(machined, 1));
+    add(fits, machined);
+    add(fits, pairs);
+    report(0.6);
     if (p_value() < beliefs::fit_level) {
       const std::vector<Fit> threes = searcher.extended(pairs, pair_seeds);
       add(fits, threes);

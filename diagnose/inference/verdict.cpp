@@ -87,7 +87,7 @@ namespace {
 /// The first of the ranking with so many effects, or the end.
 std::size_t first_of(const std::vector<Ranked>& ranking, std::size_t effects) {
   const auto place = std::find_if(ranking.begin(), ranking.end(), [&](const Ranked& one) {
-    return one.hypothesis.fit.candidate.effects.size() == effects;
+    return one.hypothesis.fit.candidate.count() == effects;
   });
   return static_cast<std::size_t>(place - ranking.begin());
 }
@@ -124,7 +124,7 @@ std::size_t choose(const Study& study, std::vector<Ranked>& ranking) {
       continue;
     }
     const Fit& simpler = ranking[chosen].hypothesis.fit;
-    const auto more = static_cast<double>(effects - simpler.candidate.effects.size());
+    const auto more = static_cast<double>(effects - simpler.candidate.count());
     if (gain(study.measurements(), simpler, one.fit) > more * significant) chosen = place;
   }
   return chosen;
@@ -133,11 +133,13 @@ std::size_t choose(const Study& study, std::vector<Ranked>& ranking) {
 /// Probability that the cause is outside the catalogue, from the test of what the best explanation leaves.
 /// The odds are those of Sellke, Bayarri and Berger (2001), 1 / (-e p ln p), for a p-value below 1/e; an
 /// explanation from the catalogue that fits by chance is rarer still, by the factor that simulated
-/// experiments show.
+/// experiments show. No p-value says more than that a listed cause is refused too, where the bench has
+/// something of its own beside it.
 double probability_of_unknown(double p_value) {
   constexpr double prior_odds = beliefs::outside / (1 - beliefs::outside);
   const double p = std::clamp(p_value, 1e-300, std::exp(-1.0));
-  const double odds = prior_odds * beliefs::fits_by_chance / (-std::numbers::e * p * std::log(p));
+  const double odds = prior_odds * std::min(beliefs::fits_by_chance / (-std::numbers::e * p * std::log(p)),
+                                            (1 - beliefs::fits_by_chance) / beliefs::misfit);
   return odds / (1 + odds);
 }
 
@@ -159,7 +161,7 @@ bool contains(const Candidate& whole, const Candidate& part) {
 /// more effects and parameters, in likelihood. More parameters always come as near as one likes.
 bool near(const Hypothesis& best, const Hypothesis& other) {
   if (contains(other.fit.candidate, best.fit.candidate)) return false;
-  const bool simpler = other.fit.candidate.effects.size() == best.fit.candidate.effects.size() &&
+  const bool simpler = other.fit.candidate.count() == best.fit.candidate.count() &&
                        other.fit.parameters.size() <= best.fit.parameters.size() + 1;
   return other.log_evidence > best.log_evidence - beliefs::told_apart ||
          (simpler && other.log_likelihood > best.log_likelihood - beliefs::told_apart);

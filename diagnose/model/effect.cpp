@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <plumbline/base/error.hpp>
 
@@ -74,6 +75,19 @@ std::string Candidate::label() const {
   std::string text;
   for (const EffectAt& at : effects) text += (text.empty() ? "" : " + ") + at.label();
   return text;
+}
+
+bool Candidate::machined() const {
+  const auto rows = [](const auto& all, auto row) { return std::count_if(all.begin(), all.end(), row); };
+  return rows(effects, [](const EffectAt& at) { return at.effect->of_machining; }) ==
+         rows(catalogue(), [](const Effect& row) { return row.of_machining; });
+}
+
+std::size_t Candidate::count() const {
+  if (!machined()) return effects.size();
+  return 1 + static_cast<std::size_t>(std::count_if(effects.begin(), effects.end(), [](const EffectAt& at) {
+           return !at.effect->of_machining;
+         }));
 }
 
 }  // namespace plumbline::diagnose

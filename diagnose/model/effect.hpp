@@ -83,6 +83,8 @@ struct Effect {
   /// So many of the parameters that are zero in the nominal model must not be zero: with fewer it is another,
   /// simpler row.
   std::size_t at_least = 1;
+  /// What machining leaves on every chain, and may stand beside any cause.
+  bool of_machining = false;
 };
 
 /// All effects, ours and in the order of docs/effects.md.
@@ -115,6 +117,10 @@ struct Candidate {
 
   /// "backlash(2) + gravity"
   [[nodiscard]] std::string label() const;
+  /// Whether everything that machining leaves is in it.
+  [[nodiscard]] bool machined() const;
+  /// How many things came together: what machining leaves is one.
+  [[nodiscard]] std::size_t count() const;
 };
 
 /// A candidate and its fitted coordinates.

@@ -46,7 +46,8 @@ std::vector<Effect> common_effects() {
            [](const Addition& to) {
              for_each_elastic(to, [&](std::size_t i, double a) { to.rig.stiffness[i] *= 1 + a; });
            },
-       .possible = several_elastic},
+       .possible = several_elastic,
+       .of_machining = true},
       {.id = "length_spread",
        .words = "lengths that differ from link to link within their tolerance",
        .parameters =
@@ -57,7 +58,8 @@ std::vector<Effect> common_effects() {
            [](const Addition& to) {
              for (std::size_t j = 0; j < to.rig.length.size(); ++j) to.rig.length[j] *= 1 + to.value[j];
            },
-       .possible = several_links},
+       .possible = several_links,
+       .of_machining = true},
       {.id = "rest_spread",
        .words = "rest angles that differ from joint to joint within their tolerance",
        .parameters =
@@ -68,7 +70,8 @@ std::vector<Effect> common_effects() {
            [](const Addition& to) {
              for_each_elastic(to, [&](std::size_t i, double a) { to.rig.rest_error[i] += a; });
            },
-       .possible = several_elastic},
+       .possible = several_elastic,
+       .of_machining = true},
       {.id = "play",
        .words = "play in every joint",
        .parameters =
