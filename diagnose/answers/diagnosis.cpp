@@ -21,7 +21,8 @@ void require_reached(const Study& study) {
               "end points within reach and a stable posture at every reading");
 }
 
-GapAnswer ask_for_gap(const Measurements& measurements, const std::vector<double>& residual) {
+GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
+  const Measurements& measurements = study.measurements();
   GapAnswer gap;
   gap.test = test_gap(measurements, residual);
   gap.present = gap.test.p_value < beliefs::gap_level;
@@ -37,6 +38,10 @@ GapAnswer ask_for_gap(const Measurements& measurements, const std::vector<double
     }
   }
   for (auto& [channel, square] : gap.rms) square = std::sqrt(square / count[channel]);
+  for (const Hum& one : gap.test.hum) {
+    const Series& series = measurements.series()[one.series];
+    gap.hum.push_back({study.experiment().runs[series.run].id, series.channel, one.period, one.rms()});
+  }
   gap.chi2_per_value = sum / static_cast<double>(measurements.size());
   return gap;
 }
@@ -257,7 +262,7 @@ Diagnosis diagnose(const Study& study, const Report& progress, bool plan) {
   const std::vector<double> residual = study.nominal_residual();
   Diagnosis diagnosis;
   diagnosis.experiment = study.experiment().name;
-  diagnosis.gap = ask_for_gap(study.measurements(), residual);
+  diagnosis.gap = ask_for_gap(study, residual);
   diagnosis.noise = diagnosis.gap.test.noise;
   if (diagnosis.gap.present) {
     explain(study, residual, diagnosis, report);

@@ -14,11 +14,20 @@
 
 namespace plumbline::diagnose {
 
+/// A tone in one channel of one run that was taken for noise.
+struct HummingChannel {
+  std::string run;
+  Channel channel;
+  double period;  ///< readings
+  double rms;     ///< declared sigmas
+};
+
 struct GapAnswer {
   bool present;
   GapTest test;
   double chi2_per_value;          ///< of the nominal residual, in the noise as it is
   std::map<Channel, double> rms;  ///< of the nominal residual by channel, in its unit
+  std::vector<HummingChannel> hum;
 };
 
 /// A parameter of the best explanation with its 95 % bounds, in catalogue units.

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include "diagnose/inference/slow.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -21,18 +23,6 @@ struct Energy {
   }
 };
 
-std::size_t slow_components(std::size_t count) {
-  return std::min<std::size_t>(6, (count + 2) / 3);
-}
-
-/// Orthonormal cosine component k of a series of m values.
-double cosine_component(const double* values, std::size_t m, std::size_t k) {
-  const double angle = std::numbers::pi * static_cast<double>(k) / static_cast<double>(m);
-  double sum = 0;
-  for (std::size_t i = 0; i < m; ++i) sum += values[i] * std::cos(angle * (static_cast<double>(i) + 0.5));
-  return sum * std::sqrt((k == 0 ? 1.0 : 2.0) / static_cast<double>(m));
-}
-
 /// Spectrum of first-order autoregressive noise of unit variance.
 double spectrum(double angle, double phi) {
   return (1 - phi * phi) / (1 + phi * phi - 2 * phi * std::cos(angle));
@@ -44,10 +34,12 @@ Energy slow_energy(const Measurements& measurements, const std::vector<double>& 
   for (const Series& series : measurements.series()) {
     const std::size_t m = series.readings.size();
     const double scale = noise.of(series.channel);
+    const Eigen::Map<const Eigen::VectorXd> values(residual.data() + series.first,
+                                                   static_cast<Eigen::Index>(m));
     double sum = 0;
     for (std::size_t k = 0; k < slow_components(m); ++k) {
       const double angle = std::numbers::pi * static_cast<double>(k) / static_cast<double>(m);
-      const double component = cosine_component(residual.data() + series.first, m, k) / scale;
+      const double component = cosine_wave(m, k).dot(values) / scale;
       sum += component * component / spectrum(angle, noise.correlation);
     }
     energy.value.push_back(sum);
@@ -114,8 +106,10 @@ double upper_tail(double value, double mean, double variance) {
 }  // namespace
 
 GapTest test_gap(const Measurements& measurements, const std::vector<double>& residual) {
-  const std::vector<double> clean = without_outliers(measurements, residual);
+  std::vector<double> clean = without_outliers(measurements, residual);
   GapTest test;
+  test.hum = find_hum(measurements, clean);
+  clean = without_hum(measurements, std::move(clean), test.hum);
   test.noise = estimate_noise(measurements, clean);
   const Energy energy = slow_energy(measurements, clean, test.noise);
   const Null null = null_distribution(measurements, test.noise);

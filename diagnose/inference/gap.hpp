@@ -2,7 +2,7 @@
 /// \file
 /// Is there a gap? A test of a residual against noise whose scale and correlation are themselves uncertain.
 
-#include "diagnose/inference/noise.hpp"
+#include "diagnose/inference/hum.hpp"
 
 namespace plumbline::diagnose {
 
@@ -11,14 +11,15 @@ struct GapTest {
   double p_value;    ///< chance of as much structure from noise alone, over all that was looked at
   double structure;  ///< low-frequency energy over what this noise explains; 1 without a gap
   std::vector<double> series_p_value;  ///< by series, each alone
-  NoiseModel noise;                    ///< scale and correlation estimated along
+  NoiseModel noise;                    ///< scale and correlation estimated along, beside hum
+  std::vector<Hum> hum;                ///< tones that were taken for noise
 };
 
 /// Tests whether a residual is noise: of any scale, correlated between neighbours up to a limit, with
-/// isolated outliers. Looks at the energy of the six slowest cosine components of every series, together and
-/// one by one, and at the energy of all of them, against the noise that the differences of neighbours show;
-/// the p-value covers all three.
-/// The null distribution comes from simulated noise of the same layout that runs through the same estimators.
+/// isolated outliers and hum. Looks at the energy of the six slowest cosine components of every series,
+/// together and one by one, and at the energy of all of them, against the noise that the differences of
+/// neighbours show; the p-value covers all three. The null distribution comes from simulated noise of the
+/// same layout that runs through the same estimators.
 GapTest test_gap(const Measurements& measurements, const std::vector<double>& residual);
 
 }  // namespace plumbline::diagnose

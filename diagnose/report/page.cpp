@@ -181,9 +181,8 @@ void add_where(Json& view, const Json& report, const Explained& explained) {
   for (const char* list : {"channels", "runs", "load_path", "joints"})
     add_bars(view["where"][list], report["where"][list], "share");
   view["joint_evidence"] = joint_evidence_words(where.joint_evidence);
-  view["most"] = {{"channel", where.channels.front().channel.label()},
-                  {"run", where.runs.front().run},
-                  {"joint", false}};
+  view["most"] = {
+      {"channel", where.channels.front().channel.label()}, {"run", where.runs.front().run}, {"joint", false}};
   if (where.joint_evidence == JointEvidence::measured && where.joints.front().share > 0.5)
     view["most"]["joint"] = std::to_string(where.joints.front().joint);
   if (!explained.diagnosis.missing) return;

@@ -48,7 +48,13 @@ std::string gap(const Diagnosis& diagnosis) {
       fmt::format("Is there a gap?  {} ({}; chi-square per value {:.3g}; rms {})\n",
                   answer.present ? "Yes" : "No, the nominal model explains the readings to the noise",
                   chance(answer.test.p_value), answer.chi2_per_value, by_channel(answer.rms));
-  return text + scatter(noise, answer.rms);
+  text += scatter(noise, answer.rms);
+  if (answer.present) return text;
+  for (const HummingChannel& one : answer.hum)
+    text +=
+        fmt::format("  {} of {} hums every {:.2g} readings, {:.1f} declared sigmas rms: taken for noise\n",
+                    one.channel.label(), one.run, one.period, one.rms);
+  return text;
 }
 
 template <class Share, class Name>

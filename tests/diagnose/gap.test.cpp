@@ -46,6 +46,7 @@ TEST_CASE("noise alone, however a lab mis-declares it, is called a gap one time 
   CHECK(alarm_rate({{55, 90, 30}, 1.2, 0.4, 0.01}, draws, ++seed) <= limit);
   CHECK(alarm_rate({{120, 110, 90, 100, 80}, 1.0, 0.0, 0.0}, draws, ++seed) <= limit);
   CHECK(alarm_rate({{8}, 1.0, 0.0, 0.0}, draws, ++seed) <= limit);
+  CHECK(alarm_rate({{62, 31}, 1.0, 0.0, 0.08}, draws, ++seed) <= limit);
 }
 
 TEST_CASE("a slow gap of two sigmas rms in one run of three is found") {

@@ -1,0 +1,72 @@
+#include "diagnose/inference/hum.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "diagnose/beliefs.hpp"
+#include "diagnose/inference/gap.hpp"
+#include "tests/diagnose/simulated_noise.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+
+namespace {
+
+/// Adds the same tone, of an amplitude in declared sigmas, to every series.
+void add_tone(const Measurements& measurements, double period, double amplitude,
+              std::vector<double>& residual) {
+  for (const Series& series : measurements.series())
+    for (std::size_t i = 0; i < series.readings.size(); ++i)
+      residual[series.first + i] +=
+          amplitude * std::sin(0.7 + 2 * std::numbers::pi * static_cast<double>(i) / period);
+}
+
+}  // namespace
+
+TEST_CASE("a tone of two sigmas is found with its period and size, and is no gap") {
+  const Measurements measurements(blank_experiment({60, 90}));
+  std::mt19937_64 random(41);
+  for (const double period : {2.3, 3.7, 5.0, 8.9}) {
+    CAPTURE(period);
+    int alarms = 0;
+    constexpr int draws = 20;
+    for (int draw = 0; draw < draws; ++draw) {
+      std::vector<double> residual = correlated_noise(measurements, 1, 0, random);
+      add_tone(measurements, period, 2, residual);
+      const std::vector<Hum> hum = find_hum(measurements, residual);
+      REQUIRE(hum.size() >= measurements.series().size());
+      // A frequency is known to sqrt(6) / (pi A m^1.5), 9e-4 for 60 readings; the grid is 1 / (4 m) wide.
+      for (const Hum& one : hum)
+        if (one.rms() > 1) CHECK(std::abs(1 / one.period - 1 / period) < 4 * 9e-4 + 1.0 / (8 * 60));
+      alarms += test_gap(measurements, residual).p_value < beliefs::gap_level;
+    }
+    CHECK(alarms <= 3);  // of 20 where one in a hundred is meant: four have a chance of 4e-5
+  }
+}
+
+TEST_CASE("noise has no tone, of whatever correlation; a ripple larger than noise may be is none either") {
+  const Measurements measurements(blank_experiment({60, 90}));
+  std::mt19937_64 random(42);
+  for (const double correlation : {0.0, 0.6}) {
+    int tones = 0;
+    for (int draw = 0; draw < 100; ++draw)
+      tones += !find_hum(measurements, correlated_noise(measurements, 1, correlation, random)).empty();
+    CHECK(tones <= 4);  // of 100 with two series at a level of 1e-3 each: five have a chance of 2e-6
+  }
+  std::vector<double> ripple = correlated_noise(measurements, 1, 0, random);
+  add_tone(measurements, 5, 1.1 * std::numbers::sqrt2 * beliefs::largest_scale, ripple);
+  CHECK(find_hum(measurements, ripple).empty());
+  CHECK(test_gap(measurements, ripple).p_value < beliefs::gap_level);
+}
+
+TEST_CASE("what is left without its tones is what was there before them") {
+  const Measurements measurements(blank_experiment({60, 90}));
+  std::vector<double> residual(measurements.size(), 0.0);
+  add_tone(measurements, 6, 2, residual);  // a period that the grid of frequencies has for both lengths
+  std::vector<Hum> hum;
+  for (std::size_t s = 0; s < measurements.series().size(); ++s)
+    hum.push_back({s, 6, 2 * std::sin(0.7), 2 * std::cos(0.7)});
+  for (const double left : without_hum(measurements, residual, hum)) CHECK(std::abs(left) < 1e-12);
+}
