@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 std::string in_address(const std::string& svg) {
   std::string address;
   for (const char c : svg) {
-    if (std::string_view("%#<>\"&").find(c) != std::string_view::npos)
+    if (std::string_view("%#<\"&").find(c) != std::string_view::npos)
       address += fmt::format("%{:02X}", static_cast<unsigned char>(c));
     else
       address += c;
