@@ -18,7 +18,7 @@ program=(
   # symbolic algebra
   libginac-dev
   # command line, formats, text
-  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libfmt-dev libssl-dev libkainjow-mustache-dev
+  libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libfmt-dev libssl-dev libkainjow-mustache-dev libpugixml-dev
   # least squares
   libceres-dev
 )

@@ -4,10 +4,10 @@
 #include <cstdlib>
 
 #include <plumbline/base/error.hpp>
-#include <regex>
 
 #include "files/child_process.hpp"
 #include "files/printable.hpp"
+#include "page/compact_svg.hpp"
 
 namespace plumbline::page {
 namespace {
@@ -73,35 +73,6 @@ void add_panel(std::string& script, const Panel& panel) {
   script += plots + "\n" + data;
 }
 
-std::string replaced(const std::string& text, const char* what, const char* by) {
-  return std::regex_replace(text, std::regex(what), by);
-}
-
-/// Without what gnuplot writes but no one sees: empty groups, defaults, hundredths of a pixel.
-std::string compact(const std::string& svg) {
-  static const std::regex tag("<[a-rt-z][^>]*>");  // none of the head, whose numbers are versions
-  std::string text;
-  std::size_t last = 0;
-  for (std::sregex_iterator one(svg.begin(), svg.end(), tag), end; one != end; ++one) {
-    const std::string shorter = replaced(replaced(one->str(), R"((\.\d)\d+)", "$1"), R"((\d)\.0\b)", "$1");
-    text += one->prefix().str() + replaced(shorter, R"((\d) L(?=[\d-]))", "$1 ");  // after M a line is meant
-    last = static_cast<std::size_t>(one->position() + one->length());
-  }
-  text = replaced(text + svg.substr(last), R"(\s+)", " ");
-  text = replaced(
-      text, R"( stroke-linecap="butt"| stroke-linejoin="miter"| stroke-width="1"| class="gridline")", "");
-  text = replaced(text, R"( font-family="Helvetica"| font-size="12")", "");
-  text = replaced(text, R"(rgb\( ?68, ?68, ?68\))", "#444");
-  text = replaced(text, R"(rgb\( ?221, ?221, ?221\))", "#ddd");
-  text = replaced(text, R"(<tspan ?>([^<]*)</tspan></text>)", "$1</text>");
-  text = replaced(text, "<svg ", R"(<svg font-family="Helvetica" font-size="12" )");
-  for (std::size_t before = 0; before != text.size();) {
-    before = text.size();
-    text = replaced(text, R"(<g[^>]*> ?</g> ?)", "");
-  }
-  return text;
-}
-
 std::string drawn(const std::string& script) {
   unsetenv("GNUTERM");  // a terminal that gnuplot does not know would end it
   const files::Ended gnuplot = files::run_program({"gnuplot", "--default-settings", "-"}, script);
@@ -113,7 +84,7 @@ std::string drawn(const std::string& script) {
   const std::size_t end = gnuplot.out.find_last_not_of('\n');
   if (end == std::string::npos || !std::string_view(gnuplot.out).substr(0, end + 1).ends_with("</svg>"))
     throw Error("gnuplot", "a drawing that breaks off", expected);
-  return compact(gnuplot.out) + "\n";
+  return compact_svg(gnuplot.out) + "\n";
 }
 
 }  // namespace

@@ -78,6 +78,23 @@ TEST_CASE("the true statement is confirmed by the check that refutes the printed
   }
 }
 
+TEST_CASE("a claim names the line at which its check begins, in a file that has its id") {
+  for (const Claim& claim : all_claims()) {
+    INFO(claim.id, " ", claim.source.file, ":", claim.source.line);
+    std::ifstream file(PLUMBLINE_SOURCE_DIR "/" + claim.source.file);
+    REQUIRE(file);
+    bool begins = false, listed = false;
+    int number = 0;
+    for (std::string line; std::getline(file, line);) {
+      if (++number == claim.source.line)
+        begins = line.starts_with("Judgement ") && line.find("const Printed& printed") != std::string::npos;
+      listed = listed || line.find("{\"" + claim.id + "\",") != std::string::npos;
+    }
+    CHECK(begins);
+    CHECK(listed);
+  }
+}
+
 TEST_CASE("what cannot be judged is an error, not a verdict") {
   CHECK_THROWS_AS(verdict_on(find("eq-2"), {"2*k/M"}), Error);
   CHECK_THROWS_AS(verdict_on(find("eq-2"), {}), Error);

@@ -14,6 +14,7 @@ using Checks = std::vector<std::pair<std::string, Check>>;
 
 namespace claims {
 
+Checks outline();            ///< section 1, what the others are about
 Checks two_link();           ///< section 2, (1) to (3) and what is said around them
 Checks first_figures();      ///< section 2, Figures 2, 3, 5 and 6
 Checks three_link_model();   ///< section 2, (4) to (10)

@@ -5,12 +5,14 @@
 
 #include <map>
 #include <plumbline/chain/linearised.hpp>
+#include <set>
 
 #include "proofs/census.hpp"
 #include "proofs/symbolic_statics.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/loaded_chains.hpp"
 #include "verify/claims/post_buckling.hpp"
+#include "verify/claims/three_link_plane.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/sign.hpp"
 
@@ -134,36 +136,37 @@ Judgement resists(const Printed& printed, int) {
 
 // --- three links with a passive base
 
-const Rational deflections[] = {Rational(1, 20), Rational(3, 10), Rational(8, 10), Rational(14, 10)};
-
 Chain<Interval> straight_chain() {
   return three_link_chain_at(0, 0);
 }
 
-const std::string where = "certified censuses of the straight chain at 0.05, 0.3, 0.8 and 1.4 L";
+/// Those of one deflection, which stand for all where the proof in the plane is whole.
+const std::vector<proofs::CertifiedEquilibrium>& bent_equilibria() {
+  static const proofs::Census census = held_at(straight_chain(), Interval(Rational(27, 10)));
+  if (!straight_plane().whole) throw Error("straight chain", "an open range of deflections", "a proof");
+  return census.equilibria;
+}
+
+Evidence of_all_deflections(const std::string& census) {
+  return {EvidenceKind::interval,
+          "straight chain, " + straight_plane().text() + "; certified census at 0.3 L: " + census};
+}
 
 Judgement equilibria(const Printed& printed, int) {
-  std::string found;
-  for (const Rational& d : deflections) {
-    const std::string count = std::to_string(held_at(straight_chain(), Interval(3 - d)).equilibria.size());
-    found = found.empty() || found == count ? count : "changing";
-  }
-  return judge_word(printed.at(0), found, found + " equilibria at a deflection",
-                    {Evidence::at_points(where)});
+  const std::string found = std::to_string(bent_equilibria().size());
+  return judge_word(printed.at(0), found, found + " equilibria at a deflection", {of_all_deflections(found)});
 }
 
 Judgement stable_letters(const Printed& printed, int) {
   std::map<char, std::string> found;
-  for (const Rational& d : deflections) {
-    for (const auto& one : held_at(straight_chain(), Interval(3 - d)).equilibria) {
-      std::string& word = found[letter(one).front()];
-      const std::string here = one.negative_directions.value() == 0 ? "stable" : "unstable";
-      word = word.empty() || word == here ? here : "changing";
-    }
+  for (const auto& one : bent_equilibria()) {
+    std::string& word = found[letter(one).front()];
+    const std::string here = one.negative_directions.value() == 0 ? "stable" : "unstable";
+    word = word.empty() || word == here ? here : "both";
   }
   return judge_list(printed, {"U", found['U'], "Z", found['Z']},
                     fmt::format("U is {}, Z is {}", found['U'], found['Z']),
-                    {Evidence::at_points(where + ": type and signs of both bends of every equilibrium")});
+                    {of_all_deflections(fmt::format("U is {}, Z is {}", found['U'], found['Z']))});
 }
 
 Judgement like_column(const Printed& printed, int) {
@@ -305,18 +308,11 @@ Judgement beyond(const Printed& printed, int) {
 
 /// Letters without their side, sorted: the shapes of the equilibria.
 Judgement shapes(const Printed& printed, int) {
-  std::string found;
-  for (const Rational& d : deflections) {
-    bool u = false, z = false, more = false;
-    for (const auto& one : held_at(straight_chain(), Interval(3 - d)).equilibria) {
-      const char shape = letter(one).front();
-      u = u || shape == 'U', z = z || shape == 'Z', more = more || (shape != 'U' && shape != 'Z');
-    }
-    const std::string here = std::string(u ? "U" : "") + (z ? "Z" : "") + (more ? "?" : "");
-    found = found.empty() || found == here ? here : "changing";
-  }
+  std::set<char> letters;
+  for (const auto& one : bent_equilibria()) letters.insert(letter(one).front());
+  const std::string found(letters.begin(), letters.end());
   return judge_word(printed.at(0), found, "the equilibria have the shapes " + found,
-                    {Evidence::at_points(where + ": signs of both bends of every equilibrium")});
+                    {of_all_deflections("signs of both bends: " + found)});
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "verify/claims/claims.hpp"
 #include "verify/claims/loaded_chains.hpp"
 #include "verify/claims/post_buckling.hpp"
+#include "verify/claims/three_link_plane.hpp"
 #include "verify/judging/comparison.hpp"
 
 namespace plumbline::verify {
@@ -176,54 +177,40 @@ Judgement unknowns(const Printed& printed, int) {
           ""};
 }
 
-/// The curves through the equilibria at 0.1 L, each proved from 0 to 1.2 L: "2 stable, 2 unstable".
-std::string curves() {
-  std::size_t stable = 0, unstable = 0;
-  for (const auto& one : at_deflection(Rational(1, 10)).equilibria) {
-    bool whole = true;
-    for (const int direction : {1, -1}) {
-      const Branch<double> branch =
-          branch_through(fig7_chain(), unloaded_reach(fig7_chain()), one, 0.1, direction, {0, 1.2});
-      const proofs::PathCertificate proved = prove_branch(fig7_chain(), unloaded_reach(fig7_chain()), branch);
-      whole = whole && branch.end == BranchEnd::load && proved.certified() && proved.gaps.empty() &&
-              proved.runs.size() == 1 && proved.runs[0].negative_directions == one.negative_directions;
-    }
-    if (whole) ++(one.negative_directions == 0 ? stable : unstable);
-  }
-  return fmt::format("{} stable, {} unstable", stable, unstable);
+/// The equilibria at 0.1 L, which stand for all deflections up to 1.135 L where the proof in the plane is
+/// whole.
+const proofs::Census& census_of_all() {
+  static const proofs::Census census = at_deflection(Rational(1, 10));
+  if (!fig7_plane().whole) throw Error("chain of Fig. 7", "an open range of deflections", "a proof");
+  return census;
+}
+
+Evidence of_all_deflections(const std::string& census) {
+  return {EvidenceKind::interval,
+          "chain of Fig. 7, " + fig7_plane().text() + "; certified census at 0.1 L: " + census};
 }
 
 /// How many equilibria there are, no joint wound up: of one kind up to 1.135 L, more beyond.
 Judgement count(const Printed& printed, int) {
-  const std::string four = curves();
-  std::string found = four;
-  std::size_t boxes = 0;
-  for (const Rational& d : {Rational(1, 50), Rational(1, 10), Rational(3, 10), Rational(6, 10),
-                            Rational(9, 10), Rational(11, 10), Rational(1135, 1000)}) {
-    const proofs::Census census = at_deflection(d);
-    if (!census.balanced || found != types(census)) found = "another";
-    boxes += census.boxes;
-  }
-  const std::string later = types(at_deflection(Rational(1140, 1000))),
-                    last = types(at_deflection(Rational(1200, 1000)));
-  const std::string truth = fmt::format("{} up to 1.135 L; {} at 1.14 L, {} at 1.2 L", found, later, last);
-  const bool always = found == later && found == last;
-  return {printed.at(0) != found ? Verdict::refuted
-          : always               ? Verdict::confirmed
-                                 : Verdict::imprecise,
-          printed.at(0) == found && always ? "" : truth,
-          {{EvidenceKind::interval,
-            fmt::format(
-                "certified censuses at 0.02, 0.1, 0.3, 0.6, 0.9, 1.1 and 1.135 L, {} boxes, of every shape "
-                "with joint angles within half a turn, each with as many stable as unstable ones, as "
-                "the Euler characteristic of a circle demands: {}; at 1.14 L: {}; at 1.2 L: {}",
-                boxes, found, later, last)},
-           {EvidenceKind::interval,
-            fmt::format(
-                "the curves through the equilibria at 0.1 L, each proved by interval Newton segments from "
-                "0 to 1.2 L, without a fold and of one type all along: {}; further ones begin in folds",
-                four)}},
-          ""};
+  const std::string found = census_of_all().balanced ? types(census_of_all()) : "out of balance";
+  const proofs::Census later = at_deflection(Rational(1140, 1000)),
+                       last = at_deflection(Rational(1200, 1000));
+  const std::string truth =
+      fmt::format("{} up to 1.135 L; {} at 1.14 L, {} at 1.2 L", found, types(later), types(last));
+  const bool always = found == types(later) && found == types(last);
+  return {
+      printed.at(0) != found ? Verdict::refuted
+      : always               ? Verdict::confirmed
+                             : Verdict::imprecise,
+      printed.at(0) == found && always ? "" : truth,
+      {of_all_deflections(found),
+       {EvidenceKind::interval,
+        fmt::format(
+            "certified censuses of every shape with joint angles within half a turn, each with as many "
+            "stable as unstable ones, as the Euler characteristic of a circle demands: {} boxes at 1.14 L, "
+            "{}; {} at 1.2 L, {}",
+            later.boxes, types(later), last.boxes, types(last))}},
+      ""};
 }
 
 std::string sorted_list(std::vector<std::string> words) {
@@ -233,47 +220,40 @@ std::string sorted_list(std::vector<std::string> words) {
 
 Judgement letters(const Printed& printed, int) {
   std::vector<std::string> found;
-  for (const auto& one : at_deflection(Rational(1, 10)).equilibria)
+  for (const auto& one : census_of_all().equilibria)
     found.push_back(letter(one) + (one.negative_directions == 0 ? " stable" : " unstable"));
   const std::string list = sorted_list(found);
-  return judge_word(sorted_list(printed), list, "the equilibria are " + list,
-                    {Evidence::at_points("certified census at 0.1 L: " + list)});
+  return judge_word(sorted_list(printed), list, "the equilibria are " + list, {of_all_deflections(list)});
 }
 
 /// Which shapes are feasible, as section 2 has the word: stable.
 Judgement feasible(const Printed& printed, int) {
   std::vector<std::string> found;
-  for (const auto& one : at_deflection(Rational(1, 10)).equilibria) {
+  for (const auto& one : census_of_all().equilibria) {
     if (one.negative_directions == 0) found.push_back(letter(one));
   }
   const std::string list = sorted_list(found);
   return judge_word(sorted_list(printed), list,
                     "feasible, which section 2 says of the stable ones, are " + list,
-                    {{EvidenceKind::interval, "certified census at 0.1 L: stable are " + list}});
+                    {of_all_deflections("stable are " + list)});
 }
 
 /// How many equilibria of the chain of Fig. 7 have the least energy.
 Judgement global_minimum(const Printed& printed, int) {
-  std::string found;
-  for (const Rational& d : {Rational(1, 10), Rational(3, 10), Rational(6, 10), Rational(9, 10)}) {
-    const proofs::Census census = at_deflection(d);
-    std::size_t least = 0;
-    for (const auto& one : census.equilibria)
-      least += certainly_less(census.equilibria.front().energy, one.energy) ? 0 : 1;
-    found = found.empty() || found == std::to_string(least) ? std::to_string(least) : "changing";
-  }
+  // of both negative joint angles, U+, there is one: census_of_all
+  const bool alone = census_of_all().equilibria.size() == 4 && fig7_plane().least("--", &PlanePiece::energy);
+  const std::string found = alone ? "1" : "several";
   const Rational d(1140, 1000);
   const proofs::Census census = held_at(snapping_chain(), unloaded_reach(snapping_chain()) - Interval(d));
   const proofs::CertifiedEquilibrium here = reached(census, snapping_path(), d);
   return judge_word(
       printed.at(0), found, found + " equilibria have the least energy",
-      {Evidence::at_points(fmt::format(
-          "chain of Fig. 7, certified censuses at 0.1, 0.3, 0.6 and 0.9 L: {} of least energy. A chain is "
-          "not "
-          "always there: four links, k = (5, 5, 5, 6), rest angles (0.6, -1.2, 0.6, 0), slowly compressed to "
-          "1.14 L, have E = {} k, the lowest minimum {} k",
-          found, certified_decimal(here.energy, 5),
-          certified_decimal(census.equilibria.front().energy, 5)))});
+      {of_all_deflections("one U+; its energy is below that of every other box at the same deflection"),
+       {EvidenceKind::interval, fmt::format("a chain is not always there: four links, k = (5, 5, 5, 6), rest "
+                                            "angles (0.6, -1.2, 0.6, 0), slowly "
+                                            "compressed to 1.14 L, have E = {} k, the lowest minimum {} k",
+                                            certified_decimal(here.energy, 5),
+                                            certified_decimal(census.equilibria.front().energy, 5))}});
 }
 
 /// The shape of the chain of Fig. 7 at rest.
@@ -306,39 +286,27 @@ Judgement straight_jump(const Printed& printed, int) {
 }
 
 Judgement least_force(const Printed& printed, int) {
-  bool least = true;
-  for (const Rational& d : {Rational(1, 10), Rational(3, 10), Rational(6, 10)}) {
-    const proofs::Census census = at_deflection(d);
-    const auto& lowest = census.equilibria.front();  // by energy
-    for (const auto& other : census.equilibria) {
-      const Interval a = -lowest.fx, b = -other.fx;
-      if (&other != &lowest && certainly_positive(b)) least = least && certainly_less(a, b);
-    }
-    least = least && lowest.negative_directions == 0;
-  }
-  return judge_word(printed.at(0), least ? "minimum" : "another",
-                    "the shape of least energy has the least compression among those that are compressed",
-                    {Evidence::at_points("certified censuses at 0.1, 0.3 and 0.6 L")});
+  const bool least =
+      fig7_plane().least("--", &PlanePiece::energy) && fig7_plane().least("--", &PlanePiece::compression);
+  return judge_word(
+      printed.at(0), least ? "minimum" : "another",
+      "the shape of least energy has the least compression among those that are compressed",
+      {of_all_deflections("one U+; its energy and its compression are below those of every other box at "
+                          "the same deflection")});
 }
 
 Judgement observed(const Printed& printed, int) {
-  bool lowest = true;
-  std::string shape;
-  for (const Rational& d : {Rational(1, 10), Rational(3, 10), Rational(6, 10), Rational(9, 10)}) {
-    const proofs::Census census = at_deflection(d);
-    const proofs::CertifiedEquilibrium one = reached(census, fig7_path(), d);
-    lowest = lowest && !certainly_less(census.equilibria.front().energy, one.energy);
-    shape = shape.empty() || shape == letter(one) ? letter(one) : "changing";
-  }
+  const Rational d(1, 10);
+  const std::string shape = letter(reached(census_of_all(), fig7_path(), d));
+  const bool lowest = shape == "U+" && fig7_plane().least("--", &PlanePiece::energy);
   const std::string found = lowest ? "global" : "local";
-  const bool right = printed.at(0) == shape && printed.at(1) == found;
-  return {
-      right ? Verdict::confirmed : Verdict::refuted,
-      right ? "" : fmt::format("the shape that is reached is {}, a {} minimum", shape, found),
-      {fig7_path().evidence(),
-       Evidence::at_points("slowly compressed chain against certified censuses at 0.1, 0.3, 0.6 and 0.9 L: " +
-                           shape + ", a " + found + " minimum of the energy")},
-      ""};
+  const bool right = printed.at(0) == shape && printed.at(1) == found && fig7_path().regular();
+  return {right ? Verdict::confirmed : Verdict::refuted,
+          right ? "" : fmt::format("the shape that is reached is {}, a {} minimum", shape, found),
+          {fig7_path().evidence(),
+           of_all_deflections("the slowly compressed chain is " + shape +
+                              ", whose energy is below that of every other box at the same deflection")},
+          ""};
 }
 
 Judgement continuous(const Printed& printed, int) {

@@ -52,9 +52,16 @@ using Printed = std::vector<std::string>;
 /// \throws Error where the printed text cannot be judged
 using Check = std::function<Judgement(const Printed&, int)>;
 
+/// Where the function begins that checks a claim; no file where none of ours does.
+struct CodeLine {
+  std::string file;  ///< from the root of the project
+  int line = 0;
+};
+
 struct Claim {
   std::string id;
   std::string where;               ///< place in the paper, its section first: "4.1, (13)"
+  std::vector<std::string> also;   ///< other places that say the same
   std::string quote;               ///< the paper's own words or symbols, short
   std::string reading;             ///< what they are taken to say, one line
   bool charitable = false;         ///< whether of several readings the most favourable one is judged
@@ -64,7 +71,7 @@ struct Claim {
   Subject subject = Subject::statement;
   std::string cause;  ///< claims that are wrong for one reason share it; by default the claim's own id
   Check check;
-  std::string source;  ///< the file that the check is in, from the root of the project
+  CodeLine source;
 };
 
 /// Judges a print of the claim, its own or an altered one.

@@ -51,14 +51,17 @@ void add_section(Paper& paper, const std::string& source, const char* content) {
   const std::string section = text(file, "section", source);
   if (paper.sections.empty() || paper.sections.back().number != section)
     paper.sections.push_back({section, text(file, "title", source)});
+  if (!file.contains("claim")) return;  // it says again what others say
   each(file, "claim", source, [&](const toml::table& one) {
-    files::refuse_unknown_keys(
-        one, {"id", "where", "quote", "reading", "printed", "words", "list", "charity", "subject", "cause"},
-        source);
+    files::refuse_unknown_keys(one,
+                               {"id", "where", "also", "quote", "reading", "printed", "words", "list",
+                                "charity", "subject", "cause"},
+                               source);
     const std::string id = text(one, "id", source);
     paper.claims.push_back(
         {id,
          section + ", " + text(one, "where", source),
+         texts(one, "also", source),
          text(one, "quote", source),
          text(one, "reading", source),
          choice(one, "charity", {"literal", "charitable"}, source) == 1,
@@ -68,7 +71,7 @@ void add_section(Paper& paper, const std::string& source, const char* content) {
          static_cast<Subject>(choice(one, "subject", {"statement", "number", "name"}, source)),
          text(one, "cause", source, id),
          {},
-         ""});
+         {}});
   });
 }
 

@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <array>
-#include <plumbline/base/error.hpp>
-#include <utility>
+#include <cctype>
 
 #include "verify/report/errata.hpp"
+#include "verify/report/typeset.hpp"
 
 namespace plumbline::verify {
 namespace {
@@ -41,84 +41,13 @@ std::string markdown(const std::string& text) {
   return escaped;
 }
 
-std::string latex(const std::string& text) {
-  static const std::vector<std::pair<std::string, std::string>> signs{{"α", "$\\alpha$"},
-                                                                      {"φ", "$\\varphi$"},
-                                                                      {"λ", "$\\lambda$"},
-                                                                      {"μ", "$\\mu$"},
-                                                                      {"ε", "$\\varepsilon$"},
-                                                                      {"δ", "$\\delta$"},
-                                                                      {"Δ", "$\\Delta$"},
-                                                                      {"Σ", "$\\Sigma$"},
-                                                                      {"κ", "$\\kappa$"},
-                                                                      {"π", "$\\pi$"},
-                                                                      {"⁺", "$^+$"},
-                                                                      {"⁻", "$^-$"},
-                                                                      {"⁰", "$^0$"},
-                                                                      {"¹", "$^1$"},
-                                                                      {"²", "$^2$"},
-                                                                      {"³", "$^3$"},
-                                                                      {"⁴", "$^4$"},
-                                                                      {"⁵", "$^5$"},
-                                                                      {"ᵀ", "$^T$"},
-                                                                      {"₀", "$_0$"},
-                                                                      {"₁", "$_1$"},
-                                                                      {"₂", "$_2$"},
-                                                                      {"₃", "$_3$"},
-                                                                      {"₄", "$_4$"},
-                                                                      {"−", "$-$"},
-                                                                      {"±", "$\\pm$"},
-                                                                      {"≤", "$\\le$"},
-                                                                      {"≥", "$\\ge$"},
-                                                                      {"≠", "$\\ne$"},
-                                                                      {"→", "$\\to$"},
-                                                                      {"√", "$\\surd$"},
-                                                                      {"†", "$^\\dagger$"},
-                                                                      {"‖", "$\\|$"},
-                                                                      {"∈", "$\\in$"},
-                                                                      {"·", "$\\cdot$"},
-                                                                      {"½", "$\\frac12$"},
-                                                                      {"…", "\\ldots{}"},
-                                                                      {"“", "``"},
-                                                                      {"”", "''"},
-                                                                      {"’", "'"},
-                                                                      {"‘", "`"},
-                                                                      {"–", "--"},
-                                                                      {"ö", "\\\"o"},
-                                                                      {"\\", "\\textbackslash{}"},
-                                                                      {"_", "\\_"},
-                                                                      {"^", "\\^{}"},
-                                                                      {"&", "\\&"},
-                                                                      {"%", "\\%"},
-                                                                      {"#", "\\#"},
-                                                                      {"$", "\\$"},
-                                                                      {"{", "\\{"},
-                                                                      {"}", "\\}"},
-                                                                      {"~", "\\~{}"},
-                                                                      {"<", "$<$"},
-                                                                      {">", "$>$"},
-                                                                      {"|", "$|$"}};
-  std::string set;
-  for (std::size_t at = 0; at < text.size();) {
-    const auto sign = std::find_if(signs.begin(), signs.end(), [&](const auto& one) {
-      return text.compare(at, one.first.size(), one.first) == 0;
-    });
-    if (sign == signs.end() && static_cast<unsigned char>(text[at]) >= 0x80)
-      throw Error("errata", "a letter that LaTeX is not told of in '" + text.substr(at, 4) + "'",
-                  "one that it is");
-    set += sign == signs.end() ? text.substr(at, 1) : sign->second;
-    at += sign == signs.end() ? 1 : sign->first.size();
-  }
-  return set;
-}
-
 std::string strong_latex(const std::string& text) {
   return "\\textbf{" + text + "}";
 }
 
 const Markup in_markdown{
     markdown, strong_markdown, "# {}\n\n", "## {}\n\n", "### {}. {}\n\n", "- {}\n", "", "\n", "", ""};
-const Markup in_latex{latex,
+const Markup in_latex{as_latex,
                       strong_latex,
                       "\\section*{{{}}}\n",
                       "\\subsection*{{{}}}\n",
@@ -126,8 +55,22 @@ const Markup in_latex{latex,
                       "\\item {}\n",
                       "\\begin{itemize}\n",
                       "\\end{itemize}\n",
-                      "\\documentclass{article}\n\\begin{document}\n",
+                      "\\documentclass[a4paper]{article}\n\\usepackage[margin=28mm]{geometry}\n"
+                      "\\renewcommand\\labelitemi{$\\bullet$}\n\\frenchspacing\\emergencystretch=3em\n"
+                      "\\begin{document}\n",
                       "\\end{document}\n"};
+
+/// A place in the paper, such as "2, (6)", as a reader looks for it.
+std::string place(const std::string& where) {
+  return (std::isdigit(static_cast<unsigned char>(where[0])) != 0 ? "Section " : "") + where;
+}
+
+/// All places of a claim.
+std::string places(const Claim& claim) {
+  std::string all = place(claim.where);
+  for (const std::string& other : claim.also) all += "; " + place(other);
+  return all;
+}
 
 /// The first words, as many as about two lines hold.
 std::string two_lines(const std::string& text) {
@@ -145,7 +88,22 @@ std::string heading(Severity severity) {
 
 std::string title(const Erratum& erratum) {
   const Claim& first = erratum.claims.front().claim;
-  return erratum.cause.title.empty() ? first.where + ": " + first.reading : erratum.cause.title;
+  return erratum.cause.title.empty() ? place(first.where) + ": " + with_signs(first.reading)
+                                     : erratum.cause.title;
+}
+
+/// Neighbours with the same words in the same place and the same truth together.
+std::vector<std::vector<Judged>> of_one_passage(const std::vector<Judged>& claims) {
+  std::vector<std::vector<Judged>> groups;
+  for (const Judged& one : claims) {
+    const auto same = [&](const Judged& other) {
+      return other.claim.where == one.claim.where && other.claim.quote == one.claim.quote &&
+             other.judgement->truth == one.judgement->truth;
+    };
+    if (groups.empty() || !same(groups.back().front())) groups.emplace_back();
+    groups.back().push_back(one);
+  }
+  return groups;
 }
 
 /// The strongest evidence of the gravest claim.
@@ -155,7 +113,7 @@ std::string evidence(const Erratum& erratum) {
   });
   const Evidence& best = grave->judgement->evidence.front();
   return fmt::format("{}{}: {}", name(best.kind), best.theorem.empty() ? "" : " “" + best.theorem + "”",
-                     two_lines(best.detail));
+                     two_lines(with_signs(best.detail)));
 }
 
 /// What does not depend on the erratum, by verdict: it is said to stand only where it was found to.
@@ -163,7 +121,7 @@ std::string unchanged(const Erratum& erratum) {
   std::vector<std::string> hold, others;
   for (const Judged& one : erratum.unchanged) {
     const bool confirmed = one.judgement && one.judgement->verdict == Verdict::confirmed;
-    (confirmed ? hold : others).push_back(one.claim.where);
+    (confirmed ? hold : others).push_back(place(one.claim.where));
   }
   for (auto* list : {&hold, &others}) list->erase(std::unique(list->begin(), list->end()), list->end());
   std::string text;
@@ -176,8 +134,8 @@ std::string document(const std::vector<Judged>& judged, const Markup& m) {
   const std::vector<Erratum> list = errata(judged);
   std::string all =
       m.begin + fmt::format(fmt::runtime(m.title), "Errata") + m.text(paper_reference) + ".\n\n" +
-      m.text(fmt::format("{} claims were judged. {}. Places are sections, equations, figures and tables, "
-                         "as journal and preprint number their pages otherwise.",
+      m.text(fmt::format("{} claims were judged. {}. Places are section, equation, figure and table: the "
+                         "text that was read has no page numbers.",
                          judged.size(), count_of(list))) +
       "\n\n";
   std::optional<Severity> before;
@@ -190,9 +148,13 @@ std::string document(const std::vector<Judged>& judged, const Markup& m) {
     const auto item = [&](const std::string& label, const std::string& text) {
       all += fmt::format(fmt::runtime(m.item), m.strong(m.text(label)) + " " + m.text(text));
     };
-    for (const Judged& one : erratum.claims)
-      item(one.claim.where + ":",
-           fmt::format("printed “{}”; true: {} [{}]", one.claim.quote, one.judgement->truth, one.claim.id));
+    for (const std::vector<Judged>& same : of_one_passage(erratum.claims)) {
+      const Judged& one = same.front();
+      std::vector<std::string> ids;
+      for (const Judged& claim : same) ids.push_back(claim.claim.id);
+      item(places(one.claim) + ":", fmt::format("printed “{}”; true: {} [{}]", one.claim.quote,
+                                                with_signs(one.judgement->truth), fmt::join(ids, ", ")));
+    }
     if (!erratum.cause.correction.empty()) item("Correction:", erratum.cause.correction);
     item("Evidence,", evidence(erratum));
     const std::string effect = erratum.cause.effect + unchanged(erratum);

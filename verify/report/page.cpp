@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 std::string in_address(const std::string& svg) {
   std::string address;
   for (const char c : svg) {
-    if (std::string_view("%#<>\"&").find(c) != std::string_view::npos)
+    if (std::string_view("%#<\"&").find(c) != std::string_view::npos)
       address += fmt::format("%{:02X}", static_cast<unsigned char>(c));
     else
       address += c;
@@ -51,14 +51,16 @@ Json card(const Json& report, const Claim& claim) {
   Json view = report;
   for (const std::string key : {"quote", "truth", "value"}) view["has_" + key] = report[key] != "";
   view["has_evidence"] = !report["evidence"].empty();
+  view["has_also"] = !claim.also.empty();
+  view["others"] = fmt::format("{}", fmt::join(claim.also, "; "));
   view["charitable"] = claim.charitable;
   view["has_severity"] = !report["severity"].is_null();
   view["has_print"] = !claim.printed.empty();
   view["print"] = fmt::format("{}", fmt::join(claim.printed, " | "));
   view["formulas"] = formulas(claim.printed);
   view["has_formulas"] = !view["formulas"].empty();
-  view["source"] = claim.source;
-  view["has_source"] = !claim.source.empty();
+  view["has_check"] = !claim.source.file.empty();
+  view["check_line"] = std::to_string(claim.source.line);
   std::vector<std::string> kinds;
   for (std::size_t i = 0; i < report["evidence"].size(); ++i) {
     Json& one = view["evidence"][i];

@@ -151,6 +151,7 @@ std::string as_detail(const Judged& judged, bool colour) {
   const std::string verdict = verdict_of(judged);
   const Claim& claim = judged.claim;
   std::string text = fmt::format("{}  ({})\n", bold(claim.id, colour), claim.where);
+  if (!claim.also.empty()) text += wrapped(fmt::format("also: {}", fmt::join(claim.also, "; ")), 2);
   text += wrapped("quote: “" + claim.quote + "”", 2);
   text += wrapped(fmt::format("reading{}: {}", claim.charitable ? ", charitable" : "", claim.reading), 2);
   text += wrapped(fmt::format("judged as: {}", fmt::join(claim.printed, " | ")), 2);
@@ -164,6 +165,8 @@ std::string as_detail(const Judged& judged, bool colour) {
     const std::string theorem = e.theorem.empty() ? "" : " “" + e.theorem + "”";
     text += wrapped(fmt::format("evidence, {}{}: {}", name(e.kind), theorem, e.detail), 2);
   }
+  if (!claim.source.file.empty())
+    text += wrapped(fmt::format("checked at {}:{}", claim.source.file, claim.source.line), 2);
   return text;
 }
 
@@ -181,6 +184,7 @@ nlohmann::ordered_json as_json(const std::vector<Judged>& judged) {
     nlohmann::ordered_json one;
     one["id"] = j.claim.id;
     one["where"] = j.claim.where;
+    one["also"] = j.claim.also;
     one["quote"] = j.claim.quote;
     one["reading"] = j.claim.reading;
     one["charity"] = j.claim.charitable ? "charitable" : "literal";
@@ -192,6 +196,9 @@ nlohmann::ordered_json as_json(const std::vector<Judged>& judged) {
     one["truth"] = judgement.truth;
     one["evidence"] = std::move(evidence);
     one["value"] = judgement.value;
+    one["check"] = nullptr;
+    if (!j.claim.source.file.empty())
+      one["check"] = {{"file", j.claim.source.file}, {"line", j.claim.source.line}};
     list.push_back(std::move(one));
   }
   return list;
