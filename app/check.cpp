@@ -9,7 +9,11 @@
 #include "app/progress.hpp"
 #include "app/submitted_values.hpp"
 #include "app/verbs.hpp"
+#include "files/json_file.hpp"
 #include "files/text_file.hpp"
+#include "proofs/certificate.hpp"
+#include "proofs/equilibria_certificate.hpp"
+#include "proofs/path_certificate.hpp"
 #include "verify/reference/agreement.hpp"
 #include "verify/reference/chains.hpp"
 
@@ -24,6 +28,23 @@ struct Options {
 void refuse(const std::vector<std::string>& errors) {
   complain(errors);
   if (!errors.empty()) throw CLI::RuntimeError(2);
+}
+
+/// Certificates are checked by programs that share nothing with this one, or it would vouch for itself.
+void refuse_certificates(const std::string& text, const std::string& path) {
+  const auto document = nlohmann::json::parse(text, nullptr, false);
+  if (!document.is_object()) return;
+  const auto format = document.find("format");
+  for (const auto& [name, checker] : {std::pair{proofs::critical_certificates, "check_certificates.py"},
+                                      std::pair{proofs::equilibria_certificates, "check_equilibria.py"},
+                                      std::pair{proofs::path_certificates, "check_paths.py"}}) {
+    if (format == document.end() || *format != name) continue;
+    throw Error(
+        path, "certificates",
+        fmt::format("values as CSV; certificates are checked without this program: python3 proofs/{} {}",
+                    checker, path));
+  }
+  throw Error(path, "JSON", "values as CSV, with the columns chain,mode,force");
 }
 
 /// The chains that values may be about: of a table, or of the reference set.
@@ -105,8 +126,10 @@ nlohmann::json as_json(const std::vector<verify::ForceAgreement>& values, std::s
 void run(const Options& options) {
   Outputs outputs({options.values, options.chains});
   files::OutputFile* const json = outputs.open("--json", options.json);
+  const std::string text = files::read_text(options.values);
+  refuse_certificates(text, options.values);
   const Chains chains = read_chains(options.chains);
-  const SubmittedValues read = parse_values(files::read_text(options.values), options.values, chains);
+  const SubmittedValues read = parse_values(text, options.values, chains);
   refuse(read.errors);
   const Submitted& submitted = read.values;
   const auto values = compare_all(submitted, chains);
@@ -137,7 +160,9 @@ void add_check(CLI::App& app) {
       ->type_name("[FILE]")
       ->expected(0, 1)
       ->default_str("-");
-  verb->footer("Exit status 1 when a value agrees to fewer digits than double precision permits.");
+  verb->footer(
+      "Exit status 1 when a value agrees to fewer digits than double precision permits. Certificates are "
+      "checked without this program: proofs/check_*.py need Python alone.");
   verb->callback([options] { run(*options); });
 }
 

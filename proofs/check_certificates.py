@@ -8,6 +8,8 @@ from math import ceil, floor, lcm
 
 if hasattr(sys, "set_int_max_str_digits"): sys.set_int_max_str_digits(0)  # certificates may have any number of digits
 
+REFUSALS = ValueError, TypeError, KeyError, IndexError, AttributeError, ArithmeticError, RecursionError
+
 def require(holds, what):
     if not holds: raise ValueError(what)
 
@@ -20,8 +22,11 @@ def once(pairs):
     require(len({key for key, _ in pairs}) == len(pairs), f"a member stated twice among {[key for key, _ in pairs]}")
     return dict(pairs)
 
+def inexact(text):
+    raise ValueError(f"the number {text} where a whole number or text is expected: readers differ in how they round it")
+
 def read(text):
-    return json.loads(text, parse_float=str, object_pairs_hook=once)
+    return json.loads(text, parse_float=inexact, parse_constant=inexact, object_pairs_hook=once)
 
 def number(text):
     good = isinstance(text, str) and re.fullmatch(r"-?\d+(/0*[1-9]\d*|(\.\d+)?(e[+-]?\d{1,6})?)", text, re.ASCII)
@@ -137,37 +142,44 @@ class Chain:
             ends = [value(c, -1 / number(f[end])) for end in ("low", "high")]
             require(f["below_high"] - f["below_low"] > 1 or ends[0] * ends[1] < 0, "no eigenvalue within the bounds")
 
-def opened(document, format):
-    """The entries of a file whose envelope holds."""
+def each(document, format, name, check_entry):
+    """What check_entry says of every entry of a file whose envelope holds; an entry is called by its member `name`."""
     fields(document, "format version licence provenance certificates sha256")
     text = json.dumps({**document, "sha256": ""}, sort_keys=True, separators=(",", ":"))
     require(hashlib.sha256(text.encode()).hexdigest() == document["sha256"], "sha256: the file has been changed")
     require(not re.search(r"[:,\[](true|false|null)[],}]", text), "true, false or null")
     fields(document["provenance"], "command program seed")
-    require([document["format"], document["version"]] == [format, 1], "format or version")
+    found = [document["format"], document["version"]]
+    require(found == [format, 1], f"format and version {found} where {[format, 1]} are expected")
     require(isinstance(document["certificates"], list), "certificates")
-    return document["certificates"]
+    results = []
+    for entry in document["certificates"]:
+        try: results.append(check_entry(entry))
+        except REFUSALS as error: raise ValueError(f"{name} {entry[name]}: {error}") from None
+    return results
+
+def check_chain(entry):
+    fields(entry, "chain lengths stiffness forces", "ties matrices")
+    chain, modes = Chain(entry["lengths"], entry["stiffness"]), [force["mode"] for force in entry["forces"]]
+    require(modes == sorted(set(modes)), "modes out of order")
+    for tie in entry.get("ties", []): chain.check_tie(tie)
+    tied = {mode: tie["mode"] for tie in entry.get("ties", []) for mode in (tie["mode"], tie["mode"] + 1)}
+    for force in entry["forces"]: chain.check_force(force, tied)
+    bent = [(tied[f["mode"]], f["shape"]["first"]) for f in entry["forces"] if f["mode"] in tied and "shape" in f]
+    require(len(bent) == len(set(bent)), "two shapes of equal forces in one part")
+    if "matrices" in entry: chain.check_matrices(entry["matrices"], entry["forces"])
 
 def check(document):
-    for entry in opened(document, "plumbline-certificates"):
-        try:
-            fields(entry, "chain lengths stiffness forces", "ties matrices")
-            chain, modes = Chain(entry["lengths"], entry["stiffness"]), [force["mode"] for force in entry["forces"]]
-            require(modes == sorted(set(modes)), "modes out of order")
-            for tie in entry.get("ties", []): chain.check_tie(tie)
-            tied = {mode: tie["mode"] for tie in entry.get("ties", []) for mode in (tie["mode"], tie["mode"] + 1)}
-            for force in entry["forces"]: chain.check_force(force, tied)
-            bent = [(tied[f["mode"]], f["shape"]["first"]) for f in entry["forces"] if f["mode"] in tied and "shape" in f]
-            require(len(bent) == len(set(bent)), "two shapes of equal forces in one part")
-            if "matrices" in entry: chain.check_matrices(entry["matrices"], entry["forces"])
-        except (ValueError, TypeError, KeyError, IndexError) as error:
-            raise ValueError(f"chain {entry['chain']}: {error}") from None
-    return len(document["certificates"])
+    return each(document, "plumbline-certificates", "chain", check_chain)
 
-if __name__ == "__main__":
+def main(check, summary):
+    """Checks the files that the command line names. `summary` tells what was in a file that holds."""
+    if len(sys.argv) < 2: sys.exit(f"usage: {sys.argv[0]} FILE...")
     for name in sys.argv[1:]:
         try:
-            with open(name, encoding="utf-8") as file: document = read(file.read())
-            print(f"{name}: {check(document)} chains, every statement holds")
-        except (OSError, ValueError, TypeError, KeyError) as error:
-            sys.exit(f"{name}: {error}")
+            with open(name, encoding="utf-8") as file: results = check(read(file.read()))
+        except (OSError, *REFUSALS) as error: sys.exit(f"{name}: {error}")
+        print(f"{name}: {summary(results)}: every statement holds")
+
+if __name__ == "__main__":
+    main(check, lambda chains: f"{len(chains)} chains")

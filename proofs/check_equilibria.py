@@ -2,11 +2,10 @@
 """Checks Plumbline certificates of all equilibria of a loaded chain with integers and fractions alone. What is checked,
 and what that proves, stands in equilibria-certificate-format.md.
 Usage: check_equilibria.py FILE... (exit status 0 when everything in them holds)."""
-import sys
 from fractions import Fraction
 from itertools import accumulate, combinations
 
-from check_certificates import fields, number, opened, read, require
+from check_certificates import each, fields, main, number, require
 from exact_intervals import Nothing, common, inside, inverse, middle, minus, opposite, plus, width, zero_in
 from loaded_chain import Chain
 
@@ -264,19 +263,7 @@ def check_census(entry):
     return len(balls), covering.leaves
 
 def check(document):
-    entries = opened(document, "plumbline-equilibria-certificates")
-    counts = []
-    for entry in entries:
-        try: counts.append(check_census(entry))
-        except (ValueError, TypeError, KeyError, IndexError, ZeroDivisionError, Nothing) as error:
-            raise ValueError(f"case {entry['case']}: {error or 'an equilibrium where none can be'}") from None
-    return counts
+    return each(document, "plumbline-equilibria-certificates", "case", check_census)
 
 if __name__ == "__main__":
-    for name in sys.argv[1:]:
-        try:
-            with open(name, encoding="utf-8") as file: counts = check(read(file.read()))
-            print(f"{name}: {len(counts)} cases, {sum(n for n, _ in counts)} equilibria, "
-                  f"{sum(boxes for _, boxes in counts)} boxes: every statement holds")
-        except (OSError, ValueError, TypeError, KeyError) as error:
-            sys.exit(f"{name}: {error}")
+    main(check, lambda found: f"{len(found)} cases, {sum(n for n, _ in found)} equilibria, {sum(boxes for _, boxes in found)} boxes")

@@ -2,13 +2,12 @@
 """Checks Plumbline certificates of paths of equilibria with integers and fractions alone. What is checked, and what that
 proves, stands in path-certificate-format.md.
 Usage: check_paths.py FILE... (exit status 0 when everything in them holds)."""
-import sys
 from fractions import Fraction
 from itertools import accumulate
 from math import isqrt
 
-from check_certificates import fields, number, opened, read, require
-from exact_intervals import Nothing, inverse, middle, minus, opposite, plus, zero_in
+from check_certificates import each, fields, main, number, require
+from exact_intervals import inverse, middle, minus, opposite, plus, zero_in
 from loaded_chain import Chain
 
 def hull(a, b): return min(a[0], b[0]), max(a[1], b[1])
@@ -195,17 +194,7 @@ def check_path(entry):
     return sum(Part(chain, part).count for part in entry["parts"])
 
 def check(document):
-    counts = []
-    for entry in opened(document, "plumbline-path-certificates"):
-        try: counts.append(check_path(entry))
-        except (ValueError, TypeError, KeyError, IndexError, ZeroDivisionError, Nothing) as error:
-            raise ValueError(f"case {entry['case']}: {error}") from None
-    return counts
+    return each(document, "plumbline-path-certificates", "case", check_path)
 
 if __name__ == "__main__":
-    for name in sys.argv[1:]:
-        try:
-            with open(name, encoding="utf-8") as file: counts = check(read(file.read()))
-            print(f"{name}: {len(counts)} cases, {sum(counts)} segments: every statement holds")
-        except (OSError, ValueError, TypeError, KeyError) as error:
-            sys.exit(f"{name}: {error}")
+    main(check, lambda segments: f"{len(segments)} cases, {sum(segments)} segments")

@@ -2,8 +2,9 @@
 certificates beside; needs Python's standard library alone."""
 from fractions import Fraction
 
-class Nothing(Exception):
+class Nothing(ValueError):
     """Here is no equilibrium."""
+    def __str__(self): return "an equilibrium where none can be"
 
 def common(a, b):
     low, high = max(a[0], b[0]), min(a[1], b[1])

@@ -1,11 +1,12 @@
 """The proved checker refuses every forgery, and agrees with the one in Python on the whole tampering set.
 
-usage: agreement.test.py PROVED_CHECKER PYTHON_CHECKER TAMPERING_TEST CERTIFICATES
+usage: agreement.test.py PROVED_CHECKER PROOFS TAMPERING_TEST CERTIFICATES
 
 Forgeries are sealed with a fresh digest first: the digest guards names, which no arithmetic can, and is left to Python.
 """
 import importlib.util
 import json
+import os
 import subprocess
 import sys
 import tempfile
@@ -13,6 +14,7 @@ import tempfile
 
 def load(path, arguments):
     sys.argv = [path, *arguments]
+    sys.path.insert(0, os.path.dirname(path))
     spec = importlib.util.spec_from_file_location("tampering", path)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -59,8 +61,9 @@ def named(published):
 
 
 def main():
-    proved, checker, tampering_path, certificates = sys.argv[1:5]
-    tampering = load(tampering_path, [checker])
+    proved, proofs, tampering_path, certificates = sys.argv[1:5]
+    tampering = load(tampering_path, [proofs])
+    python = tampering.Judge(tampering.checker)
     with open(certificates, encoding="utf-8") as file:
         published = json.load(file)
     wrong, count = [], 0
@@ -72,7 +75,7 @@ def main():
         assert len(verdicts) == len(cases)
         for verdict, (document, what) in zip(verdicts, cases):
             count += 1
-            if (verdict == "holds") != tampering.holds(document) or (verdict == "holds") != (what == "untouched"):
+            if (verdict == "holds") != python.holds(document) or (verdict == "holds") != (what == "untouched"):
                 wrong.append((verdict, what))
     cases = list(named(published))
     for verdict, (expected, what, _) in zip(judged(proved, [text for *_, text in cases]), cases):

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/process.hpp"
@@ -84,4 +85,18 @@ TEST_CASE("bad values are refused in one line that says where, what and what ins
   CHECK(here.plumbline("check").status == 2);
   CHECK(here.plumbline("check missing.csv").status == 2);
   CHECK(here.plumbline("check .").status == 2);
+}
+
+TEST_CASE("whoever hands certificates to check is told which program checks them") {
+  const Workplace here;
+  for (const auto& [file, checker] : {std::pair{"certificates.json", "check_certificates.py"},
+                                      std::pair{"equilibria-certificates.json", "check_equilibria.py"},
+                                      std::pair{"path-certificates.json", "check_paths.py"}}) {
+    const std::string path = sources + "/reference/" + file;
+    const Outcome outcome = here.plumbline("check " + path);
+    CHECK(outcome.status == 2);
+    CHECK(contains(outcome.err, std::string("python3 proofs/") + checker + " " + path));
+    CHECK(std::filesystem::exists(sources + "/proofs/" + checker));
+  }
+  CHECK(contains(here.plumbline("check " + sources + "/reference/events.json").err, "found JSON"));
 }

@@ -1,61 +1,16 @@
-"""The stand-alone checker refuses every tampered certificate.
+"""The stand-alone checker refuses every tampered certificate of critical forces, and accepts those untouched.
 
-usage: tampering.test.py CHECKER CERTIFICATES
+usage: tampering.test.py PROOFS CERTIFICATES
 
-Every leaf is changed. Left with the old digest, any change is refused. A forger recomputes the digest: then every
-change that makes a statement false is refused by arithmetic. Names and provenance alone rest on the digest. Besides,
-documents that pass the schema and say something false, made by hand: the true one beside each is accepted.
+Besides what forgery.py does: documents that pass the schema and say something false, made by hand, each beside a true one.
 """
-import copy
-import hashlib
-import importlib.util
 import json
 import sys
 from fractions import Fraction
 
-
-def load(path):
-    spec = importlib.util.spec_from_file_location("checker", path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-checker = load(sys.argv[1])
-
-
-def sealed(document):
-    text = json.dumps({**document, "sha256": ""}, sort_keys=True, separators=(",", ":"))
-    return {**document, "sha256": hashlib.sha256(text.encode()).hexdigest()}
-
-
-def holds(document):
-    try:
-        checker.check(checker.read(document if isinstance(document, str) else json.dumps(document)))
-        return True
-    except (ValueError, TypeError, KeyError, IndexError):
-        return False
-
-
-def leaves(node, path=()):
-    children = node.items() if isinstance(node, dict) else enumerate(node) if isinstance(node, list) else None
-    if children is None:
-        yield path
-    else:
-        for key, child in children:
-            yield from leaves(child, path + (key,))
-
-
-def at(document, path):
-    for key in path:
-        document = document[key]
-    return document
-
-
-def changed(document, path, value):
-    result = copy.deepcopy(document)
-    at(result, path[:-1])[path[-1]] = value
-    return result
+sys.path.insert(0, sys.argv[1])
+import check_certificates as checker  # noqa: E402
+from forgery import Judge, at, changed, incomplete, leaves, misspelt, published, rests_on_digest, sealed  # noqa: E402
 
 
 def lies(document, path):
@@ -105,29 +60,12 @@ def kinds(certificates):
 
 
 def forgeries(document):
-    """Sealed documents, each of which says something false or lacks something, and what was done to it."""
+    """Documents, each of which says something false or lacks something, and what was done to them."""
     for path in leaves(document):
-        if path[-1] not in GUARDED_BY_DIGEST and path[0] != "provenance":
+        if not rests_on_digest(path):
             for value in lies(document, path):
                 yield changed(document, path, value), (*path, value)
-    for path in {path[:i] for path in leaves(document) for i in range(len(path))}:
-        node = at(document, path)
-        if isinstance(node, dict):
-            yield changed(document, path + ("unknown",), "1"), (*path, "unknown member")
-            for member in set(node) - OPTIONAL:
-                yield without(document, path, member), (*path, member, "missing")
-        elif path[-1] not in ("certificates", "forces", "ties"):
-            yield without(document, path, -1), (*path, "last missing")
-
-
-GUARDED_BY_DIGEST = {"chain", "licence", "sha256"}
-OPTIONAL = {"shape", "ties", "matrices", "sha256"}
-
-
-def without(document, path, key):
-    result = copy.deepcopy(document)
-    del at(result, path)[key]
-    return result
+    yield from incomplete(document, {"shape", "ties", "matrices"}, {"forces", "ties"})
 
 
 def force(mode, low, high, below, digits=1, shape=None):
@@ -200,46 +138,31 @@ def by_hand():
         chain(*straight, one, matrices={**matrices, "characteristic": wrong})
 
 
-def forged_by_hand(published):
-    """Names of what is not judged rightly."""
-    def document(entry):
-        return sealed({**published, "certificates": [entry]})
-    wrong = []
+def judge_by_hand(judge, of_one):
     for name, true, false in by_hand():
-        if not holds(document(true)):
-            wrong.append(("refused although true, beside", name))
-        if holds(document(false)):
-            wrong.append((name,))
+        if not judge.holds(of_one(true)):
+            judge.misjudged.append(("refused although true, beside", name))
+        judge.by_hand(of_one(false), name)
     # one text, two readings: the second member of a name hides the first
-    entry = document(chain("1 1 1", "6 0 2.2", force(1, "3.98", "4.02", (0, 1))))
-    text = json.dumps(entry).replace('"stiffness":', '"stiffness": ["1", "1", "1"], "stiffness":')
-    if holds(text):
-        wrong.append(("a member stated twice",))
+    text = json.dumps(of_one(chain("1 1 1", "6 0 2.2", force(1, "3.98", "4.02", (0, 1)))))
+    judge.by_hand(text.replace('"stiffness":', '"stiffness": ["1", "1", "1"], "stiffness":'), "a member stated twice")
     long = "1." + "0" * 5000 + "1"
-    if not holds(document(chain(f"{long} 1", "0 1", force(1, "1.98", "2.02", (0, 1))))):
-        wrong.append(("refused although true: five thousand digits",))
-    return wrong
+    if not judge.holds(of_one(chain(f"{long} 1", "0 1", force(1, "1.98", "2.02", (0, 1))))):
+        judge.misjudged.append("refused although true: five thousand digits")
 
 
 def main():
-    with open(sys.argv[2], encoding="utf-8") as file:
-        published = json.load(file)
-    refused, accepted = 0, forged_by_hand(published)
-    for certificate in kinds(published["certificates"]):
-        document = sealed({**published, "certificates": [certificate]})
-        assert holds(document), "the untouched certificate holds"
-        for path in leaves(document):
-            old = at(document, path)
-            if holds(changed(document, path, old + 1 if isinstance(old, int) else old + "0")):
-                accepted.append(path)
-        for forgery, what in forgeries(document):
-            refused += 1
-            if holds(sealed(forgery)):
-                accepted.append(what)
-    for what in accepted:
-        print("misjudged:", *what)
-    print(f"{refused} forgeries by machine and {len(list(by_hand()))} by hand, {len(accepted)} misjudged")
-    sys.exit(bool(accepted))
+    document, judge = published(sys.argv[2]), Judge(checker)
+
+    def of_one(entry):
+        return sealed({**document, "certificates": [entry]})
+
+    for certificate in kinds(document["certificates"]):
+        judge.true(of_one(certificate), certificate["chain"])
+        judge.by_machine(forgeries(of_one(certificate)))
+    judge.by_machine(misspelt(of_one(certificate)))
+    judge_by_hand(judge, of_one)
+    judge.end()
 
 
 if __name__ == "__main__":
