@@ -139,18 +139,36 @@ bool predicts(const std::optional<Shrink>& blind, double times) {
   return blind && blind->chi2_per_value_after < times * times;
 }
 
-/// With thousands of readings every model fails a test for exactness. The best partial explanation that
-/// predicts held-out readings nearly to the noise, where these show the gap clearly, is what was looked for,
-/// with a remainder.
+/// Place of the best partial explanation with so many effects.
+std::optional<std::size_t> best_partial_of(const Study& study, const Cause& cause, std::size_t effects) {
+  std::vector<const Fit*> fits;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
+    const Fit& one = cause.ranking[i].hypothesis.fit;
+    if (one.candidate.count() != effects || !genuine(study, one)) continue;
+    fits.push_back(&one);
+    places.push_back(i);
+  }
+  if (fits.empty()) return std::nullopt;
+  return places[best_partial(study.measurements(), fits)];
+}
+
+/// With thousands of readings every model fails a test for exactness. The best partial explanation, of one
+/// effect or else of two, that predicts held-out readings nearly to the noise, where these show the gap
+/// clearly, is what was looked for, with a remainder.
 void accept_remainder(const Study& study, const HeldOut& heldout, const NoiseModel& noise, Cause& cause) {
-  if (cause.verdict != CauseVerdict::unknown || cause.ranking.empty()) return;
-  const Fit& best = cause.ranking[cause.best].hypothesis.fit;
-  if (best.candidate.count() > 2 || !genuine(study, best)) return;
-  const std::optional<Shrink> blind = blind_shrink(study, heldout, best, noise);
-  if (!predicts(blind, beliefs::nearly) || blind->noise_floor_ratio > beliefs::clear) return;
-  settle_on(cause, cause.best, beliefs::other_than_nearly);
-  cause.remainder = std::sqrt(
-      std::max(0.0, blind->ratio * blind->ratio - blind->noise_floor_ratio * blind->noise_floor_ratio));
+  if (cause.verdict != CauseVerdict::unknown) return;
+  for (const std::size_t effects : {std::size_t{1}, std::size_t{2}}) {
+    const std::optional<std::size_t> place = best_partial_of(study, cause, effects);
+    if (!place) continue;
+    const std::optional<Shrink> blind =
+        blind_shrink(study, heldout, cause.ranking[*place].hypothesis.fit, noise);
+    if (!predicts(blind, beliefs::nearly) || blind->noise_floor_ratio > beliefs::clear) continue;
+    settle_on(cause, *place, beliefs::other_than_nearly);
+    cause.remainder = std::sqrt(
+        std::max(0.0, blind->ratio * blind->ratio - blind->noise_floor_ratio * blind->noise_floor_ratio));
+    return;
+  }
 }
 
 /// What does not predict is not identified: it may be one of the causes that nobody has listed. Three effects

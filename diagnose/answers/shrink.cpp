@@ -19,7 +19,8 @@ double reach_of_command(const Run& run) {
 }
 
 /// The run to do without: of the kind (control, whether it turns back) that has most runs, the one that goes
-/// farthest after the farthest, so that what is left goes as far. The order of the runs does not matter.
+/// farthest after the farthest, so that what is left goes as far. The order of the runs does not matter. Of
+/// two runs neither: what is left would not tell what the runs have in common from what is one run's own.
 std::optional<std::size_t> spare_run(const Experiment& experiment) {
   using Kind = std::pair<Control, bool>;
   std::map<Kind, std::vector<std::size_t>> kinds;
@@ -28,7 +29,7 @@ std::optional<std::size_t> spare_run(const Experiment& experiment) {
   auto& most = std::max_element(kinds.begin(), kinds.end(), [](const auto& a, const auto& b) {
                  return a.second.size() < b.second.size();
                })->second;
-  if (most.size() < 2) return std::nullopt;
+  if (most.size() < 2 || experiment.runs.size() < 3) return std::nullopt;
   const auto key = [&](std::size_t r) {
     return std::pair(reach_of_command(experiment.runs[r]), experiment.runs[r].id);
   };

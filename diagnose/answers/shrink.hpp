@@ -17,9 +17,9 @@ struct HeldOut {
 };
 
 /// What to set aside: of the kind of runs (control, loading only or not) that there are most of, the one that
-/// goes farthest but one, where there are two; else two blocks of
-/// the path of every run. Decided by what was commanded, before any residual is looked at. Nothing where too
-/// little would be left.
+/// goes farthest but one, where there are two and three runs in all; else two blocks of the path of every
+/// run. Decided by what was commanded, before any residual is looked at. Nothing where too little would be
+/// left.
 HeldOut choose_heldout(const Experiment& experiment);
 
 /// Two blocks of the path of every run.

@@ -131,10 +131,18 @@ std::vector<double> with_kin(const Measurements& measurements, const std::vector
   return all;
 }
 
+/// Standard deviation of what rounding to a coarse scale does, the largest of a channel's series.
+double rounding(const Measurements& measurements, Name name) {
+  double step = 0;
+  for (const Series& series : measurements.series())
+    if (series.channel.name == name) step = std::max(step, series.step);
+  return step / std::sqrt(12.0);
+}
+
 /// Standard deviations by channel, as far as differences of neighbours show them.
 std::array<double, channel_names> rough_scales(const Measurements& measurements,
                                                const std::vector<double>& residual) {
-  constexpr double least = 2.0 / 3.0;  // of the declared sigma: coarse readings can repeat
+  constexpr double least = 2.0 / 3.0;  // of the declared sigma
   constexpr std::size_t few = 30;      // a step and an outlier are then less than a sixth of them
   std::array<double, channel_names> scale{};
   for (const Name name : names) {
@@ -142,7 +150,7 @@ std::array<double, channel_names> rough_scales(const Measurements& measurements,
     if (steps.size() < few) steps = with_kin(measurements, residual, name);
     // An outlier spoils two differences: one in twelve readings would carry Huber's variance away.
     const double found = steps.empty() ? 0 : std::sqrt(median_variance(steps) / 2);
-    scale[static_cast<std::size_t>(name)] = std::max(found, least);
+    scale[static_cast<std::size_t>(name)] = std::max({found, least, rounding(measurements, name)});
   }
   return scale;
 }

@@ -1,17 +1,42 @@
 #include "diagnose/model/measurement.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumbline::diagnose {
+
+namespace {
+
+/// What coarse readings are rounded to: the smallest difference of two values that differ by more than double
+/// precision does, where a quarter of them and more repeat; else 0.
+double rounding_step(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const double same = 1e-9 * std::max(std::abs(values.front()), std::abs(values.back()));
+  double smallest = values.back() - values.front();
+  std::size_t repeated = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double step = values[i] - values[i - 1];
+    if (step > same)
+      smallest = std::min(smallest, step);
+    else
+      ++repeated;
+  }
+  return 4 * repeated >= values.size() ? smallest : 0;
+}
+
+}  // namespace
 
 Measurements::Measurements(const Experiment& experiment) {
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     for (const Channel& channel : run.measured()) {
-      Series series{r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}};
+      Series series{r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, 0};
       for (std::size_t i = 0; i < run.readings.size(); ++i)
         if (!std::isnan(channel.of(run.readings[i]))) series.readings.push_back(i);
       if (series.readings.empty()) continue;
+      std::vector<double> values;
+      for (const std::size_t i : series.readings) values.push_back(channel.of(run.readings[i]));
+      series.step = rounding_step(std::move(values)) / series.sigma;
       size_ += series.readings.size();
       series_.push_back(std::move(series));
     }
