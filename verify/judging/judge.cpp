@@ -8,15 +8,26 @@
 #include <set>
 
 #include "verify/claims/claims.hpp"
+#include "verify/judging/notation.hpp"
 
 namespace plumbline::verify {
+namespace {
+
+/// The sentences of a judgement in the notation of print.
+Judgement set(Judgement judgement) {
+  judgement.truth = in_notation(judgement.truth);
+  for (Evidence& one : judgement.evidence) one.detail = in_notation(one.detail);
+  return judgement;
+}
+
+}  // namespace
 
 std::vector<Judged> judge(const std::vector<Claim>& claims, int digits,
                           const std::function<void()>& advance) {
   std::vector<Judged> result;
   for (const Claim& claim : claims) {
     try {
-      result.push_back({claim, judge_print(claim, claim.printed, digits), ""});
+      result.push_back({claim, set(judge_print(claim, claim.printed, digits)), ""});
     } catch (const std::exception& error) {
       result.push_back({claim, std::nullopt, error.what()});
     }
@@ -32,7 +43,7 @@ std::vector<Judged> judge_sampled(const SampledChains& sampled, std::uint64_t se
     claim.id = "sampled-" + p.name;
     std::replace(claim.id.begin(), claim.id.end(), ' ', '-');
     claim.where = "of random chains";
-    claim.reading = p.statement;
+    claim.reading = in_notation(p.statement);
     claim.cause = claim.id;
     if (p.failures > 0) {
       result.push_back(
@@ -43,7 +54,7 @@ std::vector<Judged> judge_sampled(const SampledChains& sampled, std::uint64_t se
     std::string detail = fmt::format("{} chains of seed {}, none fails; at most {:.2g} of the allowance used",
                                      p.chains, seed, p.worst_margin);
     if (p.name == "double") detail += "; " + summary(sampled.agreement);
-    result.push_back({claim, Judgement{Verdict::confirmed, "", {{EvidenceKind::sampled, detail}}, ""}, ""});
+    result.push_back({claim, set({Verdict::confirmed, "", {{EvidenceKind::sampled, detail}}, ""}), ""});
   }
   return result;
 }

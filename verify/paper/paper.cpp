@@ -4,6 +4,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "files/toml_file.hpp"
+#include "verify/judging/notation.hpp"
 #include "verify/paper/texts.hpp"
 
 namespace plumbline::verify {
@@ -63,7 +64,7 @@ void add_section(Paper& paper, const std::string& source, const char* content) {
          section + ", " + text(one, "where", source),
          texts(one, "also", source),
          text(one, "quote", source),
-         text(one, "reading", source),
+         in_notation(text(one, "reading", source)),
          choice(one, "charity", {"literal", "charitable"}, source) == 1,
          texts(one, "printed", source),
          texts(one, "words", source),

@@ -9,7 +9,7 @@
 #include <cctype>
 
 #include "verify/report/errata.hpp"
-#include "verify/report/typeset.hpp"
+#include "verify/report/latex.hpp"
 
 namespace plumbline::verify {
 namespace {
@@ -88,8 +88,7 @@ std::string heading(Severity severity) {
 
 std::string title(const Erratum& erratum) {
   const Claim& first = erratum.claims.front().claim;
-  return erratum.cause.title.empty() ? place(first.where) + ": " + with_signs(first.reading)
-                                     : erratum.cause.title;
+  return erratum.cause.title.empty() ? place(first.where) + ": " + first.reading : erratum.cause.title;
 }
 
 /// Neighbours with the same words in the same place and the same truth together.
@@ -113,7 +112,7 @@ std::string evidence(const Erratum& erratum) {
   });
   const Evidence& best = grave->judgement->evidence.front();
   return fmt::format("{}{}: {}", name(best.kind), best.theorem.empty() ? "" : " “" + best.theorem + "”",
-                     two_lines(with_signs(best.detail)));
+                     two_lines(best.detail));
 }
 
 /// What does not depend on the erratum, by verdict: it is said to stand only where it was found to.
@@ -153,7 +152,7 @@ std::string document(const std::vector<Judged>& judged, const Markup& m) {
       std::vector<std::string> ids;
       for (const Judged& claim : same) ids.push_back(claim.claim.id);
       item(places(one.claim) + ":", fmt::format("printed “{}”; true: {} [{}]", one.claim.quote,
-                                                with_signs(one.judgement->truth), fmt::join(ids, ", ")));
+                                                one.judgement->truth, fmt::join(ids, ", ")));
     }
     if (!erratum.cause.correction.empty()) item("Correction:", erratum.cause.correction);
     item("Evidence,", evidence(erratum));

@@ -1,10 +1,9 @@
-#include "verify/report/typeset.hpp"
+#include "verify/report/latex.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
-#include <map>
 #include <plumbline/base/error.hpp>
 #include <utility>
 #include <vector>
@@ -27,17 +26,6 @@ char at(const std::string& text, std::size_t place) {
   return place < text.size() ? text[place] : ' ';
 }
 
-/// Whether the hyphen at a place is a minus: it stands between spaces, or before a term that it turns, or
-/// between two parts of a formula; it is none in words and in 1e-6.
-bool is_minus(const std::string& text, std::size_t place) {
-  const char before = at(text, place - 1), after = at(text, place + 1);
-  if (before == ' ' && after == ' ') return true;
-  const bool term = is_digit(after) || is_letter(after) || after == '(';
-  if (before == ' ' || before == '(' || before == ')' || before == ',' || before == '{') return term;
-  const bool power = (before == 'e' || before == 'E') && is_digit(at(text, place - 2));
-  return !power && (is_letter(before) || is_digit(before)) && (is_digit(after) || after == '(');
-}
-
 /// The end of the run of letters, or of digits, that begins at a place.
 std::size_t end_of_run(const std::string& text, std::size_t place, bool (*belongs)(char)) {
   while (place < text.size() && belongs(text[place])) ++place;
@@ -57,13 +45,15 @@ std::string replaced_signs(const std::string& text, const Signs& signs) {
 }
 
 const Signs& raised() {
-  static const Signs signs{{"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"}, {"⁴", "4"},
-                           {"⁵", "5"}, {"⁺", "+"}, {"⁻", "-"}, {"ᵀ", "T"}, {"†", "\\dagger "}};
+  static const Signs signs{{"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},        {"⁴", "4"},
+                           {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"},        {"⁹", "9"},
+                           {"⁺", "+"}, {"⁻", "-"}, {"ᵀ", "T"}, {"†", "\\dagger "}};
   return signs;
 }
 
 const Signs& lowered() {
-  static const Signs signs{{"₀", "0"}, {"₁", "1"}, {"₂", "2"}, {"₃", "3"}, {"₄", "4"}};
+  static const Signs signs{{"₀", "0"}, {"₁", "1"}, {"₂", "2"}, {"₃", "3"}, {"₄", "4"},
+                           {"₅", "5"}, {"₆", "6"}, {"₇", "7"}, {"₈", "8"}, {"₉", "9"}};
   return signs;
 }
 
@@ -100,20 +90,49 @@ std::string argument(const std::string& text, std::size_t& place) {
 
 /// What one sign is in LaTeX.
 std::string sign_in_latex(const std::string& text, std::size_t& place) {
-  static const Signs signs{{"α", "$\\alpha$"},  {"φ", "$\\varphi$"}, {"ψ", "$\\psi$"},
-                           {"λ", "$\\lambda$"}, {"μ", "$\\mu$"},     {"ε", "$\\varepsilon$"},
-                           {"δ", "$\\delta$"},  {"Δ", "$\\Delta$"},  {"Σ", "$\\Sigma$"},
-                           {"κ", "$\\kappa$"},  {"π", "$\\pi$"},     {"−", "$-$"},
-                           {"±", "$\\pm$"},     {"≤", "$\\le$"},     {"≥", "$\\ge$"},
-                           {"≠", "$\\ne$"},     {"→", "$\\to$"},     {"√", "$\\surd$"},
-                           {"‖", "$\\|$"},      {"∈", "$\\in$"},     {"·", "$\\cdot$\\allowbreak{}"},
-                           {"½", "$\\frac12$"}, {"…", "\\ldots{}"},  {"“", "``"},
-                           {"”", "''"},         {"’", "'"},          {"‘", "`"},
-                           {"–", "--"},         {"ö", "\\\"o"},      {"\\", "\\textbackslash{}"},
-                           {"_", "\\_"},        {"^", "\\^{}"},      {"&", "\\&"},
-                           {"%", "\\%"},        {"#", "\\#"},        {"$", "\\textdollar{}"},
-                           {"{", "\\{"},        {"}", "\\}"},        {"~", "\\~{}"},
-                           {"<", "$<$"},        {">", "$>$"},        {"/", "/\\allowbreak{}"},
+  static const Signs signs{{"α", "$\\alpha$"},
+                           {"φ", "$\\varphi$"},
+                           {"ψ", "$\\psi$"},
+                           {"λ", "$\\lambda$"},
+                           {"μ", "$\\mu$"},
+                           {"ε", "$\\varepsilon$"},
+                           {"δ", "$\\delta$"},
+                           {"Δ", "$\\Delta$"},
+                           {"Σ", "$\\Sigma$"},
+                           {"κ", "$\\kappa$"},
+                           {"θ", "$\\theta$"},
+                           {"π", "$\\pi$"},
+                           {"−", "$-$"},
+                           {"±", "$\\pm$"},
+                           {"≤", "$\\le$"},
+                           {"≥", "$\\ge$"},
+                           {"≠", "$\\ne$"},
+                           {"→", "$\\to$"},
+                           {"√", "$\\surd$"},
+                           {"‖", "$\\|$"},
+                           {"∈", "$\\in$"},
+                           {"·", "$\\cdot$\\allowbreak{}"},
+                           {"½", "$\\frac12$"},
+                           {"…", "\\ldots{}"},
+                           {"“", "``"},
+                           {"”", "''"},
+                           {"’", "'"},
+                           {"‘", "`"},
+                           {"–", "--"},
+                           {"ö", "\\\"o"},
+                           {"\\", "\\textbackslash{}"},
+                           {"_", "\\_"},
+                           {"^", "\\^{}"},
+                           {"&", "\\&"},
+                           {"%", "\\%"},
+                           {"#", "\\#"},
+                           {"$", "\\textdollar{}"},
+                           {"{", "\\{"},
+                           {"}", "\\}"},
+                           {"~", "\\~{}"},
+                           {"<", "$<$"},
+                           {">", "$>$"},
+                           {"/", "/\\allowbreak{}"},
                            {"|", "$|$"}};
   const auto sign = std::find_if(signs.begin(), signs.end(), [&](const auto& one) {
     return text.compare(place, one.first.size(), one.first) == 0;
@@ -127,35 +146,6 @@ std::string sign_in_latex(const std::string& text, std::size_t& place) {
 }
 
 }  // namespace
-
-std::string with_signs(const std::string& text) {
-  static const std::map<std::string, std::string> letters{
-      {"alpha", "α"}, {"phi", "φ"},   {"psi", "ψ"},   {"lambda", "λ"},  {"mu", "μ"},
-      {"delta", "δ"}, {"Delta", "Δ"}, {"kappa", "κ"}, {"epsilon", "ε"}, {"pi", "π"}};
-  static const Signs signs{{"!=", "≠"}, {"<=", "≤"}, {">=", "≥"},  {"->", "→"},    {"^-1", "⁻¹"},
-                           {"^T", "ᵀ"}, {"^+", "⁺"}, {"^0", "⁰"},  {"^2", "²"},    {"^3", "³"},
-                           {"^4", "⁴"}, {"*", "·"},  {"...", "…"}, {"sqrt(", "√("}};
-  std::string result;
-  for (std::size_t place = 0; place < text.size();) {
-    const char c = text[place];
-    if (is_letter(c)) {
-      const std::size_t end = end_of_run(text, place, is_letter);
-      const std::string word = text.substr(place, end - place);
-      const auto letter = letters.find(word);
-      result += letter == letters.end() ? word : letter->second;
-      place = end;
-      const char sign = at(text, place), after = at(text, place + 1);
-      const bool shape = (word == "U" || word == "Z") && (sign == '+' || sign == '-') && !is_digit(after) &&
-                         !is_letter(after);
-      if (shape) result += sign == '+' ? "⁺" : "⁻", ++place;
-    } else if (c == '-' && at(text, place + 1) != '>' && is_minus(text, place)) {
-      result += "−", ++place;
-    } else {
-      result += c, ++place;
-    }
-  }
-  return replaced_signs(result, signs);
-}
 
 std::string as_latex(const std::string& text) {
   std::string set;
