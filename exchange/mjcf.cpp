@@ -10,7 +10,7 @@ namespace plumbline::exchange {
 namespace {
 
 /// Within a time step or two: what is constrained is as good as rigid.
-constexpr double timestep = response_time / 20;
+constexpr double timestep = response_time / 5;
 
 Xml joint(const Hinge& hinge) {
   Xml xml("joint");

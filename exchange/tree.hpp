@@ -68,6 +68,6 @@ struct Means {
 Tree tree_of(const diagnose::Rig& rig, const Model& model, const Means& means);
 
 /// How fast joints settle, s: dynamics of the written model, of which statics knows nothing.
-inline constexpr double response_time = 0.05;
+inline constexpr double response_time = 0.02;
 
 }  // namespace plumbline::exchange

@@ -18,10 +18,13 @@
 
 namespace plumbline::exchange::test {
 
+/// When a reading is taken. Under an end point that is held MuJoCo's dry friction forgets what it carried, so
+/// that what slides is read on its slow way.
+enum class Pace { at_rest, on_the_way, by_the_clock };
+
 class MujocoBench {
  public:
-  /// \param timed  whether time between readings matters to the model
-  MujocoBench(const std::string& mjcf, bool timed) : model_(load(mjcf), mj_deleteModel), timed_(timed) {
+  MujocoBench(const std::string& mjcf, Pace pace) : model_(load(mjcf), mj_deleteModel), pace_(pace) {
     const int tip = model_->site_bodyid[site(*model_, "load")];
     const std::string held = mj_id2name(model_.get(), mjOBJ_BODY, tip);
     std::string with_hand = mjcf;
@@ -49,14 +52,20 @@ class MujocoBench {
     diagnose::Trace trace(static_cast<Eigen::Index>(run.readings.size()),
                           diagnose::column_q + static_cast<Eigen::Index>(run.rest.size()));
     for (std::size_t r = 0; r < run.readings.size(); ++r) {
-      const double interval = r > 0 && timed_ ? run.readings[r].t - run.readings[r - 1].t : 1;
-      move(run.command(run.readings[r]), interval, held);
+      const double clock = r > 0 ? run.readings[r].t - run.readings[r - 1].t : 1;
+      move(run.command(run.readings[r]),
+           pace_ == Pace::by_the_clock ? clock
+           : pace_ == Pace::on_the_way ? slow_way
+                                       : 1,
+           held);
       write(trace.row(static_cast<Eigen::Index>(r)), run, held);
     }
     return trace;
   }
 
  private:
+  static constexpr double slow_way = 8;  // s from reading to reading
+
   static mjModel* load(const std::string& xml) {
     mju_user_warning = [](const char*) {};
     const auto files = std::make_unique<mjVFS>();
@@ -76,14 +85,15 @@ class MujocoBench {
   }
   [[nodiscard]] Eigen::Vector2d end() const { return at("end"); }
 
-  /// Moves at a steady rate and lets the chain come to rest; where time matters in the time there is.
+  /// Moves at a steady rate; waits for rest only where readings are taken at rest.
   void move(const Eigen::Vector2d& to, double seconds, bool held) {
     const Eigen::Vector2d from = target_;
     const double step = model_->opt.timestep;
-    const int moving = static_cast<int>(std::lround((timed_ ? 0.92 : 0.5) * seconds / step));
-    const int all = static_cast<int>(std::lround(seconds / step)), patience = timed_ ? all : 20 * all;
+    const bool waits = pace_ == Pace::at_rest;
+    const int all = static_cast<int>(std::lround(seconds / step)), patience = waits ? 20 * all : all;
+    const double moving = (waits ? 0.5 : pace_ == Pace::by_the_clock ? 0.98 : 1) * all;
     for (int s = 1; s <= patience; ++s) {
-      target_ = from + std::min(1.0, static_cast<double>(s) / moving) * (to - from);
+      target_ = from + std::min(1.0, s / moving) * (to - from);
       hold_or_push(held);
       mj_step(model_.get(), data_.get());
       double fastest = 0;
@@ -137,7 +147,7 @@ class MujocoBench {
 
   std::unique_ptr<mjModel, decltype(&mj_deleteModel)> model_;
   std::unique_ptr<mjData, decltype(&mj_deleteData)> data_{nullptr, mj_deleteData};
-  bool timed_;
+  Pace pace_;
   int hold_ = 0;
   Eigen::Vector2d target_ = Eigen::Vector2d::Zero();
 };
