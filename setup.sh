@@ -4,6 +4,7 @@
 #
 #   ./setup.sh           what the program is built with
 #   ./setup.sh --tests   and what its tests need
+#   ./setup.sh --models  and the parsers that read the models of simulators
 #   ./setup.sh --bench   and what the benchmarks compare with
 #   ./setup.sh --docs    and what writes the reference of the library
 #   ./setup.sh --fuzz    and the compiler of the fuzz targets
@@ -22,10 +23,11 @@ program=(
   # least squares
   libceres-dev
 )
+models=(libmujoco-dev libsdformat-dev)
 tests=(
   ccache doctest-dev librapidcheck-dev python3-jsonschema
-  # the simulated bench of the blind trial
-  libmujoco-dev
+  # the simulated bench of the blind trial, and the models of simulators
+  "${models[@]}"
   # pages, in a browser
   chromium chromium-driver python3-selenium
   # drawings, at run time
@@ -44,12 +46,13 @@ packages=("${program[@]}")
 case "${1:-}" in
   "") ;;
   --tests) packages+=("${tests[@]}") ;;
+  --models) packages+=("${models[@]}") ;;
   --bench) packages+=("${bench[@]}") ;;
   --docs) packages+=("${docs[@]}") ;;
   --fuzz) packages+=("${fuzz[@]}") ;;
   --proofs) packages+=("${proofs[@]}") ;;
   *)
-    echo "setup: found $1, expected nothing, --tests, --bench, --docs, --fuzz or --proofs" >&2
+    echo "setup: found $1, expected nothing, --tests, --models, --bench, --docs, --fuzz or --proofs" >&2
     exit 2
     ;;
 esac

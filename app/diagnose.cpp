@@ -4,6 +4,7 @@
 #include <memory>
 #include <plumbline/base/error.hpp>
 
+#include "app/corrected_files.hpp"
 #include "app/example_experiment.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
@@ -12,13 +13,14 @@
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/inference/conventions.hpp"
 #include "diagnose/report/report.hpp"
+#include "exchange/read_model.hpp"
 #include "trial/experiment_files.hpp"
 
 namespace plumbline::app {
 namespace {
 
 struct Options {
-  std::string experiment, json, html;
+  std::string experiment, model, corrected, json, html;
   bool next = false, as_is = false;
 };
 
@@ -49,18 +51,28 @@ void ask_for_conventions(const diagnose::Study& study) {
 }
 
 void run(const Options& options) {
-  diagnose::Experiment experiment =
-      options.experiment.empty() ? example_experiment() : diagnose::read_experiment(options.experiment);
-  Outputs outputs(trial::files_read(options.experiment));
+  std::optional<diagnose::NominalChain> model;
+  if (!options.model.empty()) model = exchange::read_model(options.model).chain;
+  const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
+  diagnose::Experiment experiment = options.experiment.empty()
+                                        ? example_experiment(nominal)
+                                        : diagnose::read_experiment(options.experiment, nominal);
+  std::vector<std::filesystem::path> inputs = trial::files_read(options.experiment);
+  inputs.emplace_back(options.model);
+  Outputs outputs(inputs);
   files::OutputFile *const json = outputs.open("--json", options.json), *const html = outputs.open(
                                                                             "--html", options.html);
+  CorrectedFiles corrected(outputs, options.corrected);
   const diagnose::Study study(condensed(std::move(experiment)));
   if (!options.as_is) ask_for_conventions(study);
   const diagnose::Diagnosis diagnosis = diagnosis_of(study, options.next);
-  if (json) json->write(as_json(diagnosis).dump(2) + "\n");
+  if (corrected.wanted()) corrected.write(exchange::corrected_models(study, diagnosis));
+  nlohmann::ordered_json report = as_json(diagnosis);
+  if (corrected.wanted()) report["corrected"] = corrected.as_json();
+  if (json) json->write(report.dump(2) + "\n");
   if (html) html->write(diagnose::as_html(study, diagnosis));
   outputs.commit();
-  if (options.json != "-" && options.html != "-") fmt::print("{}", as_text(diagnosis));
+  if (options.json != "-" && options.html != "-") fmt::print("{}{}", as_text(diagnosis), corrected.as_text());
 }
 
 }  // namespace
@@ -73,6 +85,16 @@ void add_diagnose(CLI::App& app) {
   verb->add_option("experiment", options->experiment,
                    "A folder with experiment.toml and its sample files. Without it: a small bundled example")
       ->type_name("FOLDER");
+  verb->add_option(
+          "--model", options->model,
+          "The nominal model, instead of the experiment's own: .toml, as --corrected writes it, or a "
+          "simulator's: .xml (MJCF), .urdf, .sdf")
+      ->type_name("FILE");
+  verb->add_option(
+          "--corrected", options->corrected,
+          "Write the nominal model with what was found: .toml (ours), .xml (MJCF), .urdf or .sdf. One file a "
+          "candidate where the cause is ambiguous")
+      ->type_name("FILE");
   verb->add_option("--json", options->json,
                    "Write the report as JSON too (without FILE: to standard output alone)")
       ->type_name("[FILE]")

@@ -8,11 +8,12 @@
 
 namespace plumbline::app {
 
-diagnose::Experiment example_experiment() {
+diagnose::Experiment example_experiment(const diagnose::NominalChain* model) {
   std::map<std::string, std::string> files;
   for (const auto& [name, text] : example_files) files.emplace(name, text);
   return diagnose::read_experiment(
-      "examples/experiment", [&](const std::string& name, const std::string&) { return files.at(name); });
+      "examples/experiment", [&](const std::string& name, const std::string&) { return files.at(name); },
+      model);
 }
 
 }  // namespace plumbline::app

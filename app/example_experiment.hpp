@@ -6,6 +6,6 @@
 
 namespace plumbline::app {
 
-diagnose::Experiment example_experiment();
+diagnose::Experiment example_experiment(const diagnose::NominalChain* model = nullptr);
 
 }  // namespace plumbline::app

@@ -35,6 +35,10 @@ files::OutputFile* Outputs::open(const std::string& option, const fs::path& path
   return &files_.emplace_back(path);
 }
 
+void Outputs::withdraw(const files::OutputFile* file) {
+  files_.remove_if([&](const files::OutputFile& one) { return &one == file; });
+}
+
 void Outputs::commit() {
   for (files::OutputFile& file : files_) file.complete();
   for (files::OutputFile& file : files_) file.commit();

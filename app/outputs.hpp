@@ -3,8 +3,8 @@
 /// The files that a verb writes: none is one that it reads, no two are the same, and all are found to be
 /// writable before the work.
 
-#include <deque>
 #include <filesystem>
+#include <list>
 #include <map>
 #include <string>
 #include <vector>
@@ -25,12 +25,15 @@ class Outputs {
   /// \throws Error where the file is read or written already, by whatever name or link, or cannot be written
   files::OutputFile* open(const std::string& option, const std::filesystem::path& path);
 
+  /// Lets go of a file that was opened: it will not be written.
+  void withdraw(const files::OutputFile* file);
+
   /// Lets all files appear, once all are on the disk. \throws Error when one does not fit: then none does
   void commit();
 
  private:
   std::map<files::FileIdentity, std::string> taken_;  ///< and what for
-  std::deque<files::OutputFile> files_;
+  std::list<files::OutputFile> files_;
 };
 
 }  // namespace plumbline::app

@@ -9,6 +9,7 @@
 
 namespace plumbline::app {
 
+void add_chain(CLI::App& app);
 void add_check(CLI::App& app);
 void add_critical(CLI::App& app);
 void add_equilibria(CLI::App& app);

@@ -13,6 +13,7 @@ std::unique_ptr<CLI::App> whole_command() {
   add_reference(*command);
   add_check(*command);
   add_diagnose(*command);
+  add_chain(*command);
   add_trial(*command);
   return command;
 }

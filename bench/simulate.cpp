@@ -17,6 +17,7 @@
 
 #include "bench/write_labelled.hpp"
 #include "diagnose/model/measurement.hpp"
+#include "diagnose/model/nominal.hpp"
 #include "diagnose/model/study.hpp"
 
 namespace plumbline::bench {

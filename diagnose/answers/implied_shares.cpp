@@ -125,7 +125,7 @@ std::vector<JointShare> shares_by_fits(const Study& study, const std::vector<Fit
     const Prediction predicted = predict(study, fits[f].candidate, fits[f].parameters);
     std::vector<double> square(weight.size(), 0.0);
     double sum = 0;
-    const auto torques = missing_torques(as_measured(study.experiment(), predicted));
+    const auto torques = missing_torques(study, as_measured(study.experiment(), predicted));
     for (std::size_t j = 0; j < torques.size(); ++j)
       for (const MissingTorque& one : torques[j]) square[j] += one.torque * one.torque;
     for (const double s : square) sum += s;

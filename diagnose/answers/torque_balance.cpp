@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "diagnose/model/nominal.hpp"
 
@@ -77,6 +78,19 @@ std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experi
   return by_joint;
 }
 
+std::vector<std::vector<MissingTorque>> missing_torques(const Study& study, const Experiment& readings) {
+  std::vector<std::vector<MissingTorque>> by_joint = missing_torques(readings);
+  if (study.experiment().effects.empty()) return by_joint;
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> place;
+  const auto carried = missing_torques(as_measured(study.experiment(), study.nominal()));
+  for (const MissingTorque& one : carried.front()) place.try_emplace({one.run, one.reading}, place.size());
+  for (std::size_t j = 0; j < by_joint.size(); ++j)
+    for (MissingTorque& one : by_joint[j])
+      if (const auto same = place.find({one.run, one.reading}); same != place.end())
+        one.torque -= carried[j][same->second].torque;
+  return by_joint;
+}
+
 Experiment as_measured(Experiment experiment, const Prediction& predicted) {
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i) {
@@ -90,11 +104,12 @@ Experiment as_measured(Experiment experiment, const Prediction& predicted) {
   return experiment;
 }
 
-std::vector<JointShare> shares_by_missing_torque(const Experiment& experiment, const NoiseModel& noise) {
+std::vector<JointShare> shares_by_missing_torque(const Study& study, const NoiseModel& noise) {
   using Name = Channel::Name;
   const double scale = std::max({noise.of({Name::q, 0}), noise.of({Name::Fx, 0}), noise.of({Name::Fy, 0})});
   std::vector<double> weight;
-  for (const auto& torques : missing_torques(experiment)) weight.push_back(excess(torques, scale));
+  for (const auto& torques : missing_torques(study, study.experiment()))
+    weight.push_back(excess(torques, scale));
   const bool any = std::any_of(weight.begin(), weight.end(), [](double w) { return w > 0; });
   return any ? joint_shares(weight) : std::vector<JointShare>();
 }

@@ -4,6 +4,7 @@
 
 #include "diagnose/answers/joint_share.hpp"
 #include "diagnose/inference/noise.hpp"
+#include "diagnose/model/study.hpp"
 
 namespace plumbline::diagnose {
 
@@ -19,11 +20,15 @@ struct MissingTorque {
 /// By joint. Empty lists where no run measures all joint angles together with the force.
 std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experiment);
 
+/// What the readings miss beyond what the effects of the nominal model carry where that predicts the chain.
+/// \param readings  of the study's runs, as measured or as predicted
+std::vector<std::vector<MissingTorque>> missing_torques(const Study& study, const Experiment& readings);
+
 /// The experiment as if this had been measured: without noise, with the force and all joint angles.
 Experiment as_measured(Experiment experiment, const Prediction& predicted);
 
 /// Shares of the joints in the missing torque beyond its noise, largest first. Empty where no joint angles
 /// are measured, or where noise alone may give what is missing.
-std::vector<JointShare> shares_by_missing_torque(const Experiment& experiment, const NoiseModel& noise);
+std::vector<JointShare> shares_by_missing_torque(const Study& study, const NoiseModel& noise);
 
 }  // namespace plumbline::diagnose

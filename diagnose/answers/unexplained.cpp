@@ -22,10 +22,11 @@ std::vector<std::vector<bool>> returning(const Study& study) {
   return result;
 }
 
-Missing torque(const Experiment& experiment, const std::vector<std::vector<bool>>& back, std::size_t joint) {
+Missing torque(const Study& study, const std::vector<std::vector<bool>>& back, std::size_t joint) {
   const std::string number = std::to_string(joint);
   Missing missing{"torque at joint " + number, "N m", "q" + number, "rad", {}, 0, 0, 0};
-  const auto torques = missing_torques(experiment);
+  const Experiment& experiment = study.experiment();
+  const auto torques = missing_torques(study, experiment);
   for (const MissingTorque& one : torques[joint - 1]) {
     missing.points.push_back({one.angle, one.torque, experiment.runs[one.run].readings[one.reading].t,
                               back[one.run][one.reading]});
@@ -126,7 +127,7 @@ Missing describe_missing(const Study& study, const std::vector<double>& residual
   const std::vector<std::vector<bool>> back = returning(study);
   Missing missing;
   if (where.joint_evidence == JointEvidence::measured && where.joints.front().share > 0.5)
-    missing = torque(study.experiment(), back, where.joints.front().joint);
+    missing = torque(study, back, where.joints.front().joint);
   if (missing.points.empty()) missing = channel(study, residual, back, where.channels.front().channel);
   describe(missing);
   return missing;

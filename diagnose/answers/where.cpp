@@ -88,7 +88,7 @@ Where locate(const Study& study, const Prediction& nominal, const std::vector<do
              const NoiseModel& noise) {
   const std::vector<double> beyond = excess(study.measurements(), residual, noise);
   return {by_channel(study.measurements(), beyond), by_run(study, beyond), along_path(study, nominal, beyond),
-          shares_by_missing_torque(study.experiment(), noise), JointEvidence::measured};
+          shares_by_missing_torque(study, noise), JointEvidence::measured};
 }
 
 }  // namespace plumbline::diagnose

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "diagnose/bench/channel.hpp"
+#include "diagnose/bench/nominal_chain.hpp"
 
 namespace plumbline::diagnose {
 
@@ -62,13 +63,17 @@ struct Bench {
   enum class Plane { vertical, horizontal, unknown } plane;
   std::array<double, 2> gravity_direction;  ///< unit vector, meaningful with has_direction
   bool has_direction;
+
+  /// Unit vector along which weights pull.
+  [[nodiscard]] Eigen::Vector2d down() const {
+    return has_direction ? Eigen::Vector2d(gravity_direction[0], gravity_direction[1])
+                         : Eigen::Vector2d(0, -1);
+  }
 };
 
-/// The nominal chain (the simulator whose gap is diagnosed), the rig and the runs.
-struct Experiment {
+/// The nominal chain, the rig and the runs.
+struct Experiment : NominalChain {
   std::string name;
-  std::vector<double> link_length, joint_stiffness, link_mass;
-  std::array<double, 2> gravity;  ///< the in-plane gravity that the nominal model includes
   Bench bench;
   Noise noise;
   std::vector<Run> runs;

@@ -11,11 +11,12 @@
 namespace plumbline::diagnose {
 
 /// Reads format "chain-experiment/1".
+/// \param model  stands in for the table [nominal], which may then be absent
 /// \throws Error, one line with the file, the line or key, what was found and what was expected: a missing
 ///         file or key, an unknown key or format, a wrong type or length, a field that is not a finite
 ///         number, a negative length or stiffness, a repeated run id, a sample file outside the folder,
 ///         readings that the chain cannot reach, or too few of them to judge anything
-Experiment read_experiment(const std::filesystem::path& folder);
+Experiment read_experiment(const std::filesystem::path& folder, const NominalChain* model = nullptr);
 
 /// The text of experiment.toml, or of a sample file that it names.
 /// \throws Error at the place where the name stands, or that names the file
@@ -23,6 +24,7 @@ using ReadFile = std::function<std::string(const std::string& name, const std::s
 
 /// The same from wherever its files are.
 /// \param folder  named in errors
-Experiment read_experiment(const std::filesystem::path& folder, const ReadFile& read);
+Experiment read_experiment(const std::filesystem::path& folder, const ReadFile& read,
+                           const NominalChain* model = nullptr);
 
 }  // namespace plumbline::diagnose

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "diagnose/bench/conversion.hpp"
+#include "diagnose/model/nominal.hpp"
 
 namespace plumbline::diagnose {
 namespace {

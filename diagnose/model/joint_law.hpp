@@ -40,8 +40,9 @@ struct JointSlider {
 };
 
 /// As many Maxwell arms, and sliders, as a joint can have: of three effects that act together each brings its
-/// own.
-inline constexpr std::size_t most_arms = 3, most_sliders = 8;
+/// own, beside those of the nominal model.
+inline constexpr std::size_t most_nominal_arms = 3, most_nominal_sliders = 6;
+inline constexpr std::size_t most_arms = most_nominal_arms + 3, most_sliders = most_nominal_sliders + 7;
 
 /// What a joint remembers of its history, at the last reading.
 struct JointMemory {

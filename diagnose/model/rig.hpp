@@ -85,7 +85,4 @@ Rig in_run(const Rig& rig, std::size_t run);
 /// Where the end point of the nominal chain lies at rest.
 Vector2 unloaded_end(const Experiment& experiment, const std::vector<double>& rest);
 
-/// The rig that the nominal model believes in.
-Rig nominal_rig(const Experiment& experiment);
-
 }  // namespace plumbline::diagnose

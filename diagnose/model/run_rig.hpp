@@ -34,7 +34,7 @@ struct RunRig {
 /// The time that ends with a reading: what history the joints follow in it.
 struct TimeStep {
   bool relaxed = true;  ///< slowly, and before the first reading: no slider, no Maxwell arm
-  std::array<double, most_arms> decay{1, 1, 1}, gain{1, 1, 1};
+  std::array<double, most_arms> decay{1, 1, 1, 1, 1, 1}, gain{1, 1, 1, 1, 1, 1};
 };
 
 /// A rig on its way to a reading, and what its joints remember of the one before.

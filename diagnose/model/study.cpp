@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/model/nominal.hpp"
+
 namespace plumbline::diagnose {
 namespace {
-
-Vector2 gravity_direction(const Bench& bench) {
-  return bench.has_direction ? Vector2(bench.gravity_direction[0], bench.gravity_direction[1])
-                             : Vector2(0, -1);
-}
 
 std::size_t index_of(const EffectAt& at) {
   return at.joint > 0 ? at.joint - 1 : 0;
@@ -40,10 +37,11 @@ Experiment numbered(Experiment experiment) {
 Study::Study(Experiment experiment)
     : experiment_(numbered(std::move(experiment))),
       measurements_(experiment_),
-      sizes_(sizes_of(experiment_)) {}
+      sizes_(sizes_of(experiment_)),
+      nominal_rig_(diagnose::nominal_rig(experiment_)) {}
 
 const Prediction& Study::nominal() const {
-  if (!nominal_) nominal_ = simulate(experiment_, nominal_rig(experiment_), {});
+  if (!nominal_) nominal_ = simulate(experiment_, nominal_rig_, {});
   return *nominal_;
 }
 
@@ -98,8 +96,8 @@ Instance part(const Study& study, const Candidate& candidate, const std::vector<
 }
 
 Rig rig_with(const Study& study, const Candidate& candidate, const std::vector<double>& parameters) {
-  Rig rig = nominal_rig(study.experiment());
-  const Vector2 down = gravity_direction(study.experiment().bench);
+  Rig rig = study.nominal_rig();
+  const Vector2 down = study.experiment().bench.down();
   std::size_t next = 0;
   for (const EffectAt& at : candidate.effects) {
     std::vector<double> values;

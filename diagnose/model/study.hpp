@@ -12,12 +12,15 @@ namespace plumbline::diagnose {
 
 class Study {
  public:
+  /// \throws Error where the nominal model has an effect that is none
   explicit Study(Experiment experiment);
 
   [[nodiscard]] const Experiment& experiment() const { return experiment_; }
   [[nodiscard]] const Measurements& measurements() const { return measurements_; }
   [[nodiscard]] const Sizes& sizes() const { return sizes_; }
 
+  /// The rig that the nominal model believes in.
+  [[nodiscard]] const Rig& nominal_rig() const { return nominal_rig_; }
   /// What the nominal model predicts; computed when it is first asked for.
   [[nodiscard]] const Prediction& nominal() const;
   /// (measured - predicted) / declared sigma, flat; of the nominal model.
@@ -34,6 +37,7 @@ class Study {
   Experiment experiment_;
   Measurements measurements_;
   Sizes sizes_;
+  Rig nominal_rig_;
   mutable std::optional<Prediction> nominal_;
   mutable std::optional<Exercise> exercise_;
 };

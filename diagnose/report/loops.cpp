@@ -70,8 +70,9 @@ std::vector<page::ChartPoint> torque_over_angle(const std::vector<MissingTorque>
 }
 
 PageChart loop_at_joint(const Explained& explained, std::size_t joint, std::size_t run) {
-  const auto measured = missing_torques(explained.experiment),
-             modelled = missing_torques(as_measured(explained.experiment, explained.corrected));
+  const auto measured = missing_torques(explained.study, explained.experiment),
+             modelled =
+                 missing_torques(explained.study, as_measured(explained.experiment, explained.corrected));
   const page::Chart chart{
       fmt::format("torque-loop-{}", run + 1),
       fmt::format("Loop of the torque at joint {} in run {}", joint, explained.experiment.runs[run].id),

@@ -19,11 +19,8 @@ namespace {
 
 /// A bench of three links pressed from two shapes and back, without readings yet.
 Experiment bench() {
-  Experiment experiment{"bench",
-                        {0.25, 0.2, 0.25},
-                        {2.0, 1.5, 2.0},
-                        {0, 0, 0},
-                        {0, 0},
+  Experiment experiment{{{0.25, 0.2, 0.25}, {2.0, 1.5, 2.0}, {0, 0, 0}, {0, 0}, {}, {}},
+                        "bench",
                         {Bench::Plane::horizontal, {0, 0}, false},
                         {0, 0, 0.02, 0.02, 0.001},
                         {}};

@@ -55,11 +55,8 @@ Document read_document() {
 /// Two links with end points for chosen joint angles; forces are set where a test needs them.
 Experiment two_links(std::vector<double> stiffness, std::vector<double> rest,
                      const std::vector<std::vector<double>>& shapes) {
-  Experiment experiment{"two links",
-                        {0.3, 0.2},
-                        std::move(stiffness),
-                        {0, 0},
-                        {0, 0},
+  Experiment experiment{{{0.3, 0.2}, std::move(stiffness), {0, 0}, {0, 0}, {}, {}},
+                        "two links",
                         {Bench::Plane::vertical, {0.6, -0.8}, true},
                         {1e-3, 1e-3, 0.02, 0.02, 1e-3},
                         {}};

@@ -13,9 +13,11 @@ inline plumbline::diagnose::Experiment blank_experiment(const std::vector<std::s
   using namespace plumbline;
   using namespace plumbline::diagnose;
   using namespace plumbline::diagnose;
-  Experiment experiment{"blank",         {0.2, 0.2}, {1, 1},
-                        {0, 0},          {0, 0},     {Bench::Plane::unknown, {0, 0}, false},
-                        {0, 0, 1, 1, 0}, {}};
+  Experiment experiment{{{0.2, 0.2}, {1, 1}, {0, 0}, {0, 0}, {}, {}},
+                        "blank",
+                        {Bench::Plane::unknown, {0, 0}, false},
+                        {0, 0, 1, 1, 0},
+                        {}};
   for (const std::size_t count : readings) {
     Run run{"run-" + std::to_string(experiment.runs.size() + 1), Control::end_point, {0, 0}, {}};
     for (std::size_t i = 0; i < count; ++i)

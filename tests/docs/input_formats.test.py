@@ -17,7 +17,7 @@ from documents import ROOT, SCHEMAS, blocks, keys, tables
 from program import complaint
 
 EXPERIMENTS, CHAINS = ROOT / "docs" / "experiment-format.md", ROOT / "docs" / "chain-format.md"
-TABLES = ["Top level", "[nominal]", "[bench]", "[noise]", "[[run]]"]
+TABLES = ["Top level", "[nominal]", "[[nominal.effect]]", "[bench]", "[noise]", "[[run]]"]
 
 
 def documented(path, heading, number=0):
@@ -35,7 +35,8 @@ def schema_of(name):
 EXPERIMENT = {
     "format": "chain-experiment/1", "name": "all keys",
     "nominal": {"link_length": [0.3, 0.2], "joint_stiffness": [2.0, 1.5], "link_mass": [0.1, 0.1],
-                "gravity": [0.0, -9.81]},
+                "gravity": [0.0, -9.81], "rest": [0.4, -0.9],
+                "effect": [{"id": "backlash", "joint": 2, "parameters": {"b": 0.02}}]},
     "bench": {"gravity_plane": "vertical", "gravity_direction": [0.0, -1.0]},
     "noise": {"x": 0.001, "y": 0.001, "Fx": 0.02, "Fy": 0.02, "q": 0.001},
     "run": [{"id": "press", "control": "displacement", "rest": [0.4, -0.9], "samples": "press.csv"}],
@@ -43,10 +44,18 @@ EXPERIMENT = {
 SAMPLES = "t,x,y,Fx,Fy\n0,9,0,0,0\n1,9,0,0,0\n"
 
 
+def inline(value):
+    """A list and a text are written in TOML as in JSON; a table within a line with other signs."""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{key} = {inline(part)}" for key, part in value.items()) + " }"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(inline, value)) + "]"
+    return json.dumps(value)
+
+
 def toml(table):
-    """A list and a text are written in TOML as in JSON."""
     plain = {key: value for key, value in table.items() if not isinstance(value, dict) and key != "run"}
-    text = "".join(f"{key} = {json.dumps(value)}\n" for key, value in plain.items())
+    text = "".join(f"{key} = {inline(value)}\n" for key, value in plain.items())
     for key, value in table.items():
         if isinstance(value, dict):
             text += f"[{key}]\n{toml(value)}"
@@ -63,7 +72,8 @@ def changed(heading, change):
     """The experiment with one of its tables changed."""
     copy = json.loads(json.dumps(EXPERIMENT))
     name = heading.strip("[]")
-    change(copy["run"][0] if name == "run" else copy.get(name, copy))
+    places = {"run": copy["run"][0], "nominal.effect": copy["nominal"]["effect"][0]}
+    change(places[name] if name in places else copy.get(name, copy))
     return copy
 
 
@@ -80,7 +90,7 @@ def experiments(folder):
             without = changed(heading, lambda table, key=key: table.pop(key))
             assert ("no such key" in experiment_fault(folder, without)) == (key in required), f"{heading} {key}"
             assert Draft202012Validator(schema).is_valid(without) == (key not in required), f"schema, {heading} {key}"
-        node = {"Top level": schema, "[[run]]": schema["$defs"]["run"]}.get(heading)
+        node = {"Top level": schema, "[[run]]": schema["$defs"]["run"], "[[nominal.effect]]": schema["$defs"]["effect"]}.get(heading)
         node = node or schema["properties"][heading.strip("[]")]
         assert set(node["properties"]) == named and set(node.get("required", [])) == required, heading
     columns, required = documented(EXPERIMENTS, "Sample files")

@@ -93,7 +93,7 @@ def reports(folder):
     verdicts = {}
     for name in ("no-gap", "ripple", "drag", "one-spring"):
         verdicts[name] = written("diagnose", name, folder=folder)
-    bundled = written("diagnose", "--next", folder=folder)
+    bundled = written("diagnose", "--next", "--corrected", "corrected.toml", folder=folder)
     found = {name: report["cause"]["verdict"] for name, report in verdicts.items()}
     assert found == {"no-gap": "none", "ripple": "unknown", "drag": "unknown", "one-spring": "ambiguous"}, found
     assert bundled["cause"]["verdict"] == "identified"

@@ -33,10 +33,10 @@ std::vector<Effect> single_runs() {
        .add =
            [](const Addition& to) {
              const double* next = to.value;
-             for (std::size_t r = 0; r < to.sizes.runs; ++r) {
-               std::vector<double>& rest = to.rig.run_rest.emplace_back(to.rig.length.size(), 0.0);
+             to.rig.run_rest.resize(to.sizes.runs, std::vector<double>(to.rig.length.size(), 0.0));
+             for (std::vector<double>& rest : to.rig.run_rest) {
                for_each_elastic({to.rig, 0, to.sizes, to.down, next}, [&](std::size_t i, double a) {
-                 rest[i] = a;
+                 rest[i] += a;
                  ++next;
                });
              }
@@ -60,8 +60,9 @@ std::vector<Effect> single_runs() {
            },
        .add =
            [](const Addition& to) {
+             to.rig.run_tare.resize(to.sizes.runs, Vector2::Zero());
              for (std::size_t r = 0; r < to.sizes.runs; ++r)
-               to.rig.run_tare.emplace_back(to.value[2 * r], to.value[2 * r + 1]);
+               to.rig.run_tare[r] += Vector2(to.value[2 * r], to.value[2 * r + 1]);
            },
        .possible =
            [](const Place& at) {

@@ -1,0 +1,34 @@
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "app/verbs.hpp"
+#include "exchange/read_model.hpp"
+#include "exchange/toml.hpp"
+
+namespace plumbline::app {
+namespace {
+
+void run(const std::string& file) {
+  const exchange::PlanarChain read = exchange::read_model(file);
+  exchange::Model model{
+      "The planar elastic chain of " + std::filesystem::path(file).filename().string(), {}, {}, {}};
+  static_cast<diagnose::NominalChain&>(model.experiment) = read.chain;
+  std::string notes;
+  for (const std::string& note : read.notes) notes += "# " + note + "\n";
+  fmt::print("{}{}", notes, exchange::to_toml(model).text);
+}
+
+}  // namespace
+
+void add_chain(CLI::App& app) {
+  CLI::App* verb =
+      app.add_subcommand("chain", "The planar elastic chain of a simulator's model, as our TOML");
+  const auto file = std::make_shared<std::string>();
+  verb->add_option("model", *file, "A model: .xml (MJCF), .urdf, .sdf, or .toml")
+      ->type_name("FILE")
+      ->required();
+  verb->callback([file] { run(*file); });
+}
+
+}  // namespace plumbline::app

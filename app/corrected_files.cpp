@@ -1,0 +1,54 @@
+#include "app/corrected_files.hpp"
+
+#include <fmt/core.h>
+
+namespace plumbline::app {
+namespace {
+
+constexpr const char* option = "--corrected";
+
+}  // namespace
+
+CorrectedFiles::CorrectedFiles(Outputs& outputs, std::filesystem::path path)
+    : outputs_(outputs), path_(std::move(path)) {
+  if (!wanted()) return;
+  static_cast<void>(exchange::format_of(path_));
+  alone_ = outputs_.open(option, path_);
+}
+
+void CorrectedFiles::write(const std::vector<exchange::Corrected>& models) {
+  if (!wanted()) return;
+  if (models.size() > 1) outputs_.withdraw(alone_);
+  for (const exchange::Corrected& one : models) {
+    std::filesystem::path path = path_;
+    if (!one.cause.empty())
+      path.replace_filename(path_.stem().string() + "-" + one.cause + path_.extension().string());
+    files::OutputFile* const file = models.size() > 1 ? outputs_.open(option, path) : alone_;
+    exchange::Written model = exchange::written(one.model, exchange::format_of(path_));
+    file->write(model.text);
+    written_.push_back({path, std::move(model.effects)});
+  }
+}
+
+nlohmann::ordered_json CorrectedFiles::as_json() const {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const Named& file : written_) {
+    nlohmann::ordered_json effects = nlohmann::ordered_json::array();
+    for (const exchange::Carried& one : file.effects)
+      effects.push_back({{"effect", one.effect}, {"carried", one.carried}, {"how", one.how}});
+    all.push_back({{"file", file.path.string()}, {"effects", effects}});
+  }
+  return all;
+}
+
+std::string CorrectedFiles::as_text() const {
+  std::string text;
+  for (const Named& file : written_) {
+    text += fmt::format("\nCorrected model: {}\n", file.path.string());
+    for (const exchange::Carried& one : file.effects)
+      text += fmt::format("  {}{}: {}\n", one.carried ? "" : "not carried: ", one.effect, one.how);
+  }
+  return text;
+}
+
+}  // namespace plumbline::app

@@ -1,0 +1,32 @@
+#pragma once
+/// \file
+/// The nominal chain: the simulator whose gap is diagnosed, with what it is already known to do besides.
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace plumbline::diagnose {
+
+/// An effect of the catalogue that the nominal model includes, at these values in the catalogue's units.
+struct NominalEffect {
+  std::string id;
+  std::size_t joint = 0;  ///< from 1; 0 where the effect is not at one joint
+  std::map<std::string, double> parameters;
+  friend bool operator==(const NominalEffect&, const NominalEffect&) = default;
+
+  /// "backlash(2)"
+  [[nodiscard]] std::string label() const { return joint > 0 ? id + "(" + std::to_string(joint) + ")" : id; }
+};
+
+/// SI units, radians; lists are by link or joint.
+struct NominalChain {
+  std::vector<double> link_length, joint_stiffness, link_mass;
+  std::array<double, 2> gravity{0, 0};  ///< the in-plane acceleration that it includes
+  std::vector<double> rest;             ///< angles of the unloaded joints where a run names none; or empty
+  std::vector<NominalEffect> effects;
+};
+
+}  // namespace plumbline::diagnose

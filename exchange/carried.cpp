@@ -1,0 +1,86 @@
+#include "exchange/carried.hpp"
+
+#include <algorithm>
+
+#include "diagnose/model/nominal.hpp"
+#include "exchange/ways.hpp"
+
+namespace plumbline::exchange {
+namespace {
+
+using diagnose::NominalEffect, diagnose::Rig, diagnose::Vector2;
+
+Rig rig_with(const Model& model, const std::vector<NominalEffect>& effects) {
+  diagnose::Experiment part = model.experiment;
+  part.effects = effects;
+  part.run_count = part.runs.size();
+  return diagnose::nominal_rig(part);
+}
+
+/// Whether all that weighs is pulled the same way, as one gravity does.
+bool one_gravity(const Rig& rig) {
+  Vector2 total = rig.payload;
+  for (const Vector2& weight : rig.weight) total += weight;
+  const double rounding = 1e-9 * total.norm();
+  const auto along = [&](const Vector2& weight) {
+    return weight.norm() * total.norm() - weight.dot(total) <= rounding * total.norm();
+  };
+  return along(rig.payload) && std::all_of(rig.weight.begin(), rig.weight.end(), along);
+}
+
+/// Whether every spring still pulls back after what neighbours share is taken off it.
+bool springs_left(const Rig& rig) {
+  const std::size_t n = rig.length.size();
+  for (std::size_t j = 0; j < n; ++j) {
+    const double neighbours = (j > 0 ? 1 : 0) + (j + 1 < n ? 1 : 0);
+    if (rig.stiffness[j] * (1 - std::abs(rig.asymmetry)) < neighbours * std::abs(rig.coupling)) return false;
+  }
+  return true;
+}
+
+/// What stands against an effect beside those that are carried already; nothing where it goes.
+std::string_view against(Format format, const NominalEffect& effect, const Rig& rig) {
+  if ((effect.id == "gravity" || effect.id == "tip_payload") && !one_gravity(rig))
+    return "weights in several directions";
+  const bool plays = std::any_of(rig.backlash.begin(), rig.backlash.end(), [](double b) { return b > 0; });
+  if (rig.coupling != 0 && (!springs_left(rig) || plays))
+    return "springs that neighbours share leave a joint without one of its own";
+  if (format == Format::mjcf || !plays) return "";
+  if (std::any_of(rig.stop.begin(), rig.stop.end(), [](double s) { return std::isfinite(s); }))
+    return "a joint with play has no stop in this format";
+  if (std::any_of(rig.friction.begin(), rig.friction.end(), [](double f) { return f > 0; }))
+    return "a joint with play has no dry friction in this format";
+  return "";
+}
+
+}  // namespace
+
+std::vector<Carried> what_is_carried(const Model& model, Format format) {
+  std::vector<Carried> all;
+  std::vector<NominalEffect> so_far;
+  for (const NominalEffect& effect : model.experiment.effects) {
+    const Way way = way_of(format, effect.id);
+    Carried one{effect.label(), way.carried, std::string(way.how)};
+    if (way.carried) {
+      so_far.push_back(effect);
+      if (const std::string_view reason = against(format, effect, rig_with(model, so_far)); !reason.empty()) {
+        one = {effect.label(), false, std::string(reason)};
+        so_far.pop_back();
+      }
+    }
+    all.push_back(std::move(one));
+  }
+  if (!model.laws.empty())
+    all.push_back(
+        {"torque_law", false, "joints of this format know no free torque law: the table in the comment"});
+  return all;
+}
+
+Rig carried_rig(const Model& model, const std::vector<Carried>& effects) {
+  std::vector<NominalEffect> own;
+  for (std::size_t e = 0; e < model.experiment.effects.size(); ++e)
+    if (effects[e].carried) own.push_back(model.experiment.effects[e]);
+  return rig_with(model, own);
+}
+
+}  // namespace plumbline::exchange

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// A model to be written for a simulator: a chain with the effects that it is known to have.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "diagnose/answers/offered_law.hpp"
+#include "diagnose/model/rig.hpp"
+
+namespace plumbline::exchange {
+
+struct Model {
+  std::string title;  ///< one line, for the head of the file
+  /// The nominal chain with the effects, and the bench; the runs say what the effects act on.
+  diagnose::Experiment experiment;
+  std::vector<double> rest;                ///< the unloaded shape that the file shows
+  std::vector<diagnose::LawPicture> laws;  ///< free torque laws beside the effects, where no cause is known
+};
+
+/// What became of one effect in a file.
+struct Carried {
+  std::string effect;  ///< "backlash(2)", or "torque_law"
+  bool carried;
+  std::string how;  ///< as what, or why not
+};
+
+/// The text of a model in some format.
+struct Written {
+  std::string text;
+  std::vector<Carried> effects;
+};
+
+/// What stands at the head of a file: the title, remarks on the format, what became of each effect, laws.
+std::vector<std::string> head_lines(const Model& model, const std::vector<Carried>& effects,
+                                    const std::vector<std::string>& remarks = {});
+
+}  // namespace plumbline::exchange

@@ -1,0 +1,246 @@
+#include "exchange/tree.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <functional>
+
+namespace plumbline::exchange {
+namespace {
+
+using diagnose::Rig, diagnose::Vector2;
+
+constexpr double speck = 1e-6;  // kg: of a body that weighs nothing
+constexpr std::array<double, 3> gauss_place{0.1127016653792583, 0.5, 0.8872983346207417};
+constexpr std::array<double, 3> gauss_weight{5.0 / 18, 4.0 / 9, 5.0 / 18};
+
+Pair pair(const Vector2& v) {
+  return {v.x(), v.y()};
+}
+
+class Builder {
+ public:
+  Builder(const Rig& rig, const Model& model, const Means& means)
+      : rig_(rig), rest_(model.rest), means_(means) {
+    double sum = 0, elastic = 0;
+    for (const double k : rig.stiffness) sum += k, elastic += k > 0;
+    typical_ = elastic > 0 ? sum / elastic : 1;
+    for (std::size_t i = 0; i < rest_.size(); ++i)
+      rest_[i] = rest_[i] * std::exp(-rig.capstan * static_cast<double>(i)) + rig.rest_error[i];
+    weigh(model.experiment);
+  }
+
+  Tree result() {
+    base();
+    for (std::size_t j = 0; j < rig_.length.size(); ++j) link(j);
+    tree_.tip = here_;
+    tree_.end = {at_, 0};
+    tree_.load = {at_, rig_.eccentricity};
+    if (rig_.payload.norm() > 0)
+      tree_.bodies.push_back({"payload", here_, {at_, 0}, rig_.payload.norm() / gravity_, 0, 0, {}});
+    couple();
+    return std::move(tree_);
+  }
+
+ private:
+  /// Gravity along what weighs, as strong as the nominal model's or the catalogue's; masses follow.
+  void weigh(const diagnose::Experiment& experiment) {
+    const Vector2 own(experiment.gravity[0], experiment.gravity[1]);
+    Vector2 total = rig_.payload;
+    for (const Vector2& weight : rig_.weight) total += weight;
+    gravity_ = own.norm() > 0 ? own.norm() : diagnose::standard_gravity;
+    const bool weighs = total.norm() > 0;
+    for (std::size_t j = 0; j < rig_.length.size(); ++j)
+      mass_.push_back(weighs ? rig_.weight[j].norm() / gravity_ : experiment.link_mass[j]);
+    if (weighs) tree_.gravity = pair(gravity_ / total.norm() * total);
+  }
+
+  [[nodiscard]] Hinge hinge(const std::string& name, double stiffness, double rest = 0) const {
+    Hinge one{name};
+    const double felt = stiffness > 0 ? stiffness : typical_;
+    one.stiffness = stiffness;
+    one.rest = rest;
+    one.armature = felt * response_time * response_time;
+    one.damping = 2 * felt * response_time;
+    return one;
+  }
+
+  void add(const std::string& name, Pair place, std::optional<Hinge> joint) {
+    tree_.bodies.push_back({name, here_, place, speck, 0, 0, std::move(joint)});
+    here_ = name;
+    at_ = 0;
+  }
+
+  void slide(const std::string& name, char along, double stiffness) {
+    Hinge one = hinge(name, stiffness);
+    one.along = along;
+    add(name + "_slide", {at_, 0}, std::move(one));
+  }
+
+  void base() {
+    add("base", {0 - rig_.position_offset.x(), 0 - rig_.position_offset.y()}, {});
+    const Vector2 yields = rig_.base_compliance + Vector2(rig_.train_compliance, 0);
+    if (yields.x() > 0) slide("base_x", 'x', 1 / yields.x());
+    if (yields.y() > 0) slide("base_y", 'y', 1 / yields.y());
+  }
+
+  void link(std::size_t j) {
+    joint(j);
+    const double length = rig_.length[j];
+    if (rig_.flexibility > 0) {
+      beam(j);
+    } else {
+      weight(j, length / 2);
+      tree_.bodies.back().length = length;
+      at_ = length;
+    }
+    if (rig_.axial > 0) slide(fmt::format("stretch{}", j + 1), 'x', 1 / (rig_.axial * length));
+  }
+
+  void weight(std::size_t j, double middle) {
+    if (!(mass_[j] > 0)) return;
+    tree_.bodies.back().mass = mass_[j];
+    tree_.bodies.back().middle = middle;
+  }
+
+  /// A link that bends: three hinges at the points of Gauss, as stiff as what each stands for.
+  void beam(std::size_t j) {
+    const double length = rig_.length[j];
+    double behind = 0;
+    for (std::size_t g = 0; g < 3; ++g) {
+      tree_.bodies.back().length = (gauss_place[g] - behind) * length;
+      const std::string name = fmt::format("bend{}_{}", j + 1, g + 1);
+      add(name, {(gauss_place[g] - behind) * length, 0},
+          hinge(name, 1 / (rig_.flexibility * gauss_weight[g] * length)));
+      if (g == 1) weight(j, 0);
+      turning_.push_back(name);
+      behind = gauss_place[g];
+    }
+    tree_.bodies.back().length = (1 - behind) * length;
+    at_ = (1 - behind) * length;
+  }
+
+  /// The joint of link j, and what acts beside its spring.
+  void joint(std::size_t j) {
+    const std::string name = fmt::format("q{}", j + 1), parent = here_;
+    const Pair place{at_, 0};
+    const double k = rig_.stiffness[j], asymmetric = std::abs(rig_.asymmetry);
+    Hinge own = hinge(name, k * (1 - asymmetric) - shared(j), rest_[j]);
+    own.armature = (k > 0 ? k : typical_) * response_time * response_time;
+    own.damping = 2 * (k > 0 ? k : typical_) * response_time;
+    const bool plays = rig_.backlash[j] > 0,
+               stops = std::isfinite(rig_.stop[j]) && rig_.stop_stiffness[j] > 0;
+    if (!plays && k > 0) own.friction = rig_.friction[j];
+    if (stops && means_.soft_ranges && !plays) {
+      own.range = {rest_[j] - rig_.stop[j], rest_[j] + rig_.stop[j]};
+      own.range_stiffness = rig_.stop_stiffness[j];
+    }
+    sum_.push_back({name});
+    if (plays) {
+      Hinge play = hinge(name + "_play", 0);
+      play.range = {-rig_.backlash[j], rig_.backlash[j]};
+      add(fmt::format("play{}", j + 1), place, std::move(play));
+      add(fmt::format("link{}", j + 1), {0, 0}, std::move(own));
+      sum_.back().push_back(name + "_play");
+      if (k > 0 && rig_.friction[j] > 0) tendon(name + "_dry", sum_.back(), 0, rig_.friction[j]);
+    } else {
+      add(fmt::format("link{}", j + 1), place, std::move(own));
+    }
+    for (const std::string& one : sum_.back()) turning_.push_back(one);
+    beside(j, parent, place);
+  }
+
+  /// What the springs that neighbours share take off a joint's own.
+  [[nodiscard]] double shared(std::size_t j) const {
+    const std::size_t n = rig_.length.size();
+    const double neighbours = (j > 0 ? 1 : 0) + (j + 1 < n ? 1 : 0);
+    return std::abs(rig_.coupling) * neighbours;
+  }
+
+  /// A second hinge beside a joint, and a spring between the two: it carries what the second hinge holds.
+  void arm(const std::string& name, const std::vector<std::string>& beside, const std::string& parent,
+           Pair place, double stiffness, const std::function<void(Hinge&)>& holds) {
+    Hinge second = hinge(name, 0);
+    second.armature = stiffness * response_time * response_time;
+    second.damping = 2 * stiffness * response_time;
+    holds(second);
+    tree_.bodies.push_back({name + "_arm", parent, place, speck, 0, 0, std::move(second)});
+    Tendon& spring = tendon(name, beside, stiffness, 0);
+    spring.joints.emplace_back(name, -1);
+  }
+
+  Tendon& tendon(const std::string& name, const std::vector<std::string>& joints, double stiffness,
+                 double friction) {
+    Tendon& one = tree_.tendons.emplace_back(Tendon{name, {}, stiffness, friction});
+    for (const std::string& joint : joints) one.joints.emplace_back(joint, 1);
+    return one;
+  }
+
+  void beside(std::size_t j, const std::string& parent, Pair place) {
+    const std::string name = fmt::format("q{}", j + 1);
+    const std::vector<std::string>& all = sum_.back();
+    const double k = rig_.stiffness[j], s = rig_.stop[j], far = 1e3;
+    if (means_.tendons && std::isfinite(s) && rig_.stop_stiffness[j] > 0)
+      arm(name + "_stop", all, parent, place, rig_.stop_stiffness[j], [&](Hinge& one) {
+        one.range = {-s, s};
+      });
+    if (rig_.asymmetry != 0 && k > 0)
+      arm(name + "_side", {name}, parent, place, 2 * k * std::abs(rig_.asymmetry), [&](Hinge& one) {
+        one.range = rig_.asymmetry > 0 ? Pair{-far, 0} : Pair{0, far};
+      });
+    for (std::size_t a = 0; a < rig_.arms.size() && k > 0; ++a) {
+      const double stiffness = rig_.arms[a].ratio * k;
+      if (stiffness > 0)
+        arm(fmt::format("{}_relax{}", name, a + 1), all, parent, place, stiffness,
+            [&](Hinge& one) { one.damping = stiffness * rig_.arms[a].time; });
+    }
+    for (std::size_t e = 0; e < rig_.sliders[j].size() && k > 0; ++e) {
+      const diagnose::Slider& slider = rig_.sliders[j][e];
+      if (slider.ratio > 0)
+        arm(fmt::format("{}_slip{}", name, e + 1), all, parent, place, slider.ratio * k,
+            [&](Hinge& one) { one.friction = slider.yield; });
+    }
+    if (const double c = rig_.hardening[j]; c != 0 && k > 0) follow(name, parent, rest_[j], k * c);
+  }
+
+  /// The potential kc d^4 / 4: a slide that is at d^4, pulled back by a constant force.
+  void follow(const std::string& hinge_name, const std::string& parent, double rest, double kc) {
+    const double r = rest;
+    const std::string name = hinge_name + "_cubic";
+    Hinge own{name};
+    own.along = 'x';
+    own.armature = typical_ * response_time * response_time;
+    tree_.bodies.push_back({name + "_slide", parent, {0, 0}, speck, 0, 0, own});
+    tree_.followers.push_back(
+        {name, hinge_name, {r * r * r * r, -4 * r * r * r, 6 * r * r, -4 * r, 1}, -kc / 4});
+  }
+
+  /// What couples joints with each other.
+  void couple() {
+    const double kappa = rig_.coupling;
+    for (std::size_t j = 0; j + 1 < sum_.size() && kappa != 0; ++j) {
+      Tendon& one = tendon(fmt::format("shared{}", j + 1), sum_[j], std::abs(kappa), 0);
+      for (const std::string& next : sum_[j + 1]) one.joints.emplace_back(next, kappa > 0 ? -1 : 1);
+    }
+    if (rig_.tip_stiffness > 0) tendon("tip", turning_, rig_.tip_stiffness, 0);
+  }
+
+  const Rig& rig_;
+  std::vector<double> rest_;
+  Means means_;
+  double typical_ = 1, gravity_ = 0;
+  std::vector<double> mass_;
+  Tree tree_;
+  std::string here_;                           ///< the body that carries the next
+  double at_ = 0;                              ///< and where on it
+  std::vector<std::vector<std::string>> sum_;  ///< by joint: the hinges whose angles add up to its own
+  std::vector<std::string> turning_;           ///< those that turn the last link
+};
+
+}  // namespace
+
+Tree tree_of(const Rig& rig, const Model& model, const Means& means) {
+  return Builder(rig, model, means).result();
+}
+
+}  // namespace plumbline::exchange

@@ -1,0 +1,73 @@
+#pragma once
+/// \file
+/// A chain as simulators of bodies have it: a tree of bodies and hinges in the plane, and what couples them.
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exchange/model.hpp"
+
+namespace plumbline::exchange {
+
+using Pair = std::array<double, 2>;
+
+/// A hinge about z, or a slide along x or y.
+struct Hinge {
+  std::string name;
+  char along = 'z';  ///< 'z': hinge; 'x', 'y': slide
+  double stiffness = 0, rest = 0;
+  double friction = 0;  ///< torque at which it slips
+  double damping = 0, armature = 0;
+  std::optional<Pair> range = {};
+  double range_stiffness = 0;  ///< beyond the range; 0: hard
+};
+
+/// Moves by its joint against the body that carries it.
+struct Body {
+  std::string name, parent;     ///< of the world: no parent
+  Pair place{0, 0};             ///< in the frame of the parent
+  double mass = 0, middle = 0;  ///< centre of mass, along x
+  double length = 0;            ///< to be drawn; 0 where it is a point
+  std::optional<Hinge> joint = {};
+};
+
+/// A spring on a weighted sum of joints, at ease in the unloaded shape.
+struct Tendon {
+  std::string name;
+  std::vector<std::pair<std::string, double>> joints;
+  double stiffness = 0, friction = 0;
+};
+
+/// A slide, under a constant force, that follows a polynomial of a hinge's angle: a spring of any potential.
+struct Follower {
+  std::string slide, hinge;
+  std::array<double, 5> polynomial;
+  double force;
+};
+
+struct Tree {
+  Pair gravity{0, 0};
+  std::vector<Body> bodies;  ///< parents first
+  std::vector<Tendon> tendons;
+  std::vector<Follower> followers;
+  std::string tip;             ///< the body of the last link
+  Pair end{0, 0}, load{0, 0};  ///< the end point, and where forces act on it, in its frame
+};
+
+/// What a format has besides bodies and joints.
+struct Means {
+  bool tendons = false;      ///< and followers
+  bool soft_ranges = false;  ///< a range that yields by a stiffness
+};
+
+/// The tree of a rig whose effects the format can carry.
+/// \param down  of gravity where nothing in the rig weighs
+Tree tree_of(const diagnose::Rig& rig, const Model& model, const Means& means);
+
+/// How fast joints settle, s: dynamics of the written model, of which statics knows nothing.
+inline constexpr double response_time = 0.02;
+
+}  // namespace plumbline::exchange

@@ -1,0 +1,107 @@
+#include "exchange/ways.hpp"
+
+#include <map>
+#include <plumbline/base/error.hpp>
+
+namespace plumbline::exchange {
+namespace {
+
+constexpr Way stiffness{true, "as the stiffness of the joints"};
+constexpr Way springref{true, "as the angles at which the springs are at ease"};
+constexpr Way rest_shape{true,
+                         "as the angles at which the springs are at ease, in the rest shape of the file"};
+constexpr Way place{true, "as the places of the bodies"};
+constexpr Way weight{true, "as masses and gravity"};
+constexpr Way base{true, "as slides on springs under the base"};
+constexpr Way base_alike{true, "as a slide on a spring under the base, which answers the same"};
+constexpr Way two_hinges{true, "as two hinges in series, one of them with a range"};
+constexpr Way frictionloss{true, "as the dry friction of the joints"};
+constexpr Way stop{true, "as a hinge with a range and a spring between it and the joint"};
+constexpr Way range{true, "as the range of the joint, which yields by the stop's stiffness"};
+constexpr Way side{true, "as a hinge held on one side and a spring between it and the joint"};
+constexpr Way maxwell{true, "as a damped hinge and a spring between it and the joint"};
+constexpr Way jenkins{true, "as a hinge with dry friction and a spring between it and the joint"};
+constexpr Way quartic{true,
+                      "as a slide under a constant force that follows the fourth power of the deflection"};
+constexpr Way shared{true, "as springs on sums of joint angles"};
+constexpr Way stretch{true, "as a slide on a spring in every link"};
+constexpr Way beam{true, "as three hinges on springs in every link, at the points of Gauss"};
+constexpr Way load_site{true, "as the site load, where forces act"};
+constexpr Way offset{true, "as the place of the base"};
+
+constexpr Way cell{false, "of the load cell, not of the chain"};
+constexpr Way bench{false, "of the bench's drive, not of the chain"};
+constexpr Way runs{false, "differs from run to run"};
+constexpr Way linear{false, "springs of this format are linear"};
+constexpr Way constant{false, "dry friction of this format does not grow with the deflection"};
+constexpr Way no_set{false, "rest angles of this format do not move"};
+constexpr Way no_coupling{false, "joints of this format are not coupled"};
+constexpr Way no_point{false, "this format has no place for where a force acts"};
+
+/// Rows that any simulator of bodies carries, or none.
+const std::map<std::string_view, Way>& everywhere() {
+  static const std::map<std::string_view, Way> all{{"joint_stiffness", stiffness},
+                                                   {"stiffness_scale", stiffness},
+                                                   {"stiffness_spread", stiffness},
+                                                   {"rest_angle", springref},
+                                                   {"rest_offset", springref},
+                                                   {"rest_spread", springref},
+                                                   {"tendon_friction", rest_shape},
+                                                   {"link_length", place},
+                                                   {"length_scale", place},
+                                                   {"length_spread", place},
+                                                   {"gravity", weight},
+                                                   {"tip_payload", weight},
+                                                   {"base_compliance", base},
+                                                   {"train_compliance", base_alike},
+                                                   {"backlash", two_hinges},
+                                                   {"play", two_hinges},
+                                                   {"joint_friction", frictionloss},
+                                                   {"friction_spread", frictionloss},
+                                                   {"axial_compliance", stretch},
+                                                   {"link_bending", beam},
+                                                   {"position_offset", offset},
+                                                   {"force_bias", cell},
+                                                   {"force_gain", cell},
+                                                   {"cross_talk", cell},
+                                                   {"sensor_drift", cell},
+                                                   {"saturation", cell},
+                                                   {"sensor_lag", cell},
+                                                   {"rail_misalignment", bench},
+                                                   {"guide_friction", bench},
+                                                   {"run_rest", runs},
+                                                   {"run_tare", runs},
+                                                   {"load_friction", constant},
+                                                   {"plastic_set", no_set}};
+  return all;
+}
+
+/// What takes a format that couples joints.
+const std::map<std::string_view, Way>& coupled() {
+  static const std::map<std::string_view, Way> all{
+      {"nonlinear_spring", quartic}, {"hardening_spread", quartic}, {"joint_stop", stop},
+      {"joint_stops", stop},         {"joint_coupling", shared},    {"tip_stiffness", shared},
+      {"viscoelasticity", maxwell},  {"asymmetric_spring", side},   {"relaxation_spectrum", maxwell},
+      {"hysteresis", jenkins},       {"eccentric_load", load_site}};
+  return all;
+}
+
+Way without_coupling(Format format, std::string_view effect) {
+  if (effect == "joint_stop" || effect == "joint_stops")
+    return format == Format::sdf ? range : Way{false, "a range of this format has no stiffness"};
+  if (effect == "nonlinear_spring" || effect == "hardening_spread" || effect == "asymmetric_spring")
+    return linear;
+  return effect == "eccentric_load" ? no_point : no_coupling;
+}
+
+}  // namespace
+
+Way way_of(Format format, std::string_view effect) {
+  if (format == Format::toml) return {true, "as [[nominal.effect]]"};
+  if (const auto found = everywhere().find(effect); found != everywhere().end()) return found->second;
+  const auto found = coupled().find(effect);
+  if (found == coupled().end()) throw Error("effect", std::string(effect), "an id of the effect catalogue");
+  return format == Format::mjcf ? found->second : without_coupling(format, effect);
+}
+
+}  // namespace plumbline::exchange

@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// XML to be written.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace plumbline::exchange {
+
+/// A number, and several of them, as attributes have them.
+std::string number(double value);
+std::string numbers(const std::vector<double>& values);
+
+class Xml {
+ public:
+  explicit Xml(std::string name) : name_(std::move(name)) {}
+
+  Xml& set(const std::string& key, const std::string& value) {
+    attributes_.emplace_back(key, value);
+    return *this;
+  }
+  Xml& add(Xml child) {
+    children_.push_back(std::move(child));
+    return *this;
+  }
+  Xml& content(std::string text) {
+    text_ = std::move(text);
+    return *this;
+  }
+  /// An element with text alone.
+  Xml& add(const std::string& name, const std::string& text) {
+    children_.emplace_back(name).text_ = text;
+    return *this;
+  }
+  [[nodiscard]] std::string text(std::size_t depth) const;
+
+ private:
+  std::string name_, text_;
+  std::vector<std::pair<std::string, std::string>> attributes_;
+  std::vector<Xml> children_;
+};
+
+/// A file: the declaration, a comment with these lines, the root.
+std::string document(const std::vector<std::string>& lines, const Xml& root);
+
+}  // namespace plumbline::exchange

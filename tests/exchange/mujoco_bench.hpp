@@ -1,0 +1,155 @@
+#pragma once
+/// \file
+/// A written MJCF at work in MuJoCo: its end point is led slowly along a run's commands, or loaded by its
+/// forces.
+
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <plumbline/base/error.hpp>
+#include <string>
+#include <vector>
+
+#include "diagnose/model/history.hpp"
+
+namespace plumbline::exchange::test {
+
+/// When a reading is taken. Under an end point that is held MuJoCo's dry friction forgets what it carried, so
+/// that what slides is read on its slow way.
+enum class Pace { at_rest, on_the_way, by_the_clock };
+
+class MujocoBench {
+ public:
+  MujocoBench(const std::string& mjcf, Pace pace) : model_(load(mjcf), mj_deleteModel), pace_(pace) {
+    const int tip = model_->site_bodyid[site(*model_, "load")];
+    const std::string held = mj_id2name(model_.get(), mjOBJ_BODY, tip);
+    std::string with_hand = mjcf;
+    with_hand.insert(with_hand.find("</worldbody>"), "<body name=\"hand\" mocap=\"true\"/>");
+    with_hand.insert(with_hand.rfind("</mujoco>"), "<equality><connect name=\"hold\" body1=\"" + held +
+                                                       "\" body2=\"hand\" anchor=\"0 0 0\"/></equality>");
+    model_.reset(load(with_hand));
+    data_.reset(mj_makeData(model_.get()));
+    hold_ = mj_name2id(model_.get(), mjOBJ_EQUALITY, "hold");
+    const int load_site = site(*model_, "load");
+    for (int a = 0; a < 3; ++a) {
+      model_->eq_data[mjNEQDATA * hold_ + a] = model_->site_pos[3 * load_site + a];
+      model_->eq_data[mjNEQDATA * hold_ + 3 + a] = 0;
+    }
+  }
+
+  /// What would be read: x, y, Fx, Fy, q1 ... qn, a row a reading.
+  diagnose::Trace run(const diagnose::Run& run) {
+    const bool held = run.holds_end_point();
+    model_->eq_active[hold_] = held;
+    mj_resetData(model_.get(), data_.get());
+    std::copy_n(model_->qpos_spring, model_->nq, data_->qpos);
+    mj_forward(model_.get(), data_.get());
+    target_ = held ? end() : Eigen::Vector2d(0, 0);
+    diagnose::Trace trace(static_cast<Eigen::Index>(run.readings.size()),
+                          diagnose::column_q + static_cast<Eigen::Index>(run.rest.size()));
+    for (std::size_t r = 0; r < run.readings.size(); ++r) {
+      const double clock = r > 0 ? run.readings[r].t - run.readings[r - 1].t : 1;
+      move(run.command(run.readings[r]),
+           pace_ == Pace::by_the_clock ? clock
+           : pace_ == Pace::on_the_way ? slow_way
+                                       : 1,
+           held);
+      write(trace.row(static_cast<Eigen::Index>(r)), run, held);
+    }
+    return trace;
+  }
+
+ private:
+  static constexpr double slow_way = 8;  // s from reading to reading
+
+  static mjModel* load(const std::string& xml) {
+    mju_user_warning = [](const char*) {};
+    const auto files = std::make_unique<mjVFS>();
+    mj_defaultVFS(files.get());
+    mj_makeEmptyFileVFS(files.get(), "model.xml", static_cast<int>(xml.size()));
+    std::memcpy(files->filedata[0], xml.data(), xml.size());
+    std::array<char, 500> reason{};
+    mjModel* model = mj_loadXML("model.xml", files.get(), reason.data(), static_cast<int>(reason.size()));
+    mj_deleteVFS(files.get());
+    if (model == nullptr) throw Error(std::string("MuJoCo: ") + reason.data() + "\n" + xml);
+    return model;
+  }
+  static int site(const mjModel& model, const char* name) { return mj_name2id(&model, mjOBJ_SITE, name); }
+  [[nodiscard]] Eigen::Vector2d at(const char* name) const {
+    const mjtNum* place = data_->site_xpos + 3 * site(*model_, name);
+    return {place[0], place[1]};
+  }
+  [[nodiscard]] Eigen::Vector2d end() const { return at("end"); }
+
+  /// Moves at a steady rate; waits for rest only where readings are taken at rest.
+  void move(const Eigen::Vector2d& to, double seconds, bool held) {
+    const Eigen::Vector2d from = target_;
+    const double step = model_->opt.timestep;
+    const bool waits = pace_ == Pace::at_rest;
+    const int all = static_cast<int>(std::lround(seconds / step)), patience = waits ? 20 * all : all;
+    const double moving = (waits ? 0.5 : pace_ == Pace::by_the_clock ? 0.98 : 1) * all;
+    for (int s = 1; s <= patience; ++s) {
+      target_ = from + std::min(1.0, s / moving) * (to - from);
+      hold_or_push(held);
+      mj_step(model_.get(), data_.get());
+      double fastest = 0;
+      for (int v = 0; v < model_->nv; ++v) fastest = std::max(fastest, std::abs(data_->qvel[v]));
+      if (!std::isfinite(fastest)) throw Error("MuJoCo: the motion got out of hand");
+      if (s > all && fastest < 2e-5) break;
+    }
+    mj_forward(model_.get(), data_.get());
+  }
+
+  void hold_or_push(bool held) {
+    mj_kinematics(model_.get(), data_.get());
+    mj_comPos(model_.get(), data_.get());
+    const Eigen::Vector2d load = at("load"), beside = load - end();
+    if (held) {
+      data_->mocap_pos[0] = target_.x() + beside.x();
+      data_->mocap_pos[1] = target_.y() + beside.y();
+      return;
+    }
+    const std::array<mjtNum, 3> point{load.x(), load.y(), 0}, force{target_.x(), target_.y(), 0},
+        none{0, 0, 0};
+    std::fill_n(data_->qfrc_applied, model_->nv, 0.0);
+    mj_applyFT(model_.get(), data_.get(), force.data(), none.data(), point.data(),
+               model_->site_bodyid[site(*model_, "load")], data_->qfrc_applied);
+  }
+
+  template <class Row>
+  void write(Row row, const diagnose::Run& run, bool held) {
+    const Eigen::Vector2d point = held ? target_ : end();
+    Eigen::Vector2d force = target_;
+    if (held) {
+      // the rows of the connection, the first of its kind but for those of followers before it
+      for (int c = 0; c < data_->nefc; ++c)
+        if (data_->efc_type[c] == mjCNSTR_EQUALITY && data_->efc_id[c] == hold_) {
+          force = {data_->efc_force[c], data_->efc_force[c + 1]};
+          break;
+        }
+    }
+    row(diagnose::column_x) = point.x();
+    row(diagnose::column_y) = point.y();
+    row(diagnose::column_Fx) = force.x();
+    row(diagnose::column_Fy) = force.y();
+    for (std::size_t i = 0; i < run.rest.size(); ++i) {
+      double angle = 0;
+      for (const std::string& name : {"q" + std::to_string(i + 1), "q" + std::to_string(i + 1) + "_play"})
+        if (const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, name.c_str()); joint >= 0)
+          angle += data_->qpos[model_->jnt_qposadr[joint]];
+      row(diagnose::column_q + static_cast<Eigen::Index>(i)) = angle;
+    }
+  }
+
+  std::unique_ptr<mjModel, decltype(&mj_deleteModel)> model_;
+  std::unique_ptr<mjData, decltype(&mj_deleteData)> data_{nullptr, mj_deleteData};
+  Pace pace_;
+  int hold_ = 0;
+  Eigen::Vector2d target_ = Eigen::Vector2d::Zero();
+};
+
+}  // namespace plumbline::exchange::test
