@@ -225,7 +225,7 @@ bool Prover::prove(Points points, bool closed) {
   bend_.reset();
   slope_ = 0;
   least_.reset();
-  result_.pieces.push_back({{points.front()}, {}, {}, 0, 0});
+  result_.pieces.push_back({{points.front()}, {}, {}, {}, 0, 0});
   const std::size_t runs = result_.runs.size(), folds = result_.folds.size();
   std::reverse(points.begin(), points.end());
   BranchPoint<double> here = points.back();
@@ -247,6 +247,7 @@ bool Prover::prove(Points points, bool closed) {
     if (next && join(here, last ? *last : *next, *next)) {
       if (!account(*next, here)) return false;
       if (!first) first = next;
+      result_.pieces.back().tubes.push_back(next->tube.image);
       last = std::move(next);
       here = there;
       result_.pieces.back().points.push_back(here);

@@ -32,6 +32,9 @@ struct CertifiedRun {
 /// A regular piece: between neighbours among its points a tube is proved.
 struct ProvedPiece {
   std::vector<BranchPoint<double>> points;
+  /// So near is the curve to the chord between neighbours: theta_1 … theta_n, then Fx and Fy where the end
+  /// point is held, last the load.
+  std::vector<Vector<double>> tubes;
   std::vector<CertifiedRun> runs;
   std::vector<Span> folds;
   /// So near are the points to the curve: links in radians, forces as shares of max k / max L, deflections of
@@ -47,7 +50,7 @@ struct PathCertificate {
   std::vector<Span> gaps;  ///< loads around the bifurcations, where equilibria are not regular: not covered
   /// Loads of the symmetric bifurcation at the end, through which the next branch is proved to go on.
   std::optional<Span> fork;
-  bool symmetric = false;  ///< the chain has a symmetry, which may make its bifurcations
+  bool symmetric = false;         ///< the chain has a symmetry, which may make its bifurcations
   std::optional<Span> failed_at;  ///< loads where the first tube, or its type, is not proved
   std::string failure;            ///< why not
   bool finite = true;             ///< the tangent stiffness along the load is finite all along

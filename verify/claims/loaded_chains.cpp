@@ -63,6 +63,44 @@ std::string in_words(const proofs::PathCertificate& proved) {
   return words + (proved.stiff ? "; the force grows all along" : "");
 }
 
+/// States near a chord between two of them.
+struct ChordOfStates {
+  const BranchPoint<double>&a, &b;
+  const Vector<double>& tube;
+
+  /// What lies from a share of the chord to another.
+  [[nodiscard]] Interval between(double from, double to, double at_a, double at_b, double off) const {
+    const auto exactly = [](double x) { return Interval::from_double(x); };
+    const Interval share(Interval::End{from}, Interval::End{to}),
+        aside(Interval::End{-off}, Interval::End{off});
+    return exactly(at_a) + share * (exactly(at_b) - exactly(at_a)) + aside;
+  }
+
+  /// Whether something holds of all states there with a load in a range; halves the chord where it is not
+  /// certain.
+  [[nodiscard]] bool holds(double from, double to, double first, double last,
+                           const std::function<bool(const proofs::CertifiedEquilibrium&)>& asked) const {
+    const Interval load = between(from, to, a.load, b.load, tube(tube.size() - 1));
+    if (certainly_less(load, Interval::from_double(first)) ||
+        certainly_less(Interval::from_double(last), load))
+      return true;
+    proofs::CertifiedEquilibrium state;
+    Interval before(0);
+    for (Eigen::Index i = 0; i < a.theta.size(); ++i) {
+      const Interval theta = between(from, to, a.theta(i), b.theta(i), tube(i));
+      state.q.push_back(theta - before);
+      before = theta;
+    }
+    state.fx = between(from, to, a.force.x, b.force.x, tube(a.theta.size()));
+    state.fy = between(from, to, a.force.y, b.force.y, tube(a.theta.size() + 1));
+    if (asked(state)) return true;
+    constexpr double shortest = 1.0 / 1024;
+    if (to - from < shortest) return false;
+    const double middle = (from + to) / 2;
+    return holds(from, middle, first, last, asked) && holds(middle, to, first, last, asked);
+  }
+};
+
 /// The chain turned so that its unloaded end point lies on the x axis; possible with a passive base.
 Vector<double> unloaded_shape(const Chain<double>& chain) {
   std::vector<double> q = chain.rest();
@@ -182,6 +220,26 @@ std::size_t SlowPath::softest() const {
   if (!regular() || !proved[0].counted)
     throw Error("path", "an open number of minima of its stiffness", "a proved one");
   return proved[0].softest.size();
+}
+
+bool SlowPath::everywhere(const Rational& from, const Rational& to,
+                          const std::function<bool(const proofs::CertifiedEquilibrium&)>& holds) const {
+  const auto first = from_rational<double>(from), last = from_rational<double>(to);
+  for (const proofs::PathCertificate& one : proved) {
+    for (const proofs::ProvedPiece& piece : one.pieces) {
+      const bool covers = one.certified() && piece.runs.size() == 1 && piece.runs[0].from <= first &&
+                          last <= piece.runs[0].to;
+      if (!covers) continue;
+      for (std::size_t i = 0; i < piece.tubes.size(); ++i) {
+        // at a point two tubes meet, and the curve goes from one to the other in a box of its own
+        const Vector<double> tube = piece.tubes[i].array() + piece.absolute;
+        const ChordOfStates chord{piece.points[i], piece.points[i + 1], tube};
+        if (!chord.holds(0, 1, first, last, holds)) return false;
+      }
+      return true;
+    }
+  }
+  return false;
 }
 
 Evidence SlowPath::evidence() const {

@@ -2,6 +2,7 @@
 /// \file
 /// The loaded chains of sections 2 and 3: all their equilibria at a deflection, and their paths.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -67,6 +68,10 @@ struct SlowPath {
   [[nodiscard]] bool stiff() const;
   /// How many minima the tangent stiffness has along a regular path, proved. \throws Error where that is open
   [[nodiscard]] std::size_t softest() const;
+  /// Proved: what is asked holds of every state of one stretch between two deflections; the question is put
+  /// to enclosures of its joint angles and force, which may hold several states.
+  [[nodiscard]] bool everywhere(const Rational& from, const Rational& to,
+                                const std::function<bool(const proofs::CertifiedEquilibrium&)>& holds) const;
   /// What is proved of the stretches, in words.
   [[nodiscard]] Evidence evidence() const;
   /// The state at a deflection, to 64 digits.

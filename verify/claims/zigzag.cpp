@@ -10,6 +10,7 @@
 #include "proofs/exactly.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/loaded_chains.hpp"
+#include "verify/claims/three_link_plane.hpp"
 #include "verify/judging/comparison.hpp"
 
 namespace plumbline::verify {
@@ -152,44 +153,54 @@ Judgement softens(const Printed& printed, int) {
                     {{EvidenceKind::interval, next_to_bifurcation()}});
 }
 
+/// Where joint 2 straightens.
+const proofs::Located& arch() {
+  static const proofs::Located instance = straightens_at(path(), 1, Rational(42, 1000), Rational(3, 10));
+  return instance;
+}
+
 /// From which shape to which the chain changes where it buckles.
 Judgement change_of_shape(const Printed& printed, int digits) {
   const Rational before(4, 100), after(42, 1000);
   const std::string from = letter(reached(at_deflection(before), path(), before)),
                     to = letter(reached(at_deflection(after), path(), after));
   const bool right = printed.at(0) == from && printed.at(1) == to;
-  const proofs::Located arch = straightens_at(path(), 1, Rational(42, 1000), Rational(3, 10));
   const std::string later = letter(reached(at_deflection(Rational(3, 10)), path(), Rational(3, 10)));
   Judgement result{
       right ? Verdict::confirmed : Verdict::refuted,
       right ? ""
             : fmt::format("where it buckles the shape is {} before and {} after; a joint straightens, "
                           "and the shape is {}, not before {} L",
-                          from, to, later, arch.str(6)),
+                          from, to, later, arch().str(6)),
       {{EvidenceKind::interval,
         fmt::format("certified censuses at 0.04, 0.042 and 0.3 L: the slowly compressed chain is {}, {} "
                     "and {}",
                     from, to, later)},
        {EvidenceKind::mp50, "the joint angle's zero located in 64 digits"}},
       ""};
-  result.value = located(arch, digits);
+  result.value = located(arch(), digits);
   return result;
 }
 
+std::string first_signs(const proofs::CertifiedEquilibrium& one) {
+  return signs(one).substr(0, 2);
+}
+
 Judgement begins(const Printed& printed, int) {
-  bool one = true;
-  std::string pattern;
-  for (const Rational& d : {Rational(1, 100), Rational(2, 100), Rational(4, 100)}) {
-    const proofs::Census census = at_deflection(d);
-    one = one && types(census) == "1 stable, 1 unstable";
-    const std::string here = signs(reached(census, path(), d)).substr(0, 2);
-    pattern = pattern.empty() || pattern == here ? here : "changing";
-  }
+  const Rational some(1, 50), last(1, 25);
+  static const PlaneProof plane = prove_in_plane(fig8_chain(), unloaded_reach(fig8_chain()), 0, last);
+  const proofs::Census census = at_deflection(some);
+  const std::string pattern = first_signs(reached(census, path(), some));
+  const bool always =
+      plane.whole && types(census) == "1 stable, 1 unstable" &&
+      path().everywhere(0, last, [&](const auto& one) { return first_signs(one) == pattern; });
   return judge_word(
-      printed.at(0), one ? pattern : "changing", "the signs of the first two angles are " + pattern,
-      {Evidence::at_points("certified censuses at 0.01, 0.02 and 0.04 L: one stable shape, and the signs "
-                           "of phi and of the bend at joint 2 are " +
-                           pattern)});
+      printed.at(0), always ? pattern : "changing", "the signs of the first two angles are " + pattern,
+      {{EvidenceKind::interval, plane.text() + "; certified census at 0.02 L: " + types(census)},
+       {EvidenceKind::interval,
+        "proved branch from 0 to 0.04 L, in enclosures of all its states: the signs of phi and "
+        "of the bend at joint 2 are " +
+            pattern}});
 }
 
 /// Where the first angle passes zero.
@@ -254,31 +265,39 @@ Judgement later_angle(const Printed& printed, int digits) {
   return result;
 }
 
-/// A word for each state after the bifurcation, each time it changes: "++, then +-".
-std::string one_after_another(const std::function<std::string(const proofs::CertifiedEquilibrium&)>& word) {
-  std::string text, last;
-  for (const auto& one :
-       states(path(), {Rational(1, 10), Rational(1, 5), Rational(3, 10), Rational(9, 20), Rational(3, 5)})) {
-    const std::string here = word(one);
-    if (here != last) text += (text.empty() ? "" : ", then ") + here;
-    last = here;
-  }
-  return text;
+using Word = std::function<std::string(const proofs::CertifiedEquilibrium&)>;
+
+/// Proved: the word for all states from 0.07 L until just before joint 2 straightens, and that for all from
+/// just after it on; "++, then +-", or the one where they are the same.
+std::string one_after_another(const Word& word) {
+  const Rational at = proofs::exactly(arch()), next(1, 200), last(3, 5);
+  const auto of_all = [&](const Rational& from, const Rational& to) {
+    const std::string found = word(states(path(), {to}).front());
+    const bool always = path().everywhere(from, to, [&](const auto& one) { return word(one) == found; });
+    if (!always) throw Error("Fig. 9", "an open stretch of its path", "one word for all its states");
+    return found;
+  };
+  const std::string before = of_all(Rational(7, 100), Rational(at - next)),
+                    after = of_all(Rational(at + next), last);
+  return before == after ? before : before + ", then " + after;
 }
 
 /// Imprecise where what is printed is one of several.
 Judgement of_later_shapes(const std::string& printed, const std::string& found, const std::string& truth) {
   Judgement result = judge_word(
       printed, found, truth,
-      {Evidence::at_points(
-          "certified censuses at 0.1, 0.2, 0.3, 0.45 and 0.6 L, the slowly compressed chain: " + found)});
+      {{EvidenceKind::interval,
+        fmt::format(
+            "proved branch from 0.07 L to 0.005 L before joint 2 straightens at {} L, and from 0.005 L after "
+            "that to 0.6 L, in enclosures of all its states: {}",
+            arch().str(6), found)}});
   if (result.verdict == Verdict::refuted && (found + ",").starts_with(printed + ","))
     result.verdict = Verdict::imprecise;
   return result;
 }
 
 Judgement later_name(const Printed& printed, int) {
-  const std::string found = one_after_another([](const auto& one) { return letter(one); });
+  const std::string found = one_after_another(letter);
   Judgement result =
       of_later_shapes(printed.at(0), found,
                       found +
@@ -291,7 +310,7 @@ Judgement later_name(const Printed& printed, int) {
 }
 
 Judgement later_signs(const Printed& printed, int) {
-  const std::string found = one_after_another([](const auto& one) { return signs(one).substr(0, 2); });
+  const std::string found = one_after_another(first_signs);
   return of_later_shapes(printed.at(0), found,
                          "the signs of the first angle and of the bend at joint 2 are " + found);
 }
@@ -308,20 +327,15 @@ Judgement first_part(const Printed& printed, int) {
 }
 
 Judgement monotonic(const Printed& printed, int) {
-  Interval before(0);
-  bool grows = true;
-  for (int i = 1; i <= 12; ++i) {
-    const Rational d(i, 20);
-    const Interval now = -reached(at_deflection(d), path(), d).fx;
-    grows = grows && certainly_less(before, now);
-    before = now;
-  }
+  const Rational before(4, 100), after(42, 1000);
+  bool grows = certainly_less(-reached(at_deflection(before), path(), before).fx,
+                              -reached(at_deflection(after), path(), after).fx);
   for (const proofs::PathCertificate& stretch : path().proved)
     grows = grows && stretch.certified() && stretch.stiff;
-  return judge_word(
-      printed.at(0), grows ? "monotonic" : "not monotonic", "the force falls somewhere",
-      {Evidence::at_points("certified censuses at 0.05, 0.1 … 0.6 L: the force of the observed shape grows"),
-       path().evidence()});
+  return judge_word(printed.at(0), grows ? "monotonic" : "not monotonic", "the force falls somewhere",
+                    {path().evidence(),
+                     {EvidenceKind::interval,
+                      "certified censuses at 0.04 and 0.042 L: the force grows across the bifurcation too"}});
 }
 
 Judgement local_minimum(const Printed& printed, int) {
@@ -346,15 +360,13 @@ Judgement local_minimum(const Printed& printed, int) {
 Judgement keeps(const Printed& printed, int) {
   const auto& last = path().stretches.back();
   bool stays = path().stretches.size() == 2 && last.end == BranchEnd::load && path().proved.back().regular();
-  for (const Rational& d : {Rational(3, 10), Rational(45, 100), Rational(55, 100)}) {
-    const proofs::CertifiedEquilibrium here = reached(at_deflection(d), path(), d);
-    stays = stays && here.negative_directions == 0 && letter(here).front() == 'U';
-  }
+  stays = stays && path().everywhere(Rational(26, 100), Rational(3, 5),
+                                     [](const auto& one) { return letter(one).front() == 'U'; });
   return judge_word(
       printed.at(0), stays ? "keeps" : "leaves", "it leaves the U-shape",
-      {Evidence::at_points("certified censuses at 0.3, 0.45 and 0.55 L: the state of the slowly compressed "
-                           "chain is a stable U-shape"),
-       path().evidence()});
+      {path().evidence(),
+       {EvidenceKind::interval,
+        "in enclosures of all its states from 0.26 to 0.6 L both bends have one sign: a U-shape"}});
 }
 
 }  // namespace
