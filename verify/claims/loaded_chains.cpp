@@ -56,8 +56,8 @@ std::string in_words(const proofs::PathCertificate& proved) {
     words += proved.softens           ? "; the tangent stiffness falls all along"
              : proved.softest.empty() ? "; the tangent stiffness has no local minimum"
                                       : ", and nowhere else";
-  for (const proofs::Span& gap : proved.gaps)
-    words += "; not covered, a bifurcation or nearly one: " + text(gap, 8);
+  for (const proofs::Gap& gap : proved.gaps)
+    words += "; not covered, a bifurcation or nearly one: " + text(gap.loads, 8);
   if (proved.failed_at) words += "; not proved from " + text(*proved.failed_at, 8) + " on: " + proved.failure;
   if (!proved.finite) words += "; the tangent stiffness has poles";
   return words + (proved.stiff ? "; the force grows all along" : "");
