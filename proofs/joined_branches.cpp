@@ -115,8 +115,7 @@ JoinedBranches certify(const PathReport& report, const Chain<Interval>& chain,
     for (std::size_t i = 0; i < all.branches[b].gaps.size();) {
       const Gap gap = all.branches[b].gaps[i];
       if (joiner.close(b, gap, chain, loading, symmetries)) continue;
-      all.branches[b].gaps[i].unfolded =
-          unfolded(chain, loading, gap.crossing, joiner.reach(b, gap));
+      all.branches[b].gaps[i].unfolded = unfolded(chain, loading, gap.crossing, joiner.reach(b, gap));
       ++i;
     }
   }
