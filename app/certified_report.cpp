@@ -1,6 +1,8 @@
 #include "app/certified_report.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <set>
 
 namespace plumbline::app {
 
@@ -21,42 +23,44 @@ std::string_view title(const proofs::PathCertificate& one) {
 }
 
 std::string stiffness_elsewhere(const proofs::PathCertificate& one) {
-  std::string text = one.finite ? "" : "  the tangent stiffness is not finite all along: it has poles\n";
+  std::string text =
+      one.finite ? "" : "  the tangent stiffness is not proved finite all along: it may have poles\n";
   if (!one.counted) return text + "  how many local minima the tangent stiffness has stays open\n";
   if (!one.softest.empty()) return text;
   return text + (one.softens ? "  the tangent stiffness falls all along\n"
                              : "  the tangent stiffness has no local minimum\n");
 }
 
+nlohmann::ordered_json pair(const proofs::Span& loads) {
+  return {loads.low, loads.high};
+}
+
 nlohmann::ordered_json pairs(const std::vector<proofs::Span>& loads) {
   auto list = nlohmann::ordered_json::array();
-  for (const proofs::Span& load : loads) list.push_back({load.low, load.high});
+  for (const proofs::Span& load : loads) list.push_back(pair(load));
   return list;
+}
+
+/// The parts of the path that a fork joins to one of them.
+std::set<std::size_t> joined(const proofs::ProvedFork& fork) {
+  std::set<std::size_t> parts;
+  for (const auto* ends : {&fork.symmetric, &fork.bent}) {
+    for (const proofs::EndOfPiece& end : *ends) parts.insert(end.branch + 1);
+  }
+  return parts;
 }
 
 }  // namespace
 
-CertifiedReport certify(const proofs::PathReport& report, const Chain<Interval>& chain,
-                        const Loading<Interval>& loading, const std::vector<proofs::Symmetry>& symmetries) {
-  CertifiedReport certified;
-  for (const Branch<double>& branch : report.branches) {
-    certified.push_back(proofs::certify(chain, loading, branch));
-    certified.back().symmetric = !symmetries.empty();
-  }
-  for (std::size_t b = 0; report.history && b + 1 < certified.size(); ++b)
-    proofs::join(certified[b], report.branches[b], certified[b + 1], chain, loading, symmetries);
-  return certified;
-}
-
-bool complete(const CertifiedReport& report) {
-  return std::all_of(report.begin(), report.end(),
+bool complete(const proofs::JoinedBranches& proved) {
+  return std::all_of(proved.branches.begin(), proved.branches.end(),
                      [](const proofs::PathCertificate& one) { return one.certified(); });
 }
 
-std::string as_text(const CertifiedReport& report) {
+std::string as_text(const proofs::JoinedBranches& proved) {
   std::string all = "\nProved by interval arithmetic, the chain's numbers as exact decimals\n";
-  for (std::size_t b = 0; b < report.size(); ++b) {
-    const proofs::PathCertificate& one = report[b];
+  for (std::size_t b = 0; b < proved.branches.size(); ++b) {
+    const proofs::PathCertificate& one = proved.branches[b];
     all +=
         fmt::format("part {}: {} in {} segments; the points are within {:.1e} rad of it, the chords {:.1e}\n",
                     b + 1, title(one), one.segments, one.distance, one.tube);
@@ -65,33 +69,34 @@ std::string as_text(const CertifiedReport& report) {
     for (const proofs::Span& least : one.softest)
       all += "  the tangent stiffness has one local minimum in " + text(least, digits) + "\n";
     if (one.certified()) all += stiffness_elsewhere(one);
-    if (one.fork)
-      all += fmt::format("  a symmetric pitchfork in {}: part {} goes on from it without a gap\n",
-                         text(*one.fork, digits), b + 2);
-    for (const proofs::Span& gap : one.gaps)
-      all += fmt::format("  not covered, {}, across which the branch is not proved to be one: {}\n",
-                         one.symmetric
-                             ? "a bifurcation or nearly one"
-                             : "a bifurcation unfolded, for the chain has no symmetry that makes one,\n"
-                               "  or nearly one",
-                         text(gap, digits));
+    for (const proofs::Gap& gap : one.gaps)
+      all += fmt::format("  not covered, {}, {}\n",
+                         gap.unfolded ? "a bifurcation unfolded (it is proved that none is there)"
+                                      : "a bifurcation or nearly one (not decided)",
+                         text(gap.loads, digits));
     if (one.failed_at)
       all += fmt::format("  NOT proved from {} on: {}\n", text(*one.failed_at, digits), one.failure);
   }
+  for (const proofs::ProvedFork& fork : proved.forks)
+    all += fmt::format("a symmetric pitchfork in {}: part{} {} without a gap\n", text(fork.load, digits),
+                       joined(fork).size() == 1 ? "" : "s", fmt::join(joined(fork), " and "));
   return all;
 }
 
-nlohmann::ordered_json as_json(const CertifiedReport& report) {
+nlohmann::ordered_json as_json(const proofs::JoinedBranches& proved) {
   auto list = nlohmann::ordered_json::array();
-  for (const proofs::PathCertificate& one : report) {
-    auto runs = nlohmann::ordered_json::array();
+  for (std::size_t b = 0; b < proved.branches.size(); ++b) {
+    const proofs::PathCertificate& one = proved.branches[b];
+    auto runs = nlohmann::ordered_json::array(), gaps = runs, forks = runs;
     for (const proofs::CertifiedRun& run : one.runs)
       runs.push_back({{"from", run.from}, {"to", run.to}, {"negative_directions", run.negative_directions}});
+    for (const proofs::Gap& gap : one.gaps)
+      gaps.push_back({{"load", pair(gap.loads)}, {"unfolded", gap.unfolded}});
+    for (const proofs::ProvedFork& fork : proved.forks) {
+      if (joined(fork).count(b + 1) > 0) forks.push_back(pair(fork.load));
+    }
     nlohmann::ordered_json failure;
-    if (one.failed_at)
-      failure = {{"load", {one.failed_at->low, one.failed_at->high}}, {"reason", one.failure}};
-    nlohmann::ordered_json fork;
-    if (one.fork) fork = {one.fork->low, one.fork->high};
+    if (one.failed_at) failure = {{"load", pair(*one.failed_at)}, {"reason", one.failure}};
     list.push_back({{"certified", one.certified()},
                     {"segments", one.segments},
                     {"widest_tube", one.tube},
@@ -101,8 +106,8 @@ nlohmann::ordered_json as_json(const CertifiedReport& report) {
                     {"finite_stiffness", one.finite},
                     {"least_stiffness", pairs(one.softest)},
                     {"least_stiffness_counted", one.certified() && one.counted},
-                    {"gaps", pairs(one.gaps)},
-                    {"pitchfork", fork},
+                    {"gaps", gaps},
+                    {"pitchforks", forks},
                     {"failure", failure}});
   }
   return list;

@@ -254,8 +254,9 @@ std::string window_text(const Answer& answer, const Chain<Rational>& chain) {
   std::string text = "joint angles counted:";
   for (std::size_t i = 0; i < answer.window.size(); ++i) {
     const proofs::Span range(answer.window[i]);
-    text += fmt::format("{} q{} in [{:.5g}, {:.5g}]{}", i > 0 ? "," : "", i + 1, range.low, range.high,
-                        chain.passive_joint(i) ? " (passive: once around)" : "");
+    const auto shown = [](double x) { return std::abs(x) < 1e-9 ? 0 : x; };
+    text += fmt::format("{} q{} in [{:.5g}, {:.5g}]{}", i > 0 ? "," : "", i + 1, shown(range.low),
+                        shown(range.high), chain.passive_joint(i) ? " (passive: once around)" : "");
   }
   return text + "\n  shapes that are wound up further have more energy and are left out: --turns\n";
 }
@@ -272,10 +273,10 @@ nlohmann::ordered_json window_json(const Answer& answer) {
 
 std::string as_text(const Answer& answer, const Options& options, const proofs::CensusTask& task) {
   const Point<Interval> load = proofs::enclosed_load(task);
-  std::string text = fmt::format(
-      "{}: {} ({:.6g}, {:.6g})\n{} equilibria, by energy; {}\n", options.chain.name,
-      task.control() == Control::force ? "force" : "end point held at", static_cast<double>(load.x.middle()),
-      static_cast<double>(load.y.middle()), answer.equilibria.size(), answer.note);
+  std::string text =
+      fmt::format("{}: {} ({}, {})\n{} equilibria, by energy; {}\n", options.chain.name,
+                  task.control() == Control::force ? "force" : "end point held at", load.x.middle().str(6),
+                  load.y.middle().str(6), answer.equilibria.size(), answer.note);
   text += window_text(answer, options.chain.exact);
   if (!answer.zero.empty()) text += "0 stands for an absolute value in " + answer.zero + "\n";
   for (std::size_t i = 0; i < answer.equilibria.size(); ++i) {

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <cmath>
 #include <memory>
 #include <plumbline/loaded/nominal_model.hpp>
 
@@ -13,6 +14,7 @@
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "proofs/certificate.hpp"
+#include "proofs/measures.hpp"
 #include "proofs/path_certificate.hpp"
 
 namespace plumbline::app {
@@ -36,14 +38,23 @@ Real exactly(double x) {
   }
 }
 
+/// Of a vector, also where its square is not to be held.
+double length(double x, double y) {
+  return std::hypot(x, y);
+}
+template <Analytic Real>
+Real length(const Real& x, const Real& y) {
+  using std::sqrt;
+  return sqrt(x * x + y * y);
+}
+
 /// From the unloaded state to the load that was asked for, and how far that is.
 template <Analytic Real>
 std::pair<Loading<Real>, Real> loading_of(const Options& options, const Chain<Real>& chain) {
-  using std::sqrt;
   const bool held = options.force.empty();
   const Real x = exactly<Real>(held ? -options.to : options.force[0]),
              y = exactly<Real>(held ? options.dy : options.force[1]);
-  const Real size = sqrt(x * x + y * y);
+  const Real size = length(x, y);
   const Point<Real> start = held ? end_point(chain, chain.rest()) : Point<Real>{Real(0), Real(0)};
   return {{held ? Control::end_point : Control::force, start, {x / size, y / size}}, size};
 }
@@ -57,7 +68,7 @@ Point<Rational> direction_of(const Options& options) {
 struct Followed {
   proofs::PathReport report;
   LocatedReport located;
-  CertifiedReport certified;
+  proofs::JoinedBranches certified;
 };
 
 Followed follow(const Options& options, const proofs::PathTask& task) {
@@ -71,13 +82,15 @@ Followed follow(const Options& options, const proofs::PathTask& task) {
   if (options.certify) {
     const auto exact = from_rational<Interval>(options.chain.exact);
     const Loading<Interval> loading = loading_of(options, exact).first;
-    all.certified = certify(all.report, exact, loading,
-                            proofs::symmetries(options.chain.exact, loading.control, direction_of(options)));
+    all.certified = proofs::certify(
+        all.report, exact, loading,
+        proofs::symmetries(options.chain.exact, loading.control, direction_of(options)),
+        options.certificate.empty() ? proofs::ProvedPoints::as_followed : proofs::ProvedPoints::rounded);
   }
   return all;
 }
 
-std::string certificate_of(const Options& options, const CertifiedReport& certified) {
+std::string certificate_of(const Options& options, const proofs::JoinedBranches& certified) {
   const Point<Rational> direction = direction_of(options);
   const proofs::PathGiven given{options.chain.name, options.chain.exact, false,
                                 options.force.empty() ? Control::end_point : Control::force, direction};
@@ -95,6 +108,18 @@ std::string certificate_of(const Options& options, const CertifiedReport& certif
          "\n";
 }
 
+/// As NominalModel does, also where the squares of lengths are not to be held.
+void require_reach(const Chain<double>& chain, const Point<double>& p) {
+  const auto [inner, outer] = reach(chain.length());
+  const double distance = length(p.x, p.y);
+  if (chain.size() > 1 && (!(distance < outer) || (inner > 0 && !(distance > inner))))
+    throw Error(
+        "end point", fmt::format("distance {:.6g} from the base", distance),
+        fmt::format("between {:.6g} and {:.6g}, both excluded: the reach of the chain", inner, outer));
+  const proofs::Measures m = proofs::measures_of(chain);
+  NominalModel<double>(proofs::measured(chain, m)).require_reach({p.x / m.length, p.y / m.length});
+}
+
 void run(Options options) {
   Outputs outputs({options.chain.path});
   files::OutputFile *const csv = outputs.open("--csv", options.csv),
@@ -106,7 +131,7 @@ void run(Options options) {
   const auto chain = from_rational<double>(options.chain.exact);
   const auto [loading, last] = loading_of(options, chain);
   if (!(last > 0) || !is_finite(last)) throw Error("load", "nothing to do", "a finite load that is not zero");
-  if (loading.control == Control::end_point) NominalModel<double>(chain).require_reach(loading.at(last));
+  if (loading.control == Control::end_point) require_reach(chain, loading.at(last));
   const proofs::PathTask task{chain, loading, last, options.step, options.side};
   const auto [report, located, certified] = follow(options, task);
   for (const std::string& warning : report.warnings) complain("warning: " + warning);
@@ -168,9 +193,10 @@ void add_path(CLI::App& app) {
   verb->add_flag(
       "--certify", options->certify,
       "Prove by interval arithmetic what the points only suggest: that each part is one smooth "
-      "branch without gap or jump, where it is stable, and where the load turns. Around a "
-      "bifurcation, where equilibria are not regular, a small gap is left out and listed (text and "
-      "JSON). Exit status 1 where anything else stays open");
+      "branch without gap or jump, where it is stable, and where the load turns; and that it goes on through "
+      "the pitchforks of a chain that is exactly symmetric. Around any other bifurcation, where "
+      "equilibria are not regular, a small gap is left out and listed (text and JSON). Exit status 1 where "
+      "anything else stays open");
   verb->add_option("--certificate", options->certificate,
                    "Write that proof so that proofs/check_paths.py checks it with integers alone")
       ->type_name("FILE");

@@ -1,6 +1,6 @@
 #include "proofs/certified_path.hpp"
 
-#include "proofs/pitchfork.hpp"
+#include "proofs/measures.hpp"
 #include "proofs/regular_pieces.hpp"
 #include "proofs/regular_tube.hpp"
 
@@ -48,18 +48,16 @@ class Prover {
                   absolute_angles(model_.chain().rest())),
         equations_(chain, loading),
         scale_(Vector<double>::Ones(equations_.unknowns())) {
-    const auto& length = model_.chain().length();
-    const auto& stiffness = model_.chain().stiffness();
-    const double reach = *std::max_element(length.begin(), length.end()),
-                 force = *std::max_element(stiffness.begin(), stiffness.end()) / reach;
     const auto n = static_cast<Eigen::Index>(model_.size());
-    scale_.tail(scale_.size() - n).setConstant(force);
-    if (loading.control == Control::end_point) scale_(scale_.size() - 1) = reach;
+    scale_.tail(scale_.size() - n).setConstant(load_unit(chain, Control::force));
+    scale_(scale_.size() - 1) = load_unit(chain, loading.control);
   }
 
-  PathCertificate run(const Branch<double>& branch, double gap);
+  PathCertificate run(const Branch<double>& branch, ProvedPoints points, double gap);
 
  private:
+  [[nodiscard]] Vector<double> shares(const BranchPoint<double>& point) const;
+  [[nodiscard]] BranchPoint<double> rounded(BranchPoint<double> point) const;
   bool prove(Points points, bool closed);
   std::optional<Segment> segment(const BranchPoint<double>& a, const BranchPoint<double>& b);
   bool join(const BranchPoint<double>& at, const Segment& before, const Segment& after);
@@ -82,6 +80,7 @@ class Prover {
   Brancher<Model> brancher_;
   BranchEquations equations_;
   Vector<double> scale_;  ///< of the unknowns
+  ProvedPoints which_ = ProvedPoints::as_followed;
   PathCertificate result_;
   const char* obstacle_ = "";
 
@@ -97,6 +96,25 @@ class Prover {
   std::optional<Bend> least_;  ///< where it may since have vanished, once
 };
 
+/// The unknowns without units.
+Vector<double> Prover::shares(const BranchPoint<double>& point) const {
+  Vector<double> u = scale_;
+  u.head(point.theta.size()) = point.theta;
+  if (u.size() > point.theta.size() + 1) u.tail<3>().head<2>() << point.force.x, point.force.y;
+  u(u.size() - 1) = point.load;
+  return u.cwiseQuotient(scale_);
+}
+
+BranchPoint<double> Prover::rounded(BranchPoint<double> point) const {
+  if (which_ == ProvedPoints::as_followed) return point;
+  const Vector<double> u =
+      shares(point).unaryExpr([](double x) { return std::round(x * 1e9) / 1e9; }).cwiseProduct(scale_);
+  point.theta = u.head(point.theta.size());
+  if (u.size() > point.theta.size() + 1) point.force = {u(u.size() - 3), u(u.size() - 2)};
+  point.load = u(u.size() - 1);
+  return point;
+}
+
 std::optional<BranchPoint<double>> Prover::between(const BranchPoint<double>& a,
                                                    const BranchPoint<double>& b) {
   const double length = brancher_.length(chord(a, b));
@@ -106,7 +124,7 @@ std::optional<BranchPoint<double>> Prover::between(const BranchPoint<double>& a,
     const auto middle = brancher_.step(from, brancher_.product(chord(from, to), from.tangent) / 2);
     if (middle && brancher_.length(chord(a, *middle)) < 0.75 * length &&
         brancher_.length(chord(*middle, b)) < 0.75 * length)
-      return middle;
+      return rounded(*middle);
   }
   return std::nullopt;
 }
@@ -160,8 +178,6 @@ bool Prover::join(const BranchPoint<double>& at, const Segment& before, const Se
   result_.distance = std::max(result_.distance, distance);
   double& farthest = result_.pieces.back().distance;
   farthest = std::max(farthest, (box->image.array() / scale_.array()).maxCoeff());
-  double& absolute = result_.pieces.back().absolute;
-  absolute = std::max(absolute, box->image.maxCoeff());
   const int way = sign(equations_.load(tangent(*box)));
   if (way == 0) return true;
   if (!settle(way, at.load)) return false;
@@ -225,8 +241,9 @@ bool Prover::prove(Points points, bool closed) {
   bend_.reset();
   slope_ = 0;
   least_.reset();
-  result_.pieces.push_back({{points.front()}, {}, {}, {}, 0, 0});
   const std::size_t runs = result_.runs.size(), folds = result_.folds.size();
+  for (BranchPoint<double>& point : points) point = rounded(std::move(point));
+  result_.pieces.push_back({{shares(points.front())}, {}, {}, {}, 0});
   std::reverse(points.begin(), points.end());
   BranchPoint<double> here = points.back();
   points.pop_back();
@@ -247,10 +264,10 @@ bool Prover::prove(Points points, bool closed) {
     if (next && join(here, last ? *last : *next, *next)) {
       if (!account(*next, here)) return false;
       if (!first) first = next;
-      result_.pieces.back().tubes.push_back(next->tube.image);
+      result_.pieces.back().tubes.push_back(next->tube.image.cwiseQuotient(scale_));
       last = std::move(next);
       here = there;
-      result_.pieces.back().points.push_back(here);
+      result_.pieces.back().points.push_back(shares(here));
       points.pop_back();
       continue;
     }
@@ -271,16 +288,24 @@ bool Prover::prove(Points points, bool closed) {
   if (least_) result_.counted = false;
   ProvedPiece& piece = result_.pieces.back();
   piece.runs.assign(result_.runs.begin() + static_cast<std::ptrdiff_t>(runs), result_.runs.end());
-  piece.folds.assign(result_.folds.begin() + static_cast<std::ptrdiff_t>(folds), result_.folds.end());
+  for (std::size_t i = folds; i < result_.folds.size(); ++i)
+    piece.folds.push_back(result_.folds[i] / Span(scale_(scale_.size() - 1)));
   return true;
 }
 
-PathCertificate Prover::run(const Branch<double>& branch, double gap) {
+PathCertificate Prover::run(const Branch<double>& branch, ProvedPoints points, double gap) {
+  which_ = points;
   RegularPieces pieces = regular_pieces(brancher_, branch, gap);
-  const bool closed = branch.end == BranchEnd::closed && pieces.gaps.empty();
-  result_.gaps = std::move(pieces.gaps);
-  for (Points& piece : pieces.points) {
-    if (!piece.empty() && !prove(std::move(piece), closed)) break;
+  const bool closed = branch.end == BranchEnd::closed && pieces.crossings.empty();
+  std::vector<std::optional<std::size_t>> proved(pieces.points.size());
+  for (std::size_t i = 0; i < pieces.points.size() && result_.certified(); ++i) {
+    const std::size_t next = result_.pieces.size();
+    if (pieces.points[i].empty() || !prove(std::move(pieces.points[i]), closed)) continue;
+    if (result_.pieces.size() > next) proved[i] = next;
+  }
+  for (std::size_t i = 0; i < pieces.crossings.size(); ++i) {
+    const Crossing& crossing = pieces.crossings[i];
+    result_.gaps.push_back({crossing.loads, shares(crossing.point), proved[i], proved[i + 1], false});
   }
   if (result_.certified() && result_.segments == 0)
     fail(branch.points.at(0).load, "a single point shows no branch");
@@ -294,28 +319,19 @@ bool PathCertificate::regular() const {
          runs[0].from < runs[0].to;
 }
 
-void join(PathCertificate& before, const Branch<double>& branch, const PathCertificate& after,
-          const Chain<Interval>& chain, const Loading<Interval>& loading,
-          const std::vector<Symmetry>& symmetries) {
-  const bool ends_there = !branch.events.empty() && branch.events.back().kind == EventKind::bifurcation &&
-                          before.pieces.size() == before.gaps.size();
-  if (!ends_there || before.pieces.empty() || after.pieces.empty() || !before.certified()) return;
-  const auto near = [](const BranchPoint<double>& point, const ProvedPiece& piece) {
-    return Near{point, piece.absolute};
-  };
-  const ProvedPiece &last = before.pieces.back(), &first = after.pieces.front();
-  for (const Symmetry& symmetry : symmetries) {
-    before.fork = pitchfork(chain, loading, symmetry, near(last.points.back(), last),
-                            branch.events.back().point, near(first.points.front(), first));
-    if (!before.fork) continue;
-    before.gaps.pop_back();
-    return;
-  }
-}
-
 PathCertificate certify(const Chain<Interval>& chain, const Loading<Interval>& loading,
-                        const Branch<double>& branch, double gap) {
-  return Prover(chain, loading).run(branch, gap);
+                        const Branch<double>& branch, ProvedPoints points, double gap) {
+  const Measures m = measures_of(convert<double>(chain, [](const Interval& x) { return middle_of(x); }));
+  PathCertificate proved =
+      Prover(measured(chain, m), measured(loading, m)).run(measured(branch, m, loading.control), points, gap);
+  const double unit = m.load(loading.control);  // a power of two
+  const auto restore = [unit](Span& loads) { loads = {loads.low * unit, loads.high * unit}; };
+  for (CertifiedRun& run : proved.runs) run.from *= unit, run.to *= unit;
+  for (Span& fold : proved.folds) restore(fold);
+  for (Span& least : proved.softest) restore(least);
+  for (Gap& around : proved.gaps) restore(around.loads);
+  if (proved.failed_at) restore(*proved.failed_at);
+  return proved;
 }
 
 }  // namespace plumbline::proofs

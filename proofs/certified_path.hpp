@@ -19,7 +19,6 @@
 #include <string>
 
 #include "proofs/span.hpp"
-#include "proofs/symmetry.hpp"
 
 namespace plumbline::proofs {
 
@@ -29,38 +28,40 @@ struct CertifiedRun {
   std::size_t negative_directions;
 };
 
-/// A regular piece: between neighbours among its points a tube is proved.
+/// A regular piece: between neighbours among its points a tube is proved. Without units: links in radians,
+/// forces as shares of max k / max L, deflections of max L.
 struct ProvedPiece {
-  std::vector<BranchPoint<double>> points;
-  /// So near is the curve to the chord between neighbours: theta_1 … theta_n, then Fx and Fy where the end
-  /// point is held, last the load.
-  std::vector<Vector<double>> tubes;
+  std::vector<Vector<double>> points;  ///< theta, where the end point is held the force on it, the load
+  std::vector<Vector<double>> tubes;   ///< so near is the curve to the chord between neighbours
   std::vector<CertifiedRun> runs;
   std::vector<Span> folds;
-  /// So near are the points to the curve: links in radians, forces as shares of max k / max L, deflections of
-  /// max L.
-  double distance;
-  double absolute;  ///< the same, whatever the units
+  double distance = 0;  ///< so near are the points to the curve
+};
+
+/// Around a bifurcation, where equilibria are not regular.
+struct Gap {
+  Span loads;
+  Vector<double> crossing;  ///< the bifurcation, without units, in double precision
+  /// The pieces on its sides, if any are proved.
+  std::optional<std::size_t> before, after;
+  bool unfolded = false;  ///< it is proved that nothing bifurcates between them
 };
 
 struct PathCertificate {
   std::vector<ProvedPiece> pieces;
   std::vector<CertifiedRun> runs;  ///< in the order of the path
   std::vector<Span> folds;         ///< loads: in each the load turns exactly once
-  std::vector<Span> gaps;  ///< loads around the bifurcations, where equilibria are not regular: not covered
-  /// Loads of the symmetric bifurcation at the end, through which the next branch is proved to go on.
-  std::optional<Span> fork;
-  bool symmetric = false;         ///< the chain has a symmetry, which may make its bifurcations
-  std::optional<Span> failed_at;  ///< loads where the first tube, or its type, is not proved
-  std::string failure;            ///< why not
-  bool finite = true;             ///< the tangent stiffness along the load is finite all along
-  bool stiff = true;              ///< it is finite and positive all along
-  bool softens = true;            ///< it is finite and falls all along the path
-  std::vector<Span> softest;      ///< loads: in each it has exactly one local minimum along the path
-  bool counted = true;            ///< these are all its minima, but for the gaps
-  std::size_t segments = 0;       ///< tubes
-  double tube = 0;                ///< widest, in radians: so far from the chord a link may point
-  double distance = 0;            ///< in radians: so near are the points to the curve
+  std::vector<Gap> gaps;           ///< what is not covered
+  std::optional<Span> failed_at;   ///< loads where the first tube, or its type, is not proved
+  std::string failure;             ///< why not
+  bool finite = true;              ///< the tangent stiffness along the load is finite all along
+  bool stiff = true;               ///< it is finite and positive all along
+  bool softens = true;             ///< it is finite and falls all along the path
+  std::vector<Span> softest;       ///< loads: in each it has exactly one local minimum along the path
+  bool counted = true;             ///< these are all its minima, but for the gaps
+  std::size_t segments = 0;        ///< tubes
+  double tube = 0;                 ///< widest, in radians: so far from the chord a link may point
+  double distance = 0;             ///< in radians: so near are the points to the curve
 
   /// Whether everything is proved but what lies in the gaps.
   [[nodiscard]] bool certified() const { return !failed_at; }
@@ -68,17 +69,20 @@ struct PathCertificate {
   [[nodiscard]] bool regular() const;
 };
 
-/// Where a branch ends in a gap around a bifurcation, and the next one begins on its other side: proves that
-/// they are one path through a symmetric pitchfork, which closes the gap.
-void join(PathCertificate& before, const Branch<double>& branch, const PathCertificate& after,
-          const Chain<Interval>& chain, const Loading<Interval>& loading,
-          const std::vector<Symmetry>& symmetries);
+/// Which points the proof is about.
+enum class ProvedPoints {
+  as_followed,
+  /// Rounded to nine decimals of a radian or share, far above what compilers and machines do otherwise: for
+  /// certificates, which are to be the same wherever they are made.
+  rounded
+};
 
 /// Proves what it can of a branch. O(n^3) a segment.
 /// \param chain, loading  what the branch was followed with, enclosed
 /// \param gap  distance from a bifurcation on either side, in radians (root mean square turn of the links),
 ///             that is left out
 PathCertificate certify(const Chain<Interval>& chain, const Loading<Interval>& loading,
-                        const Branch<double>& branch, double gap = 1e-5);
+                        const Branch<double>& branch, ProvedPoints points = ProvedPoints::as_followed,
+                        double gap = 1e-5);
 
 }  // namespace plumbline::proofs

@@ -14,6 +14,7 @@ class Domain(Chain):
 
     def __init__(self, entry, bits):
         super().__init__(entry, bits)
+        require(self.n <= 16, "more links than letters")
         require(entry["control"] in ("end_point", "deflection", "force") and len(entry["load"]) == 2, "control or load")
         self.load = self.loaded([number(x) for x in entry["load"]], entry["control"])
         self.range = [self.around(i, entry) for i in range(self.n)]

@@ -7,13 +7,9 @@ from itertools import accumulate
 from math import isqrt
 
 from check_certificates import each, fields, main, number, require
-from exact_intervals import inverse, middle, minus, opposite, plus, zero_in
+from exact_intervals import hull, inverse, magnitude, middle, minus, opposite, plus, sign, widened, zero_in
 from loaded_chain import Chain
-
-def hull(a, b): return min(a[0], b[0]), max(a[1], b[1])
-def magnitude(a): return max(-a[0], a[1])
-def widened(centres, radii): return [(a[0] - r, a[1] + r) for a, r in zip(centres, radii)]
-def sign(a): return 0 if zero_in(a) else 1 if a[0] > 0 else -1
+from symmetric_crossing import Fork
 
 class Loaded(Chain):
     """A chain under a load that grows along a ray; unknowns u: the link directions, where the end point is held the force
@@ -22,19 +18,23 @@ class Loaded(Chain):
     def __init__(self, entry, bits):
         super().__init__(entry, bits)
         require(entry["control"] in ("end_point", "force") and len(entry["direction"]) == 2, "control or direction")
-        N, (x, y) = self.numbers, [number(x) for x in entry["direction"]]
+        N, direction = self.numbers, [number(x) for x in entry["direction"]]
+        require(any(direction), "direction")
+        x, y = [a / max(map(abs, direction)) for a in direction]
         size = isqrt(int((x * x + y * y) * 4**N.bits)), 1 << N.bits
-        require(size[0] > 0, "direction")
         self.direction = [N.over(N.of(a), (size[0], size[0] + 1)) for a in (x, y)]
         self.start = self.unloaded() if self.held else [(0, 0)] * 2
         self.unknowns = self.size + 1
+        length = self.scale[0] / self.length  # what is stated as 1
+        force = self.scale[1] / self.stiffness / length
+        self.exact = *([number(x) for x in entry[name]] for name in ("lengths", "stiffness", "rest")), y
+        self.shares = [Fraction(1)] * self.n + [force] * 2 * self.held + [length if self.held else force]
 
     def at(self, stated):
-        """The unknowns of a point as it is stated, in the chain's units."""
-        values, force = [number(x) for x in stated], self.stiffness / self.length
+        """The unknowns of a point as it is stated."""
+        values = [number(x) for x in stated]
         require(len(values) == self.unknowns, "a point")
-        units = [Fraction(1)] * self.n + [force] * 2 * self.held + [self.length if self.held else force]
-        return [self.numbers.of(x / unit) for x, unit in zip(values, units)]
+        return [self.numbers.of(x * share) for x, share in zip(values, self.shares)]
 
     def split(self, u):
         """Link directions, force, and where the end point is held."""
@@ -70,6 +70,16 @@ class Loaded(Chain):
             result.append(N.times(L, minus(sides, N.times(pull, both))))
             place = [minus(p, N.times(L, N.times(a, both))) for p, a in zip(place, (c, s))]
         return result + (place if self.held else []) + [(0, 0)]
+
+    def has(self, symmetry):
+        """Whether a map of shapes and forces takes equilibria to equilibria at the same load, exactly: link directions in
+        reverse order, or changed in sign together with the lateral force, or both."""
+        L, k, rest, lateral = self.exact
+        mirrored, reversed = symmetry.endswith("mirrored"), symmetry.startswith("reversed")
+        if mirrored and (any(rest) or lateral): return False
+        if not reversed: return True
+        same = L == L[::-1] and k[1:] == k[:0:-1] and rest[1:] == [-x for x in rest[:0:-1]]
+        return same and self.held and self.passive[0]
 
 class Tube:
     """|w_i| < radius_i about all centres, in which w -> w - Y (E(c + w); t · w) is a contraction: in each plane with this
@@ -135,10 +145,8 @@ class Part:
 
     def __init__(self, chain, stated):
         fields(stated, "points runs folds near")
-        near, (length, stiffness) = number(stated["near"]), chain.scale
-        force = stiffness / length / (chain.stiffness / chain.length)
-        scale = [Fraction(1)] * chain.n + [force] * 2 * chain.held + [length / chain.length if chain.held else force]
-        self.chain, self.near = chain, [chain.numbers.of(near * x)[0] for x in scale]
+        near = number(stated["near"])
+        self.chain, self.near = chain, [chain.numbers.of(near * share)[0] for share in chain.shares]
         self.runs, self.folds, self.pending = [], [], None
         points = [chain.at(point) for point in stated["points"]]
         require(len(points) > 1, "points")
@@ -150,11 +158,10 @@ class Part:
         require(not self.pending, "whether the load turns stays open")
         require(stated["runs"] == self.runs, f"runs {self.runs}")
         require(len(stated["folds"]) == len(self.folds), "folds")
-        unit = chain.length if chain.held else chain.stiffness / chain.length
         for bounds, load in zip(stated["folds"], self.folds):
-            low, high = (chain.numbers.of(number(x) / unit) for x in bounds)
+            low, high = (chain.numbers.of(number(x) * chain.shares[-1]) for x in bounds)
             require(low[1] <= load[0] and load[1] <= high[0], "a fold")
-        self.count = len(segments)
+        self.count, self.ends = len(segments), {"first": points[0], "last": points[-1]}
 
     def join(self, point, before, after):
         """The tubes on both sides hold the same curve, which passes the point nearby."""
@@ -187,14 +194,16 @@ class Part:
         self.pending = None
 
 def check_path(entry):
-    """How many segments."""
-    fields(entry, "case lengths stiffness rest rest_unit control direction parts")
+    """How many segments, and how many pitchforks."""
+    fields(entry, "case lengths stiffness rest rest_unit control direction parts pitchforks")
     chain = Loaded(entry, 96)
     require(entry["parts"], "parts")
-    return sum(Part(chain, part).count for part in entry["parts"])
+    parts = [Part(chain, part) for part in entry["parts"]]
+    for fork in entry["pitchforks"]: Fork(chain, fork, parts)
+    return sum(part.count for part in parts), len(entry["pitchforks"])
 
 def check(document):
     return each(document, "plumbline-path-certificates", "case", check_path)
 
 if __name__ == "__main__":
-    main(check, lambda segments: f"{len(segments)} cases, {sum(segments)} segments")
+    main(check, lambda found: f"{len(found)} cases, {sum(n for n, _ in found)} segments, {sum(n for _, n in found)} pitchforks")

@@ -1,8 +1,9 @@
 #include "proofs/equilibrium_box.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <plumbline/loaded/nominal_model.hpp>
-#include <string>
 
 namespace plumbline::proofs {
 
@@ -59,10 +60,15 @@ EquilibriumBox::EquilibriumBox(const Chain<Interval>& chain, Control control, co
 }
 
 double EquilibriumBox::force_bound(const Chain<Interval>& chain, const Point<Interval>& place) const {
-  NominalModel<double>(convert<double>(chain, [](const Interval& x) {
-    return Span(x).middle();
-  })).require_reach({Span(place.x).middle(), Span(place.y).middle()});
+  const NominalModel<double> model(
+      convert<double>(chain, [](const Interval& x) { return Span(x).middle(); }));
   const double distance = std::hypot(load_x_.middle(), load_y_.middle());
+  const auto [inner, outer] = reach(model.chain().length());
+  // the units here are the chain's own, which mean nothing to who reads an error
+  const std::string found = fmt::format("{:.6g} of the chain's reach from the base", distance / outer);
+  if (n_ > 1 && (!(distance < outer) || (inner > 0 && !(distance > inner))))
+    throw Error("end point", found, fmt::format("between {:.6g} and 1 of it, both excluded", inner / outer));
+  model.require_reach({Span(place.x).middle(), Span(place.y).middle()});
   double gap = distance, bend = 0, moment = 0, rounding = 0;
   for (std::size_t i = 0; i < n_; ++i) {
     bend += 4 / length_[i].low;
@@ -78,8 +84,8 @@ double EquilibriumBox::force_bound(const Chain<Interval>& chain, const Point<Int
   }
   gap -= rounding;
   if (!(gap > 1e-9 * distance)) {
-    throw Error("end point", "distance " + std::to_string(distance) + " from the base",
-                "one that no shape with all links in one line has: there the force is not bounded");
+    throw Error("end point", found,
+                "a distance that no shape with all links in one line has: there the force is not bounded");
   }
   const double delta = 2 * gap / (1 + std::sqrt(1 + 4 * bend * gap));  // bend delta^2 + delta = gap
   return 1.001 * moment / delta;

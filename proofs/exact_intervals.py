@@ -18,6 +18,10 @@ def zero_in(a): return a[0] <= 0 <= a[1]
 def middle(a): return (a[0] + a[1]) >> 1
 def width(a): return a[1] - a[0]
 def inside(a, b): return b[0] <= a[0] and a[1] <= b[1]
+def hull(a, b): return min(a[0], b[0]), max(a[1], b[1])
+def magnitude(a): return max(-a[0], a[1])
+def sign(a): return 0 if zero_in(a) else 1 if a[0] > 0 else -1
+def widened(centres, radii): return [(a[0] - r, a[1] + r) for a, r in zip(centres, radii)]
 
 class Numbers:
     """Intervals (low, high) of integers: from low / 2^bits to high / 2^bits. Every result contains the true one."""

@@ -9,6 +9,7 @@
 #include <plumbline/loaded/nominal_model.hpp>
 
 #include "proofs/census.hpp"
+#include "proofs/measures.hpp"
 
 namespace plumbline::proofs {
 namespace {
@@ -59,36 +60,59 @@ void add_census(std::vector<BranchPoint<double>>& starts, Brancher<Model>& branc
   }
 }
 
-}  // namespace
-
-PathReport follow_slowly(const PathTask& task) {
+std::vector<Branch<double>> slow_branches(const PathTask& task) {
   const Model model(task.chain);
   Brancher<Model> brancher(model, task.loading, absolute_angles(task.chain.rest()));
   const auto starts = starts_of(brancher, task);
-  PathReport report{"", task.loading, task.last, true, {}, {}};
-  report.branches =
-      load_slowly(brancher, starts[0], {starts[0].load, task.last, task.step, most_points}, task.side);
-  return report;
+  return load_slowly(brancher, starts[0], {starts[0].load, task.last, task.step, most_points}, task.side);
 }
 
-PathReport follow_all(const PathTask& task) {
+std::vector<Branch<double>> all_branches(const PathTask& task, std::vector<std::string>& warnings) {
   const Model model(task.chain);
   Brancher<Model> brancher(model, task.loading, absolute_angles(task.chain.rest()));
   auto starts = starts_of(brancher, task);
-  PathReport report{"", task.loading, task.last, false, {}, {}};
   const double first = starts[0].load;
-  add_census(starts, brancher, task, report.warnings);
+  add_census(starts, brancher, task, warnings);
   const std::size_t most = most_angles / task.chain.size() + 1;
-  report.branches = branch_tree(brancher, std::move(starts),
-                                {first, task.last, task.step, std::min(most_points, most)}, most);
+  const auto branches = branch_tree(brancher, std::move(starts),
+                                    {first, task.last, task.step, std::min(most_points, most)}, most);
   std::size_t points = 0;
-  for (const Branch<double>& branch : report.branches) points += branch.points.size();
+  for (const Branch<double>& branch : branches) points += branch.points.size();
   if (points >= most)
-    report.warnings.push_back(
+    warnings.push_back(
         fmt::format("stopped after {} branches of {} points in all: there may be more (a lower load or a "
                     "longer --step reaches them)",
-                    report.branches.size(), points));
+                    branches.size(), points));
+  return branches;
+}
+
+PathTask measured(PathTask task, const Measures& m) {
+  task.last /= m.load(task.loading.control);
+  task.chain = measured(task.chain, m);
+  task.loading = measured(task.loading, m);
+  return task;
+}
+
+PathReport reported(const PathTask& task, const Measures& m, bool history,
+                    const std::vector<Branch<double>>& branches, std::vector<std::string> warnings) {
+  PathReport report{"", task.loading, task.last, history, {}, std::move(warnings)};
+  for (const Branch<double>& branch : branches)
+    report.branches.push_back(measured(branch, m.inverse(), task.loading.control));
   return report;
+}
+
+}  // namespace
+
+PathReport follow_slowly(const PathTask& task) {
+  const Measures m = measures_of(task.chain);
+  return reported(task, m, true, slow_branches(measured(task, m)), {});
+}
+
+PathReport follow_all(const PathTask& task) {
+  const Measures m = measures_of(task.chain);
+  std::vector<std::string> warnings;
+  const auto branches = all_branches(measured(task, m), warnings);
+  return reported(task, m, false, branches, std::move(warnings));
 }
 
 BranchPoint<double> state_at(const PathTask& task, const Branch<double>& branch, double load) {

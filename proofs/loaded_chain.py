@@ -19,7 +19,7 @@ class Chain:
     def __init__(self, entry, bits):
         L, k, rest = ([number(x) for x in entry[name]] for name in ("lengths", "stiffness", "rest"))
         n = self.n = len(L)
-        require(n == len(k) == len(rest) and 0 < n <= 16 and min(L) > 0 <= min(k), "no such chain")
+        require(n == len(k) == len(rest) > 0 and min(L) > 0 <= min(k), "no such chain")
         require(entry["rest_unit"] in ("rad", "pi"), "rest_unit")
         self.length, self.stiffness = unit_above(L), unit_above(k)
         self.scale = max(L), max(k) or Fraction(1)  # of what is right to so many digits

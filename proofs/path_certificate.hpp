@@ -5,7 +5,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "proofs/certified_path.hpp"
+#include "proofs/joined_branches.hpp"
 
 namespace plumbline::proofs {
 
@@ -21,8 +21,8 @@ struct PathGiven {
   Point<Rational> direction;  ///< of the load, of any length
 };
 
-/// The entry of proved branches: their points, and what is proved of the curves through them.
-/// \throws Error where something failed
-nlohmann::json path_certificate(const PathGiven& given, const std::vector<PathCertificate>& branches);
+/// The entry of proved branches: their points, to nine decimals (ProvedPoints::rounded), and what is proved
+/// of the curves through them. \throws Error where something failed
+nlohmann::json path_certificate(const PathGiven& given, const JoinedBranches& proved);
 
 }  // namespace plumbline::proofs

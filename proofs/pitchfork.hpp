@@ -13,23 +13,31 @@
 /// branch, proves one smooth curve from the one to the other; the symmetric branch up to there is proved
 /// among symmetric shapes, where it is regular.
 
-#include <plumbline/branch/branch.hpp>
+#include <plumbline/loaded/loading.hpp>
+#include <vector>
 
 #include "proofs/span.hpp"
 #include "proofs/symmetry.hpp"
 
 namespace plumbline::proofs {
 
-/// A point near the branch, and how near, entry by entry of theta, the force and the load.
-struct Near {
-  BranchPoint<double> point;
+/// The end of a proved piece of a branch, without units (ProvedPiece): an equilibrium of the piece is within
+/// `distance` of `point`, entry by entry.
+struct PieceEnd {
+  Vector<double> point;
   double distance;
 };
 
-/// The loads at which the symmetric branch through `before` bifurcates, once, into the branch through
-/// `after`; nothing where that is not proved. \param crossing  close to the bifurcation
-std::optional<Span> pitchfork(const Chain<Interval>& chain, const Loading<Interval>& loading,
-                              const Symmetry& symmetry, const Near& before,
-                              const BranchPoint<double>& crossing, const Near& after);
+/// A crossing, and which ends are joined to it: by symmetric equilibria, or by the bent branch.
+struct Fork {
+  Span load;  ///< without units
+  std::vector<std::size_t> symmetric, bent;
+};
+
+/// Where a symmetric branch is crossed by a bent one, and which of the ends are proved to lie on them;
+/// nothing where no crossing is proved. \param crossing  close to it, without units
+std::optional<Fork> pitchfork(const Chain<Interval>& chain, const Loading<Interval>& loading,
+                              const Symmetry& symmetry, const Vector<double>& crossing,
+                              const std::vector<PieceEnd>& ends);
 
 }  // namespace plumbline::proofs

@@ -44,7 +44,7 @@ class Cutter {
       further.push_back(brancher_->step(crossing, ahead).value_or(points[after]));
       gap = hull(gap, Span(further.back().load));
     }
-    pieces_.gaps.push_back(gap);
+    pieces_.crossings.push_back({crossing, gap});
     pieces_.points.push_back(std::move(further));
     next_ = after;
   }

@@ -9,9 +9,15 @@
 
 namespace plumbline::proofs {
 
+/// What is left out between two pieces, or at an end: a bifurcation and what is around it.
+struct Crossing {
+  BranchPoint<double> point;
+  Span loads;
+};
+
 struct RegularPieces {
-  std::vector<std::vector<BranchPoint<double>>> points;  ///< of each piece
-  std::vector<Span> gaps;                                ///< loads between two pieces: around a bifurcation
+  std::vector<std::vector<BranchPoint<double>>> points;  ///< of each piece, one more than crossings
+  std::vector<Crossing> crossings;                       ///< in their order
 };
 
 /// Cuts a branch where another one crosses; each piece ends at a distance `gap` from there, in radians (root

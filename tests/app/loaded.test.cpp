@@ -168,13 +168,18 @@ TEST_CASE("path: what is proved of it, and the exit status") {
     const auto &branch = json["branches"][i], &proved = json["certificates"][i];
     CHECK(proved["certified"] == true);
     CHECK(proved["failure"] == nullptr);
-    REQUIRE(proved["gaps"].size() == 1);
-    CHECK(proved["gaps"][0][0].get<double>() <= 0.5 + 1e-15);
-    CHECK(proved["gaps"][0][1].get<double>() >= 0.5 - 1e-15);
+    CHECK(proved["gaps"].empty());
+    REQUIRE(proved["pitchforks"].size() == 1);
+    CHECK(proved["pitchforks"][0][0].get<double>() <= 0.5);
+    CHECK(proved["pitchforks"][0][1].get<double>() >= 0.5);
     const auto& last = branch["points"].back();
     CHECK(proved["runs"].back()["to"] == last["load"]);
     CHECK(proved["runs"].back()["negative_directions"] == last["negative_directions"]);
   }
+  here.write("nearly.toml", "lengths = [1, 1]\nstiffness = [1.5, 1]\nrest = [0, 1e-30]\n");
+  const Outcome nearly = here.plumbline("path nearly.toml --force -0.6,0 --certify");
+  CHECK(nearly.status == 0);
+  CHECK(contains(nearly.out, "a bifurcation unfolded (it is proved that none is there)"));
   // less than a point's width: nothing is shown, and nothing proved
   const Outcome open = here.plumbline("path --to 1e-10 --certify");
   CHECK(open.status == 1);

@@ -61,11 +61,13 @@ def claims(folder):
 def loaded_chains(folder):
     (folder / "three.toml").write_text("lengths = [1, 1, 1]\nstiffness = [1, 1, 1]\n", encoding="utf-8")
     (folder / "two.toml").write_text("lengths = [1, 1]\nstiffness = [1, 1]\nrest = [0.3, -0.5]\n", encoding="utf-8")
+    (folder / "nearly.toml").write_text("lengths = [1, 1]\nstiffness = [1.5, 1]\nrest = [0, 1e-30]\n", encoding="utf-8")
     hold("equilibria", [written("equilibria", "two.toml", "--at", "0.1,0", folder=folder),
                         written("equilibria", "two.toml", "--force", "-0.5,0.1", "--certify", folder=folder),
                         written("equilibria", "three.toml", "--end-point", "2.7,0", "--certify", folder=folder)])
     hold("path", [written("path", "--to", "1.5", "--digits", "20", "--certify", folder=folder),
                   written("path", "two.toml", "--force", "-1,0.2", folder=folder),
+                  written("path", "nearly.toml", "--force", "-0.6,0", "--certify", folder=folder),
                   written("path", "three.toml", "--to", "0.5", "--branches", "all", "--certify", folder=folder,
                           statuses=[0, 1])])
 

@@ -235,8 +235,8 @@ TEST_CASE("a bifurcation is left out, and said to be; without its event it is re
   REQUIRE(proved.certified());
   CHECK_FALSE(proved.regular());
   REQUIRE(proved.gaps.size() == 1);
-  CHECK(proved.gaps[0].contains(critical));
-  CHECK(proved.gaps[0].width() < 1e-4);
+  CHECK(proved.gaps[0].loads.contains(critical));
+  CHECK(proved.gaps[0].loads.width() < 1e-4);
   REQUIRE(proved.runs.size() == 2);
   CHECK(proved.runs[0].negative_directions == 0);
   CHECK(proved.runs[1].negative_directions == 1);

@@ -58,7 +58,25 @@ struct FreeEnd {
 
 }  // namespace
 
-TEST_CASE("Equal links are supercritical: every mode, the base from passive to twice as stiff as the rest") {
+TEST_CASE("Equal links are supercritical: the polynomials of two, three and four links above F = 4") {
+  const symbol z("z");
+  const std::vector<ex> turns{1, -(3 + 2 * z), 5 + 10 * z + 4 * pow(z, 2),
+                              -(7 + 28 * z + 28 * pow(z, 2) + 8 * pow(z, 3))};
+  for (int n = 2; n <= 4; ++n) {
+    const auto mean = [&](int power) {
+      ex sum = 0;
+      for (int i = 0; i < n; ++i) sum += pow(turns[static_cast<std::size_t>(i)], power);
+      return ex(sum / n);
+    };
+    const ex a = mean(1), sign = (mean(4) - 6 * pow(a, 2) * mean(2) + 5 * pow(a, 4)).expand();
+    for (int power = 0; power <= sign.degree(z); ++power)
+      CHECK(sign.coeff(z, power).info(GiNaC::info_flags::positive));
+    if (n == 2) CHECK((sign - pow(2 + z, 4)).expand().is_zero());
+    if (n > 2) CHECK(sign.coeff(z, 0) == (n == 3 ? ex(512) / 3 : ex(656)));
+  }
+}
+
+TEST_CASE("Equal links are supercritical: every mode, on a base of any stiffness") {
   for (std::size_t n = 2; n <= 100; ++n) {
     for (const double base : {0.0, 1e-6, 0.3, 1.0, 1.9, 2.0}) {
       CAPTURE(n);
@@ -75,6 +93,22 @@ TEST_CASE("Equal links are supercritical: every mode, the base from passive to t
               doctest::Approx(means).epsilon(1e-9));
         positive = positive && initial_curvature(chain, mode) > 0 && w.mean(2) > 5 * w.a * w.a &&
                    mode.force * static_cast<double>(n * n) > 8 - 1e-9 && mode.force < 4;
+      }
+      CHECK(positive);
+    }
+  }
+  // a stiffer base: in its highest mode links turn against each other, the last the most
+  for (std::size_t n = 2; n <= 40; ++n) {
+    for (const double base : {2.001, 2.5, 4.0, 4.001, 7.0, 100.0, 1e4}) {
+      CAPTURE(n);
+      CAPTURE(base);
+      std::vector<double> stiffness(n, 1);
+      stiffness[0] = base;
+      const Chain<double> chain(std::vector<double>(n, 1), stiffness);
+      bool positive = true;
+      for (const auto& mode : critical_modes(chain, n)) {
+        const FreeEnd w(chain, mode);
+        positive = positive && initial_curvature(chain, mode) > 0 && (n < 5 || w.mean(2) > 5 * w.a * w.a);
       }
       CHECK(positive);
     }

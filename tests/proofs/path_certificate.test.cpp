@@ -24,10 +24,10 @@ json certified(const Chain<Rational>& chain, Control control, const Point<Ration
                        {middle(loading.direction.x), middle(loading.direction.y)}},
                       last,
                       0.2};
-  std::vector<PathCertificate> parts;
   const PathReport followed = all ? follow_all(task) : follow_slowly(task);
-  for (const Branch<double>& branch : followed.branches) parts.push_back(certify(exact, loading, branch));
-  return path_certificate({"test", chain, false, control, direction}, parts);
+  const JoinedBranches proved =
+      certify(followed, exact, loading, symmetries(chain, control, direction), ProvedPoints::rounded);
+  return path_certificate({"test", chain, false, control, direction}, proved);
 }
 
 std::size_t folds(const json& certificate) {
@@ -38,20 +38,25 @@ std::size_t folds(const json& certificate) {
 
 }  // namespace
 
-TEST_CASE("the stand-alone checker confirms paths: jumps, folds, gaps, passive bases, forces, any units") {
+TEST_CASE(
+    "the stand-alone checker confirms paths: jumps, folds, pitchforks, passive bases, forces, any units") {
   const Rational half(1, 2);
   const Chain<Rational> snap({1, 1, 1, 1}, {5, 5, 5, 6},
                              {Rational(3, 5), Rational(-6, 5), Rational(3, 5), 0});
   const Chain<Rational> zigzag({1, 1, 1}, {0, 1, 1}, {Rational(-1, 10), Rational(3, 10), Rational(-3, 10)});
   const Chain<Rational> unequal({1, Rational(3, 2)}, {1, half}, {half, -1});
   const Chain<Rational> scaled({1000, 1500}, {Rational(1, 100000), half / 100000}, {half, -1});
+  const Chain<Rational> straight({1, 1, 1}, {1, 1, 1});
   const std::vector<json> certificates{
       certified(snap, Control::end_point, {-2, 0}, 1.16, false),
       certified(zigzag, Control::end_point, {-1, 0}, 0.3, false),
       certified(unequal, Control::end_point, {-1, 1}, 0.5, true),
       certified(unequal, Control::force, {-1, Rational(1, 10)}, 1.5, false),
+      certified(zigzag, Control::end_point, {-1, 0}, 0.1, true),
+      certified(straight, Control::force, {-1, 0}, 0.5, false),
       certified(scaled, Control::force, {-1, Rational(1, 10)}, 1.5e-8, false)};
   CHECK(folds(certificates[0]) > 0);
   CHECK(certificates[1]["parts"].size() == 2);
+  for (const std::size_t i : {1, 4, 5}) CHECK(certificates[i]["pitchforks"].size() == 1);
   for (const json& one : certificates) CHECK(check_alone("check_paths.py", path_certificates, {one}) == 0);
 }

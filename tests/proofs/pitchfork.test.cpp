@@ -1,8 +1,8 @@
 #include "proofs/pitchfork.hpp"
 
-#include "proofs/certified_path.hpp"
 #include "proofs/decimal.hpp"
-#include "proofs/followed_path.hpp"
+#include "proofs/joined_branches.hpp"
+#include "proofs/unfolding.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;
@@ -10,19 +10,23 @@ using namespace plumbline::proofs;
 
 namespace {
 
-/// What is proved of the slow loading along -x: the first part, with what joins it to the second.
-PathCertificate first_part(const Chain<Rational>& chain, double last) {
+struct Path {
+  Chain<Rational> chain;
+  Control control;
+  double last;
+  bool all = false;  ///< branches, not the slow loading alone
+};
+
+/// What is proved of a load along -x.
+JoinedBranches proved(const Path& path) {
   const auto middle = [](const Interval& x) { return static_cast<double>(x.middle()); };
-  const auto exact = from_rational<Interval>(chain);
-  const Loading<Interval> loading{Control::end_point, end_point(exact, exact.rest()), {-1, 0}};
+  const auto exact = from_rational<Interval>(path.chain);
+  Loading<Interval> loading{path.control, {0, 0}, {-1, 0}};
+  if (path.control == Control::end_point) loading.start = end_point(exact, exact.rest());
   const Point<double> start{middle(loading.start.x), middle(loading.start.y)};
-  const PathTask task{convert<double>(exact, middle), {Control::end_point, start, {-1, 0}}, last, 0.05};
-  const PathReport report = follow_slowly(task);
-  REQUIRE(report.branches.size() > 1);
-  PathCertificate before = certify(exact, loading, report.branches[0]);
-  const PathCertificate after = certify(exact, loading, report.branches[1]);
-  join(before, report.branches[0], after, exact, loading, symmetries(chain, Control::end_point, {-1, 0}));
-  return before;
+  const PathTask task{convert<double>(exact, middle), {path.control, start, {-1, 0}}, path.last, 0.05};
+  return certify(path.all ? follow_all(task) : follow_slowly(task), exact, loading,
+                 symmetries(path.chain, path.control, {-1, 0}));
 }
 
 std::vector<Rational> decimals(const std::vector<const char*>& texts) {
@@ -33,28 +37,78 @@ std::vector<Rational> decimals(const std::vector<const char*>& texts) {
 
 }  // namespace
 
-TEST_CASE("a symmetric chain's path goes through its pitchfork without a gap") {
-  const std::vector<std::pair<Chain<Rational>, double>> chains{
-      {Chain<Rational>({1, 1, 1}, {0, 1, 1}, decimals({"-0.1", "0.3", "-0.3"})), 0.1},
-      {Chain<Rational>({1, Rational(7, 10), 1}, {0, 2, 2}, decimals({"0.1", "0.2", "-0.2"})), 0.3},
-      {Chain<Rational>({1, 1, 1, 1}, {0, 1, 2, 1}, decimals({"0", "0.3", "0", "-0.3"})), 0.5},
+TEST_CASE("a symmetric chain's path goes through its pitchfork without a gap, in any units") {
+  const Rational large(1000000000), small(1, 1000000000);
+  const std::vector<Path> paths{
+      {Chain<Rational>({1, 1, 1}, {0, 1, 1}, decimals({"-0.1", "0.3", "-0.3"})), Control::end_point, 0.1},
+      {Chain<Rational>({1, Rational(7, 10), 1}, {0, 2, 2}, decimals({"0.1", "0.2", "-0.2"})),
+       Control::end_point, 0.3},
+      {Chain<Rational>({1, 1, 1, 1}, {0, 1, 2, 1}, decimals({"0", "0.3", "0", "-0.3"})), Control::end_point,
+       0.5},
       {Chain<Rational>({1, 1, 1, 1, 1}, {0, 1, 2, 2, 1}, decimals({"0", "0.3", "-0.2", "0.2", "-0.3"})),
-       0.7}};
-  for (const auto& [chain, last] : chains) {
-    const PathCertificate proved = first_part(chain, last);
-    CHECK(proved.certified());
-    REQUIRE(proved.fork);
-    CHECK(proved.gaps.empty());
-    CHECK(proved.fork->width() < 1e-11);
-    CHECK(proved.runs.back().to < proved.fork->low);
+       Control::end_point, 0.7},
+      {Chain<Rational>({large, large, large}, {0, small, small}, decimals({"-0.1", "0.3", "-0.3"})),
+       Control::end_point, 1e8},
+      {Chain<Rational>({1, 1, 1}, {1, 1, 1}), Control::force, 0.5},
+      {Chain<Rational>({1, 2, Rational(1, 2), 1}, {1, 2, 1, 3}), Control::force, 0.5}};
+  for (const Path& path : paths) {
+    const JoinedBranches joined = proved(path);
+    REQUIRE(joined.branches.size() == 2);
+    REQUIRE(joined.forks.size() == 1);
+    const ProvedFork& fork = joined.forks[0];
+    CHECK(fork.load.width() < 1e-10 * path.last);
+    CHECK(fork.symmetric.size() == 1);
+    CHECK(fork.bent.size() == 1);
+    for (const PathCertificate& part : joined.branches) {
+      REQUIRE(part.certified());
+      CHECK(part.gaps.empty());
+    }
+    CHECK(joined.branches[0].runs.back().to < fork.load.low);
   }
 }
 
-TEST_CASE("a chain that is symmetric but for one unit in digit 30 has no pitchfork, and keeps its gap") {
-  const auto nearly = decimals({"0", "0.3", "-0.300000000000000000000000000001"});
-  const PathCertificate open = first_part(Chain<Rational>({1, 1, 1}, {0, 1, 1}, nearly), 0.1);
-  CHECK_FALSE(open.fork);
-  CHECK(open.gaps.size() == 1);
+TEST_CASE("all branches of a symmetric chain: both that cross go through the pitchfork") {
+  const Path path{Chain<Rational>({1, 1, 1}, {0, 1, 1}, decimals({"-0.1", "0.3", "-0.3"})),
+                  Control::end_point, 0.1, true};
+  const JoinedBranches joined = proved(path);
+  REQUIRE(joined.forks.size() == 1);
+  CHECK(joined.forks[0].symmetric.size() == 2);
+  CHECK(joined.forks[0].bent.size() == 2);
+  for (const PathCertificate& part : joined.branches) CHECK(part.gaps.empty());
+}
+
+TEST_CASE("a chain that is symmetric but for one unit in a far digit has no pitchfork, and that is proved") {
+  const std::vector<std::pair<const char*, bool>> bends{
+      {"-0.2999999999999999", true},
+      {"-0.300000000000000000000000000001", true},
+      {"-0.3000000000000000000000000000000000000000000001", true},
+      // beyond what 64 digits tell apart
+      {"-0.3000000000000000000000000000000000000000000000000000"
+       "000000000000000000000000000000000000000000000001",
+       false}};
+  for (const auto& [bend, decided] : bends) {
+    CAPTURE(bend);
+    const JoinedBranches open = proved(
+        {Chain<Rational>({1, 1, 1}, {0, 1, 1}, decimals({"0", "0.3", bend})), Control::end_point, 0.1});
+    CHECK(open.forks.empty());
+    REQUIRE(open.branches[0].gaps.size() == 1);
+    CHECK(open.branches[0].gaps[0].unfolded == decided);
+  }
+  // not straight by as little, and loaded from the side by as little
+  const Chain<Rational> bent({1, 1, 1}, {1, 1, 1}, decimals({"0", "1e-30", "0"}));
+  const JoinedBranches under_force = proved({bent, Control::force, 0.3});
+  REQUIRE(under_force.branches[0].gaps.size() == 1);
+  CHECK(under_force.branches[0].gaps[0].unfolded);
+}
+
+TEST_CASE("where two branches cross, nothing is called unfolded") {
+  const auto exact = from_rational<Interval>(Chain<Rational>({1, 1, 1}, {1, 1, 1}));
+  const Loading<Interval> push{Control::force, {0, 0}, {-1, 0}};
+  Vector<double> crossing = Vector<double>::Zero(4);
+  crossing(3) = 0.19806226419516171;  // the least root of det(K - F L), 4 sin^2(pi / 14)
+  CHECK_FALSE(unfolded(exact, push, crossing, 1e-5));
+  crossing(3) += 1e-3;
+  CHECK(unfolded(exact, push, crossing, 1e-5));
 }
 
 TEST_CASE("symmetries are those of the exact numbers") {

@@ -3,7 +3,8 @@
 usage: tampering_paths.test.py PROOFS CERTIFICATES
 
 Besides what forgery.py does: documents that pass the schema and say something false: a fold left out, moved or doubled, the
-stability flipped, points taken from two branches, a jump over a fold, another chain.
+stability flipped, points taken from two branches, a jump over a fold, a pitchfork
+moved, or of a chain that is not symmetric, another chain.
 """
 import copy
 import sys
@@ -22,20 +23,36 @@ def lies(document, path):
         yield from (-old, old + 1, str(old), old + 10**6) if old else (1, -1, "0")
         return
     yield from ("", "x", "nan", "1/0")
+    if len(path) == 1:
+        return
     if key in ("control", "rest_unit"):
         yield {"end_point": "force", "force": "end_point", "rad": "pi", "pi": "rad"}[old]
+    elif "pitchforks" in path and old in ("first", "last"):
+        yield {"first": "last", "last": "first"}[old]
+    elif key == "symmetry":
+        yield from {"reversed", "mirrored", "reversed and mirrored"} - {old}
+    elif path[-2] == "load":
+        yield "9" if key == 0 else "0"
     elif key == "near":
         yield from ("0", "1e-30", "-1")
     elif "folds" in path:
         yield from (str(-Fraction(old)), "9" if key == 0 else "0")
     elif "points" in path:  # farther off than `near`, or than double precision
         yield from (str(Fraction(old) + Fraction(1, 100)), str(Fraction(old) + 1))
-    elif len(path) == 1:
-        return
     elif path[-2] in ("lengths", "stiffness", "rest"):
         yield str(Fraction(old) + Fraction(1, 100))
     elif path[-2] == "direction" and Fraction(old):  # of any length
         yield str(-Fraction(old))
+
+
+def true_too(document, path, value):
+    """What a change leaves true: the unit of rest angles that are all zero; and near a straight chain's pitchfork every end
+    of a part, and straight points in between under any force in their order."""
+    entry = document["certificates"][0]
+    if any(map(Fraction, entry["rest"])):
+        return False
+    straight = "points" in path and path[3] == 0 and path[-1] == len(entry["lengths"]) and isinstance(value, str) and value > "0"
+    return (path[-1] == "rest_unit" and value == "pi") or value in ("first", "last") or straight
 
 
 def forgeries(document):
@@ -48,8 +65,10 @@ def forgeries(document):
     for path in leaves(document):
         if not rests_on_digest(path) and not alike(path):
             for value in lies(document, path):
+                if true_too(document, path, value):
+                    continue
                 yield changed(document, path, value), (*path, value)
-    for forgery, what in incomplete(document, removable={"parts", "points"}):
+    for forgery, what in incomplete(document, removable={"parts", "points", "pitchforks", "symmetric"}):
         if not alike(what):
             yield forgery, what
 
@@ -85,20 +104,38 @@ def by_hand(entry):
         first, second = entry["parts"][:2]
         joined = {**first, "points": first["points"] + second["points"], "runs": first["runs"] + second["runs"]}
         yield "two branches in one", {**copy.deepcopy(entry), "parts": [joined]}
-    yield "another chain", {**copy.deepcopy(entry), "stiffness": [str(Fraction(k) * Fraction(99, 100)) for k in entry["stiffness"]]}
+    yield "another chain", {**copy.deepcopy(entry), "stiffness": entry["stiffness"][:-1] + [str(Fraction(entry["stiffness"][-1]) * Fraction(9, 10))]}
+    for i, fork in enumerate(entry["pitchforks"]):
+        def with_fork(**members):
+            return {**copy.deepcopy(entry), "pitchforks": [{**f, **members} if i == j else f for j, f in enumerate(entry["pitchforks"])]}
+
+        low, high = map(Fraction, fork["load"])
+        yield "a pitchfork moved", with_fork(load=[str(high + (high - low) / 100), str(2 * high - low)])
+        yield "a pitchfork narrowed", with_fork(load=[str(low), str(low + (high - low) / 100)])
+        yield "a bent end called symmetric", with_fork(symmetric=fork["symmetric"] + fork["bent"])
+        yield "a symmetric end called bent", with_fork(bent=fork["bent"] + fork["symmetric"])
+        yield "branches exchanged", with_fork(symmetric=fork["bent"], bent=fork["symmetric"])
+        yield "no bent branch", with_fork(bent=[])
+        bent = [str(Fraction(x) + Fraction(1, 10**30) * (j == 1)) for j, x in enumerate(entry["rest"])]
+        yield "a pitchfork of a chain that is bent by 1e-30", {**with_fork(), "rest": bent}
+        aside = [entry["direction"][0], "1e-30"]
+        yield "a pitchfork under a load aside by 1e-30", {**with_fork(), "direction": aside}
     turned = [entry["direction"][1], entry["direction"][0]]
     yield "another direction", {**copy.deepcopy(entry), "direction": turned}
 
 
 def shortened(entry):
-    """A stretch about each fold, and the beginning of what has none: the checks are the same, and quick."""
+    """A stretch about each fold, what is next to a pitchfork, and the beginning of all else: the checks are the same, and quick."""
+    ends = [end for fork in entry["pitchforks"] for end in fork["symmetric"] + fork["bent"]]
     parts = []
-    for part in entry["parts"]:
+    for number, part in enumerate(entry["parts"], 1):
         points = part["points"]
-        middle = max(range(len(points)), key=lambda j: Fraction(points[j][-1])) if part["folds"] else 0
+        middle = len(points) if [number, "last"] in ends else 0
+        if part["folds"]:
+            middle = max(range(len(points)), key=lambda j: Fraction(points[j][-1]))
         reach = 40 if part["folds"] else 6
         parts.append({**part, "points": points[max(0, middle - reach):middle + reach]})
-    return {**entry, "parts": [part for part in parts if len(part["points"]) > 1]}
+    return {**entry, "parts": parts}
 
 
 def main():
@@ -109,7 +146,7 @@ def main():
 
     for entry in map(shortened, document["certificates"]):
         judge.true(of_one(entry), entry["case"])
-        if len(entry["lengths"]) == 2:
+        if len(entry["lengths"]) == 2 or entry["pitchforks"]:
             judge.by_machine(forgeries(of_one(entry)))
         for name, false in by_hand(entry):
             judge.by_hand(of_one(false), (entry["case"], name))

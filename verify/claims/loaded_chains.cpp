@@ -56,8 +56,8 @@ std::string in_words(const proofs::PathCertificate& proved) {
     words += proved.softens           ? "; the tangent stiffness falls all along"
              : proved.softest.empty() ? "; the tangent stiffness has no local minimum"
                                       : ", and nowhere else";
-  for (const proofs::Span& gap : proved.gaps)
-    words += "; not covered, a bifurcation or nearly one: " + text(gap, 8);
+  for (const proofs::Gap& gap : proved.gaps)
+    words += "; not covered, a bifurcation or nearly one: " + text(gap.loads, 8);
   if (proved.failed_at) words += "; not proved from " + text(*proved.failed_at, 8) + " on: " + proved.failure;
   if (!proved.finite) words += "; the tangent stiffness has poles";
   return words + (proved.stiff ? "; the force grows all along" : "");
@@ -65,8 +65,7 @@ std::string in_words(const proofs::PathCertificate& proved) {
 
 /// States near a chord between two of them.
 struct ChordOfStates {
-  const BranchPoint<double>&a, &b;
-  const Vector<double>& tube;
+  const Vector<double>&a, &b, &tube;  ///< theta, force, load
 
   /// What lies from a share of the chord to another.
   [[nodiscard]] Interval between(double from, double to, double at_a, double at_b, double off) const {
@@ -80,19 +79,21 @@ struct ChordOfStates {
   /// certain.
   [[nodiscard]] bool holds(double from, double to, double first, double last,
                            const std::function<bool(const proofs::CertifiedEquilibrium&)>& asked) const {
-    const Interval load = between(from, to, a.load, b.load, tube(tube.size() - 1));
+    const Eigen::Index links = tube.size() - 3;
+    const auto unknown = [&](Eigen::Index i) { return between(from, to, a(i), b(i), tube(i)); };
+    const Interval load = unknown(links + 2);
     if (certainly_less(load, Interval::from_double(first)) ||
         certainly_less(Interval::from_double(last), load))
       return true;
     proofs::CertifiedEquilibrium state;
     Interval before(0);
-    for (Eigen::Index i = 0; i < a.theta.size(); ++i) {
-      const Interval theta = between(from, to, a.theta(i), b.theta(i), tube(i));
+    for (Eigen::Index i = 0; i < links; ++i) {
+      const Interval theta = unknown(i);
       state.q.push_back(theta - before);
       before = theta;
     }
-    state.fx = between(from, to, a.force.x, b.force.x, tube(a.theta.size()));
-    state.fy = between(from, to, a.force.y, b.force.y, tube(a.theta.size() + 1));
+    state.fx = unknown(links);
+    state.fy = unknown(links + 1);
     if (asked(state)) return true;
     constexpr double shortest = 1.0 / 1024;
     if (to - from < shortest) return false;
@@ -232,7 +233,7 @@ bool SlowPath::everywhere(const Rational& from, const Rational& to,
       if (!covers) continue;
       for (std::size_t i = 0; i < piece.tubes.size(); ++i) {
         // at a point two tubes meet, and the curve goes from one to the other in a box of its own
-        const Vector<double> tube = piece.tubes[i].array() + piece.absolute;
+        const Vector<double> tube = piece.tubes[i].array() + piece.distance;
         const ChordOfStates chord{piece.points[i], piece.points[i + 1], tube};
         if (!chord.holds(0, 1, first, last, holds)) return false;
       }

@@ -69,7 +69,8 @@ struct SlowPath {
   /// How many minima the tangent stiffness has along a regular path, proved. \throws Error where that is open
   [[nodiscard]] std::size_t softest() const;
   /// Proved: what is asked holds of every state of one stretch between two deflections; the question is put
-  /// to enclosures of its joint angles and force, which may hold several states.
+  /// to enclosures of its joint angles and force, which may hold several states. The proof is without units,
+  /// and so are these chains: their longest link and largest stiffness are one.
   [[nodiscard]] bool everywhere(const Rational& from, const Rational& to,
                                 const std::function<bool(const proofs::CertifiedEquilibrium&)>& holds) const;
   /// What is proved of the stretches, in words.

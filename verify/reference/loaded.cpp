@@ -56,6 +56,16 @@ LoadedCase snapping() {
           Rational(29, 25)};
 }
 
+/// A straight chain that buckles under its load.
+LoadedCase buckling() {
+  return {{"buckling-three-link",
+           Chain<Rational>({1, 1, 1}, {1, 1, 1}),
+           false,
+           proofs::Given::force,
+           {Rational(-2, 5), 0}},
+          Rational(1, 2)};
+}
+
 /// A place well within reach: no farther than nine tenths of all links in line, no nearer than the longest
 /// link less the others, and a tenth.
 Point<Rational> place_in_reach(Draw& draw, const Rational& reach, const Rational& longest) {
@@ -165,6 +175,7 @@ std::vector<LoadedCase> loaded_cases(ReferenceSize size, std::uint64_t seed) {
   std::vector<LoadedCase> cases;
   add_paper(cases);
   cases.push_back(snapping());
+  cases.push_back(buckling());
   for (std::size_t n = 2; n <= 5; ++n) {
     for (int i = 1; i <= (size == ReferenceSize::full ? 10 : 2); ++i) {
       cases.push_back(random_case(fmt::format("loaded-{}-{:02}", n, i), n, i % 2 == 1, seed));
@@ -225,13 +236,14 @@ std::optional<json> path_entry(const LoadedCase& loaded) {
                               {task.control(), {middle(loading.start.x), middle(loading.start.y)}, {-1, 0}},
                               static_cast<double>(loaded.window),
                               longest_path_step};
-  std::vector<proofs::PathCertificate> parts;
-  const proofs::PathReport followed = proofs::follow_slowly(path);
-  for (const Branch<double>& branch : followed.branches) {
-    parts.push_back(proofs::certify(exact, loading, branch));
-    if (!parts.back().certified()) return std::nullopt;
-  }
-  return proofs::path_certificate({task.name, task.chain, task.rest_in_pi, task.control(), {-1, 0}}, parts);
+  const Point<Rational> along{-1, 0};
+  const auto proved =
+      proofs::certify(proofs::follow_slowly(path), exact, loading,
+                      proofs::symmetries(task.chain, task.control(), along), proofs::ProvedPoints::rounded);
+  const bool whole = std::all_of(proved.branches.begin(), proved.branches.end(),
+                                 [](const proofs::PathCertificate& one) { return one.certified(); });
+  if (!whole) return std::nullopt;
+  return proofs::path_certificate({task.name, task.chain, task.rest_in_pi, task.control(), along}, proved);
 }
 
 std::string equilibria_csv(const std::vector<json>& entries) {
