@@ -90,8 +90,9 @@ inline Experiment read_with_noise(Experiment experiment, const Prediction& true_
 /// From MuJoCo's readings to the corrected MJCF and back to MuJoCo.
 struct RoundTrip {
   diagnose::Diagnosis diagnosis;
-  double reported, mujoco;  ///< what is left of the residual on the readings held out, as the report says and
-                            ///< in MuJoCo; 1 without any
+  /// What is left of the residual on the readings held out, as the report says, and in MuJoCo: of several
+  /// candidates' files with the best. 1 without any.
+  double reported, mujoco;
 };
 
 /// \param true_runs  what MuJoCo makes of the chain with its effect
@@ -99,12 +100,13 @@ inline RoundTrip round_trip(const Experiment& bench, const Prediction& true_runs
   const Study study(read_with_noise(bench, true_runs, seed));
   RoundTrip trip{diagnose::diagnose(study), 1, 1};
   if (!trip.diagnosis.shrink) return trip;
-  const Model model = corrected_models(study, trip.diagnosis).front().model;
-  const diagnose::Shrink in_file =
-      measure_shrink(study.measurements(), diagnose::choose_heldout(study.experiment()),
-                     study.nominal_residual(), study.residual(in_mujoco(model, pace)), trip.diagnosis.noise);
   trip.reported = trip.diagnosis.shrink->ratio;
-  trip.mujoco = in_file.ratio;
+  for (const Corrected& one : corrected_models(study, trip.diagnosis)) {
+    const diagnose::Shrink in_file = measure_shrink(
+        study.measurements(), diagnose::choose_heldout(study.experiment()), study.nominal_residual(),
+        study.residual(in_mujoco(one.model, pace)), trip.diagnosis.noise);
+    trip.mujoco = std::min(trip.mujoco, in_file.ratio);
+  }
   return trip;
 }
 
