@@ -71,8 +71,8 @@ std::vector<Carried> what_is_carried(const Model& model, Format format) {
     all.push_back(std::move(one));
   }
   if (!model.laws.empty())
-    all.push_back(
-        {"torque_law", false, "joints of this format know no free torque law: the table in the comment"});
+    all.push_back({"torque_law", false,
+                   "joints of this format know no free torque law: the table at the head of the file"});
   return all;
 }
 

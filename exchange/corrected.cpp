@@ -54,6 +54,23 @@ std::string file_word(const Candidate& candidate) {
   return word;
 }
 
+/// The law of every joint by itself: those that share one have it in proportion to their springs.
+std::vector<diagnose::LawPicture> by_joint(const diagnose::OfferedLaw& offered, const Study& study) {
+  std::vector<diagnose::LawPicture> all;
+  for (std::size_t l = 0; l < offered.pictures.size(); ++l) {
+    for (const std::size_t joint : offered.pictures[l].joints) {
+      diagnose::LawPicture own = offered.pictures[l];
+      const double share = study.experiment().joint_stiffness[joint - 1] / offered.law.laws[l].stiffness;
+      own.joints = {joint};
+      for (auto& knot : own.knots) knot.torque *= share;
+      for (auto& slider : own.sliders) slider.torque *= share, slider.growth *= share;
+      for (auto& arm : own.arms) arm.stiffness *= share;
+      all.push_back(std::move(own));
+    }
+  }
+  return all;
+}
+
 class Models {
  public:
   explicit Models(const Study& study) : study_(study) {}
@@ -74,7 +91,8 @@ class Models {
     const Candidate& base = law.law.base.candidate;
     add(alone ? "" : "torque_law",
         "with a free torque law" + (base.effects.empty() ? "" : " and " + base.label()),
-        effects_of(study_, base, in_catalogue_units(study_, base, law.law.base.parameters)), law.pictures);
+        effects_of(study_, base, in_catalogue_units(study_, base, law.law.base.parameters)),
+        by_joint(law, study_));
   }
 
   std::vector<Corrected> result() { return std::move(all_); }

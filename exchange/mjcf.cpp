@@ -76,6 +76,33 @@ void add_followers(const Tree& tree, Xml& root) {
   root.add(std::move(equality)).add(std::move(actuator));
 }
 
+/// A list of numbers that scripts find by its name; MuJoCo's dynamics knows nothing of it.
+void note(Xml& custom, const std::string& name, const std::vector<double>& values) {
+  if (!values.empty()) custom.add(Xml("numeric").set("name", name).set("data", numbers(values)));
+}
+
+/// What MJCF cannot carry.
+Xml beside(const Model& model, const std::vector<Carried>& effects) {
+  Xml custom("custom");
+  for (std::size_t e = 0; e < model.experiment.effects.size(); ++e)
+    for (const auto& [name, value] : model.experiment.effects[e].parameters)
+      if (!effects[e].carried) note(custom, effects[e].effect + " " + name, {value});
+  for (const diagnose::LawPicture& law : model.laws) {
+    for (const std::size_t joint : law.joints) {
+      const std::string name = fmt::format("torque_law q{}", joint);
+      std::vector<double> knots, sliders, arms;
+      for (const auto& one : law.knots) knots.insert(knots.end(), {one.deflection, one.torque});
+      for (const auto& one : law.sliders)
+        sliders.insert(sliders.end(), {one.slips_at, one.torque, one.growth});
+      for (const auto& one : law.arms) arms.insert(arms.end(), {one.time_constant, one.stiffness});
+      note(custom, name, knots);
+      note(custom, name + " sliders", sliders);
+      note(custom, name + " arms", arms);
+    }
+  }
+  return custom;
+}
+
 Xml defaults() {
   const std::string reference = number(2 * timestep) + " 1", impedance = "0.9999 0.9999 0.001";
   Xml all("default");
@@ -116,9 +143,11 @@ Written to_mjcf(const Model& model) {
     root.add(std::move(all));
   }
   add_followers(tree, root);
+  if (Xml custom = beside(model, file.effects); !custom.empty()) root.add(std::move(custom));
   file.text = document(
       head_lines(model, file.effects,
-                 {"In the plane of x and y; armature, damping and time step are numerical, not identified."}),
+                 {"In the plane of x and y; armature, damping and time step are numerical, not identified.",
+                  "What is not carried stands in <custom> as numbers."}),
       root);
   return file;
 }

@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 /// Angles and lengths to this share count as equal: models are written to six digits or so.
 constexpr double rounding = 1e-5;
 /// Simulators demand a mass, kg, of a body that weighs nothing.
-constexpr double no_mass = 1e-5;
+constexpr double no_mass = 1e-4;
 
 /// From the base on. \throws Error where one joint carries two, or none is at the base
 std::vector<const ReadJoint*> in_series(const ReadModel& model, const std::string& source) {
@@ -79,7 +79,7 @@ Vector3d end_of(const ReadModel& model, const ReadJoint& last, const std::string
     notes.emplace_back("end point: " + model.end_name);
     return *model.end;
   }
-  if (!(last.mass > 0))
+  if (!(last.mass > 0) || (last.middle - last.anchor).norm() < rounding)
     throw Error(source, "no end of the last link, " + last.name, "a site or frame at the end point");
   notes.emplace_back("end point: no site or frame names it; taken twice as far out as the centre of mass");
   return 2 * last.middle - last.anchor;

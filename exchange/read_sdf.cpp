@@ -104,15 +104,18 @@ class Reader {
     }
   }
 
-  /// A frame whose name says that it is an end.
+  /// A frame or a link whose name says that it is an end.
   void find_end() {
-    for (std::uint64_t f = 0; f < model_->FrameCount(); ++f) {
-      const sdf::Frame& frame = *model_->FrameByIndex(f);
-      const std::string& name = frame.Name();
-      if (name.find("end") == std::string::npos && name.find("tip") == std::string::npos) continue;
-      result_.end = vector(pose(frame).Pos());
-      result_.end_name = "frame " + files::shown(name);
-    }
+    for (std::uint64_t l = 0; l < model_->LinkCount(); ++l) consider_end("link ", *model_->LinkByIndex(l));
+    for (std::uint64_t f = 0; f < model_->FrameCount(); ++f) consider_end("frame ", *model_->FrameByIndex(f));
+  }
+
+  template <class Part>
+  void consider_end(const char* kind, const Part& part) {
+    const std::string& name = part.Name();
+    if (name.find("end") == std::string::npos && name.find("tip") == std::string::npos) return;
+    result_.end = vector(pose(part).Pos());
+    result_.end_name = kind + files::shown(name);
   }
 
   std::string file_;

@@ -10,7 +10,8 @@ namespace {
 
 using diagnose::Rig, diagnose::Vector2;
 
-constexpr double speck = 1e-6;  // kg: of a body that weighs nothing
+// kg: of a body that weighs nothing; sdformat drops what has a millionth or less
+constexpr double speck = 1e-5;
 constexpr std::array<double, 3> gauss_place{0.1127016653792583, 0.5, 0.8872983346207417};
 constexpr std::array<double, 3> gauss_weight{5.0 / 18, 4.0 / 9, 5.0 / 18};
 

@@ -53,6 +53,15 @@ Xml joint(const Body& one) {
   return xml;
 }
 
+/// A link at the end point. sdformat merges what is fixed, unless it is told not to.
+void add_end(const Tree& tree, Xml& root) {
+  Body end{"end", tree.tip, tree.end, tree.bodies.front().mass, 0, 0, {}};
+  Xml keep("gazebo");
+  const std::string preserve = "preserveFixedJoint";
+  keep.set("reference", "end_fixed").add(preserve, "true");
+  root.add(link(end)).add(joint(end)).add(std::move(keep));
+}
+
 }  // namespace
 
 Written to_urdf(const Model& model) {
@@ -65,6 +74,7 @@ Written to_urdf(const Model& model) {
     root.add(link(one));
     if (!one.parent.empty()) root.add(joint(one));
   }
+  add_end(tree, root);
   for (const Body& one : tree.bodies) {
     if (!one.joint || one.joint->stiffness == 0) continue;
     Xml spring("gazebo");

@@ -33,6 +33,7 @@ class Xml {
     children_.emplace_back(name).text_ = text;
     return *this;
   }
+  [[nodiscard]] bool empty() const { return children_.empty() && text_.empty(); }
   [[nodiscard]] std::string text(std::size_t depth) const;
 
  private:

@@ -94,10 +94,15 @@ def reports(folder):
     two_links.write(folder / "one-spring", lambda joint, d, k: 1.3 * k * d, stiffness=(0.0, 1.5))
     verdicts = {}
     for name in ("no-gap", "ripple", "drag", "one-spring"):
-        verdicts[name] = written("diagnose", name, folder=folder)
+        verdicts[name] = written("diagnose", name, "--corrected", f"{name}.xml", folder=folder)
     bundled = written("diagnose", "--next", "--corrected", "corrected.toml", folder=folder)
     found = {name: report["cause"]["verdict"] for name, report in verdicts.items()}
     assert found == {"no-gap": "none", "ripple": "unknown", "drag": "unknown", "one-spring": "ambiguous"}, found
+    # One file a candidate, and none that is not said.
+    for name, report in verdicts.items():
+        files = {path.name for path in folder.glob(f"{name}*.xml")}
+        assert files == {one["file"] for one in report["corrected"]}, name
+        assert (len(files) > 1) == (report["cause"]["verdict"] == "ambiguous"), files
     assert bundled["cause"]["verdict"] == "identified"
     hold("gap-diagnosis", [*verdicts.values(), bundled])
 

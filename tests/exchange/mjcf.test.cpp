@@ -2,66 +2,21 @@
 
 #include <doctest/doctest.h>
 
-#include "exchange/corrected.hpp"
+#include "exchange/read_model.hpp"
 #include "exchange/ways.hpp"
-#include "tests/exchange/found.hpp"
-#include "tests/exchange/mujoco_bench.hpp"
+#include "tests/exchange/proof.hpp"
+#include "tests/folder.hpp"
 
 namespace plumbline::exchange {
 namespace {
 
-constexpr double slowness = 5;
-
 using diagnose::EffectAt, diagnose::Experiment, diagnose::Prediction, diagnose::Study;
 
-test::Pace pace_of(std::string_view effect) {
-  if (effect == "viscoelasticity" || effect == "relaxation_spectrum") return test::Pace::by_the_clock;
-  const bool slides = effect == "joint_friction" || effect == "friction_spread" || effect == "hysteresis";
-  return slides ? test::Pace::on_the_way : test::Pace::at_rest;
-}
-
-/// What MuJoCo makes of a model in every run.
-Prediction in_mujoco(Model model) {
-  Prediction all;
-  test::Pace pace = test::Pace::at_rest;
-  for (const diagnose::NominalEffect& effect : model.experiment.effects)
-    pace = std::max(pace, pace_of(effect.id));
-  for (const diagnose::Run& run : model.experiment.runs) {
-    model.rest = run.rest;
-    all.runs.push_back(test::MujocoBench(to_mjcf(model).text, pace).run(run));
-  }
-  return all;
-}
-
-double rms(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value * value;
-  return std::sqrt(sum / static_cast<double>(values.size()));
-}
-
-bool takes_time(const EffectAt& at) {
-  return pace_of(at.effect->id) == test::Pace::by_the_clock;
-}
-
-/// The bench; one that is so slow that dynamics is over long before anything relaxes.
-Experiment bench_for(const EffectAt& at) {
-  Experiment experiment = diagnose::test::full_bench();
-  if (!takes_time(at)) return experiment;
-  experiment.runs.resize(1);
-  for (diagnose::Reading& reading : experiment.runs.front().readings) reading.t *= slowness;
-  return experiment;
-}
-
-std::vector<double> amount_of(const Study& study, const EffectAt& at) {
-  std::vector<double> amount = test::sizeable(study, at);
-  if (!takes_time(at)) return amount;
-  for (std::size_t tau = 1; tau < amount.size(); tau += 2) amount[tau] += std::log(slowness);
-  return amount;
-}
-
-/// An amount of which much shows and no run snaps.
-Experiment with_readings(const Study& study, const EffectAt& at, const std::vector<double>& amount) {
-  return diagnose::test::measured(study.experiment(), {{at}}, amount, 1);
+/// The text with the first of one replaced by another.
+std::string replaced(std::string text, const std::string& one, const std::string& other) {
+  const std::size_t at = text.find(one);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, one.size(), other);
 }
 
 }  // namespace
@@ -71,20 +26,59 @@ TEST_CASE("what MJCF carries does in MuJoCo what the diagnosis found") {
   for (const EffectAt& at : possible_effects(bare)) {
     if (!way_of(Format::mjcf, at.effect->id).carried || at.joint == 1 || at.joint == 3) continue;
     CAPTURE(at.label());
-    const Study own(bench_for(at));
-    const std::vector<double> amount = amount_of(own, at);
-    const Study study(with_readings(own, at, amount));
-    const auto models = corrected_models(study, test::found(study, at, amount));
-    const double nominal = rms(study.nominal_residual()),
-                 found = rms(study.residual(predict(study, {{at}}, amount))),
-                 mujoco = rms(study.residual(in_mujoco(models.front().model)));
+    const auto [nominal, found, mujoco] = test::residuals(at);
     CAPTURE(nominal);
     // The noise has size one. What joints at rest add to it is to be less than half of it. Damping, which the
     // file has for the dynamics, drags beside dry friction: by a twentieth at the pace of the test.
+    const double drag = test::pace_of(at.effect->id) == test::Pace::on_the_way ? 0.06 * nominal : 0;
     CHECK(nominal > 5);
-    CHECK(
-        mujoco * mujoco - found * found <
-        std::max(0.25, pace_of(at.effect->id) == test::Pace::on_the_way ? std::pow(0.06 * nominal, 2) : 0.0));
+    CHECK(mujoco * mujoco - found * found < std::max(0.25, drag * drag));
+  }
+}
+
+TEST_CASE("what MJCF cannot carry stands in it as numbers that MuJoCo reads") {
+  Model model{"three links", diagnose::test::full_bench(), {0.3, -0.5, 0.4}, {}};
+  model.experiment.effects = {{"force_gain", 0, {{"g", 0.25}}}};
+  model.laws = {{{2}, {{-0.1, -0.3}, {0, 0}, {0.1, 0.2}}, {{0.01, 0.05, 0}}, {}, "stiffer to one side"}};
+  const Written file = to_mjcf(model);
+  REQUIRE(file.effects.size() == 2);
+  CHECK_FALSE(file.effects[0].carried);
+  CHECK_FALSE(file.effects[1].carried);
+  CHECK(file.text.find("NOT CARRIED: force_gain: of the load cell") != std::string::npos);
+  test::MujocoBench bench(file.text, test::Pace::at_rest);
+  CHECK(bench.numbers("force_gain g") == std::vector<double>{0.25});
+  CHECK(bench.numbers("torque_law q2") == std::vector<double>{-0.1, -0.3, 0, 0, 0.1, 0.2});
+  CHECK(bench.numbers("torque_law q2 sliders") == std::vector<double>{0.01, 0.05, 0});
+}
+
+TEST_CASE("an MJCF in, changed in MuJoCo, diagnosed, and the corrected MJCF out: the gap is gone") {
+  Experiment bench = diagnose::test::full_bench();
+  Model model{"three links", bench, bench.runs.front().rest, {}};
+  const std::string before = to_mjcf(model).text;
+  const Folder folder;
+  folder.write("robot.xml", before);
+  static_cast<diagnose::NominalChain&>(bench) = read_model(folder / "robot.xml").chain;
+  struct Change {
+    std::string one, other, cause;
+  };
+  for (const Change& change :
+       {Change{"stiffness=\"1.5\"", "stiffness=\"1.95\"", "joint_stiffness(2)"},
+        Change{"name=\"link3\" pos=\"0.25 ", "name=\"link3\" pos=\"0.26 ", "link_length(2)"}}) {
+    CAPTURE(change.cause);
+    Prediction changed;
+    for (const diagnose::Run& run : bench.runs) {
+      model.rest = run.rest;
+      const std::string text = replaced(to_mjcf(model).text, change.one, change.other);
+      changed.runs.push_back(test::MujocoBench(text, test::Pace::at_rest).run(run));
+    }
+    const test::RoundTrip trip = test::round_trip(bench, changed, test::Pace::at_rest, 7);
+    REQUIRE(trip.diagnosis.cause.verdict == diagnose::CauseVerdict::identified);
+    const diagnose::Cause& cause = trip.diagnosis.cause;
+    CHECK(cause.ranking[cause.best].hypothesis.fit.candidate.label() == change.cause);
+    CHECK(trip.reported < 0.2);
+    // On the same readings, with the same noise: what differs is MuJoCo's own error, and the values, which
+    // the file has from all readings.
+    CHECK(trip.mujoco < 1.1 * trip.reported);
   }
 }
 

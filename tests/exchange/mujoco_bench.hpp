@@ -63,6 +63,14 @@ class MujocoBench {
     return trace;
   }
 
+  /// A list of <custom>.
+  [[nodiscard]] std::vector<double> numbers(const char* name) const {
+    const int id = mj_name2id(model_.get(), mjOBJ_NUMERIC, name);
+    if (id < 0) return {};
+    const mjtNum* first = model_->numeric_data + model_->numeric_adr[id];
+    return {first, first + model_->numeric_size[id]};
+  }
+
  private:
   static constexpr double slow_way = 8;  // s from reading to reading
 

@@ -1,0 +1,35 @@
+// `diagnose --corrected` and `--model`, and `chain`, as a user runs them.
+#include "tests/app/process.hpp"
+
+TEST_CASE("against its own corrected model an experiment has no gap") {
+  const Workplace place;
+  const Outcome first = place.plumbline("diagnose --corrected bench.toml");
+  REQUIRE(first.status == 0);
+  CHECK(contains(first.out, "Corrected model: bench.toml"));
+  const Outcome again = place.plumbline("diagnose --model bench.toml --corrected again.toml");
+  REQUIRE(again.status == 0);
+  CHECK(contains(again.out, "Is there a gap?  No"));
+  CHECK(contains(place.read("again.toml"), "id = \"joint_friction\""));
+  CHECK(contains(place.plumbline("chain bench.toml").out, "id = \"joint_friction\""));
+}
+
+TEST_CASE(
+    "a corrected model goes where it may be written, in a format that there is, or nothing is written") {
+  const Workplace place;
+  check_refused(place.plumbline("diagnose --corrected bench.step"));
+  check_refused(place.plumbline("diagnose --corrected nowhere/bench.toml"));
+  check_refused(place.plumbline("diagnose --corrected bench.toml --json bench.toml"));
+  CHECK(place.files() == 0);
+  place.write("own.toml",
+              "[nominal]\nlink_length = [0.25, 0.25, 0.25, 0.25]\njoint_stiffness = [2, 2, 2, 2]\n");
+  check_refused(place.plumbline("diagnose --model own.toml --corrected own.toml"));
+  CHECK(contains(place.read("own.toml"), "joint_stiffness = [2, 2, 2, 2]\n"));
+  check_refused(place.plumbline("diagnose --model nowhere.toml"));
+  check_refused(place.plumbline("chain"));
+  place.write("rust.toml",
+              "[nominal]\nlink_length = [0.25, 0.25, 0.25, 0.25]\njoint_stiffness = [2, 2, 2, 2]\n"
+              "[[nominal.effect]]\nid = \"rust\"\nparameters = {}\n");
+  const Outcome rust = place.plumbline("diagnose --model rust.toml");
+  check_refused(rust);
+  CHECK(contains(rust.err, "nominal.effect[1].id: found rust"));
+}

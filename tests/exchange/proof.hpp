@@ -1,0 +1,113 @@
+#pragma once
+/// \file
+/// Whether a corrected model does in MuJoCo what the diagnosis says.
+
+#include <random>
+
+#include "diagnose/answers/diagnosis.hpp"
+#include "exchange/corrected.hpp"
+#include "exchange/mjcf.hpp"
+#include "tests/exchange/found.hpp"
+#include "tests/exchange/mujoco_bench.hpp"
+
+namespace plumbline::exchange::test {
+
+using diagnose::Experiment, diagnose::Prediction;
+
+inline Pace pace_of(std::string_view effect) {
+  if (effect == "viscoelasticity" || effect == "relaxation_spectrum") return Pace::by_the_clock;
+  const bool slides = effect == "joint_friction" || effect == "friction_spread" || effect == "hysteresis";
+  return slides ? Pace::on_the_way : Pace::at_rest;
+}
+
+inline bool takes_time(const EffectAt& at) {
+  return pace_of(at.effect->id) == Pace::by_the_clock;
+}
+
+/// What MuJoCo makes of a model in every run.
+inline Prediction in_mujoco(Model model, Pace pace) {
+  Prediction all;
+  for (const diagnose::Run& run : model.experiment.runs) {
+    model.rest = run.rest;
+    all.runs.push_back(MujocoBench(to_mjcf(model).text, pace).run(run));
+  }
+  return all;
+}
+
+/// How much slower the bench is on which something relaxes: dynamics is over long before.
+inline constexpr double slowness = 5;
+
+inline Experiment bench_for(const EffectAt& at) {
+  Experiment experiment = diagnose::test::full_bench();
+  if (!takes_time(at)) return experiment;
+  experiment.runs.pop_back();
+  for (diagnose::Run& run : experiment.runs)
+    for (diagnose::Reading& reading : run.readings) reading.t *= slowness;
+  return experiment;
+}
+
+inline std::vector<double> amount_of(const Study& study, const EffectAt& at) {
+  std::vector<double> amount = sizeable(study, at);
+  if (takes_time(at))
+    for (std::size_t tau = 1; tau < amount.size(); tau += 2) amount[tau] += std::log(slowness);
+  return amount;
+}
+
+inline double rms(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+/// Residuals of readings that have the effect, in standard deviations of their noise.
+struct Residuals {
+  double nominal, found, mujoco;
+};
+
+/// Readings of the diagnosis' own model, and MuJoCo's with the written file.
+inline Residuals residuals(const EffectAt& at) {
+  const Study bare(bench_for(at));
+  const std::vector<double> amount = amount_of(bare, at);
+  const Study study(diagnose::test::measured(bare.experiment(), {{at}}, amount, 1));
+  const Model model = corrected_models(study, found(study, at, amount)).front().model;
+  return {rms(study.nominal_residual()), rms(study.residual(predict(study, {{at}}, amount))),
+          rms(study.residual(in_mujoco(model, pace_of(at.effect->id))))};
+}
+
+/// The readings of a prediction with noise of the declared size.
+inline Experiment read_with_noise(Experiment experiment, const Prediction& true_runs, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal;
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r)
+    for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i)
+      for (const diagnose::Channel& channel : experiment.runs[r].measured())
+        channel.in(experiment.runs[r].readings[i]) =
+            true_runs.runs[r](static_cast<Eigen::Index>(i), column_of(channel)) +
+            channel.sigma(experiment.noise) * normal(engine);
+  return experiment;
+}
+
+/// From MuJoCo's readings to the corrected MJCF and back to MuJoCo.
+struct RoundTrip {
+  diagnose::Diagnosis diagnosis;
+  /// What is left of the residual on the readings held out, as the report says, and in MuJoCo: of several
+  /// candidates' files with the best. 1 without any.
+  double reported, mujoco;
+};
+
+/// \param true_runs  what MuJoCo makes of the chain with its effect
+inline RoundTrip round_trip(const Experiment& bench, const Prediction& true_runs, Pace pace, unsigned seed) {
+  const Study study(read_with_noise(bench, true_runs, seed));
+  RoundTrip trip{diagnose::diagnose(study), 1, 1};
+  if (!trip.diagnosis.shrink) return trip;
+  trip.reported = trip.diagnosis.shrink->ratio;
+  for (const Corrected& one : corrected_models(study, trip.diagnosis)) {
+    const diagnose::Shrink in_file = measure_shrink(
+        study.measurements(), diagnose::choose_heldout(study.experiment()), study.nominal_residual(),
+        study.residual(in_mujoco(one.model, pace)), trip.diagnosis.noise);
+    trip.mujoco = std::min(trip.mujoco, in_file.ratio);
+  }
+  return trip;
+}
+
+}  // namespace plumbline::exchange::test
