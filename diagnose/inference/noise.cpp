@@ -91,6 +91,23 @@ void keep_what_lasts(const Series& series, const std::vector<double>& off, std::
   }
 }
 
+/// Takes back the marks of what leads from the reading before to the one after: the turn of a curve is off
+/// the median too.
+void keep_what_leads_on(const Series& series, const std::vector<double>& residual, double tolerance,
+                        std::vector<bool>& marked) {
+  const std::size_t end = series.first + series.readings.size();
+  for (std::size_t i = series.first + 1; i + 1 < end;) {
+    std::size_t next = i;
+    while (next < end && marked[next]) ++next;
+    if (next > i && next < end && !marked[i - 1]) {
+      const auto [low, high] = std::minmax(residual[i - 1], residual[next]);
+      for (std::size_t k = i; k < next; ++k)
+        if (residual[k] > low - tolerance && residual[k] < high + tolerance) marked[k] = false;
+    }
+    i = next + 1;
+  }
+}
+
 /// Combines a measured scale with its prior: log-normal about one, as wide as is believed, or as the readings
 /// themselves ask for.
 double with_prior(double scale, double values) {
@@ -115,6 +132,7 @@ std::vector<bool> marks(const Measurements& measurements, const std::vector<doub
       marked[series.first + i] = series.readings.size() >= 5 && std::abs(off[series.first + i]) > tolerance;
     }
     keep_what_lasts(series, off, marked);
+    keep_what_leads_on(series, residual, tolerance, marked);
   }
   return marked;
 }

@@ -55,6 +55,22 @@ TEST_CASE("an outlier is marked, the readings beside it and a step are not") {
   for (std::size_t i = 0; i < marked.size(); ++i) CHECK(marked[i] == (i == 6));
 }
 
+TEST_CASE(
+    "the turn of a curve is no outlier, a reading that stands off both its neighbours is one there too") {
+  const Experiment experiment = blank_experiment({40});
+  const Measurements measurements(experiment);
+  std::mt19937_64 random(8);
+  std::vector<double> residual = correlated_noise(measurements, 0.3, 0, random);
+  // a cusp that rises by four sigmas a reading: its tip stands ten off the median of nine
+  for (std::size_t i = 0; i < residual.size(); ++i)
+    residual[i] += std::max(0.0, 24 - 4 * std::abs(static_cast<double>(i % 40) - 20));
+  for (const bool marked : outliers(measurements, residual)) CHECK_FALSE(marked);
+  residual[17] += 15;
+  const std::vector<bool> marked = outliers(measurements, residual);
+  CHECK(marked[17]);
+  CHECK(std::count(marked.begin(), marked.end(), true) == 1);
+}
+
 TEST_CASE("innovations of correlated noise are white") {
   const Experiment experiment = blank_experiment({4000});
   const Measurements measurements(experiment);
