@@ -26,14 +26,15 @@ void end_of_row(int /*terminator*/, void* data) {
 
 }  // namespace
 
-std::vector<CsvRow> parse_csv(const std::string& text, const std::string& source) {
+std::vector<CsvRow> parse_csv(const std::string& text, const std::string& source, char delimiter) {
   csv_parser parser;
   if (csv_init(&parser, CSV_STRICT | CSV_STRICT_FINI) != 0) throw std::bad_alloc();
   const std::unique_ptr<csv_parser, decltype(&csv_free)> guard(&parser, &csv_free);
+  csv_set_delim(&parser, static_cast<unsigned char>(delimiter));
   Rows result;
   const auto fail = [&](std::size_t line) {
     throw Error(source + ":" + std::to_string(line), "a quote inside a field, or one without its partner",
-                "comma-separated fields, quoted where they hold a quote, and that doubled");
+                "separated fields, quoted where they hold a quote, and that doubled");
   };
   std::size_t line = 1;
   const std::size_t mark = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // the byte order mark of spreadsheets

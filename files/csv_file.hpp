@@ -15,7 +15,7 @@ struct CsvRow {
 
 /// All rows of a text, the header line first; blank lines are passed over, blanks around fields dropped.
 /// \throws Error that names the source and the line where quotes do not match, or where there is no row
-std::vector<CsvRow> parse_csv(const std::string& text, const std::string& source);
+std::vector<CsvRow> parse_csv(const std::string& text, const std::string& source, char delimiter = ',');
 
 /// A field, quoted where it has to be.
 std::string csv_field(const std::string& value);

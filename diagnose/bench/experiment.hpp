@@ -20,6 +20,14 @@ struct Reading {
   std::vector<double> q;  ///< relative joint angles; empty where the run has no such columns
 };
 
+/// Where numbers were read, and in which unit they stand there.
+struct Origin {
+  std::string what;    ///< a channel, "Fx" or "q3", or a key, "link_length"
+  std::string source;  ///< of a channel the name of a column, "column 3", "constant 0"; empty where none is
+  std::string unit;    ///< "mm"
+  double in_si = 1;    ///< of that unit
+};
+
 /// How readings were drawn together (condense.hpp).
 struct Groups {
   std::size_t size = 1;            ///< so many make one, but at turning points and ends
@@ -34,7 +42,8 @@ struct Run {
   std::vector<double> rest;  ///< commanded joint angles: the unloaded shape
   std::vector<Reading> readings;
   Groups groups = {};
-  std::size_t number = 0;  ///< of all runs of the experiment, from 0; see Experiment::run_count
+  std::size_t number = 0;            ///< of all runs of the experiment, from 0; see Experiment::run_count
+  std::vector<Origin> origins = {};  ///< of t, x, y, Fx, Fy and the joint angles; empty where it was not read
 
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
   /// What the rig imposes, along x and along y.
@@ -79,6 +88,7 @@ struct Experiment : NominalChain {
   std::vector<Run> runs;
   /// Of all runs, also of those that were left out since they were numbered; 0 before.
   std::size_t run_count = 0;
+  std::vector<Origin> origins = {};  ///< of link_length, joint_stiffness, link_mass, gravity and rest
 };
 
 }  // namespace plumbline::diagnose

@@ -10,6 +10,7 @@
 #include "diagnose/bench/plausible.hpp"
 #include "diagnose/bench/read_nominal.hpp"
 #include "diagnose/bench/read_samples.hpp"
+#include "diagnose/bench/sample_format.hpp"
 #include "files/printable.hpp"
 #include "files/text_file.hpp"
 
@@ -17,6 +18,48 @@ namespace plumbline::diagnose {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The units of what stands in experiment.toml itself.
+struct Units {
+  Unit link_length, joint_stiffness, link_mass, gravity, rest;
+
+  /// \param nominal  whether the chain stands there too
+  [[nodiscard]] std::vector<Origin> origins(bool nominal) const {
+    const auto origin = [](const char* key, const Unit& unit) {
+      return Origin{key, "experiment.toml", unit.name, unit.in_si()};
+    };
+    if (!nominal) return {origin("rest", rest)};
+    return {origin("link_length", link_length), origin("joint_stiffness", joint_stiffness),
+            origin("link_mass", link_mass), origin("gravity", gravity), origin("rest", rest)};
+  }
+};
+
+Units read_units(const Section& root) {
+  const Section units = root.table_or_empty("units");
+  units.allow_only({"link_length", "joint_stiffness", "link_mass", "gravity", "rest"});
+  const auto unit = [&](const char* key, const Quantity& quantity) {
+    return units.has(key) ? parse_unit(units.text(key, quantity.examples), quantity, units.place(key))
+                          : si_unit(quantity);
+  };
+  return {unit("link_length", quantity::length), unit("joint_stiffness", quantity::stiffness),
+          unit("link_mass", quantity::mass), unit("gravity", quantity::acceleration),
+          unit("rest", quantity::angle)};
+}
+
+std::vector<double> in_si(std::vector<double> values, const Unit& unit) {
+  for (double& value : values) value = in_si(value, unit);
+  return values;
+}
+
+/// A chain whose numbers stand in these units.
+NominalChain in_si(NominalChain chain, const Units& units) {
+  chain.link_length = in_si(std::move(chain.link_length), units.link_length);
+  chain.joint_stiffness = in_si(std::move(chain.joint_stiffness), units.joint_stiffness);
+  chain.link_mass = in_si(std::move(chain.link_mass), units.link_mass);
+  chain.rest = in_si(std::move(chain.rest), units.rest);
+  for (double& component : chain.gravity) component = in_si(component, units.gravity);
+  return chain;
+}
 
 Bench::Plane plane(const Section& bench) {
   const std::string expected = "\"vertical\", \"horizontal\" or \"unknown\"";
@@ -44,10 +87,14 @@ Bench read_bench(const Section& bench) {
   return result;
 }
 
-Noise read_noise(const Section& noise) {
+/// Each in the unit of the readings that it is the noise of.
+Noise read_noise(const Section& noise, const SampleFormat& format) {
   noise.allow_only({"x", "y", "Fx", "Fy", "q"});
-  return {noise.non_negative("x"), noise.non_negative("y"), noise.non_negative("Fx"),
-          noise.non_negative("Fy"), noise.non_negative("q")};
+  const auto sigma = [&](const char* key, std::size_t column) {
+    return in_si(noise.non_negative(key), format.columns[column].unit);
+  };
+  return {sigma("x", column_x), sigma("y", column_y), sigma("Fx", column_Fx), sigma("Fy", column_Fy),
+          sigma("q", column_q1)};
 }
 
 /// \throws Error at the place for what is not inside the folder, behind all links, or no plain file
@@ -62,37 +109,47 @@ fs::path file_inside(const fs::path& folder, const std::string& name, const std:
   return folder / name;
 }
 
-/// \param nominal  whose rest angles are those of a run that names none
-Run read_run(const Section& section, const fs::path& folder, const ReadFile& read,
-             const NominalChain& nominal) {
-  section.allow_only({"id", "control", "rest", "samples"});
+/// What every run of the experiment shares, unless it says otherwise itself.
+struct Shared {
+  const fs::path& folder;
+  const ReadFile& read;
+  const NominalChain& nominal;
+  SampleFormat format;
+  Unit rest;
+};
+
+Run read_run(const Section& section, const Shared& shared) {
+  section.allow_only({"id", "control", "rest", "samples", "csv", "columns"});
   Run run;
   run.id = section.text("id", "a name");
   const std::string expected = "\"displacement\" or \"force\"";
   const std::string control = section.text("control", expected);
-  if (control != "displacement" && control != "force")
-    throw Error(section.place("control"), "\"" + control + "\"", expected);
+  if (control != "displacement" && control != "force") section.refuse("control", expected);
   run.control = control == "force" ? Control::force : Control::end_point;
-  const std::size_t n = nominal.link_length.size();
-  run.rest = section.has("rest") || nominal.rest.empty() ? section.numbers("rest", n) : nominal.rest;
+  const std::size_t n = shared.nominal.link_length.size();
+  run.rest = section.has("rest") || shared.nominal.rest.empty()
+                 ? in_si(section.numbers("rest", n), shared.rest)
+                 : shared.nominal.rest;
   const std::string name = section.text("samples", "the name of a sample file");
-  run.readings =
-      parse_samples(read(name, section.place("samples")), (folder / name).string(), run.control, n);
+  Samples samples =
+      parse_samples(shared.read(name, section.place("samples")), (shared.folder / name).string(), run.control,
+                    read_sample_format(section, shared.format));
+  run.readings = std::move(samples.readings);
+  run.origins = std::move(samples.origins);
   return run;
 }
 
-std::vector<Run> read_runs(const Section& root, const fs::path& folder, const ReadFile& read,
-                           const NominalChain& nominal) {
-  const toml::node& node = root.required("run", "at least one [[run]]");
-  if (!node.is_array_of_tables()) throw Error(root.place("run"), shown(node), "at least one [[run]]");
+std::vector<Run> read_runs(const Section& root, const Shared& shared) {
+  const std::string expected = "at least one [[run]]";
+  root.required("run", expected);
   std::vector<Run> runs;
   std::set<std::string> ids;
-  for (const toml::node& entry : *node.as_array()) {
-    const Section section(*entry.as_table(), root.place("run[" + std::to_string(runs.size() + 1) + "]."));
-    runs.push_back(read_run(section, folder, read, nominal));
+  for (const Section& section : root.tables("run")) {
+    runs.push_back(read_run(section, shared));
     if (!ids.insert(runs.back().id).second)
       throw Error(section.place("id"), "\"" + runs.back().id + "\" again", "an id that no other run has");
   }
+  if (runs.empty()) root.refuse("run", expected);
   return runs;
 }
 
@@ -111,18 +168,21 @@ Experiment read_experiment(const fs::path& folder, const NominalChain* model) {
 Experiment read_experiment(const fs::path& folder, const ReadFile& read, const NominalChain* model) {
   const std::string settings = "experiment.toml", file = (folder / settings).string();
   const toml::table table = files::parse_toml(read(settings, file), file);
-  const Section root(table, file + ": ");
-  const std::string format = root.text("format", "\"chain-experiment/1\"");
-  if (format != "chain-experiment/1")
-    throw Error(root.place("format"), "\"" + format + "\"", "\"chain-experiment/1\"");
-  root.allow_only({"format", "name", "nominal", "bench", "noise", "run"});
+  const Section root(table, file);
+  const std::string expected = "\"chain-experiment/1\"";
+  if (root.text("format", expected) != "chain-experiment/1") root.refuse("format", expected);
+  root.allow_only({"format", "name", "nominal", "bench", "noise", "units", "csv", "columns", "run"});
   Experiment experiment;
   experiment.name = root.text("name", "a name");
-  static_cast<NominalChain&>(experiment) = model ? *model : read_nominal(root.table("nominal"));
+  const Units units = read_units(root);
+  static_cast<NominalChain&>(experiment) = model ? *model : in_si(read_nominal(root.table("nominal")), units);
+  experiment.origins = units.origins(model == nullptr);
   experiment.bench =
       root.has("bench") ? read_bench(root.table("bench")) : Bench{Bench::Plane::unknown, {0.0, 0.0}, false};
-  experiment.noise = read_noise(root.table("noise"));
-  experiment.runs = read_runs(root, folder, read, experiment);
+  const Shared shared{folder, read, experiment,
+                      read_sample_format(root, standard_format(experiment.link_length.size())), units.rest};
+  experiment.noise = read_noise(root.table("noise"), shared.format);
+  experiment.runs = read_runs(root, shared);
   require_physical(experiment);
   return experiment;
 }

@@ -30,7 +30,7 @@ NominalChain read_nominal(const Section& nominal) {
 
 NominalChain parse_nominal(const std::string& text, const std::string& source) {
   const toml::table table = files::parse_toml(text, source);
-  const Section root(table, source + ": ");
+  const Section root(table, source);
   root.allow_only({"nominal"});
   return read_nominal(root.table("nominal"));
 }

@@ -1,90 +1,150 @@
 #include "diagnose/bench/read_samples.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <plumbline/base/error.hpp>
 #include <system_error>
 
-#include "files/csv_file.hpp"
+#include "diagnose/bench/sample_columns.hpp"
 #include "files/printable.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-using Fields = std::vector<std::string>;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-std::string place(const std::string& source, std::size_t line) {
-  return source + ":" + std::to_string(line);
-}
-
-double number(const std::string& field, const std::string& where) {
-  if (field.empty()) return std::numeric_limits<double>::quiet_NaN();
-  double value = 0;
-  const char* end = field.data() + field.size();
-  const auto [stop, fault] = std::from_chars(field.data() + (field.front() == '+' ? 1 : 0), end, value);
-  if (fault != std::errc() || stop != end || !std::isfinite(value))
-    throw Error(where, "'" + files::shown(field) + "'", "a finite number or an empty field");
-  return value;
-}
-
-Fields expected_header(std::size_t joints) {
-  Fields names{"t", "x", "y", "Fx", "Fy"};
-  for (std::size_t i = 1; i <= joints; ++i) names.push_back("q" + std::to_string(i));
-  return names;
-}
-
-std::string joined(const Fields& fields) {
-  std::string text;
-  for (const std::string& field : fields) text += (text.empty() ? "" : ",") + field;
-  return text;
-}
-
-void require_header(const files::CsvRow& found, const std::string& source, std::size_t joints) {
-  if (found.fields == expected_header(0) || found.fields == expected_header(joints)) return;
-  throw Error(place(source, found.line), "the header '" + files::shown(joined(found.fields)) + "'",
-              "'" + joined(expected_header(0)) + "' or '" + joined(expected_header(joints)) + "'");
-}
-
-Reading reading(const std::vector<double>& v) {
-  return {v[0], v[1], v[2], v[3], v[4], std::vector<double>(v.begin() + 5, v.end())};
-}
-
-void require_given(const Reading& r, Control control, const std::string& where) {
-  if (std::isnan(r.t)) throw Error(where + ", t", "an empty field", "the time of the reading");
-  const bool displacement = control == Control::end_point;
-  if (std::isnan(displacement ? r.x : r.Fx) || std::isnan(displacement ? r.y : r.Fy)) {
-    throw Error(where, "an empty imposed channel",
-                displacement ? "the commanded x and y" : "the commanded Fx and Fy");
+/// What the fields of a table mean.
+class Reader {
+ public:
+  Reader(const SampleTable& table, const SampleFormat& format, std::string source, Control control)
+      : table_(table), format_(format), source_(std::move(source)), control_(control) {
+    places_ = column_places(table, format, source_, control);
+    for (std::size_t c = 0; c < places_.size(); ++c) {
+      const Column& column = format_.columns[c];
+      zeros_.push_back(zero(c));
+      constants_.push_back(column.constant ? in_si(*column.constant, column.unit) : none);
+    }
   }
-}
+
+  /// \param row  from 0
+  [[nodiscard]] Reading reading(std::size_t row) const {
+    std::vector<double> v;
+    for (std::size_t c = 0; c < column_q1; ++c) v.push_back(value(c, row));
+    Reading reading{v[column_t], v[column_x], v[column_y], v[column_Fx], v[column_Fy], {}};
+    for (std::size_t c = column_q1; c < places_.size() && places_[c]; ++c) reading.q.push_back(value(c, row));
+    if (format_.absolute_angles)
+      std::adjacent_difference(reading.q.begin(), reading.q.end(), reading.q.begin());
+    require_given(reading, row);
+    return reading;
+  }
+
+  [[nodiscard]] std::vector<Origin> origins() const {
+    std::vector<Origin> all;
+    for (std::size_t c = 0; c < places_.size(); ++c) {
+      const Column& column = format_.columns[c];
+      const std::string source = column.constant ? "constant " + *column.constant
+                                 : places_[c]    ? column_title(table_, *places_[c])
+                                                 : "";
+      all.push_back({column.channel, source, column.unit.name, column.unit.in_si()});
+    }
+    return all;
+  }
+
+  void require_order(std::size_t row, const Reading& before, const Reading& now) const {
+    if (now.t >= before.t) return;
+    const auto time = [&](std::size_t r) { return table_.rows[r].fields[*places_[column_t]]; };
+    throw Error(where(row) + ", t", files::shown(time(row)),
+                "a time not before the last reading's, " + files::shown(time(row - 1)));
+  }
+
+ private:
+  [[nodiscard]] std::string where(std::size_t row) const {
+    return source_ + ":" + std::to_string(table_.rows[row].line);
+  }
+
+  /// A field with a decimal point; empty where nothing was measured.
+  [[nodiscard]] std::string field(std::size_t c, std::size_t row) const {
+    std::string text = table_.rows[row].fields[*places_[c]];
+    if (std::find(format_.missing.begin(), format_.missing.end(), text) != format_.missing.end()) return "";
+    if (text.starts_with('+')) text.erase(0, 1);
+    if (format_.decimal == '.') return text;
+    if (text.find('.') != std::string::npos) refuse(c, row);
+    std::replace(text.begin(), text.end(), ',', '.');
+    return text;
+  }
+
+  [[noreturn]] void refuse(std::size_t c, std::size_t row) const {
+    const std::string& text = table_.rows[row].fields[*places_[c]];
+    const bool comma = format_.decimal == '.' && text.find(',') != std::string::npos;
+    throw Error(where(row) + ", " + files::shown(column_title(table_, *places_[c])),
+                "'" + files::shown(text) + "'",
+                std::string("a finite number or an empty field") +
+                    (comma ? "; csv.decimal = \",\" reads decimal commas" : ""));
+  }
+
+  [[nodiscard]] double number(const std::string& text, std::size_t c, std::size_t row) const {
+    double value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, fault] = std::from_chars(text.data(), end, value);
+    if (fault != std::errc() || stop != end || !std::isfinite(value)) refuse(c, row);
+    return value;
+  }
+
+  [[nodiscard]] Mpfr50 zero(std::size_t c) const {
+    const Column& column = format_.columns[c];
+    for (std::size_t row = 0; column.zero_is_first && places_[c] && row < table_.rows.size(); ++row) {
+      const std::string text = field(c, row);
+      if (!text.empty() && std::isfinite(number(text, c, row))) return Mpfr50(text);
+    }
+    return Mpfr50(column.zero);
+  }
+
+  /// Readings that have no time are counted; what no column holds was not measured.
+  [[nodiscard]] double value(std::size_t c, std::size_t row) const {
+    const Column& column = format_.columns[c];
+    if (column.constant) return constants_[c];
+    if (!places_[c]) return c == column_t ? static_cast<double>(row) : none;
+    const std::string text = field(c, row);
+    if (text.empty()) return none;
+    const double plain = number(text, c, row);
+    if (column.as_is()) return plain;
+    const Mpfr50 exact = Mpfr50(column.sign) * (Mpfr50(text) - zeros_[c]) * column.unit.factor;
+    return exact.convert_to<double>();
+  }
+
+  void require_given(const Reading& r, std::size_t row) const {
+    if (std::isnan(r.t)) throw Error(where(row) + ", t", "an empty field", "the time of the reading");
+    const bool displacement = control_ == Control::end_point;
+    if (std::isnan(displacement ? r.x : r.Fx) || std::isnan(displacement ? r.y : r.Fy)) {
+      throw Error(where(row), "an empty imposed channel",
+                  displacement ? "the commanded x and y" : "the commanded Fx and Fy");
+    }
+  }
+
+  const SampleTable& table_;
+  const SampleFormat& format_;
+  std::string source_;
+  Control control_;
+  ColumnPlaces places_;
+  std::vector<Mpfr50> zeros_;      ///< by column of the format
+  std::vector<double> constants_;  ///< likewise, in SI
+};
 
 }  // namespace
 
-std::vector<Reading> parse_samples(const std::string& text, const std::string& source, Control control,
-                                   std::size_t joints) {
-  const std::vector<files::CsvRow> rows = files::parse_csv(text, source);
-  const Fields& header = rows.front().fields;
-  require_header(rows.front(), source, joints);
-  if (rows.size() == 1) throw Error(source, "a header alone", "at least one reading");
-  std::vector<Reading> readings;
-  for (std::size_t r = 1; r < rows.size(); ++r) {
-    const Fields& fields = rows[r].fields;
-    const std::string where = place(source, rows[r].line);
-    if (fields.size() != header.size()) {
-      throw Error(where, std::to_string(fields.size()) + " fields",
-                  std::to_string(header.size()) + ", as in the header");
-    }
-    std::vector<double> values;
-    for (std::size_t c = 0; c < fields.size(); ++c)
-      values.push_back(number(fields[c], where + ", " + header[c]));
-    readings.push_back(reading(values));
-    require_given(readings.back(), control, where);
-    if (r > 1 && readings[r - 1].t < readings[r - 2].t) {
-      throw Error(where + ", t", fields[0], "a time not before the last reading's, " + rows[r - 1].fields[0]);
-    }
+Samples parse_samples(const std::string& text, const std::string& source, Control control,
+                      const SampleFormat& format) {
+  const SampleTable table = parse_sample_table(text, source, format);
+  const Reader reader(table, format, source, control);
+  Samples samples{{}, reader.origins()};
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    samples.readings.push_back(reader.reading(row));
+    if (row > 0) reader.require_order(row, samples.readings[row - 1], samples.readings[row]);
   }
-  return readings;
+  return samples;
 }
 
 }  // namespace plumbline::diagnose

@@ -5,14 +5,20 @@
 #include <string>
 
 #include "diagnose/bench/experiment.hpp"
+#include "diagnose/bench/sample_format.hpp"
 
 namespace plumbline::diagnose {
 
-/// The readings of CSV text with the header t,x,y,Fx,Fy and, where joint angles are measured, q1,…,qn.
-/// An empty measured field is NaN; time and the imposed channels may not be empty.
-/// \param joints  n
+/// What a sample file holds.
+struct Samples {
+  std::vector<Reading> readings;  ///< in SI; an empty measured field is NaN
+  std::vector<Origin> origins;    ///< of each channel
+};
+
+/// Time and the imposed channels may not be empty.
+/// \param format  for n joints
 /// \throws Error that names the source and the line
-std::vector<Reading> parse_samples(const std::string& text, const std::string& source, Control control,
-                                   std::size_t joints);
+Samples parse_samples(const std::string& text, const std::string& source, Control control,
+                      const SampleFormat& format);
 
 }  // namespace plumbline::diagnose

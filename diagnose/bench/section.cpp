@@ -11,7 +11,7 @@
 namespace plumbline::diagnose {
 namespace {
 
-double number(const toml::node& node, const std::string& place, const std::string& expected) {
+double finite(const toml::node& node, const std::string& place, const std::string& expected) {
   const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
   if (!value || !std::isfinite(*value)) throw Error(place, shown(node), expected);
   return *value;
@@ -26,60 +26,102 @@ std::string shown(const toml::node& node) {
   return files::shown(text.str());
 }
 
+std::string Section::place(const std::string& key) const {
+  const toml::node* node = table_->get(key);
+  if (node == nullptr && !path_.empty()) node = table_;
+  const std::string line = node == nullptr ? "" : ":" + std::to_string(node->source().begin.line);
+  return source_ + line + ": " + path_ + files::shown(key);
+}
+
 void Section::allow_only(const std::set<std::string>& keys) const {
-  for (const auto& [key, value] : table_) {
+  for (const auto& [key, value] : *table_) {
     if (keys.contains(std::string(key.str()))) continue;
     std::string expected = "one of";
     for (const std::string& known : keys) expected += " " + known;
-    throw Error(place(files::shown(key.str())), "an unknown key", expected);
+    throw Error(place(std::string(key.str())), "an unknown key", expected);
   }
 }
 
 const toml::node& Section::required(const std::string& key, const std::string& expected) const {
-  const toml::node* node = table_.get(key);
+  const toml::node* node = table_->get(key);
   if (node == nullptr) throw Error(place(key), "no such key", expected);
   return *node;
 }
 
+void Section::refuse(const std::string& key, const std::string& expected) const {
+  throw Error(place(key), shown(required(key, expected)), expected);
+}
+
 Section Section::table(const std::string& key) const {
-  const toml::node& node = required(key, "a table [" + key + "]");
-  if (!node.is_table()) throw Error(place(key), shown(node), "a table [" + key + "]");
-  return {*node.as_table(), place(key) + "."};
+  const std::string expected = "a table [" + key + "]";
+  if (!required(key, expected).is_table()) refuse(key, expected);
+  return {*node(key).as_table(), source_, path_ + key + "."};
+}
+
+Section Section::table_or_empty(const std::string& key) const {
+  static const toml::table empty;
+  return has(key) ? table(key) : Section(empty, source_, path_ + key + ".");
 }
 
 std::vector<Section> Section::tables(const std::string& key) const {
   std::vector<Section> all;
   if (!has(key)) return all;
-  const toml::node& node = *table_.get(key);
-  if (!node.is_array() || !node.as_array()->is_homogeneous(toml::node_type::table))
-    throw Error(place(key), shown(node), "tables [[" + key + "]]");
-  for (const toml::node& entry : *node.as_array())
-    all.emplace_back(*entry.as_table(), place(key + "[" + std::to_string(all.size() + 1) + "]."));
+  if (!node(key).is_array() || !node(key).as_array()->is_homogeneous(toml::node_type::table))
+    refuse(key, "tables [[" + key + "]]");
+  for (const toml::node& entry : *node(key).as_array()) {
+    const std::string number = "[" + std::to_string(all.size() + 1) + "].";
+    all.push_back(Section(*entry.as_table(), source_, path_ + key + number));
+  }
   return all;
 }
 
 std::string Section::text(const std::string& key, const std::string& expected) const {
-  const toml::node& node = required(key, expected);
-  if (!node.is_string() || node.as_string()->get().empty()) throw Error(place(key), shown(node), expected);
-  files::require_printable(node.as_string()->get(), place(key));
-  return node.as_string()->get();
+  const toml::node& one = required(key, expected);
+  if (!one.is_string() || one.as_string()->get().empty()) refuse(key, expected);
+  files::require_printable(one.as_string()->get(), place(key));
+  return one.as_string()->get();
+}
+
+std::vector<std::string> Section::texts(const std::string& key, const std::string& expected) const {
+  if (required(key, expected).is_string()) return {text(key, expected)};
+  if (!node(key).is_array()) refuse(key, expected);
+  std::vector<std::string> all;
+  for (const toml::node& entry : *node(key).as_array()) {
+    if (!entry.is_string()) refuse(key, expected);
+    all.push_back(entry.as_string()->get());
+  }
+  return all;
+}
+
+bool Section::flag_or(const std::string& key, bool otherwise) const {
+  if (!has(key)) return otherwise;
+  if (!node(key).is_boolean()) refuse(key, "true or false");
+  return node(key).as_boolean()->get();
+}
+
+double Section::number(const std::string& key, const std::string& expected) const {
+  return finite(required(key, expected), place(key), expected);
 }
 
 double Section::non_negative(const std::string& key) const {
   if (!has(key)) return 0;
   const std::string expected = "a number, zero or positive";
-  const double value = number(required(key, expected), place(key), expected);
-  if (value < 0) throw Error(place(key), shown(*table_.get(key)), expected);
+  const double value = number(key, expected);
+  if (value < 0) refuse(key, expected);
   return value;
+}
+
+std::size_t Section::whole_or(const std::string& key, std::size_t otherwise) const {
+  if (!has(key)) return otherwise;
+  if (!node(key).is_integer() || node(key).as_integer()->get() < 0)
+    refuse(key, "a whole number, zero or positive");
+  return static_cast<std::size_t>(node(key).as_integer()->get());
 }
 
 std::size_t Section::count(const std::string& key) const {
   if (!has(key)) return 0;
-  const toml::node& node = *table_.get(key);
-  const std::optional<std::int64_t> value =
-      node.is_integer() ? node.value<std::int64_t>() : std::optional<std::int64_t>();
-  if (!value || *value < 1) throw Error(place(key), shown(node), "an integer from 1");
-  return static_cast<std::size_t>(*value);
+  if (!node(key).is_integer() || node(key).as_integer()->get() < 1) refuse(key, "an integer from 1");
+  return static_cast<std::size_t>(node(key).as_integer()->get());
 }
 
 std::vector<double> Section::numbers(const std::string& key, std::size_t length) const {
@@ -93,7 +135,7 @@ std::vector<double> Section::numbers(const std::string& key, std::size_t length)
   std::vector<double> values;
   for (const toml::node& entry : list)
     values.push_back(
-        number(entry, place(key) + "[" + std::to_string(values.size() + 1) + "]", "a finite number"));
+        finite(entry, place(key) + "[" + std::to_string(values.size() + 1) + "]", "a finite number"));
   return values;
 }
 
@@ -119,7 +161,7 @@ std::map<std::string, double> Section::named_numbers(const std::string& key) con
   std::map<std::string, double> values;
   for (const auto& [name, value] : *node.as_table()) {
     const std::string own(name.str());
-    values[own] = number(value, place(key) + "." + files::shown(own), "a finite number");
+    values[own] = finite(value, place(key) + "." + files::shown(own), "a finite number");
   }
   return values;
 }

@@ -17,22 +17,36 @@ namespace plumbline::diagnose {
 /// A value as an error shows it.
 std::string shown(const toml::node& node);
 
-/// A table of the file, with the words that an error about it begins with. What a member throws is an Error
-/// that names the place, what was found and what was expected.
+/// A table of the file. What a member throws is an Error "file:line: path.key: found …, expected …".
 class Section {
  public:
-  Section(const toml::table& table, std::string place) : table_(table), place_(std::move(place)) {}
+  /// The whole file. \param table outlives the section
+  Section(const toml::table& table, std::string source) : Section(table, std::move(source), "") {}
 
-  [[nodiscard]] std::string place(const std::string& key) const { return place_ + key; }
+  /// "file:line: path.key"; the line of the table where the key is missing.
+  [[nodiscard]] std::string place(const std::string& key) const;
   void allow_only(const std::set<std::string>& keys) const;
-  [[nodiscard]] bool has(const std::string& key) const { return table_.contains(key); }
+  [[nodiscard]] bool has(const std::string& key) const { return table_->contains(key); }
+  /// \pre has(key)
+  [[nodiscard]] const toml::node& node(const std::string& key) const { return *table_->get(key); }
   [[nodiscard]] const toml::node& required(const std::string& key, const std::string& expected) const;
+  [[noreturn]] void refuse(const std::string& key, const std::string& expected) const;
+
   [[nodiscard]] Section table(const std::string& key) const;
+  /// The same, without keys where there is none.
+  [[nodiscard]] Section table_or_empty(const std::string& key) const;
   /// The tables `[[key]]`, or none.
   [[nodiscard]] std::vector<Section> tables(const std::string& key) const;
+  /// A text that is not empty.
   [[nodiscard]] std::string text(const std::string& key, const std::string& expected) const;
+  /// A list of texts, or one alone.
+  [[nodiscard]] std::vector<std::string> texts(const std::string& key, const std::string& expected) const;
+  [[nodiscard]] bool flag_or(const std::string& key, bool otherwise) const;
+  [[nodiscard]] double number(const std::string& key, const std::string& expected) const;
   /// Zero where the key is absent.
   [[nodiscard]] double non_negative(const std::string& key) const;
+  /// A whole number that is not negative.
+  [[nodiscard]] std::size_t whole_or(const std::string& key, std::size_t otherwise) const;
   /// An integer from 1; zero where the key is absent.
   [[nodiscard]] std::size_t count(const std::string& key) const;
   /// \param length  of the list; 0 for any
@@ -45,8 +59,11 @@ class Section {
   [[nodiscard]] std::map<std::string, double> named_numbers(const std::string& key) const;
 
  private:
-  const toml::table& table_;
-  std::string place_;
+  Section(const toml::table& table, std::string source, std::string path)
+      : table_(&table), source_(std::move(source)), path_(std::move(path)) {}
+
+  const toml::table* table_;
+  std::string source_, path_;
 };
 
 }  // namespace plumbline::diagnose

@@ -17,7 +17,7 @@ from documents import ROOT, SCHEMAS, blocks, keys, tables
 from program import complaint
 
 EXPERIMENTS, CHAINS = ROOT / "docs" / "experiment-format.md", ROOT / "docs" / "chain-format.md"
-TABLES = ["Top level", "[nominal]", "[[nominal.effect]]", "[bench]", "[noise]", "[[run]]"]
+TABLES = ["Top level", "[nominal]", "[[nominal.effect]]", "[bench]", "[noise]", "[units]", "[csv]", "[columns]", "[[run]]"]
 
 
 def documented(path, heading, number=0):
@@ -39,31 +39,36 @@ EXPERIMENT = {
                 "effect": [{"id": "backlash", "joint": 2, "parameters": {"b": 0.02}}]},
     "bench": {"gravity_plane": "vertical", "gravity_direction": [0.0, -1.0]},
     "noise": {"x": 0.001, "y": 0.001, "Fx": 0.02, "Fy": 0.02, "q": 0.001},
-    "run": [{"id": "press", "control": "displacement", "rest": [0.4, -0.9], "samples": "press.csv"}],
+    "units": {"link_length": "m", "joint_stiffness": "N m/rad", "link_mass": "kg", "gravity": "m/s^2", "rest": "rad"},
+    "csv": {"delimiter": ",", "decimal": ".", "header": True, "skip_lines": 0, "skip_after_header": 0, "comment": "#",
+            "missing": ["NaN"]},
+    "columns": {"t": "t", "x": "x", "y": 3, "Fx": {"column": "Fx", "unit": "N", "sign": 1, "zero": 0},
+                "Fy": {"constant": 0}, "q": {"column": ["q1", 7], "unit": "rad", "sign": [1, 1], "zero": [0, 0],
+                                             "absolute": False}},
+    "run": [{"id": "press", "control": "displacement", "rest": [0.4, -0.9], "samples": "press.csv",
+             "csv": {"decimal": "."}, "columns": {"Fx": {"zero": "first"}, "q": ["q1", "q2"]}}],
 }
-SAMPLES = "t,x,y,Fx,Fy\n0,9,0,0,0\n1,9,0,0,0\n"
+SAMPLES = "t,x,y,Fx,Fy,q1,q2\n0,9,0,0,0,0,0\n1,9,0,0,0,0,0\n"
+# Where a unit of the kind can stand, and what makes it one.
+UNITS = {"length": ("link_length", ""), "torque": ("joint_stiffness", "/rad"), "mass": ("link_mass", ""),
+         "angle": ("rest", ""), "force": ("joint_stiffness", " m/rad"), "time": ("gravity", "^2")}
 
 
-def inline(value):
-    """A list and a text are written in TOML as in JSON; a table within a line with other signs."""
+def toml(value):
+    """A list and a text are written in TOML as in JSON; a table stands in its line."""
     if isinstance(value, dict):
-        return "{ " + ", ".join(f"{key} = {inline(part)}" for key, part in value.items()) + " }"
+        return "{ " + ", ".join(f"{key} = {toml(entry)}" for key, entry in value.items()) + " }"
     if isinstance(value, list):
-        return "[" + ", ".join(map(inline, value)) + "]"
+        return "[" + ", ".join(toml(entry) for entry in value) + "]"
     return json.dumps(value)
 
 
-def toml(table):
-    plain = {key: value for key, value in table.items() if not isinstance(value, dict) and key != "run"}
-    text = "".join(f"{key} = {inline(value)}\n" for key, value in plain.items())
-    for key, value in table.items():
-        if isinstance(value, dict):
-            text += f"[{key}]\n{toml(value)}"
-    return text + "".join(f"[[run]]\n{toml(run)}" for run in table.get("run", []))
+def toml_file(table):
+    return "".join(f"{key} = {toml(value)}\n" for key, value in table.items())
 
 
 def experiment_fault(folder, experiment, samples=SAMPLES):
-    (folder / "experiment.toml").write_text(toml(experiment), encoding="utf-8")
+    (folder / "experiment.toml").write_text(toml_file(experiment), encoding="utf-8")
     (folder / "press.csv").write_text(samples, encoding="utf-8")
     return complaint("diagnose", ".", folder=folder)
 
@@ -90,13 +95,41 @@ def experiments(folder):
             without = changed(heading, lambda table, key=key: table.pop(key))
             assert ("no such key" in experiment_fault(folder, without)) == (key in required), f"{heading} {key}"
             assert Draft202012Validator(schema).is_valid(without) == (key not in required), f"schema, {heading} {key}"
-        node = {"Top level": schema, "[[run]]": schema["$defs"]["run"], "[[nominal.effect]]": schema["$defs"]["effect"]}.get(heading)
+        node = {"Top level": schema, **{f"[{name}]": schema["$defs"][name] for name in ("csv", "columns")},
+                "[[run]]": schema["$defs"]["run"],
+                "[[nominal.effect]]": schema["$defs"]["effect"]}.get(heading)
         node = node or schema["properties"][heading.strip("[]")]
         assert set(node["properties"]) == named and set(node.get("required", [])) == required, heading
+    column_keys(folder, schema)
+    units(folder)
     columns, required = documented(EXPERIMENTS, "Sample files")
-    header = re.findall(r"'(t,[^']*)'", experiment_fault(folder, EXPERIMENT, "zz\n0\n"))
+    plain = changed("[[run]]", lambda run: run.pop("columns"))
+    plain.pop("columns")
+    header = re.findall(r"'(t,[^']*)'", experiment_fault(folder, plain, "zz\n0\n"))
     assert set(header[0].split(",")) == required, header
     assert {name for name in header[1].split(",") if name != "q2"} == columns, header
+
+
+def column_keys(folder, schema):
+    """The keys of a column, of q and of the others."""
+    named = set(keys(tables(EXPERIMENTS)["[columns]"][1]))
+    read, shown = set(), set()
+    for channel in ("x", "q"):
+        fault = experiment_fault(folder, changed("[columns]", lambda table, at=channel: table.update({at: {"zz": 1}})))
+        read |= set(re.search(r"an unknown key, expected one of (.*)", fault)[1].split())
+    for node in (schema["$defs"]["column"], schema["$defs"]["columns"]["properties"]["q"]):
+        shown |= set(node["anyOf"][1]["properties"])
+    assert read == named == shown, (read, named, shown)
+
+
+def units(folder):
+    """Every symbol of the document is one that the program reads."""
+    for kind, symbols in tables(EXPERIMENTS)["[units]"][1][1:]:
+        key, suffix = UNITS[kind]
+        for symbol in re.findall(r"`([^`]+)`", symbols):
+            unit = f"m/{symbol}^2" if kind == "time" else symbol + suffix
+            fault = experiment_fault(folder, changed("[units]", lambda table, u=unit, k=key: table.update({k: u})))
+            assert "a unit of" not in fault, fault
 
 
 def repository_experiments():
@@ -119,7 +152,7 @@ def chains(folder):
     assert set(chain) == named
 
     def fault(table):
-        (folder / "chain.toml").write_text(toml(table), encoding="utf-8")
+        (folder / "chain.toml").write_text(toml_file(table), encoding="utf-8")
         return complaint("critical", "chain.toml", folder=folder)
 
     known = re.search(r"expected only (.*)", fault({**chain, "zz": 1}))
@@ -128,7 +161,7 @@ def chains(folder):
         left = {name: value for name, value in chain.items() if name != key} | ({"rest": [1, 1]} if key != "rest" else {})
         if key in required:
             assert f"no key {key}" in fault(left), key
-    (folder / "three.toml").write_text(toml({"lengths": [1, 1, 1], "stiffness": [1]}), encoding="utf-8")
+    (folder / "three.toml").write_text(toml_file({"lengths": [1, 1, 1], "stiffness": [1]}), encoding="utf-8")
     complaint("critical", "three.toml", folder=folder)
 
 

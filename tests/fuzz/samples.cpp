@@ -3,6 +3,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   return offer(bytes, size, [](const std::string& text) {
-    plumbline::diagnose::parse_samples(text, "f", plumbline::Control::end_point, 2);
+    plumbline::diagnose::parse_samples(text, "f", plumbline::Control::end_point,
+                                       plumbline::diagnose::standard_format(2));
   });
 }

@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// Which column of a sample file holds which channel.
+
+#include <cstddef>
+#include <optional>
+#include <plumbline/loaded/control.hpp>
+#include <string>
+#include <vector>
+
+#include "diagnose/bench/sample_table.hpp"
+
+namespace plumbline::diagnose {
+
+/// By column of the format, the column of the table, from 0; none where the file has none.
+using ColumnPlaces = std::vector<std::optional<std::size_t>>;
+
+/// \throws Error that names the source and the line: a header other than the one expected, a column that
+///         experiment.toml names and the file has not, or twice; no column of an imposed channel; some
+///         joint angles but not all
+ColumnPlaces column_places(const SampleTable& table, const SampleFormat& format, const std::string& source,
+                           Control control);
+
+/// What a person would call a column: its name, or "column 3".
+std::string column_title(const SampleTable& table, std::size_t column);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,173 @@
+#include "diagnose/bench/sample_format.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <plumbline/base/error.hpp>
+
+#include "files/printable.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+const std::array<std::pair<const char*, const Quantity*>, 5> single_channels{{{"t", &quantity::time},
+                                                                              {"x", &quantity::length},
+                                                                              {"y", &quantity::length},
+                                                                              {"Fx", &quantity::force},
+                                                                              {"Fy", &quantity::force}}};
+
+char delimiter(const Section& csv) {
+  const std::string expected = R"(",", ";", "|", "tab" or "blanks")", word = csv.text("delimiter", expected);
+  if (word == "," || word == ";" || word == "|") return word[0];
+  if (word == "tab" || word == "\t") return '\t';
+  if (word == "blanks") return ' ';
+  csv.refuse("delimiter", expected);
+}
+
+char decimal(const Section& csv) {
+  const std::string expected = R"("." or ",")", word = csv.text("decimal", expected);
+  if (word != "." && word != ",") csv.refuse("decimal", expected);
+  return word[0];
+}
+
+void read_csv(const Section& csv, SampleFormat& format) {
+  csv.allow_only({"delimiter", "decimal", "header", "skip_lines", "skip_after_header", "comment", "missing"});
+  if (csv.has("delimiter")) format.delimiter = delimiter(csv);
+  if (csv.has("decimal")) format.decimal = decimal(csv);
+  format.header = csv.flag_or("header", format.header);
+  format.skip_lines = csv.whole_or("skip_lines", format.skip_lines);
+  format.skip_after_header = csv.whole_or("skip_after_header", format.skip_after_header);
+  if (csv.has("comment")) format.comment = csv.text("comment", "what such lines begin with");
+  if (csv.has("missing")) format.missing = csv.texts("missing", "a text, or a list of them");
+}
+
+/// A number of experiment.toml as the decimal that stands there.
+std::string decimal_text(double value) {
+  return fmt::format("{}", value);
+}
+
+/// A node of one channel: a name, a number, or a table.
+class ColumnReader {
+ public:
+  ColumnReader(const Section& columns, const std::string& key, const Quantity& quantity)
+      : columns_(columns), key_(key), quantity_(quantity) {}
+
+  /// \param all  the columns of the key: one, or those of q
+  void read(std::vector<Column*> all) const {
+    for (Column* column : all) {
+      *column = {column->channel, column->channel, 0, {}, si_unit(quantity_)};
+      column->place = columns_.place(key_);
+    }
+    const toml::node& node = columns_.node(key_);
+    if (node.is_table()) {
+      read_table(columns_.table(key_), all);
+    } else {
+      read_source(columns_, key_, all);
+    }
+  }
+
+ private:
+  void read_table(const Section& table, const std::vector<Column*>& all) const {
+    std::set<std::string> known{"column", "unit", "sign", "zero"};
+    known.insert(key_ == "q" ? "absolute" : "constant");
+    table.allow_only(known);
+    if (table.has("constant")) {
+      for (const char* other : {"column", "sign", "zero"})
+        if (table.has(other)) table.refuse(other, "nothing beside a constant but its unit");
+      all.front()->constant = decimal_text(table.number("constant", "a number"));
+    }
+    if (table.has("column")) read_source(table, "column", all);
+    if (table.has("unit")) {
+      const Unit unit = parse_unit(table.text("unit", quantity_.examples), quantity_, table.place("unit"));
+      for (Column* column : all) column->unit = unit;
+    }
+    if (table.has("sign")) read_signs(table, all);
+    if (table.has("zero")) read_zeros(table, all);
+  }
+
+  /// Which column of the file it is: a name of the header, or a number from 1; of q a list of n.
+  void read_source(const Section& table, const std::string& key, const std::vector<Column*>& all) const {
+    const std::string one = "the name of a column, or its number from 1";
+    const std::string expected = key_ == "q" ? fmt::format("a list of {}, each {}", all.size(), one) : one;
+    const toml::node& node = table.node(key);
+    std::vector<const toml::node*> nodes;
+    if (key_ != "q") {
+      nodes.push_back(&node);
+    } else if (const toml::array* list = node.as_array()) {
+      for (const toml::node& entry : *list) nodes.push_back(&entry);
+    }
+    if (nodes.size() != all.size()) table.refuse(key, expected);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto number = nodes[i]->value_exact<std::int64_t>();
+      const auto name = nodes[i]->value_exact<std::string>();
+      if ((!number || *number < 1) && (!name || name->empty())) table.refuse(key, expected);
+      all[i]->name = name.value_or("");
+      all[i]->number = static_cast<std::size_t>(number.value_or(0));
+    }
+  }
+
+  static void read_signs(const Section& table, const std::vector<Column*>& all) {
+    const std::vector<double> signs = each(table, "sign", all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (signs[i] != 1 && signs[i] != -1) table.refuse("sign", "1 or -1");
+      all[i]->sign = signs[i] > 0 ? 1 : -1;
+    }
+  }
+
+  static void read_zeros(const Section& table, const std::vector<Column*>& all) {
+    const toml::node& node = table.node("zero");
+    if (node.is_string()) {
+      if (node.as_string()->get() != "first") table.refuse("zero", "a number, or \"first\"");
+      for (Column* column : all) column->zero_is_first = true;
+      return;
+    }
+    const std::vector<double> zeros = each(table, "zero", all.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i]->zero = decimal_text(zeros[i]);
+  }
+
+  /// One number for all, or a list of one for each.
+  static std::vector<double> each(const Section& table, const std::string& key, std::size_t count) {
+    if (table.node(key).is_array()) return table.numbers(key, count);
+    return std::vector<double>(count, table.number(key, "a number, or a list of " + std::to_string(count)));
+  }
+
+  const Section& columns_;
+  std::string key_;
+  const Quantity& quantity_;
+};
+
+void read_columns(const Section& columns, SampleFormat& format) {
+  columns.allow_only({"t", "x", "y", "Fx", "Fy", "q"});
+  format.any_order = true;
+  for (std::size_t c = 0; c < single_channels.size(); ++c) {
+    const auto& [key, quantity] = single_channels[c];
+    if (columns.has(key)) ColumnReader(columns, key, *quantity).read({&format.columns[c]});
+  }
+  if (!columns.has("q")) return;
+  std::vector<Column*> angles;
+  for (std::size_t c = column_q1; c < format.columns.size(); ++c) angles.push_back(&format.columns[c]);
+  ColumnReader(columns, "q", quantity::angle).read(angles);
+  const bool table = columns.node("q").is_table();
+  format.absolute_angles = table && columns.table("q").flag_or("absolute", false);
+}
+
+}  // namespace
+
+SampleFormat standard_format(std::size_t joints) {
+  SampleFormat format;
+  for (const auto& [name, quantity] : single_channels)
+    format.columns.push_back({name, name, 0, {}, si_unit(*quantity)});
+  for (std::size_t i = 1; i <= joints; ++i) {
+    const std::string name = "q" + std::to_string(i);
+    format.columns.push_back({name, name, 0, {}, si_unit(quantity::angle)});
+  }
+  return format;
+}
+
+SampleFormat read_sample_format(const Section& section, SampleFormat format) {
+  if (section.has("csv")) read_csv(section.table("csv"), format);
+  if (section.has("columns")) read_columns(section.table("columns"), format);
+  return format;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,54 @@
+#pragma once
+/// \file
+/// How the sample files of an experiment are written: what the tables [csv] and [columns] of experiment.toml
+/// say.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnose/bench/section.hpp"
+#include "diagnose/bench/unit.hpp"
+
+namespace plumbline::diagnose {
+
+/// Where the values of one channel stand in a sample file, and what they mean there: sign * (reading - zero),
+/// in the unit.
+struct Column {
+  std::string channel;                  ///< "Fx", or "q3"
+  std::string name;                     ///< in the header; empty where it goes by number
+  std::size_t number = 0;               ///< from 1, where there is no name
+  std::optional<std::string> constant;  ///< a decimal that stands for all readings: there is no column
+  Unit unit;
+  int sign = 1;
+  std::string zero = "0";  ///< a decimal
+  bool zero_is_first = false;
+  std::string place = {};  ///< of the key that says so; empty where nothing does
+
+  [[nodiscard]] bool as_is() const { return unit.factor == 1 && sign == 1 && zero == "0" && !zero_is_first; }
+};
+
+/// The places of t, x, y, Fx, Fy and q1 to qn among the columns.
+enum : std::size_t { column_t, column_x, column_y, column_Fx, column_Fy, column_q1 };
+
+struct SampleFormat {
+  char delimiter = ',';  ///< ' ' for any number of blanks
+  char decimal = '.';
+  bool header = true;
+  std::size_t skip_lines = 0, skip_after_header = 0;
+  std::string comment = {};               ///< what lines begin with that are passed over
+  std::vector<std::string> missing = {};  ///< what stands where nothing was measured, beside empty fields
+  bool any_order = false;                 ///< and other columns beside; without [columns] the header is fixed
+  bool absolute_angles = false;           ///< each against x, not against the link before
+  std::vector<Column> columns;            ///< t, x, y, Fx, Fy, q1 … qn
+};
+
+/// What holds where experiment.toml says nothing: docs/experiment-format.md, "Sample files".
+SampleFormat standard_format(std::size_t joints);
+
+/// The format with what the tables [csv] and [columns] of a section change in it.
+/// \throws Error that names file, line and key
+SampleFormat read_sample_format(const Section& section, SampleFormat format);
+
+}  // namespace plumbline::diagnose

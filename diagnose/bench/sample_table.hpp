@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// The text of a sample file as rows of fields.
+
+#include <string>
+#include <vector>
+
+#include "diagnose/bench/sample_format.hpp"
+#include "files/csv_file.hpp"
+
+namespace plumbline::diagnose {
+
+struct SampleTable {
+  std::vector<std::string> header;  ///< empty where the file has none
+  std::size_t header_line = 1;
+  std::vector<files::CsvRow> rows;  ///< all with as many fields as the header
+};
+
+/// \throws Error that names the source and the line: quotes that do not match, no row, a row of another
+/// length
+SampleTable parse_sample_table(const std::string& text, const std::string& source,
+                               const SampleFormat& format);
+
+/// "; with csv.delimiter = \";\" it would be 5 columns": where a header that is not the one expected falls
+/// into more pieces another way. Empty where it does not.
+std::string other_delimiter(const SampleTable& table, const SampleFormat& format);
+
+}  // namespace plumbline::diagnose
