@@ -1,8 +1,6 @@
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <memory>
-#include <plumbline/base/error.hpp>
 
 #include "app/corrected_files.hpp"
 #include "app/example_experiment.hpp"
@@ -34,22 +32,6 @@ diagnose::Diagnosis diagnosis_of(const diagnose::Study& study, bool next) {
   return diagnose::diagnose(study, show, next);
 }
 
-/// A search among causes is wasted on numbers that were meant otherwise.
-/// \throws Error with the question, where a unit, sign, axis or order is in doubt
-void ask_for_conventions(const diagnose::Study& study) {
-  const std::optional<diagnose::Doubt> doubt = diagnose::doubtful_convention(study);
-  if (!doubt) return;
-  std::string where = study.experiment().name + ", ";
-  if (!doubt->runs.empty())
-    where += fmt::format("run{} {}, ", doubt->runs.size() > 1 ? "s" : "", fmt::join(doubt->runs, ", "));
-  std::string found = "what looks like " + doubt->looks_like;
-  for (const std::string& other : doubt->or_else) found += ", or " + other;
-  found += fmt::format(" (the nominal model then misses {:.2g} % instead of {:.2g} %)", 100 * doubt->left,
-                       100 * doubt->left_as_is);
-  throw Error(where + doubt->what, found,
-              doubt->expected + ": convert the numbers, or pass --as-is if they are right");
-}
-
 void run(const Options& options) {
   std::optional<diagnose::NominalChain> model;
   if (!options.model.empty()) model = exchange::read_model(options.model).chain;
@@ -64,7 +46,7 @@ void run(const Options& options) {
                                                                             "--html", options.html);
   CorrectedFiles corrected(outputs, options.corrected);
   const diagnose::Study study(condensed(std::move(experiment)));
-  if (!options.as_is) ask_for_conventions(study);
+  if (!options.as_is) require_conventions(study);
   const diagnose::Diagnosis diagnosis = diagnosis_of(study, options.next);
   if (corrected.wanted()) corrected.write(exchange::corrected_models(study, diagnosis));
   nlohmann::ordered_json report = as_json(diagnosis);

@@ -11,6 +11,7 @@ namespace plumbline::app {
 
 void add_chain(CLI::App& app);
 void add_check(CLI::App& app);
+void add_check_experiment(CLI::App& app);
 void add_critical(CLI::App& app);
 void add_equilibria(CLI::App& app);
 void add_figure(CLI::App& app);

@@ -12,6 +12,7 @@ std::unique_ptr<CLI::App> whole_command() {
   add_figure(*command);
   add_reference(*command);
   add_check(*command);
+  add_check_experiment(*command);
   add_diagnose(*command);
   add_chain(*command);
   add_trial(*command);

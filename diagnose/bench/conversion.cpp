@@ -2,35 +2,57 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
+#include <cmath>
 #include <numeric>
+
+#include "diagnose/bench/unit.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-struct Unit {
-  const char* name;
-  double in_si;
+using Names = std::vector<const char*>;
+
+const Names forces{"N", "kgf", "kN", "mN", "lbf", "gf"}, lengths{"m", "mm", "cm", "in"},
+    angles_in{"rad", "deg"}, stiffnesses{"N m/rad",  "N mm/rad",   "N cm/rad",  "N m/deg",
+                                         "N mm/deg", "kgf cm/rad", "kgf m/rad", "lbf in/rad"};
+
+/// Of what is read in one unit: another that it may have been written in.
+struct Other {
+  std::string name, instead_of;
+  double factor;
 };
 
-constexpr double degree = std::numbers::pi / 180;
-constexpr std::array<Unit, 5> forces{
-    {{"kgf", 9.80665}, {"kN", 1e3}, {"mN", 1e-3}, {"lbf", 4.4482216}, {"gf", 9.80665e-3}}};
-constexpr std::array<Unit, 3> lengths{{{"mm", 1e-3}, {"cm", 1e-2}, {"inches", 0.0254}}};
-constexpr std::array<Unit, 5> stiffnesses{{{"N mm/rad", 1e-3},
-                                           {"N cm/rad", 1e-2},
-                                           {"N m/deg", 1 / degree},
-                                           {"N mm/deg", 1e-3 / degree},
-                                           {"kgf cm/rad", 9.80665e-2}}};
+std::vector<Other> others(const Names& names, const Quantity& quantity, const Origin& read) {
+  std::vector<Other> all;
+  for (const char* name : names) {
+    const double factor = parse_unit(name, quantity, "unit").in_si() / read.in_si;
+    constexpr double same = 1e-3;
+    if (std::abs(factor - 1) > same) all.push_back({name, read.unit, factor});
+  }
+  return all;
+}
 
-/// How far the best common factor may be from a unit's and still be taken for it: 5 % where stiffnesses and
-/// gains may err as much (nine times too stiff is not kgf), a quarter where nothing errs by so much.
-double tolerance_of(double factor) {
-  return factor > 20 || factor < 1.0 / 20 ? 0.25 : 0.05;
+/// Where a channel was read in the first run, or a key; SI where that is not known.
+Origin origin(const std::vector<Origin>& all, const std::string& what, const Quantity& quantity) {
+  for (const Origin& one : all)
+    if (one.what == what) return one;
+  return {what, what, quantity.si, 1};
+}
+
+Origin origin_of_channel(const Experiment& e, const std::string& channel, const Quantity& quantity) {
+  return origin(e.runs.empty() ? std::vector<Origin>() : e.runs.front().origins, channel, quantity);
 }
 
 void scale(std::vector<double>& values, double factor) {
   for (double& value : values) value *= factor;
+}
+
+void scale_forces(Run& run, double factor) {
+  for (Reading& r : run.readings) r.Fx *= factor, r.Fy *= factor;
+}
+
+void scale_positions(Run& run, double factor) {
+  for (Reading& r : run.readings) r.x *= factor, r.y *= factor;
 }
 
 /// A way to lay two axes over two others.
@@ -48,6 +70,18 @@ struct Axes {
       x = u;
     }
   }
+  [[nodiscard]] bool mirrors_y() const { return xx == 1 && yy == -1; }
+  /// "columns.Fx and columns.Fy with sign = -1".
+  [[nodiscard]] std::string remedy(const std::string& x, const std::string& y) const {
+    if (xy == 0) {
+      const std::string both = xx * yy > 0 ? "columns." + x + " and columns." + y : "";
+      return (both.empty() ? "columns." + (xx < 0 ? x : y) : both) + " with sign = -1";
+    }
+    const auto from = [](const std::string& to, const std::string& source, double sign) {
+      return "columns." + to + " with the column of " + source + (sign < 0 ? " and sign = -1" : "");
+    };
+    return from(x, y, xy) + ", " + from(y, x, yx);
+  }
 };
 
 constexpr std::array<Axes, 7> axes{{{"of the opposite sign", -1, 0, 0, -1},
@@ -58,40 +92,30 @@ constexpr std::array<Axes, 7> axes{{{"of the opposite sign", -1, 0, 0, -1},
                                     {"turned by -90 degrees", 0, -1, 1, 0},
                                     {"with x and y swapped and of the opposite sign", 0, -1, -1, 0}}};
 
-/// A way to write joint angles.
-struct Angles {
-  const char* name;
-  void (*convert)(std::vector<double>&);
-  double tolerance;
-};
-
-void relative(std::vector<double>& angle) {
-  std::adjacent_difference(angle.begin(), angle.end(), angle.begin());
-}
-
-const std::array<Angles, 4> angles{{
-    {"degrees", [](std::vector<double>& q) { scale(q, degree); }, 0.25},
-    {"angles of the opposite sign", [](std::vector<double>& q) { scale(q, -1); }, 0},
-    {"absolute angles", relative, 0},
-    {"angles in the reverse order", [](std::vector<double>& q) { std::reverse(q.begin(), q.end()); }, 0},
-}};
-
-void add_forces(std::vector<Conversion>& all) {
-  for (const Unit& unit : forces) {
+void add_forces(const Experiment& e, std::vector<Conversion>& all) {
+  const Origin read = origin_of_channel(e, "Fx", quantity::force);
+  const auto add = [&](const std::string& name, double factor, const std::string& remedy) {
     all.push_back({"Fx, Fy",
-                   unit.name,
-                   "N",
-                   tolerance_of(unit.in_si),
-                   [unit](Run& run) {
-                     for (Reading& r : run.readings) r.Fx *= unit.in_si, r.Fy *= unit.in_si;
-                   },
+                   name,
+                   read.unit,
+                   remedy,
+                   factor,
+                   false,
+                   [factor](Run& run) { scale_forces(run, factor); },
                    {}});
-  }
+  };
+  for (const Other& unit : others(forces, quantity::force, read))
+    add(unit.name, unit.factor, "columns.Fx.unit and columns.Fy.unit = \"" + unit.name + "\"");
+  if (read.in_si == 1)
+    add("N that were multiplied by 9.80665 once too often", 1 / 9.80665,
+        "columns.Fx.unit and columns.Fy.unit = \"0.101972 N\"");
   for (const Axes& one : axes) {
     all.push_back({"Fx, Fy",
                    std::string("forces ") + one.name,
                    "the force on the end point, in the base frame",
+                   one.remedy("Fx", "Fy"),
                    0,
+                   one.mirrors_y(),
                    [one](Run& run) {
                      for (Reading& r : run.readings) one(r.Fx, r.Fy);
                    },
@@ -99,33 +123,64 @@ void add_forces(std::vector<Conversion>& all) {
   }
 }
 
-void add_angles(std::vector<Conversion>& all) {
-  const char* expected = "relative joint angles, counter-clockwise, from joint 1, in rad";
-  for (const Angles& one : angles) {
-    const auto readings = [one](Run& run) {
-      for (Reading& r : run.readings) one.convert(r.q);
-    };
-    const auto rest = [one](Run& run) { one.convert(run.rest); };
-    all.push_back({"q", one.name, expected, one.tolerance, readings, {}});
-    all.push_back({"rest", one.name, expected, one.tolerance, rest, {}});
-    all.push_back({"rest, q",
+/// A way to write joint angles.
+struct Angles {
+  std::string name, remedy_of_q, remedy_of_rest;
+  double factor = 0;
+  std::function<void(std::vector<double>&)> convert;
+};
+
+std::vector<Angles> ways_to_write_angles(const Origin& read) {
+  std::vector<Angles> all;
+  for (const Other& unit : others(angles_in, quantity::angle, read)) {
+    const double factor = unit.factor;
+    all.push_back({unit.name == "deg" ? "degrees" : "radians", "columns.q.unit = \"" + unit.name + "\"",
+                   "units.rest = \"" + unit.name + "\"", factor,
+                   [factor](std::vector<double>& q) { scale(q, factor); }});
+  }
+  all.push_back({"angles of the opposite sign", "columns.q.sign = -1", "the signs of rest turned", 0,
+                 [](std::vector<double>& q) { scale(q, -1); }});
+  all.push_back({"absolute angles", "columns.q.absolute = true", "in rest the differences of neighbours", 0,
+                 [](std::vector<double>& q) { std::adjacent_difference(q.begin(), q.end(), q.begin()); }});
+  all.push_back({"angles in the reverse order", "the columns of columns.q in reverse", "rest in reverse", 0,
+                 [](std::vector<double>& q) { std::reverse(q.begin(), q.end()); }});
+  return all;
+}
+
+/// \param rest, readings  which of them are written so
+void add_angles(const Experiment& e, bool rest, bool readings, std::vector<Conversion>& all) {
+  const Origin read =
+      rest ? origin(e.origins, "rest", quantity::angle) : origin_of_channel(e, "q1", quantity::angle);
+  for (const Angles& one : ways_to_write_angles(read)) {
+    std::string remedy = rest ? one.remedy_of_rest : "";
+    if (readings) remedy += (rest ? ", " : "") + one.remedy_of_q;
+    all.push_back({rest && readings ? "rest, q"
+                   : rest           ? "rest"
+                                    : "q",
                    one.name,
-                   expected,
-                   one.tolerance,
-                   [readings, rest](Run& run) { readings(run), rest(run); },
+                   "relative joint angles, counter-clockwise, from joint 1, in " + read.unit,
+                   remedy,
+                   one.factor,
+                   one.name == "angles of the opposite sign",
+                   [=](Run& run) {
+                     if (rest) one.convert(run.rest);
+                     if (!readings) return;
+                     for (Reading& r : run.readings) one.convert(r.q);
+                   },
                    {}});
   }
 }
 
-void add_positions(std::vector<Conversion>& all) {
-  for (const Unit& unit : lengths) {
+void add_positions(const Experiment& e, std::vector<Conversion>& all) {
+  for (const Other& unit : others(lengths, quantity::length, origin_of_channel(e, "x", quantity::length))) {
+    const double factor = unit.factor;
     all.push_back({"x, y",
                    unit.name,
-                   "m",
-                   tolerance_of(unit.in_si),
-                   [unit](Run& run) {
-                     for (Reading& r : run.readings) r.x *= unit.in_si, r.y *= unit.in_si;
-                   },
+                   unit.instead_of,
+                   "columns.x.unit and columns.y.unit = \"" + unit.name + "\"",
+                   factor,
+                   false,
+                   [factor](Run& run) { scale_positions(run, factor); },
                    {}});
   }
   for (const Axes& one : axes) {
@@ -135,13 +190,17 @@ void add_positions(std::vector<Conversion>& all) {
     all.push_back({"x, y",
                    std::string("an end point ") + one.name,
                    "the end point in the base frame",
+                   one.remedy("x", "y"),
                    0,
+                   one.mirrors_y(),
                    positions,
                    {}});
     all.push_back({"x, y, Fx, Fy",
                    std::string("axes ") + one.name,
                    "the base frame",
+                   one.remedy("x", "y") + ", " + one.remedy("Fx", "Fy"),
                    0,
+                   one.mirrors_y(),
                    [one, positions](Run& run) {
                      positions(run);
                      for (Reading& r : run.readings) one(r.Fx, r.Fy);
@@ -150,33 +209,57 @@ void add_positions(std::vector<Conversion>& all) {
   }
 }
 
-void add_chain(std::vector<Conversion>& all) {
-  for (const Unit& unit : stiffnesses) {
+void add_units_of_chain(const Experiment& e, std::vector<Conversion>& all) {
+  const Origin stiffness = origin(e.origins, "joint_stiffness", quantity::stiffness);
+  for (const Other& unit : others(stiffnesses, quantity::stiffness, stiffness)) {
+    all.push_back({"joint_stiffness",
+                   unit.name,
+                   unit.instead_of,
+                   "units.joint_stiffness = \"" + unit.name + "\"",
+                   unit.factor,
+                   false,
+                   {},
+                   [factor = unit.factor](Experiment& one) { scale(one.joint_stiffness, factor); }});
+  }
+  for (const Other& unit :
+       others(lengths, quantity::length, origin(e.origins, "link_length", quantity::length))) {
+    const std::string remedy = "units.link_length = \"" + unit.name + "\"";
+    const double factor = unit.factor;
     all.push_back(
-        {"joint_stiffness", unit.name, "N m/rad", tolerance_of(unit.in_si), {}, [unit](Experiment& e) {
-           scale(e.joint_stiffness, unit.in_si);
+        {"link_length", unit.name, unit.instead_of, remedy, factor, false, {}, [factor](Experiment& one) {
+           scale(one.link_length, factor);
          }});
-  }
-  for (const Unit& unit : lengths) {
-    all.push_back({"link_length", unit.name, "m", tolerance_of(unit.in_si), {}, [unit](Experiment& e) {
-                     scale(e.link_length, unit.in_si);
+    all.push_back({"link_length, x, y",
+                   unit.name,
+                   unit.instead_of,
+                   remedy + ", columns.x.unit and columns.y.unit = \"" + unit.name + "\"",
+                   factor,
+                   false,
+                   {},
+                   [factor](Experiment& one) {
+                     scale(one.link_length, factor);
+                     for (Run& run : one.runs) scale_positions(run, factor);
                    }});
-    all.push_back({"link_length, x, y", unit.name, "m", tolerance_of(unit.in_si), {}, [unit](Experiment& e) {
-                     scale(e.link_length, unit.in_si);
-                     for (Run& run : e.runs)
-                       for (Reading& r : run.readings) r.x *= unit.in_si, r.y *= unit.in_si;
-                   }});
   }
+}
+
+void add_order_of_chain(std::vector<Conversion>& all) {
   const auto reverse = [](std::vector<double>& values) { std::reverse(values.begin(), values.end()); };
   const char* from_base = "joints and links from the base on";
-  all.push_back(
-      {"joint_stiffness", "a list from the end point on", from_base, 0, {}, [reverse](Experiment& e) {
-         reverse(e.joint_stiffness);
-       }});
+  all.push_back({"joint_stiffness",
+                 "a list from the end point on",
+                 from_base,
+                 "joint_stiffness in reverse",
+                 0,
+                 false,
+                 {},
+                 [reverse](Experiment& e) { reverse(e.joint_stiffness); }});
   all.push_back({"link_length, joint_stiffness",
                  "lists from the end point on",
                  from_base,
+                 "the lists of [nominal] in reverse",
                  0,
+                 false,
                  {},
                  [reverse](Experiment& e) {
                    reverse(e.link_length), reverse(e.joint_stiffness), reverse(e.link_mass);
@@ -185,15 +268,15 @@ void add_chain(std::vector<Conversion>& all) {
 
 }  // namespace
 
-const std::vector<Conversion>& conversions() {
-  static const std::vector<Conversion> all = [] {
-    std::vector<Conversion> list;
-    add_forces(list);
-    add_angles(list);
-    add_positions(list);
-    add_chain(list);
-    return list;
-  }();
+std::vector<Conversion> conversions(const Experiment& experiment) {
+  std::vector<Conversion> all;
+  add_forces(experiment, all);
+  add_angles(experiment, false, true, all);
+  add_angles(experiment, true, false, all);
+  add_angles(experiment, true, true, all);
+  add_positions(experiment, all);
+  add_units_of_chain(experiment, all);
+  add_order_of_chain(all);
   return all;
 }
 

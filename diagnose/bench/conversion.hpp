@@ -15,18 +15,19 @@ namespace plumbline::diagnose {
 struct Conversion {
   std::string what;        ///< the columns or keys: "Fx, Fy"
   std::string looks_like;  ///< what they seem to be: "kgf"
-  std::string expected;    ///< what the format demands: "N"
-  /// What a scale error of the rig would have to be within to look the same, as a share of the factor; 0
-  /// where the conversion is no factor.
-  double tolerance = 0;
+  std::string expected;    ///< what they are read as: "N"
+  std::string remedy;      ///< what to write in experiment.toml if they are: "columns.Fx.unit = …"
+  double factor = 0;       ///< of a unit over the one that they are read in; 0 where it is no unit
+  bool mirror = false;     ///< whether a chain that buckles to its other side looks the same
   /// Converts one run; not given where the nominal chain is converted.
-  std::function<void(Run&)> run;
+  std::function<void(Run&)> run = {};
   /// Converts what is not in a run.
-  std::function<void(Experiment&)> chain;
+  std::function<void(Experiment&)> chain = {};
 };
 
-/// All that are looked for, the most common first.
-const std::vector<Conversion>& conversions();
+/// All that are looked for, the most common first. Units are those that labs use, but for the one that the
+/// experiment itself names.
+std::vector<Conversion> conversions(const Experiment& experiment);
 
 /// The experiment with every run, and the nominal chain, converted.
 Experiment converted(Experiment experiment, const Conversion& conversion);

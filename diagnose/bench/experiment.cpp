@@ -45,6 +45,12 @@ bool Run::turns_back() const {
   return std::find(turns.begin(), turns.end(), true) != turns.end();
 }
 
+bool Run::counts_readings() const {
+  for (std::size_t i = 1; i < readings.size(); ++i)
+    if (readings[i].t != readings[i - 1].t + 1) return false;
+  return true;
+}
+
 std::vector<Channel> Run::measured() const {
   const std::array<Channel, 2>& answer = holds_end_point() ? force : end_point;
   std::vector<Channel> channels(answer.begin(), answer.end());

@@ -53,6 +53,9 @@ struct Run {
   /// By reading, whether the command goes back from there: its next step is against the one before.
   [[nodiscard]] std::vector<bool> turning_points() const;
   [[nodiscard]] bool turns_back() const;
+  /// Whether time stamps only count the readings. A time constant found from them would be that of a clock
+  /// that somebody made up.
+  [[nodiscard]] bool counts_readings() const;
   /// What answers: the other of force and end point, then the joint angles that the run has columns for.
   [[nodiscard]] std::vector<Channel> measured() const;
   /// First and last of the readings as they were taken, from 0, that a reading stands for.

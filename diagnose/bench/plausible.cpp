@@ -43,25 +43,30 @@ double middle_contradiction(const Run& run, const Chain<double>& chain) {
   return *middle;
 }
 
-/// What a run that cannot be would mean if its end points or angles were in another unit, order or sense:
-/// "; x, y look like mm". Empty where no conversion makes it start at its unloaded shape and agree with
-/// itself, each to a tenth of the chain.
-std::string as_if(const Run& run, const Chain<double>& chain, const Reach<double>& limits) {
+/// What a run that cannot be would mean if its end points or angles, or the links, were in another unit,
+/// order or sense: "; x, y look like mm (columns.x.unit = …)". Empty where no conversion makes it start at
+/// its unloaded shape and agree with itself, each to a tenth of the chain.
+std::string as_if(const Experiment& experiment, const Run& run) {
   std::string best;
-  double least = 0.1 * limits.largest;
-  for (const Conversion& conversion : conversions()) {
-    if (conversion.what != "q" && conversion.what != "x, y") continue;
-    Run other = run;
-    conversion.run(other);
+  double least = 0.1;
+  for (const Conversion& conversion : conversions(experiment)) {
+    const std::string& what = conversion.what;
+    if (what != "q" && what != "x, y" && what != "link_length") continue;
+    Experiment alone = experiment;
+    alone.runs = {run};
+    alone = converted(std::move(alone), conversion);
+    const Run& other = alone.runs.front();
     const auto start = std::find_if(other.readings.begin(), other.readings.end(), [](const Reading& r) {
       return std::isfinite(r.x) && std::isfinite(r.y);
     });
     if (start == other.readings.end()) continue;
-    const double gap = std::max(contradiction(run.rest, *start, chain), middle_contradiction(other, chain));
+    const Chain<double> chain(alone.link_length, alone.joint_stiffness);
+    const double gap = std::max(contradiction(run.rest, *start, chain), middle_contradiction(other, chain)) /
+                       reach(alone.link_length).largest;
     if (gap >= least) continue;
     least = gap;
-    best = "; " + conversion.what + (conversion.what == "q" ? " looks like " : " look like ") +
-           conversion.looks_like;
+    best = "; " + what + (what == "x, y" ? " look like " : " looks like ") + conversion.looks_like +
+           ": if so, " + conversion.remedy;
   }
   return best;
 }
@@ -69,28 +74,29 @@ std::string as_if(const Run& run, const Chain<double>& chain, const Reach<double
 /// A commanded end point is exact: beyond the reach by more than its rounding it has no equilibrium. A
 /// measured one carries noise, and lengths and zero are what is in question: only what no tolerance explains
 /// is refused.
-void require_reach(const Run& run, const Chain<double>& chain, const Reach<double>& limits) {
+void require_reach(const Experiment& experiment, const Run& run, const Reach<double>& limits) {
   const double slack = (run.holds_end_point() ? 1e-4 : 0.25) * limits.largest;
   for (std::size_t r = 0; r < run.readings.size(); ++r) {
     const double distance = std::hypot(run.readings[r].x, run.readings[r].y);
     if (distance > limits.largest + slack)
       throw Error(place(run, r), "an end point " + metres(distance) + " from the base",
-                  "at most the length of the chain, " + metres(limits.largest) + as_if(run, chain, limits));
+                  "at most the length of the chain, " + metres(limits.largest) + as_if(experiment, run));
     if (distance < limits.smallest - slack)
       throw Error(place(run, r), "an end point " + metres(distance) + " from the base",
                   "at least " + metres(limits.smallest) + ", what the links reach when folded" +
-                      as_if(run, chain, limits));
+                      as_if(experiment, run));
   }
 }
 
 /// Joint angles in degrees, in another order or of another chain. No effect moves the end point of most
 /// readings by a quarter of the chain.
-void require_geometry(const Run& run, const Chain<double>& chain, const Reach<double>& limits) {
-  const double gap = middle_contradiction(run, chain);
+void require_geometry(const Experiment& experiment, const Run& run, const Reach<double>& limits) {
+  const double gap =
+      middle_contradiction(run, Chain<double>(experiment.link_length, experiment.joint_stiffness));
   if (gap > 0.25 * limits.largest)
     throw Error("run \"" + run.id + "\"",
                 "joint angles that put the end point " + metres(gap) + " from where x and y say it is",
-                "joint angles of this chain, relative and in radians" + as_if(run, chain, limits));
+                "joint angles of this chain, relative and in radians" + as_if(experiment, run));
 }
 
 void require_noise(const Run& run, const Noise& noise) {
@@ -141,13 +147,12 @@ void require_physical(const Experiment& experiment) {
   if (passive > 2)
     throw Error("nominal.joint_stiffness", std::to_string(passive) + " passive joints",
                 "at most two: with more the chain is a mechanism even with its end point held");
-  const Chain<double> chain(experiment.link_length, experiment.joint_stiffness);
   const Reach<double> limits = reach(experiment.link_length);
   require_resolved(experiment, limits.largest);
   std::size_t values = 0;
   for (const Run& run : experiment.runs) {
-    require_reach(run, chain, limits);
-    require_geometry(run, chain, limits);
+    require_reach(experiment, run, limits);
+    require_geometry(experiment, run, limits);
     require_noise(run, experiment.noise);
     values += measured_values(run);
   }

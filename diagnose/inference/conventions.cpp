@@ -1,8 +1,12 @@
 #include "diagnose/inference/conventions.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/conversion.hpp"
 #include "diagnose/model/nominal.hpp"
@@ -12,10 +16,22 @@ namespace {
 
 /// Columns whose misfit is below this share of what it could be are not worth a question.
 constexpr double misfit_in_doubt = 0.05;
-/// A conversion must leave no more than this share of the misfit.
-constexpr double left_at_most = 0.05;
-/// Nor more than this share of the readings: a bench with a large gap can look like its mirror image.
-constexpr double missed_at_most = 0.3;
+/// What a conversion may leave: of the misfit, and of the readings themselves.
+struct Allowance {
+  double misfit, readings;
+};
+/// A bench with a large gap beside the slip still follows the model. No gap makes numbers look turned or
+/// reversed, still less a thousand times too large; but a chain that buckles to its other side looks
+/// mirrored.
+constexpr Allowance usual{0.2, 0.6}, of_a_mirror{0.1, 0.35}, of_a_large_factor{0.6, 0.9};
+
+bool is_large(double factor) {
+  return factor != 0 && std::abs(std::log(factor)) > std::log(20);
+}
+
+const Allowance& allowance(const Conversion& conversion) {
+  return conversion.mirror ? of_a_mirror : is_large(conversion.factor) ? of_a_large_factor : usual;
+}
 
 /// Sums of squares of a measured column of one run, from the unloaded state on, against the prediction.
 struct Column {
@@ -148,11 +164,21 @@ Change compare_run(const Columns& before, const Columns& after) {
   return change;
 }
 
-/// Of a factor: whether the best common factor that remains is one.
-bool centred(const Column& sensor, double tolerance) {
-  if (tolerance == 0 || sensor.predicted == 0) return true;
+/// How far the best common factor that remains may be from 1, as a logarithm. Nothing errs by a factor of
+/// twenty, and no bench by about ten at all its joints; about four it may. What shape the prediction misses
+/// moves the best factor by as much.
+double tolerance(double factor, double shape) {
+  if (is_large(factor)) return std::log(2);
+  return (std::abs(std::log(factor)) > std::log(7) ? 0.2 : 0.05) + std::min(shape, 0.35);
+}
+
+/// Of a unit: whether the best common factor that remains is one.
+bool centred(const Column& sensor, double factor) {
+  if (factor == 0 || sensor.predicted == 0 || sensor.measured == 0) return true;
   const double best = sensor.product / sensor.predicted;
-  return best > 0 && std::abs(std::log(best)) < tolerance;
+  const double shape =
+      std::sqrt(std::max(0.0, 1 - sensor.product * sensor.product / (sensor.predicted * sensor.measured)));
+  return best > 0 && std::abs(std::log(best)) < tolerance(factor, shape);
 }
 
 double relative_rms(const std::array<Column, 3>& sensors) {
@@ -163,7 +189,7 @@ double relative_rms(const std::array<Column, 3>& sensors) {
 
 /// A conversion that was tried.
 struct Trial {
-  const Conversion* conversion;
+  Conversion conversion;
   std::vector<std::size_t> runs;  ///< that it mends
   double misfit = 0;              ///< left in all runs
   double left_as_is = 0, left = 0;
@@ -174,7 +200,8 @@ class Check {
   explicit Check(const Study& study)
       : study_(study),
         as_is_(compare(study.experiment(), study.measurements(), study.nominal())),
-        start_(distance_at_start(study.experiment())) {}
+        start_(distance_at_start(study.experiment())),
+        conversions_(conversions(study.experiment())) {}
 
   [[nodiscard]] bool in_doubt() const {
     return !study_.nominal().reached || std::any_of(as_is_.begin(), as_is_.end(), [](const Columns& run) {
@@ -184,10 +211,8 @@ class Check {
 
   [[nodiscard]] std::vector<Trial> suspected() const {
     std::vector<Trial> found;
-    for (const Conversion& conversion : conversions())
+    for (const Conversion& conversion : conversions_)
       if (const std::optional<Trial> trial = attempt(conversion)) found.push_back(*trial);
-    std::stable_sort(found.begin(), found.end(),
-                     [](const Trial& a, const Trial& b) { return a.misfit < b.misfit; });
     return found;
   }
 
@@ -209,33 +234,36 @@ class Check {
   /// The columns that the conversion changes, in the runs that it mends, must agree.
   [[nodiscard]] std::optional<Trial> judge(const Conversion& conversion,
                                            const std::vector<Columns>& now) const {
-    Trial trial{&conversion, {}, 0, 0, 0};
+    Trial trial{conversion, {}, 0, 0, 0};
     Change whole;
     for (std::size_t r = 0; r < now.size(); ++r) {
       const Change change = compare_run(as_is_[r], now[r]);
       if (!change.readable) return {};
       const bool mended = change.after < change.before;
       if (!mended && worst(as_is_[r]) > misfit_in_doubt) return {};
-      if (!mended && conversion.chain && change.before > 0) return {};
+      const bool worse = change.after > change.before;
+      if (worse && (conversion.chain || conversion.mirror)) return {};
       for (const Column& column : mended ? now[r] : as_is_[r])
         trial.misfit += misfit(mended ? now[r] : as_is_[r], column);
       if (!mended) continue;
       trial.runs.push_back(r);
       whole += change;
     }
-    if (trial.runs.empty() || whole.after > left_at_most * whole.before || whole.before < misfit_in_doubt)
+    const Allowance& allowed = allowance(conversion);
+    if (trial.runs.empty() || whole.after > allowed.misfit * whole.before || whole.before < misfit_in_doubt)
       return {};
     for (const Column& sensor : whole.is)
-      if (!centred(sensor, conversion.tolerance)) return {};
+      if (!centred(sensor, conversion.factor)) return {};
     trial.left_as_is = relative_rms(whole.was);
     trial.left = relative_rms(whole.is);
-    if (trial.left > missed_at_most) return {};
+    if (trial.left > allowed.readings || trial.left > allowed.readings * trial.left_as_is) return {};
     return trial;
   }
 
   const Study& study_;
   std::vector<Columns> as_is_;
   double start_;
+  std::vector<Conversion> conversions_;
 };
 
 }  // namespace
@@ -243,23 +271,46 @@ class Check {
 std::optional<Doubt> doubtful_convention(const Study& study) {
   const Check check(study);
   if (!check.in_doubt()) return {};
-  const std::vector<Trial> found = check.suspected();
+  std::vector<Trial> found = check.suspected();
   if (found.empty()) return {};
+  // Squares of residuals: what leaves half as much again, or differs by a thousandth, cannot be told apart;
+  // nor can two units, whose factors a gap may bring nearer or farther.
+  constexpr double alike = 2.25, alike_units = 10, anyway = 1e-3;
+  const auto less = [](const Trial& a, const Trial& b) { return a.misfit < b.misfit; };
+  const Trial least = *std::min_element(found.begin(), found.end(), less);
+  std::erase_if(found, [&](const Trial& one) {
+    const bool units = one.conversion.factor != 0 && least.conversion.factor != 0;
+    return one.misfit > std::max((units ? alike_units : alike) * least.misfit, least.misfit + anyway);
+  });
   const Trial& best = found.front();
+  const Conversion& conversion = best.conversion;
   Doubt doubt{{},
-              best.conversion->what,
-              best.conversion->looks_like,
-              best.conversion->expected,
+              conversion.what,
+              conversion.looks_like,
+              conversion.expected,
+              conversion.remedy,
               {},
               best.left_as_is,
               best.left};
   if (best.runs.size() < study.experiment().runs.size())
     for (const std::size_t r : best.runs) doubt.runs.push_back(study.experiment().runs[r].id);
-  // The misfit is at most 2 a column: what differs by a thousandth cannot be told apart.
-  constexpr double alike = 1e-3;
-  for (std::size_t i = 1; i < found.size() && found[i].misfit < best.misfit + alike; ++i)
-    doubt.or_else.push_back(found[i].conversion->what + " like " + found[i].conversion->looks_like);
+  for (std::size_t i = 1; i < found.size(); ++i)
+    doubt.or_else.push_back(found[i].conversion.what + " like " + found[i].conversion.looks_like);
   return doubt;
+}
+
+void require_conventions(const Study& study) {
+  const std::optional<Doubt> doubt = doubtful_convention(study);
+  if (!doubt) return;
+  std::string where = study.experiment().name + ", ";
+  if (!doubt->runs.empty())
+    where += fmt::format("run{} {}, ", doubt->runs.size() > 1 ? "s" : "", fmt::join(doubt->runs, ", "));
+  std::string found = "what looks like " + doubt->looks_like;
+  for (const std::string& other : doubt->or_else) found += ", or " + other;
+  found += fmt::format(" (the nominal model then misses {:.2g} % instead of {:.2g} %)", 100 * doubt->left,
+                       100 * doubt->left_as_is);
+  throw Error(where + doubt->what, found,
+              doubt->expected + ": if it is so, write " + doubt->remedy + "; if not, pass --as-is");
 }
 
 }  // namespace plumbline::diagnose

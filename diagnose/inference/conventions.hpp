@@ -18,14 +18,20 @@ struct Doubt {
   std::string what;                  ///< the columns or keys, "Fx, Fy"
   std::string looks_like;            ///< "kgf"
   std::string expected;              ///< "N"
+  std::string remedy;                ///< what to write in experiment.toml if they are
   std::vector<std::string> or_else;  ///< other readings that fit as well: "joint_stiffness like N cm/rad"
   double left_as_is, left;  ///< rms of what the nominal model leaves, over the readings' own: now and then
 };
 
 /// Compares the readings with the nominal model as they stand and under each of the closed list of
-/// conversions (bench/conversion.hpp); nothing is fitted. A conversion is suspected where it removes all but
-/// a twentieth of the squared misfit of every column that it changes, in every run that misfits, and where no
-/// common factor but its own would do: what is left is centred within its tolerance.
+/// conversions (bench/conversion.hpp); nothing is fitted. A conversion is suspected where it removes most of
+/// the squared misfit of every column that it changes, in every run that misfits, and where no common factor
+/// but its own would do. How much it must remove, and how far off that factor may be, are such that a gap
+/// beside the slip does not hide it and a gap alone does not look like one.
 std::optional<Doubt> doubtful_convention(const Study& study);
+
+/// A search among causes is wasted on numbers that were meant otherwise.
+/// \throws Error with the question, in one line, where a unit, sign, axis or order is in doubt
+void require_conventions(const Study& study);
 
 }  // namespace plumbline::diagnose

@@ -33,14 +33,6 @@ bool reads_force(const Run& run) {
          });
 }
 
-/// Whether time stamps only count the readings. A time constant found from them would be that of a clock that
-/// somebody made up.
-bool counts_readings(const std::vector<Reading>& readings) {
-  for (std::size_t i = 1; i < readings.size(); ++i)
-    if (readings[i].t != readings[i - 1].t + 1) return false;
-  return true;
-}
-
 bool reads_both_forces(const Run& run) {
   return run.holds_end_point() &&
          any_reading(run, [](const Reading& reading) { return std::isfinite(reading.Fx); }) &&
@@ -82,7 +74,7 @@ Sizes sizes_of(const Experiment& experiment) {
     for (const Reading& reading : run.readings) size.duration = std::max(size.duration, reading.t);
     if (run.readings.size() > 1 && size.pause == 0) size.pause = run.readings[1].t - run.readings[0].t;
     size.measures_force = size.measures_force || reads_force(run);
-    size.clock = size.clock || !counts_readings(run.readings);
+    size.clock = size.clock || !run.counts_readings();
     size.measures_both_forces = size.measures_both_forces || reads_both_forces(run);
     size.turns_back = size.turns_back || run.turns_back();
     size.bent_at_rest = size.bent_at_rest || std::any_of(run.rest.begin() + 1, run.rest.end(),

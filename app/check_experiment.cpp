@@ -1,0 +1,127 @@
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <plumbline/base/error.hpp>
+
+#include "app/complaints.hpp"
+#include "app/verbs.hpp"
+#include "diagnose/bench/condense.hpp"
+#include "diagnose/bench/oddities.hpp"
+#include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/inference/conventions.hpp"
+
+namespace plumbline::app {
+namespace {
+
+using diagnose::Channel;
+using diagnose::Experiment;
+using diagnose::Origin;
+using diagnose::Run;
+
+const char* si_unit(const std::string& what) {
+  if (what == "t") return "s";
+  if (what[0] == 'F') return "N";
+  return what[0] == 'q' ? "rad" : "m";
+}
+
+double value_of(const diagnose::Reading& reading, std::size_t column) {
+  const double first[] = {reading.t, reading.x, reading.y, reading.Fx, reading.Fy};
+  if (column < std::size(first)) return first[column];
+  return column - std::size(first) < reading.q.size() ? reading.q[column - std::size(first)] : NAN;
+}
+
+double noise_of(const diagnose::Noise& noise, std::size_t column) {
+  const double first[] = {0, noise.x, noise.y, noise.Fx, noise.Fy};
+  return column < std::size(first) ? first[column] : noise.q;
+}
+
+/// "Fx  Kraft, kgf  -3.64 to 0 N, 9 readings, noise 0.0196 N".
+std::string column_line(const Experiment& experiment, const Run& run, std::size_t column) {
+  const Origin& origin = run.origins[column];
+  const std::string name = fmt::format("    {:<3} ", origin.what);
+  std::size_t count = 0;
+  double least = INFINITY, most = -INFINITY;
+  for (const diagnose::Reading& reading : run.readings) {
+    const double value = value_of(reading, column);
+    if (std::isnan(value)) continue;
+    ++count;
+    least = std::min(least, value + 0.0), most = std::max(most, value + 0.0);  // no "-0"
+  }
+  if (count == 0) return name + "not measured\n";
+  const bool counted = origin.source.empty();
+  std::string line =
+      name + fmt::format("{:<22} ", counted ? "the readings, counted" : origin.source + ", " + origin.unit);
+  line += least == most ? fmt::format("{:.4g}", least) : fmt::format("{:.4g} to {:.4g}", least, most);
+  line += fmt::format(" {}", si_unit(origin.what));
+  const auto imposed = run.imposed();
+  const bool is_imposed = std::any_of(imposed.begin(), imposed.end(),
+                                      [&](const Channel& one) { return one.label() == origin.what; });
+  if (is_imposed) return line + ", imposed\n";
+  if (origin.what == "t") return line + "\n";
+  if (count < run.readings.size()) line += fmt::format(", {} of {} readings", count, run.readings.size());
+  return line + fmt::format(", noise {:.3g} {}\n", noise_of(experiment.noise, column), si_unit(origin.what));
+}
+
+std::string nominal_lines(const Experiment& experiment) {
+  const auto unit = [&](const std::string& key) {
+    const auto one = std::find_if(experiment.origins.begin(), experiment.origins.end(),
+                                  [&](const Origin& origin) { return origin.what == key; });
+    return one == experiment.origins.end() || one->in_si == 1 ? std::string() : ", written in " + one->unit;
+  };
+  std::string text = fmt::format("  link_length      {:.6g} m{}\n", fmt::join(experiment.link_length, ", "),
+                                 unit("link_length"));
+  text += fmt::format("  joint_stiffness  {:.6g} N m/rad{}\n", fmt::join(experiment.joint_stiffness, ", "),
+                      unit("joint_stiffness"));
+  if (std::any_of(experiment.link_mass.begin(), experiment.link_mass.end(), [](double m) { return m > 0; }))
+    text += fmt::format("  link_mass        {:.6g} kg{}\n", fmt::join(experiment.link_mass, ", "),
+                        unit("link_mass"));
+  return text;
+}
+
+std::string what_was_read(const Experiment& experiment) {
+  std::string text = experiment.name + "\n\nThe nominal chain\n" + nominal_lines(experiment) + "\nThe runs\n";
+  for (const Run& run : experiment.runs) {
+    text += fmt::format("  {}: {} imposed, {} readings{}\n", run.id,
+                        run.holds_end_point() ? "the end point is" : "the force is", run.readings.size(),
+                        run.turns_back() ? ", there and back" : "");
+    text += fmt::format("    rest {:.4g} rad\n", fmt::join(run.rest, ", "));
+    for (std::size_t c = 0; c < run.origins.size(); ++c) {
+      const bool angle = run.origins[c].what[0] == 'q';
+      if (!angle || !run.readings.front().q.empty()) text += column_line(experiment, run, c);
+    }
+  }
+  return text;
+}
+
+void run(const std::string& folder) {
+  const Experiment experiment = diagnose::read_experiment(folder);
+  fmt::print("{}\n", what_was_read(experiment));
+  const std::vector<std::string> odd = diagnose::oddities(experiment);
+  if (!odd.empty()) fmt::print("Odd\n  {}\n\n", fmt::join(odd, "\n  "));
+  try {
+    diagnose::require_conventions(diagnose::Study(diagnose::condensed(experiment)));
+  } catch (const Error& question) {
+    fmt::print("Asked\n  {}\n", question.what());
+    throw CLI::RuntimeError(1);
+  }
+  fmt::print("Nothing looks like another unit, sign, axis or order.\n");
+}
+
+}  // namespace
+
+void add_check_experiment(CLI::App& app) {
+  CLI::App* verb = app.add_subcommand(
+      "check-experiment",
+      "What is read from an experiment, in which units, and what looks odd; nothing is fitted");
+  const auto folder = std::make_shared<std::string>();
+  verb->add_option("experiment", *folder, "A folder with experiment.toml and its sample files")
+      ->type_name("FOLDER")
+      ->required();
+  verb->footer("Exit status 1 where numbers look like another unit, sign, axis or order.");
+  verb->callback([folder] { run(*folder); });
+}
+
+}  // namespace plumbline::app

@@ -1,0 +1,104 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <plumbline/base/error.hpp>
+
+#include "diagnose/bench/plausible.hpp"
+#include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/inference/conventions.hpp"
+#include "tests/diagnose/slips.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+using namespace plumbline::diagnose::test;
+
+namespace {
+
+std::vector<Experiment> committed_experiments() {
+  std::vector<Experiment> all;
+  const std::filesystem::path folder = std::filesystem::path(PLUMBLINE_SOURCE_DIR) / "tests/experiments";
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.is_directory()) all.push_back(read_experiment(entry.path()));
+  return all;
+}
+
+/// What is said before any fit: the first thing named, and whatever else; empty where nothing is.
+std::string question(const Experiment& experiment) {
+  try {
+    require_physical(experiment);
+    require_conventions(Study(experiment));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Whether the question names the slip: "…, Fx, Fy: found what looks like kgf, or joint_stiffness like …"; of
+/// axes in readings that cannot be, the positions alone.
+bool names(const std::string& question, const std::string& slip) {
+  const std::size_t like = slip.find(" like ");
+  const std::string what = slip.substr(0, like), as = slip.substr(like + 6);
+  std::vector<std::string> words{what + ": found what looks like " + as, "or " + slip,
+                                 "; " + what + " look like " + as, "; " + what + " looks like " + as};
+  if (as.starts_with("axes ")) words.push_back("; x, y look like an end point " + as.substr(5));
+  return std::any_of(words.begin(), words.end(),
+                     [&](const std::string& one) { return question.find(one) != std::string::npos; });
+}
+
+struct Tally {
+  int planted = 0, asked = 0, right = 0;
+};
+
+Tally plant(const Slip& slip, const std::vector<Experiment>& experiments, double& slowest) {
+  Tally tally;
+  for (Experiment experiment : experiments) {
+    if (slip.of_angles && experiment.runs.front().readings.front().q.empty()) continue;
+    const Experiment before = experiment;
+    slip.spoil(experiment);
+    if (experiment.joint_stiffness == before.joint_stiffness && slip.expected.starts_with("joint_stiffness"))
+      continue;  // the same from both ends
+    ++tally.planted;
+    const auto begin = std::chrono::steady_clock::now();
+    const std::string said = question(experiment);
+    slowest =
+        std::max(slowest, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    tally.asked += !said.empty();
+    tally.right += names(said, slip.expected);
+  }
+  return tally;
+}
+
+Tally plant_all(const std::vector<Slip>& slips) {
+  const std::vector<Experiment> experiments = committed_experiments();
+  Tally sum;
+  double slowest = 0;
+  for (const Slip& slip : slips) {
+    const Tally tally = plant(slip, experiments, slowest);
+    MESSAGE(fmt::format("| {} | {} | {} | {} |", slip.expected, tally.planted, tally.asked, tally.right));
+    sum.planted += tally.planted, sum.asked += tally.asked, sum.right += tally.right;
+  }
+  MESSAGE(fmt::format("slowest question: {:.2f} s", slowest));
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("planted slips of units are asked about, and what is asked is right") {
+  const Tally sum = plant_all(slips_of_units());
+  CHECK(sum.asked > 0.85 * sum.planted);
+  CHECK(sum.right > 0.95 * sum.asked);
+}
+
+TEST_CASE("planted slips of axes are asked about, and what is asked is right") {
+  const Tally sum = plant_all(slips_of_axes());
+  CHECK(sum.asked > 0.7 * sum.planted);
+  CHECK(sum.right > 0.9 * sum.asked);
+}
+
+TEST_CASE("planted slips of joints are asked about, and what is asked is right") {
+  const Tally sum = plant_all(slips_of_joints());
+  CHECK(sum.asked > 0.7 * sum.planted);
+  CHECK(sum.right > 0.9 * sum.asked);
+}
