@@ -20,6 +20,8 @@ program=(
   libginac-dev
   # command line, formats, text
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libcsv-dev libfmt-dev libssl-dev libkainjow-mustache-dev libpugixml-dev
+  # expressions of the effects that users state
+  libmuparser-dev
   # least squares
   libceres-dev
 )

@@ -11,6 +11,7 @@
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/inference/conventions.hpp"
 #include "diagnose/report/report.hpp"
+#include "diagnose/stated/read_effects.hpp"
 #include "exchange/read_model.hpp"
 #include "trial/experiment_files.hpp"
 
@@ -18,7 +19,7 @@ namespace plumbline::app {
 namespace {
 
 struct Options {
-  std::string experiment, model, corrected, json, html;
+  std::string experiment, effects, model, corrected, json, html;
   bool next = false, as_is = false;
 };
 
@@ -40,13 +41,17 @@ void run(const Options& options) {
                                         ? example_experiment(nominal)
                                         : diagnose::read_experiment(options.experiment, nominal);
   std::vector<std::filesystem::path> inputs = trial::files_read(options.experiment);
-  inputs.emplace_back(options.model);
+  inputs.insert(inputs.end(), {options.model, options.effects});
   Outputs outputs(inputs);
   files::OutputFile *const json = outputs.open("--json", options.json), *const html = outputs.open(
                                                                             "--html", options.html);
   CorrectedFiles corrected(outputs, options.corrected);
-  const diagnose::Study study(condensed(std::move(experiment)));
-  if (!options.as_is) require_conventions(study);
+  const diagnose::Study plain(condensed(std::move(experiment)));
+  if (!options.as_is) require_conventions(plain);
+  const diagnose::Study study =
+      options.effects.empty()
+          ? plain
+          : diagnose::Study(plain.experiment(), diagnose::read_effects(options.effects, plain));
   const diagnose::Diagnosis diagnosis = diagnosis_of(study, options.next);
   if (corrected.wanted()) corrected.write(exchange::corrected_models(study, diagnosis));
   nlohmann::ordered_json report = as_json(diagnosis);
@@ -67,6 +72,9 @@ void add_diagnose(CLI::App& app) {
   verb->add_option("experiment", options->experiment,
                    "A folder with experiment.toml and its sample files. Without it: a small bundled example")
       ->type_name("FOLDER");
+  verb->add_option("--effects", options->effects,
+                   "A TOML file with effects of your own, as expressions, to look for beside the catalogue")
+      ->type_name("FILE");
   verb->add_option(
           "--model", options->model,
           "The nominal model, instead of the experiment's own: .toml, as --corrected writes it, or a "
@@ -76,7 +84,8 @@ void add_diagnose(CLI::App& app) {
           "--corrected", options->corrected,
           "Write the nominal model with what was found: .toml (ours), .xml (MJCF), .urdf or .sdf. One file a "
           "candidate where the cause is ambiguous")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->excludes("--effects");
   verb->add_option("--json", options->json,
                    "Write the report as JSON too (without FILE: to standard output alone)")
       ->type_name("[FILE]")

@@ -123,7 +123,7 @@ bool leaves_structure(const Measurements& measurements, const Findings& findings
 std::optional<Shrink> blind_shrink(const Study& study, const HeldOut& heldout, const Fit& fitted,
                                    const NoiseModel& noise) {
   if (heldout.empty()) return std::nullopt;
-  const Study seen(without(study.experiment(), heldout));
+  const Study seen = study.of(without(study.experiment(), heldout));
   FitSettings settings;
   settings.noise = noise;
   const Fit blind = fit_from(seen, fitted.candidate, settings, fitted.parameters);
@@ -194,7 +194,7 @@ void offer_law_to(const Study& study, const HeldOut& heldout, const Findings& ch
   std::vector<Instance> bases;
   if (!fits.empty()) {
     const Fit& partial =
-        *fits[best_partial(Study(without(study.experiment(), heldout)).measurements(), fits)];
+        *fits[best_partial(study.of(without(study.experiment(), heldout)).measurements(), fits)];
     bases.push_back({partial.candidate, partial.parameters});
   }
   diagnosis.law = offer_law(study, heldout, diagnosis.noise, bases);
@@ -204,7 +204,7 @@ void offer_law_to(const Study& study, const HeldOut& heldout, const Findings& ch
 void explain(const Study& study, const std::vector<double>& residual, Diagnosis& diagnosis,
              const Report& progress) {
   const HeldOut heldout = choose_heldout(study.experiment());
-  const Study seen(without(study.experiment(), heldout));
+  const Study seen = study.of(without(study.experiment(), heldout));
   const Findings chosen = search(seen, [&](double share) { progress(0.1 + 0.4 * share); });
   if (chosen.hypotheses.empty()) {
     diagnosis.cause.verdict = CauseVerdict::unknown;

@@ -10,7 +10,7 @@ namespace {
 std::optional<OfferedLaw> tested_law(const Study& study, const HeldOut& heldout, const NoiseModel& noise,
                                      const std::vector<Instance>& bases) {
   if (heldout.empty()) return std::nullopt;
-  const Study seen(without(study.experiment(), heldout));
+  const Study seen = study.of(without(study.experiment(), heldout));
   const std::optional<TorqueLaw> law = fit_torque_law(seen, noise, bases);
   if (!law) return std::nullopt;
   OfferedLaw offered{*law, {}, std::nullopt, law_traces(study, *law)};

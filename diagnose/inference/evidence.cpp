@@ -61,11 +61,8 @@ double log_prior(const Study& study, const Candidate& candidate) {
   constexpr double share[] = {1.0, beliefs::one_cause, beliefs::two_causes, beliefs::three_causes};
   const std::size_t count = candidate.count();
   double log_p = std::log(share[std::min<std::size_t>(count, 3)]);
-  static const double all = [] {
-    double sum = 0;
-    for (const Effect& one : catalogue()) sum += commonness(one);
-    return sum;
-  }();
+  double all = 0;
+  for (const Effect* one : study.effects()) all += commonness(*one);
   for (std::size_t i = 0; i < count; ++i) log_p += std::log(static_cast<double>(i + 1));  // in any order
   if (candidate.machined()) log_p -= std::log(all);
   for (const EffectAt& at : candidate.effects) {

@@ -67,18 +67,19 @@ struct Probing {
 
 /// One row of the catalogue.
 struct Effect {
-  std::string_view id;      ///< as reports and labels spell it
-  std::string_view words;   ///< can stand after "caused by"; {} is the joint or link
+  std::string id;           ///< as reports and labels spell it
+  std::string words;        ///< can stand after "caused by"; {} is the joint or link
   bool at_joint = false;    ///< sits at one joint or link
   bool dissipates = false;  ///< gives back less than it took
-  std::vector<ParameterRange> (*parameters)(const Place& at);
-  void (*add)(const Addition& to);
+  /// The names in the ranges live as long as the row.
+  std::function<std::vector<ParameterRange>(const Place& at)> parameters;
+  std::function<void(const Addition& to)> add;
   /// Whether it can change anything at this place of this bench; everywhere when not given.
-  bool (*possible)(const Place& at) = [](const Place&) { return true; };
+  std::function<bool(const Place& at)> possible = [](const Place&) { return true; };
   /// Simpler rows that it is with certain parameters: it says more than they do only where it fits better.
   std::vector<std::string_view> special = {};
   /// Where fits start; none: at zero, and at one scale to either side where there is one parameter.
-  Starts (*starts)(const Place& at, const Exercise& nominal) = nullptr;
+  std::function<Starts(const Place& at, const Exercise& nominal)> starts = nullptr;
   Probing probing = {};
   /// So many of the parameters that are zero in the nominal model must not be zero: with fewer it is another,
   /// simpler row.

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <plumbline/chain/kinematics.hpp>
 
@@ -124,6 +125,7 @@ class RunWalk {
       }
       if (!move_to(r)) return false;
       write(main_, r, trace);
+      if (!main_.on.rig.stated_corrections.empty() && !trace.row(row).isFinite().all()) return false;
       for (std::size_t p = 0; p < beside_.size(); ++p) {
         write(beside_[p], r, *sensitivity[p]);
         sensitivity[p]->row(row) -= trace.row(row);
@@ -174,7 +176,9 @@ class RunWalk {
     const double dt = moved_ ? reading.t - last_time_ : 0;
     if (moved_ && reading.x != last_x_) direction_ = reading.x > last_x_ ? 1 : -1;
     const auto step_of = [&](const Traveller& rig) {
-      return RigStep{rig.on, moved_ ? rig.interval(dt) : TimeStep{}, rig.memory};
+      RigStep step{rig.on, moved_ ? rig.interval(dt) : TimeStep{}, rig.memory};
+      step.interval.end = reading.t;
+      return step;
     };
     const RigStep step = step_of(main_);
     const Imposed target = main_.imposed(run_, reading);
@@ -213,6 +217,19 @@ class RunWalk {
     row(column_Fy) = force.y();
     for (std::size_t i = 0; i < layout_.links; ++i)
       row(column_q + static_cast<Eigen::Index>(i)) = layout_.joint_angle(rig.posture.angle, i);
+    correct(rig.on.rig, reading.t, row);
+  }
+
+  /// Adds what the user states of the readings that are measured.
+  template <class Row>
+  void correct(const Rig& rig, double t, Row& row) const {
+    if (rig.stated_corrections.empty()) return;
+    Eigen::ArrayXd added = Eigen::ArrayXd::Zero(row.size());
+    for (const StatedCorrection& one : rig.stated_corrections)
+      for (const Channel& channel : run_.measured())
+        if (one.applies_to(channel))
+          added(column_of(channel)) += one.value(reading_values(row.transpose(), t, run_.number, channel));
+    row += added.transpose();
   }
 
   const Run& run_;
@@ -249,13 +266,15 @@ bool walk(const Experiment& experiment, const Run& run, const Layout& layout, co
   }
 }
 
-/// Sliders of each joint, the dry friction among them; 0 where nothing slides.
+/// Sliders of each joint, the dry friction and the direction of motion among them; 0 where nothing slides.
 std::size_t slider_count(const Rig& rig) {
+  const bool directed =
+      std::any_of(rig.stated_torques.begin(), rig.stated_torques.end(), std::mem_fn(&StatedTorque::directed));
   std::size_t most = 0;
   for (const std::vector<Slider>& own : rig.sliders) most = std::max(most, own.size());
   const bool dry = rig.friction_growth > 0 || std::any_of(rig.friction.begin(), rig.friction.end(),
                                                           [](double torque) { return torque > 0; });
-  return most > 0 || dry ? 1 + most : 0;
+  return (most > 0 || dry || directed ? 1 + most : 0) + (directed ? 1 : 0);
 }
 
 Layout layout_of(const Rig& rig, const std::vector<RigVariation>& variations) {
@@ -268,6 +287,14 @@ Layout layout_of(const Rig& rig, const std::vector<RigVariation>& variations) {
 }
 
 }  // namespace
+
+std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, double t, std::size_t run,
+                                   const Channel& channel) {
+  std::vector<double> values{
+      row(column_x), row(column_y), row(column_Fx), row(column_Fy), t, static_cast<double>(run + 1)};
+  if (channel.name == Channel::Name::q) values.push_back(row(column_of(channel)));
+  return values;
+}
 
 Prediction simulate(const Experiment& experiment, const Rig& rig,
                     const std::vector<RigVariation>& variations) {

@@ -21,6 +21,11 @@ inline Eigen::Index column_of(const Channel& channel) {
 /// One run as predicted: a row a reading, a column a channel. Imposed channels repeat what was commanded.
 using Trace = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+/// What the variables of a correction of a channel are: see reading_variables.
+/// \param run  its number, from 0
+std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, double t, std::size_t run,
+                                   const Channel& channel);
+
 /// All runs of an experiment.
 struct Prediction {
   /// False where the rig cannot follow the experiment: a commanded end point out of reach, or no stable

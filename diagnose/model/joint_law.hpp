@@ -8,6 +8,8 @@
 #include <limits>
 #include <vector>
 
+#include "diagnose/model/stated.hpp"
+
 namespace plumbline::diagnose {
 
 /// A torque, its derivative with respect to the joint angle, and its integral: what the joint stores, or
@@ -40,9 +42,9 @@ struct JointSlider {
 };
 
 /// As many Maxwell arms, and sliders, as a joint can have: of three effects that act together each brings its
-/// own, beside those of the nominal model.
+/// own, beside those of the nominal model. A slider is kept for the direction of motion.
 inline constexpr std::size_t most_nominal_arms = 3, most_nominal_sliders = 6;
-inline constexpr std::size_t most_arms = most_nominal_arms + 3, most_sliders = most_nominal_sliders + 7;
+inline constexpr std::size_t most_arms = most_nominal_arms + 3, most_sliders = most_nominal_sliders + 8;
 
 /// What a joint remembers of its history, at the last reading.
 struct JointMemory {
@@ -60,10 +62,17 @@ struct JointLaw {
   double yield = std::numeric_limits<double>::infinity(), flow = 0;
   std::array<double, most_arms> arm_stiffness = {};
   std::vector<JointSlider> slider = {};  ///< the first is the dry friction
+  std::vector<StatedTorque> stated = {};
+  /// The slider whose torque, between -1 and 1, is no torque but the direction in which the joint moves; none
+  /// where nothing asks for it.
+  std::size_t direction = std::numeric_limits<std::size_t>::max();
 
   /// Dry friction sticks as a spring this much stiffer than the joint's own: as good as rigid (it yields the
   /// slip torque after 1e-5 of the deflection that the spring needs for it) and still solved to ten digits.
   static constexpr double sticking = 1e5;
+  /// A joint that turns back has another direction after so many rad, twice: less than angles are measured
+  /// to, and enough to be solved to ten digits.
+  static constexpr double turning = 1e-5;
 
   /// Spring with play, hardening and stop; of history it knows how far its rest angle has moved.
   [[nodiscard]] Torque elastic(double angle, const JointMemory& last = {}) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "diagnose/bench/experiment.hpp"
+#include "diagnose/model/stated.hpp"
 
 namespace plumbline::diagnose {
 
@@ -75,6 +76,10 @@ struct Rig {
   // Single runs, by their number; runs beyond do not differ.
   std::vector<std::vector<double>> run_rest;  ///< [run][joint], beside rest_error
   std::vector<Vector2> run_tare;              ///< [run], beside force_bias
+
+  // What the user states.
+  std::vector<StatedTorque> stated_torques;
+  std::vector<StatedCorrection> stated_corrections;
 
   friend bool operator==(const Rig&, const Rig&) = default;
 };

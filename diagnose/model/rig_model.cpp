@@ -72,6 +72,9 @@ void RigModel<Bandwidth>::assemble(const Vector<double>& angle, const Point<doub
     add_rigid_links<derivatives>(angle, force, at);
   }
   add_end<derivatives>(angle, force, at);
+  if (step_->run.rig.stated_torques.empty()) return;
+  for (std::size_t i = 0; i < layout_.links; ++i)
+    add_stated<derivatives>(i, layout_.joint_angle(angle, i), force, at);
 }
 
 template <int Bandwidth>
@@ -81,7 +84,7 @@ Torque RigModel<Bandwidth>::history(std::size_t joint, double q) const {
   const TimeStep& interval = step_->interval;
   Torque torque;
   for (std::size_t s = 0; s < law.slider.size(); ++s)
-    if (law.slider[s].acts())
+    if (s != law.direction && law.slider[s].acts())
       torque += law.dry(law.slider[s], last.slider[s], q, last, (*contact_)[layout_.contact(joint, s)]);
   for (std::size_t a = 0; a < step_->run.rig.arms.size(); ++a)
     torque += law.viscous(a, q, last, interval.decay[a], interval.gain[a]);
@@ -96,16 +99,46 @@ void RigModel<Bandwidth>::add_joints(const Vector<double>& angle, At& at) const 
     const double q = layout_.joint_angle(angle, i);
     Torque torque = law.elastic(q, step_->memory[i]);
     if (!step_->interval.relaxed) torque += history(i, q);
-    const Eigen::Index own = index(layout_.first(i));
-    at.residual(own) += torque.value;
-    if (i > 0) at.residual(index(layout_.last(i - 1))) -= torque.value;
-    if constexpr (!derivatives) continue;
-    at.energy += torque.energy;
-    at.hessian(0, own) += torque.slope;
-    if (i == 0) continue;
-    const Eigen::Index before = index(layout_.last(i - 1));
-    at.hessian(0, before) += torque.slope;
-    at.hessian(1, before) -= torque.slope;
+    add_torque<derivatives>(i, torque.value, torque.slope, at);
+    if constexpr (derivatives) at.energy += torque.energy;
+  }
+}
+
+template <int Bandwidth>
+template <bool derivatives>
+void RigModel<Bandwidth>::add_torque(std::size_t joint, double value, double slope, At& at) const {
+  const Eigen::Index own = index(layout_.first(joint));
+  at.residual(own) += value;
+  if constexpr (derivatives) at.hessian(0, own) += slope;
+  if (joint == 0) return;
+  const Eigen::Index before = index(layout_.last(joint - 1));
+  at.residual(before) -= value;
+  if constexpr (!derivatives) return;
+  at.hessian(0, before) += slope;
+  at.hessian(1, before) -= slope;
+}
+
+template <int Bandwidth>
+template <bool derivatives>
+void RigModel<Bandwidth>::add_stated(std::size_t joint, double q, const Vector2& force, At& at) const {
+  const JointLaw& law = step_->run.joint[joint];
+  const JointMemory& last = step_->memory[joint];
+  const std::size_t s = law.direction;
+  const Torque motion =
+      s < law.slider.size() && !step_->interval.relaxed
+          ? law.dry(law.slider[s], last.slider[s], q, last, (*contact_)[layout_.contact(joint, s)])
+          : Torque{};
+  const StatedTorque::Place place{q, q - law.rest, step_->interval.end, law.stiffness, force};
+  for (const StatedTorque& one : law.stated) {
+    const double value = one.value(place, motion.value);
+    if constexpr (!derivatives) {
+      add_torque<false>(joint, value, 0, at);
+      continue;
+    }
+    add_torque<true>(joint, value, one.slope(place, motion), at);
+    const Vector2 by_force = one.by_force(place, motion.value);
+    at.force_gradient.row(index(layout_.first(joint))) -= by_force.transpose();
+    if (joint > 0) at.force_gradient.row(index(layout_.last(joint - 1))) += by_force.transpose();
   }
 }
 

@@ -47,6 +47,13 @@ class RigModel {
   [[nodiscard]] Torque history(std::size_t joint, double q) const;
   template <bool derivatives>
   void add_joints(const Vector<double>& angle, At& at) const;
+  /// What a torque of a joint turns: the node behind it and, reversed, the node before it.
+  template <bool derivatives>
+  void add_torque(std::size_t joint, double value, double slope, At& at) const;
+  /// What the user states. It depends on the force, which leaves the equations without symmetry, and is not
+  /// counted in the stored energy.
+  template <bool derivatives>
+  void add_stated(std::size_t joint, double q, const Vector2& force, At& at) const;
   template <bool derivatives>
   void add_coupling(const Vector<double>& angle, At& at) const;
   template <bool derivatives>

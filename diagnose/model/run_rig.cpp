@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace plumbline::diagnose {
 namespace {
@@ -22,6 +23,12 @@ JointLaw joint_law(const Rig& rig, std::size_t i, double rest) {
   if (law.stiffness > 0) {
     law.slider.push_back({JointLaw::sticking * law.stiffness, rig.friction[i], rig.friction_growth});
     for (const Slider& one : rig.sliders[i]) law.slider.push_back({one.ratio * law.stiffness, one.yield, 0});
+  }
+  for (const StatedTorque& one : rig.stated_torques)
+    if (one.joint == i) law.stated.push_back(one);
+  if (std::any_of(law.stated.begin(), law.stated.end(), std::mem_fn(&StatedTorque::directed))) {
+    law.direction = law.slider.size();
+    law.slider.push_back({1 / JointLaw::turning, 1, 0});
   }
   return law;
 }

@@ -34,6 +34,7 @@ struct RunRig {
 /// The time that ends with a reading: what history the joints follow in it.
 struct TimeStep {
   bool relaxed = true;  ///< slowly, and before the first reading: no slider, no Maxwell arm
+  double end = 0;       ///< time of the reading, s
   std::array<double, most_arms> decay{1, 1, 1, 1, 1, 1}, gain{1, 1, 1, 1, 1, 1};
 };
 

@@ -76,6 +76,9 @@ Sizes sizes_of(const Experiment& experiment) {
     size.measures_force = size.measures_force || reads_force(run);
     size.clock = size.clock || !run.counts_readings();
     size.measures_both_forces = size.measures_both_forces || reads_both_forces(run);
+    for (const Channel& channel : run.measured())
+      if (any_reading(run, [&](const Reading& reading) { return std::isfinite(channel.of(reading)); }))
+        size.measured[static_cast<std::size_t>(channel.name)] = true;
     size.turns_back = size.turns_back || run.turns_back();
     size.bent_at_rest = size.bent_at_rest || std::any_of(run.rest.begin() + 1, run.rest.end(),
                                                          [](double angle) { return angle != 0; });

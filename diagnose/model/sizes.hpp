@@ -24,6 +24,7 @@ struct Sizes {
   bool bent_at_rest = false;          ///< a rest angle after the first joint's is not zero
   double largest_reading = 0;         ///< of |Fx| and |Fy|, where they are read
   std::size_t at_largest = 0;         ///< readings of a force that are no smaller, within their noise
+  std::array<bool, channel_names> measured{};  ///< by name
 
   /// Stiffness of a joint, that of a mean one where it is passive.
   [[nodiscard]] double stiffness_at(std::size_t joint) const {
@@ -31,6 +32,8 @@ struct Sizes {
   }
   /// Yielding of the end point under a force that turns one mean joint by a lever of the whole chain.
   [[nodiscard]] double compliance() const { return length * length / stiffness; }
+  /// Whether some run measures channels of that name.
+  [[nodiscard]] bool measures(Channel::Name name) const { return measured[static_cast<std::size_t>(name)]; }
 };
 
 Sizes sizes_of(const Experiment& experiment);

@@ -32,10 +32,20 @@ Experiment numbered(Experiment experiment) {
   return experiment;
 }
 
+std::vector<const Effect*> all_rows(const std::vector<Effect>* stated) {
+  std::vector<const Effect*> rows;
+  for (const Effect& row : catalogue()) rows.push_back(&row);
+  if (stated == nullptr) return rows;
+  for (const Effect& row : *stated) rows.push_back(&row);
+  return rows;
+}
+
 }  // namespace
 
-Study::Study(Experiment experiment)
+Study::Study(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated)
     : experiment_(numbered(std::move(experiment))),
+      stated_(std::move(stated)),
+      effects_(all_rows(stated_.get())),
       measurements_(experiment_),
       sizes_(sizes_of(experiment_)),
       nominal_rig_(diagnose::nominal_rig(experiment_)) {}
@@ -71,11 +81,11 @@ std::vector<ParameterRange> Study::ranges(const Candidate& candidate) const {
 
 std::vector<EffectAt> possible_effects(const Study& study) {
   std::vector<EffectAt> all;
-  for (const Effect& row : catalogue()) {
-    const std::size_t first = row.at_joint ? 1 : 0;
-    const std::size_t last = row.at_joint ? study.sizes().link_length.size() : 0;
+  for (const Effect* row : study.effects()) {
+    const std::size_t first = row->at_joint ? 1 : 0;
+    const std::size_t last = row->at_joint ? study.sizes().link_length.size() : 0;
     for (std::size_t joint = first; joint <= last; ++joint)
-      if (const EffectAt at(row, joint); row.possible({study.sizes(), index_of(at)})) all.push_back(at);
+      if (const EffectAt at(*row, joint); row->possible({study.sizes(), index_of(at)})) all.push_back(at);
   }
   return all;
 }

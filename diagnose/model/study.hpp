@@ -2,6 +2,7 @@
 /// \file
 /// An experiment under study: what was measured, and what follows from it once and for all.
 
+#include <memory>
 #include <optional>
 
 #include "diagnose/model/effect.hpp"
@@ -12,12 +13,17 @@ namespace plumbline::diagnose {
 
 class Study {
  public:
+  /// \param stated  effects that are looked for beside those of the catalogue
   /// \throws Error where the nominal model has an effect that is none
-  explicit Study(Experiment experiment);
+  explicit Study(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated = nullptr);
+  /// Other readings of the same bench, in which the same effects are looked for.
+  [[nodiscard]] Study of(Experiment other) const { return Study(std::move(other), stated_); }
 
   [[nodiscard]] const Experiment& experiment() const { return experiment_; }
   [[nodiscard]] const Measurements& measurements() const { return measurements_; }
   [[nodiscard]] const Sizes& sizes() const { return sizes_; }
+  /// The rows that are looked at: the catalogue's, and behind them those that the user states.
+  [[nodiscard]] const std::vector<const Effect*>& effects() const { return effects_; }
 
   /// The rig that the nominal model believes in.
   [[nodiscard]] const Rig& nominal_rig() const { return nominal_rig_; }
@@ -35,6 +41,8 @@ class Study {
 
  private:
   Experiment experiment_;
+  std::shared_ptr<const std::vector<Effect>> stated_;
+  std::vector<const Effect*> effects_;
   Measurements measurements_;
   Sizes sizes_;
   Rig nominal_rig_;

@@ -107,9 +107,9 @@ Json parameters(const Json& effects, const Candidate& best,
 std::string out_of_sight(const Study& study) {
   const std::vector<EffectAt> possible = possible_effects(study);
   std::vector<std::string> parts;
-  for (const Effect& row : catalogue()) {
-    if (std::none_of(possible.begin(), possible.end(), [&](const EffectAt& at) { return at.effect == &row; }))
-      parts.emplace_back(row.id);
+  for (const Effect* row : study.effects()) {
+    if (std::none_of(possible.begin(), possible.end(), [&](const EffectAt& at) { return at.effect == row; }))
+      parts.push_back(row->id);
   }
   return joined(parts, ", ", ", ");
 }

@@ -31,6 +31,7 @@ void furnish(const Workplace& here) {
 TEST_CASE("no verb writes over what it reads, by whatever name") {
   for (const char* arguments :
        {"diagnose E --html E/u-press.csv", "diagnose E --json E/experiment.toml",
+        "diagnose E --effects c.toml --html c.toml", "diagnose E --effects c.toml --json twin.toml",
         "diagnose E --json E/../E/u-press.csv", "check V.csv --chains C.csv --json V.csv",
         "check V.csv --chains C.csv --json C.csv", "trial --experiments X --markdown X/one/label.json",
         "trial --experiments X --json X/one/u-press.csv", "path c.toml --json ./c.toml",

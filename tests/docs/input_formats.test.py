@@ -17,6 +17,7 @@ from documents import ROOT, SCHEMAS, blocks, keys, tables
 from program import complaint
 
 EXPERIMENTS, CHAINS = ROOT / "docs" / "experiment-format.md", ROOT / "docs" / "chain-format.md"
+USER_EFFECTS = ROOT / "docs" / "user-effects.md"
 TABLES = ["Top level", "[nominal]", "[[nominal.effect]]", "[bench]", "[noise]", "[units]", "[csv]", "[columns]", "[[run]]"]
 
 
@@ -183,8 +184,45 @@ def labels():
         assert set(node["properties"]) == named and set(node["required"]) == required, named
 
 
+def user_effects(folder):
+    """The three tables of a file of effects, each changed in every key."""
+    validator = Draft202012Validator(schema_of("user-effects"))
+    parameter = {"unit": "N m", "scale": 1, "low": -1, "high": 1}
+    effect = {"id": "mine", "words": "mine", "where": "every joint", "torque": "a * d", "parameters": {"a": parameter}}
+    tables_of = {"Top level of the file": lambda file: file, "[[effect]]": lambda file: file["effect"][0],
+                 "[effect.parameters.NAME]": lambda file: file["effect"][0]["parameters"]["a"]}
+
+    def changed_file(heading, change):
+        file = json.loads(json.dumps({"format": "user-effects/1", "effect": [effect]}))
+        change(tables_of[heading](file))
+        return file
+
+    def fault(file):
+        lines = [f"format = {json.dumps(file['format'])}\n"] if "format" in file else []
+        lines += [f"{key} = 1\n" for key in file if key not in ("format", "effect")]
+        for one in file.get("effect", []):
+            lines.append("[[effect]]\n" + toml_file({key: value for key, value in one.items() if key != "parameters"}))
+            for name, values in one.get("parameters", {}).items():
+                lines.append(f"[effect.parameters.{name}]\n" + toml_file(values))
+        (folder / "effects.toml").write_text("".join(lines), encoding="utf-8")
+        return complaint("diagnose", str(ROOT / "examples" / "cogging"), "--effects", "effects.toml", folder=folder)
+
+    for heading in tables_of:
+        named, required = documented(USER_EFFECTS, heading)
+        known = re.search(r"expected only (.*)", fault(changed_file(heading, lambda table: table.update(zz=1))))
+        assert known and set(known[1].split(", ")) == named, f"{heading}: the document names {named}; {known}"
+        for key in required:
+            without = changed_file(heading, lambda table, key=key: table.pop(key))
+            assert f"{key}: found no" in fault(without), f"{heading} {key}: {fault(without)}"
+            assert not validator.is_valid(without), f"schema, {heading} {key}"
+    for block in blocks(USER_EFFECTS):
+        if "file" in block.attributes:
+            validator.validate(tomllib.loads(block.text))
+
+
 with tempfile.TemporaryDirectory() as place:
     experiments(Path(place))
+    user_effects(Path(place))
     chains(Path(place))
     tables_of_chains(Path(place))
 repository_experiments()

@@ -1,0 +1,307 @@
+/// Effects that a user states as expressions: they are what the catalogue's rows are where they say the same,
+/// are found where they were put in, and are refused in one line where they make no sense.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <plumbline/base/error.hpp>
+
+#include "diagnose/answers/diagnosis.hpp"
+#include "diagnose/inference/screen.hpp"
+#include "diagnose/stated/read_effects.hpp"
+#include "tests/diagnose/bench.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+using namespace plumbline::diagnose::test;
+
+namespace {
+
+using Rows = std::shared_ptr<const std::vector<Effect>>;
+
+std::string parameter(const std::string& name, double scale, double low, double high) {
+  return "[effect.parameters." + name + "]\nunit = \"ratio\"\nscale = " + std::to_string(scale) +
+         "\nlow = " + std::to_string(low) + "\nhigh = " + std::to_string(high) + "\n";
+}
+
+std::string effect_text(const std::string& id, const std::string& acts, const std::string& parameters) {
+  return "format = \"user-effects/1\"\n[[effect]]\nid = \"" + id + "\"\nwords = \"something else\"\n" + acts +
+         parameters;
+}
+
+/// A torque of every joint.
+std::string torque(const std::string& id, const std::string& expression, const std::string& parameters) {
+  return effect_text(id, "where = \"every joint\"\ntorque = \"" + expression + "\"\n", parameters);
+}
+
+Rows rows_of(const std::string& text) {
+  std::vector<Effect> rows;
+  for (const StatedEffect& one : parse_effects(text, "effects.toml"))
+    rows.push_back(row_of(std::make_shared<StatedEffect>(one)));
+  return std::make_shared<const std::vector<Effect>>(std::move(rows));
+}
+
+Experiment presses() {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
+  press(experiment, {-0.4, 0.3, 0.5}, {-0.05, 0.03}, 15, false, 2.5);
+  return experiment;
+}
+
+/// A row of the catalogue, and the same in the user's words.
+struct Restated {
+  const char* id;
+  std::vector<double> truth;
+  std::string text;
+  double agreement;  ///< of fitted values, relative
+};
+
+std::vector<Restated> restated() {
+  return {
+      {"nonlinear_spring", {0.7}, torque("cubic", "k * c * d^3", parameter("c", 0.5, -3, 50)), 1e-6},
+      {"force_gain",
+       {0.06},
+       effect_text("gain", "[effect.reading]\nFx = \"g * Fx\"\nFy = \"g * Fy\"\n",
+                   parameter("g", 0.05, -0.8, 3)),
+       1e-6},
+      {"force_bias",
+       {0.2, -0.1},
+       effect_text("tare", "[effect.reading]\nFx = \"b_x\"\nFy = \"b_y\"\n",
+                   parameter("b_x", 0.1, -20, 20) + parameter("b_y", 0.1, -20, 20)),
+       1e-6},
+      // Ours turns the sign within 1e-5 rad either way, the catalogue's friction within 1e-5 tau_c / k: of
+      // the deflections that tell tau_c, about 0.01 rad in the readings after a turn, a thousandth.
+      {"joint_friction", {0.02}, torque("dry", "tau * s", parameter("tau", 0.02, 0, 5)), 1e-3},
+  };
+}
+
+}  // namespace
+
+TEST_CASE("what the catalogue says too is fitted as the catalogue's row is") {
+  for (const Restated& one : restated()) {
+    CAPTURE(one.id);
+    const Experiment experiment = measured(presses(), only(one.id), one.truth, 5);
+    const Rows rows = rows_of(one.text);
+    const Study study(experiment, rows);
+    // From one start: where a search stops depends on where it comes from by more than a millionth.
+    std::vector<double> start;
+    for (const double value : one.truth) start.push_back(value / 2);
+    const Fit built_in = fit_from(study, only(one.id), {}, start);
+    const Fit stated = fit_from(study, {{EffectAt(rows->front())}}, {}, start);
+    REQUIRE(built_in.converged);
+    REQUIRE(stated.converged);
+    CHECK(stated.cost == doctest::Approx(built_in.cost).epsilon(one.agreement));
+    for (std::size_t p = 0; p < one.truth.size(); ++p) {
+      const auto j = static_cast<Eigen::Index>(p);
+      CHECK(stated.parameters[p] == doctest::Approx(built_in.parameters[p]).epsilon(one.agreement));
+      CHECK(stated.covariance(j, j) ==
+            doctest::Approx(built_in.covariance(j, j)).epsilon(10 * one.agreement));
+    }
+  }
+}
+
+TEST_CASE("a screen forecasts what is stated as it forecasts the catalogue's row") {
+  for (const Restated& one : restated()) {
+    if (std::string(one.id) == "joint_friction") continue;  // its large steps are of other lengths
+    CAPTURE(one.id);
+    const Rows rows = rows_of(one.text);
+    const Study study(measured(presses(), only(one.id), one.truth, 5), rows);
+    double cost[2] = {0, 0};
+    for (const Prospect& prospect : screen(study, fit_nominal(study, {}), {})) {
+      if (prospect.effect == EffectAt(one.id)) cost[0] = prospect.cost;
+      if (prospect.effect == EffectAt(rows->front())) cost[1] = prospect.cost;
+    }
+    REQUIRE(cost[0] > 0);
+    // difference quotients of steps of a millionth
+    CHECK(cost[1] == doctest::Approx(cost[0]).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("a moment of the force about one joint is an eccentric load") {
+  Experiment experiment = three_links();
+  experiment.link_length = {0.4};
+  experiment.joint_stiffness = {2};
+  experiment.link_mass = {0};
+  load(experiment, {0.3}, {0, 0}, {-2, 1}, 15);
+  const Rows rows = rows_of(torque("beside", "e * (cos(q) * Fx + sin(q) * Fy)", parameter("e", 0.01, -1, 1)));
+  const Study study(experiment, rows);
+  const Prediction stated = predict(study, {{EffectAt(rows->front())}}, {0.02}, true);
+  const Prediction built_in = predict(study, only("eccentric_load"), {0.02}, true);
+  REQUIRE(stated.reached);
+  // Solved to ten digits of angles of about one; difference quotients of steps of 1e-6 of a scale are good to
+  // four.
+  CHECK((stated.runs[0] - built_in.runs[0]).abs().maxCoeff() < 1e-9);
+  const double size = built_in.sensitivity[0][0].abs().maxCoeff();
+  CHECK((stated.sensitivity[0][0] - built_in.sensitivity[0][0]).abs().maxCoeff() < 1e-4 * size);
+}
+
+TEST_CASE("a torque that depends on angle, force and time is the same with end point or force imposed") {
+  const Rows rows = rows_of(torque("odd", "a * sin(5 * q) + b * d * sqrt(Fx^2 + Fy^2) + a * t / 100",
+                                   parameter("a", 0.02, -1, 1) + parameter("b", 0.1, -1, 1)));
+  const Candidate candidate{{EffectAt(rows->front())}};
+  const std::vector<double> values{0.02, 0.05};
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {0.01, 0.02}, 12, false);
+  const Prediction pressed = predict(Study(experiment, rows), candidate, values);
+  REQUIRE(pressed.reached);
+  Experiment pulled = experiment;
+  pulled.runs[0].control = Control::force;
+  for (std::size_t i = 0; i < pulled.runs[0].readings.size(); ++i) {
+    pulled.runs[0].readings[i].Fx = pressed.runs[0](static_cast<Eigen::Index>(i), column_Fx);
+    pulled.runs[0].readings[i].Fy = pressed.runs[0](static_cast<Eigen::Index>(i), column_Fy);
+  }
+  const Prediction back = predict(Study(pulled, rows), candidate, values);
+  REQUIRE(back.reached);
+  CHECK((back.runs[0] - pressed.runs[0]).abs().maxCoeff() <
+        1e-7);  // ten digits, at a condition of a thousand
+  const Prediction nominal = predict(Study(experiment), {}, {});
+  CHECK((nominal.runs[0] - pressed.runs[0]).abs().maxCoeff() > 1e-2);
+}
+
+TEST_CASE("corrections know run, time and the joint's own angle, and leave what was imposed") {
+  const Rows rows = rows_of(
+      effect_text("odd", "[effect.reading]\nq2 = \"a * q\"\nq = \"b * run\"\nFx = \"b * t\"\nx = \"a\"\n",
+                  parameter("a", 0.02, -1, 1) + parameter("b", 0.1, -1, 1)));
+  Experiment experiment = presses();
+  const Study study(experiment, rows);
+  const Prediction corrected = predict(study, {{EffectAt(rows->front())}}, {0.5, 0.25});
+  for (std::size_t r : {0U, 1U}) {
+    const Trace &before = study.nominal().runs[r], &after = corrected.runs[r];
+    const double run = static_cast<double>(r) + 1;
+    for (Eigen::Index i = 0; i < before.rows(); ++i) {
+      const double t = experiment.runs[r].readings[static_cast<std::size_t>(i)].t;
+      CHECK(after(i, column_x) == before(i, column_x));
+      CHECK(after(i, column_Fx) == doctest::Approx(before(i, column_Fx) + 0.25 * t));
+      CHECK(after(i, column_Fy) == before(i, column_Fy));
+      CHECK(angle(after, i, 0) == doctest::Approx(angle(before, i, 0) + 0.25 * run));
+      CHECK(angle(after, i, 1) == doctest::Approx(1.5 * angle(before, i, 1) + 0.25 * run));
+    }
+  }
+}
+
+TEST_CASE("a law that is in no catalogue, once stated, is identified: where it is and how large") {
+  const std::string text = effect_text("detent", "where = \"one joint\"\ntorque = \"a * sin(20 * q)\"\n",
+                                       parameter("a", 0.02, -1, 1));
+  const Rows rows = rows_of(std::string(text).replace(text.find("something else"), 14, "steps in joint {}"));
+  const Candidate truth{{EffectAt(rows->front(), 2)}};
+  const Experiment experiment = measured(full_bench(), truth, {0.04}, 11);
+  const Diagnosis blind = plumbline::diagnose::diagnose(Study(experiment));
+  CHECK(blind.cause.verdict != CauseVerdict::identified);
+  const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(experiment, rows));
+  REQUIRE(diagnosis.cause.verdict == CauseVerdict::identified);
+  const Candidate& found = diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate;
+  CHECK(found == truth);
+  CHECK(found.label() == "detent(2)");
+  CHECK(found.effects[0].in_words() == "steps in joint 2");
+  const Estimate& a = diagnosis.estimates[0][0];
+  CHECK(a.low < 0.04);
+  CHECK(a.high > 0.04);
+}
+
+TEST_CASE("a study without stated effects looks at the catalogue alone, and its probabilities are the same") {
+  const Study plain(full_bench()), other(full_bench(), rows_of(restated()[0].text));
+  CHECK(possible_effects(other).size() == possible_effects(plain).size() + 1);
+  CHECK(other.of(full_bench()).effects() == other.effects());
+  // one more cause that might be
+  CHECK(log_prior(other, only("force_gain")) < log_prior(plain, only("force_gain")));
+}
+
+TEST_CASE("what shapes an effect starts within its bounds, what grows on both sides of nothing") {
+  const Rows rows = rows_of(
+      torque("stiffening", "a * tanh(d / b)", parameter("a", 0.2, -1, 1) + parameter("b", 0.1, 0.01, 1)));
+  const Study study(full_bench(), rows);
+  bool positive = false, negative = false;
+  for (const std::vector<double>& start : rows->front().starts({study.sizes(), 0}, study.exercise()).from) {
+    CHECK(start[1] >= 0.01);
+    CHECK(start[1] <= 1);
+    positive = positive || start[0] > 0;
+    negative = negative || start[0] < 0;
+  }
+  CHECK(positive);
+  CHECK(negative);
+  const Experiment experiment = measured(full_bench(), {{EffectAt(rows->front())}}, {0.15, 0.07}, 3);
+  const Fit fitted = fit(Study(experiment, rows), {{EffectAt(rows->front())}}, {});
+  REQUIRE(fitted.converged);
+  for (const auto& [p, truth] : {std::pair{0, 0.15}, {1, 0.07}})
+    CHECK(std::abs(fitted.parameters[static_cast<std::size_t>(p)] - truth) <
+          5 * std::sqrt(fitted.covariance(p, p)));
+}
+
+namespace {
+
+std::string complaint(const std::string& text) {
+  try {
+    const Study study(full_bench());
+    for (const StatedEffect& one : parse_effects(text, "effects.toml")) require_defined(one, study);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A torque with one parameter a.
+std::string of_a(const std::string& expression, double low = -1, double high = 1) {
+  return torque("mine", expression, parameter("a", 0.1, low, high));
+}
+
+}  // namespace
+
+TEST_CASE(
+    "what makes no sense is refused in one line that names the place, what is there and what might be") {
+  CHECK(complaint(of_a("a * d")) == "");
+  CHECK(
+      complaint(of_a("a * d_2")) ==
+      "effects.toml:6: effect[1].torque: found the unknown name \"d_2\" in \"a * d_2\", expected q, d, s, t, "
+      "k, Fx, Fy, a and functions such as sin");
+  const std::vector<std::pair<std::string, std::vector<std::string>>> wrong{
+      {of_a("a * d +"), {"effects.toml:6: effect[1].torque", "\"a * d +\"", "expected an expression"}},
+      {of_a("a * (d"), {"torque", "arenthes"}},
+      {of_a("a = 3"), {"torque", "a single ="}},
+      {of_a("a, d"), {"torque", "a list"}},
+      {of_a("\\\"text\\\""), {"torque"}},
+      {of_a(std::string(2000, '1')), {"torque", "2000 characters"}},
+      {of_a("2 * d"), {"parameters", "the parameter a, which no expression uses"}},
+      {of_a("a * sqrt(d - 5)"), {"mine.torque", "nan in joint 1", "a finite number"}},
+      {of_a("a + d"), {"mine.torque", "a = 0", "expected zero"}},
+      {of_a("a * d", 0.1, 1), {"parameters", "none that may be zero"}},
+      {of_a("a * d", 1, 1), {"parameters.a.high", "low < high"}},
+      {of_a("a * d", -2, -1), {"parameters.a.high", "include zero"}},
+      {torque("force_gain", "a * d", parameter("a", 1, -1, 1)),
+       {":3: effect[1].id", "\"force_gain\"", "catalogue"}},
+      {torque("Mine", "a * d", parameter("a", 1, -1, 1)), {"effect[1].id", "lower-case"}},
+      {torque("mine", "q * d", parameter("q", 1, -1, 1)), {"parameters.q", "no variable"}},
+      {torque("mine", "sin * d", parameter("sin", 1, -1, 1)), {"parameters.sin", "no function"}},
+      {torque("mine", "a * d", ""), {"parameters", "no such key"}},
+      {torque("mine", "a * d", "[effect.parameters.a]\nunit = \"1\"\nscale = 1\nhigh = 1\n"),
+       {"effects.toml:7: effect[1].parameters.a.low", "no such key"}},
+      {torque("mine", "a * d", "[effect.parameters.a]\nunit = \"1\"\nscale = 0\nlow = 0\nhigh = 1\n"),
+       {"parameters.a.scale", "a positive size"}},
+      {torque("mine", "a * d", "[effect.parameters.a]\nunit = \"1\"\nscale = nan\nlow = 0\nhigh = 1\n"),
+       {"parameters.a.scale", "no finite number"}},
+      {torque("mine", "a * d", parameter("a", 1, -1, 1) + "tolerance = -1\n"), {"parameters.a.tolerance"}},
+      {torque("mine", "a * d", parameter("a", 1, -1, 1) + "prior = 1\n"), {"the unknown key prior"}},
+      {effect_text("mine", "", parameter("a", 1, -1, 1)), {":2", "neither torque nor reading"}},
+      {effect_text("mine", "torque = \"a\"\n", parameter("a", 1, -1, 1)), {"effect[1].where", "no such key"}},
+      {effect_text("mine", "where = \"one joint\"\ntorque = \"a\"\n", parameter("a", 1, -1, 1)),
+       {"effect[1].words", "one {}"}},
+      {effect_text("mine", "[effect.reading]\nFz = \"a\"\n", parameter("a", 1, -1, 1)),
+       {"reading.Fz", "x, y"}},
+      {effect_text("mine", "[effect.reading]\nq9 = \"a\"\n", parameter("a", 1, -1, 1)), {"q9", "q1 to q3"}},
+      {effect_text("mine", "[effect.reading]\nFx = \"a * q\"\n", parameter("a", 1, -1, 1)),
+       {"reading.Fx", "unknown name \"q\""}},
+      {effect_text("mine", "[effect.reading]\nFx = \"a * log(y - 9)\"\n", parameter("a", 1, -1, 1)),
+       {"mine.reading.Fx", "at reading 0 of press-1"}},
+      {"format = \"user-effects/1\"\n", {"effects.toml:", "effect", "at least one"}},
+      {"format = \"user-effects/2\"\n", {"effects.toml:1: format", "user-effects/1"}},
+      {"effect = 3\n", {"format", "no such key"}},
+  };
+  for (const auto& [text, parts] : wrong) {
+    const std::string found = complaint(text);
+    INFO(text);
+    INFO(found);
+    CHECK(found.find('\n') == std::string::npos);
+    CHECK_FALSE(found.empty());
+    for (const std::string& part : parts) CHECK(found.find(part) != std::string::npos);
+  }
+  const std::string twice = of_a("a * d");
+  CHECK(complaint(twice + twice.substr(twice.find('\n') + 1)).find("\"mine\" again") != std::string::npos);
+}
