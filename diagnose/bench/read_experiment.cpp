@@ -141,7 +141,7 @@ Run read_run(const Section& section, const Shared& shared) {
 
 std::vector<Run> read_runs(const Section& root, const Shared& shared) {
   const std::string expected = "at least one [[run]]";
-  root.required("run", expected);
+  static_cast<void>(root.required("run", expected));
   std::vector<Run> runs;
   std::set<std::string> ids;
   for (const Section& section : root.tables("run")) {
