@@ -50,7 +50,7 @@ class Package(unittest.TestCase):
         program, share = self.system / "usr/bin/plumbline", self.system / "usr/share"
         version = output("dpkg-deb", "--field", self.package, "Version").strip()
         self.assertEqual(output(program, "--version"), f"plumbline {version}\n")
-        self.assertIn("critical force", output(program, "critical"))
+        self.assertIn("Critical force", output(program, "critical"))
 
         page = output("man", "--local-file", "--warnings=all", share / "man/man1/plumbline.1", env={**os.environ, "MANWIDTH": "120"})
         self.assertNotIn("warning", page.split("NAME")[0])
