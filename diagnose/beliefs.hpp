@@ -37,8 +37,8 @@ inline constexpr double refinement = 0.1;
 /// Prior probability that a gap's cause is in nobody's catalogue.
 inline constexpr double outside = 0.1;
 /// Share of experiments whose cause is listed, and yet the right explanation leaves structure: beside the
-/// cause the bench has something of its own. Of simulated ones with plain noise it was 6 in a thousand, of those
-/// with odd noise and tolerances one in ten.
+/// cause the bench has something of its own. Of simulated ones with plain noise it was 6 in a thousand, of
+/// those with odd noise and tolerances one in ten.
 inline constexpr double misfit = 0.02;
 /// Of the explanations that fit by chance alone, as simulated experiments show: the odds that a bad fit gives
 /// to `outside` are smaller by this factor.

@@ -115,8 +115,8 @@ TEST_CASE("what no run can separate is one class") {
 }
 
 TEST_CASE("a cause that the run held out alone shows is found, and nothing is claimed to shrink") {
-  // Joint 3 reaches its stop in the last run alone, the farthest but one, which is held out: without it nothing is
-  // known of the stop.
+  // Joint 3 reaches its stop in the last run alone, the farthest but one, which is held out: without it
+  // nothing is known of the stop.
   Experiment experiment = bench();
   const auto farther = [](Run& run, double times) {
     const double start = run.readings.front().x;
@@ -185,8 +185,8 @@ TEST_CASE("a joint whose spring does what no effect does is unknown, and the joi
 }
 
 TEST_CASE("the report as JSON holds what its format asks for") {
-  const nlohmann::ordered_json json = as_json(
-      plumbline::diagnose::diagnose(Study(measured(bench(), {{{"force_gain", 0}}}, {0.1}, 6))));
+  const nlohmann::ordered_json json =
+      as_json(plumbline::diagnose::diagnose(Study(measured(bench(), {{{"force_gain", 0}}}, {0.1}, 6))));
   CHECK(json["format"] == "gap-diagnosis/1");
   CHECK(json["gap"]["present"] == true);
   CHECK(json["cause"]["verdict"] == "ambiguous");  // nothing else sets a scale of force

@@ -2,32 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "verify/judging/characters.hpp"
+
 namespace plumbline::verify {
 namespace {
-
-bool is_letter(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
-bool is_digit(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-
-/// The character at a place; a space before the first and behind the last.
-char at(const std::string& text, std::size_t place) {
-  return place < text.size() ? text[place] : ' ';
-}
-
-/// The end of the run of letters, or of digits, that begins at a place.
-std::size_t end_of_run(const std::string& text, std::size_t place, bool (*belongs)(char)) {
-  while (place < text.size() && belongs(text[place])) ++place;
-  return place;
-}
 
 const std::map<std::string, std::string>& greek() {
   static const std::map<std::string, std::string> letters{

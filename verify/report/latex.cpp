@@ -3,34 +3,17 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <plumbline/base/error.hpp>
 #include <utility>
 #include <vector>
+
+#include "verify/judging/characters.hpp"
 
 namespace plumbline::verify {
 namespace {
 
 using Signs =
     std::vector<std::pair<std::string, std::string>>;  // the longer before those that it begins with
-
-bool is_letter(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
-bool is_digit(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
-
-/// The character at a place; a space before the first and behind the last.
-char at(const std::string& text, std::size_t place) {
-  return place < text.size() ? text[place] : ' ';
-}
-
-/// The end of the run of letters, or of digits, that begins at a place.
-std::size_t end_of_run(const std::string& text, std::size_t place, bool (*belongs)(char)) {
-  while (place < text.size() && belongs(text[place])) ++place;
-  return place;
-}
 
 std::string replaced_signs(const std::string& text, const Signs& signs) {
   std::string result;
