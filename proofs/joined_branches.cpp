@@ -108,14 +108,16 @@ JoinedBranches certify(const PathReport& report, const Chain<Interval>& chain,
                        const Loading<Interval>& loading, const std::vector<Symmetry>& symmetries,
                        ProvedPoints points) {
   JoinedBranches all;
+  // A pitchfork closes wide gaps, too, and next to it tubes are hard to prove, of rounded points above all.
+  const double gap = symmetries.empty() && points == ProvedPoints::as_followed ? 1e-5 : 1e-3;
   for (const Branch<double>& branch : report.branches)
-    all.branches.push_back(certify(chain, loading, branch, points));
+    all.branches.push_back(certify(chain, loading, branch, points, gap));
   Joiner joiner(all, report.history);
   for (std::size_t b = 0; b < all.branches.size(); ++b) {
     for (std::size_t i = 0; i < all.branches[b].gaps.size();) {
-      const Gap gap = all.branches[b].gaps[i];
-      if (joiner.close(b, gap, chain, loading, symmetries)) continue;
-      all.branches[b].gaps[i].unfolded = unfolded(chain, loading, gap.crossing, joiner.reach(b, gap));
+      const Gap open = all.branches[b].gaps[i];
+      if (joiner.close(b, open, chain, loading, symmetries)) continue;
+      all.branches[b].gaps[i].unfolded = unfolded(chain, loading, open.crossing, joiner.reach(b, open));
       ++i;
     }
   }

@@ -209,21 +209,26 @@ bool unfolded(const Chain<Interval>& chain, const Loading<Interval>& loading, co
   w(2 * m + 1) = Interval(Interval::End(-distance), Interval::End(distance));
 
   constexpr int rounds = 12;  // the width is squared in each
+  bool one = false;           // root of Moore's system in the box
   for (int round = 0; round < rounds; ++round) {
     const Bounds centre = w.unaryExpr([](const Interval& x) { return Interval(x.middle(), x.middle()); });
-    const auto [f, unused] = moore(centre);
+    const Bounds step = moore(centre).first;
     const Matrix<Interval> A = moore(w).second;
     const Eigen::MatrixXd Y = inverse_of_middle(A);
     if (!Y.allFinite()) return false;
-    const Bounds step = product(Y, f);
+    Bounds image = centre - product(Y, step);
     const Matrix<Interval> D = defect(Y, A);
+    bool inside = true;
     for (Index i = 0; i < w.size(); ++i) {
-      Interval image = centre(i) - step(i);
-      for (Index j = 0; j < w.size(); ++j) image = image + D(i, j) * (w(j) - centre(j));
-      if (image.upper() < w(i).lower() || w(i).upper() < image.lower()) return true;  // no root at all
-      w(i) = Interval(std::max(image.lower(), w(i).lower()), std::min(image.upper(), w(i).upper()));
+      for (Index j = 0; j < w.size(); ++j) image(i) = image(i) + D(i, j) * (w(j) - centre(j));
+      inside = inside && image(i).inside(w(i));
     }
-    if (!w(2 * m + 1).contains_zero()) return true;
+    one = one || inside;
+    if (one && !image(2 * m + 1).contains_zero()) return true;
+    for (Index i = 0; i < w.size(); ++i) {
+      if (certainly_less(image(i), w(i)) || certainly_less(w(i), image(i))) return false;
+      w(i) = Interval(std::max(image(i).lower(), w(i).lower()), std::min(image(i).upper(), w(i).upper()));
+    }
   }
   return false;
 }

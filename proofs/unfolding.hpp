@@ -8,8 +8,8 @@
 ///     E(u) + tau b = 0,    psi^T dE/dx = 0,    psi^T dE/dload = 0,    b · psi = 1
 ///
 /// is regular at a bifurcation where two branches cross, and near it: it says by how much tau a term tau b
-/// makes two passing branches cross. Krawczyk's operator encloses all its roots in a box; where tau is not
-/// zero, no equilibrium in there is a bifurcation. The chain's own asymmetry may be as small as 64 digits
+/// makes two passing branches cross. Krawczyk's operator proves one root in a box; where tau is not zero, no
+/// equilibrium in there is a bifurcation. The chain's own asymmetry may be as small as 64 digits
 /// resolve.
 
 #include <plumbline/loaded/loading.hpp>
