@@ -54,7 +54,9 @@ Loudest loudest(const Eigen::VectorXd& values, double correlation) {
   const auto m = static_cast<double>(count);
   const double slowest = (static_cast<double>(slow_components(count)) / 2 + 1) / m;
   double best = 0, at = slowest;
-  for (double frequency = slowest; frequency < 0.5; frequency += 1 / (per_ordinate * m)) {
+  const auto looks = static_cast<int>(std::ceil((0.5 - slowest) * per_ordinate * m));
+  for (int i = 0; i < looks; ++i) {
+    const double frequency = slowest + i / (per_ordinate * m);
     const Eigen::MatrixX2d waves = tone(count - 1, frequency);
     const double explained = (waves * amplitudes(white, waves)).squaredNorm();
     if (explained > best) best = explained, at = frequency;
