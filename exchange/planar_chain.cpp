@@ -94,6 +94,7 @@ PlanarChain planar_chain(const ReadModel& model, const std::string& source) {
   require_planar(joints, plane, source);
   PlanarChain result;
   std::vector<std::string> names;
+  names.reserve(joints.size());
   for (const ReadJoint* joint : joints) names.push_back(joint->name);
   result.notes.push_back(fmt::format("joints: {}", fmt::join(names, ", ")));
   const Vector3d end = end_of(model, *joints.back(), source, result.notes);

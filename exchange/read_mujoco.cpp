@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <plumbline/base/error.hpp>
 
@@ -25,8 +26,10 @@ Compiled load(const std::string& file) {
   return model;
 }
 
-Vector3d vector(const mjtNum* values) {
-  return {values[0], values[1], values[2]};
+/// One of many that stand one after the other.
+Vector3d vector(const mjtNum* values, int number = 0) {
+  const mjtNum* own = values + std::ptrdiff_t{3} * number;
+  return {own[0], own[1], own[2]};
 }
 
 class Reader {
@@ -68,8 +71,8 @@ class Reader {
     joint.name = name(mjOBJ_JOINT, j, "joint ");
     joint.carrier = carrier >= 0 ? name(mjOBJ_JOINT, carrier, "joint ") : "";
     joint.hinge = model_->jnt_type[j] == mjJNT_HINGE;
-    joint.axis = vector(data_->xaxis + 3 * j);
-    joint.anchor = vector(data_->xanchor + 3 * j);
+    joint.axis = vector(data_->xaxis, j);
+    joint.anchor = vector(data_->xanchor, j);
     joint.stiffness = model_->jnt_stiffness[j];
     const int q = model_->jnt_qposadr[j];
     joint.rest = model_->qpos_spring[q] - model_->qpos0[q];
@@ -84,7 +87,7 @@ class Reader {
     if (joint < 0 || !(model_->body_mass[body] > 0)) return;
     ReadJoint& to = result_.joints[static_cast<std::size_t>(joint)];
     const double mass = model_->body_mass[body];
-    to.middle = (to.mass * to.middle + mass * vector(data_->xipos + 3 * body)) / (to.mass + mass);
+    to.middle = (to.mass * to.middle + mass * vector(data_->xipos, body)) / (to.mass + mass);
     to.mass += mass;
   }
 
@@ -96,7 +99,7 @@ class Reader {
     bool named = false;
     for (int s = 0; s < model_->nsite; ++s) {
       if (last_joint(model_->site_bodyid[s]) != last) continue;
-      const Vector3d at = vector(data_->site_xpos + 3 * s);
+      const Vector3d at = vector(data_->site_xpos, s);
       const std::string own = name(mjOBJ_SITE, s, "site ");
       const bool is_end = own.find("end") != std::string::npos || own.find("tip") != std::string::npos;
       if (named && !is_end) continue;

@@ -65,7 +65,7 @@ class Reader {
   }
 
   /// The joint that a link moves with: its own, or of the link to which it is fixed.
-  [[nodiscard]] std::string joint_of(std::string link) const {
+  [[nodiscard]] std::string joint_of(const std::string& link) const {
     for (auto hold = held_.find(link); hold != held_.end(); hold = held_.find(hold->second.parent))
       if (hold->second.joint->Type() != sdf::JointType::FIXED) return hold->second.joint->Name();
     return "";
