@@ -73,7 +73,8 @@ struct PathCertificate {
 enum class ProvedPoints {
   as_followed,
   /// Rounded to nine decimals of a radian or share, far above what compilers and machines do otherwise: for
-  /// certificates, which are to be the same wherever they are made.
+  /// certificates, which are to be the same wherever they are made. (Steps that begin at a bifurcation, whose
+  /// lengths hang on nearly singular matrices, may still be others.)
   rounded
 };
 
