@@ -33,7 +33,7 @@ constexpr Way cell{false, "of the load cell, not of the chain"};
 constexpr Way bench{false, "of the bench's drive, not of the chain"};
 constexpr Way runs{false, "differs from run to run"};
 constexpr Way linear{false, "springs of this format are linear"};
-constexpr Way constant{false, "dry friction of this format does not grow with the deflection"};
+constexpr Way constant{false, "dry friction of this format is a constant"};
 constexpr Way no_set{false, "rest angles of this format do not move"};
 constexpr Way no_coupling{false, "joints of this format are not coupled"};
 constexpr Way no_point{false, "this format has no place for where a force acts"};
@@ -72,6 +72,8 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"run_rest", runs},
                                                    {"run_tare", runs},
                                                    {"load_friction", constant},
+                                                   {"direction_friction", constant},
+                                                   {"speed_friction", constant},
                                                    {"plastic_set", no_set}};
   return all;
 }

@@ -11,9 +11,9 @@ Contact::Contact(double spring, double response) {
   damping_ = 2 * damping_ratio * std::sqrt(stiffness_ * spring) * response;
 }
 
-void Contact::follow(double turn, double slip) {
-  const double limit = slip / stiffness_;
+void Contact::follow(double turn, double slip, double uneven) {
   bend_ += turn;
+  const double limit = slip * (1 + std::copysign(uneven, uneven * bend_)) / stiffness_;
   sticks_ = std::abs(bend_) < limit;
   bend_ = std::clamp(bend_, -limit, limit);
 }
@@ -25,10 +25,11 @@ JointLaw::JointLaw(const Joint& joint, double response, double interval)
       arm_(joint.arm.size(), 0),
       slider_(joint.slider.size(), 0) {}
 
-double JointLaw::slip(double deflection, double turn) const {
+double JointLaw::slip(double deflection) const {
   const Friction& f = joint_.friction;
-  return f.torque * (1 + f.growth * std::abs(deflection)) * (1 + std::copysign(f.uneven, f.uneven * turn)) *
-         (1 + f.ripple * std::sin(f.waves * deflection)) * (1 + f.fall * std::exp(-rate_ / f.speed));
+  return f.torque * (1 + f.growth * std::abs(deflection)) * (1 + f.ripple * std::sin(f.waves * deflection)) *
+         (1 + f.fall * std::exp(-rate_ / f.speed)) * std::exp(-way_ / f.run_in) *
+         (std::abs(deflection) < f.clear ? 0 : 1);
 }
 
 /// The set grows with the torque beyond what has been carried so far.
@@ -48,12 +49,13 @@ void JointLaw::remember(double deflection, double dt) {
   largest_ = relaxed_ ? std::abs(deflection) : std::max(largest_, std::abs(deflection));
   if (relaxed_) return;
   time_ += dt;
+  way_ += std::abs(turn);
   rate_ += -std::expm1(-dt / interval_) * (std::abs(turn) / dt - rate_);
   for (std::size_t s = 0; s < slider_.size(); ++s) {
     const double limit = joint_.slider[s].yield / (joint_.slider[s].ratio * joint_.stiffness);
     slider_[s] = std::clamp(slider_[s] + turn, -limit, limit);
   }
-  if (joint_.friction.torque > 0) contact_.follow(turn, slip(deflection, turn));
+  if (joint_.friction.torque > 0) contact_.follow(turn, slip(deflection), joint_.friction.uneven);
 }
 
 double JointLaw::spring(double deflection) const {

@@ -15,7 +15,8 @@ class Contact {
   Contact(double spring, double response);
 
   /// \param slip  torque at which it slips
-  void follow(double turn, double slip);
+  /// \param uneven  it slips at (1 + uneven) of that to the one side and (1 - uneven) to the other
+  void follow(double turn, double slip, double uneven = 0);
   [[nodiscard]] double torque(double rate) const {
     return -stiffness_ * bend_ - (sticks_ ? damping_ * rate : 0);
   }
@@ -40,7 +41,7 @@ class JointLaw {
 
  private:
   [[nodiscard]] double spring(double deflection) const;
-  [[nodiscard]] double slip(double deflection, double turn) const;
+  [[nodiscard]] double slip(double deflection) const;
   void yield(double deflection);
 
   const Joint& joint_;
@@ -49,6 +50,7 @@ class JointLaw {
   bool relaxed_ = true;
   double last_ = 0;     ///< deflection after the last time step
   double time_ = 0;     ///< since the history began, s
+  double way_ = 0;      ///< turned since then, there and back
   double rate_ = 0;     ///< |rate|, smoothed over a reading
   double largest_ = 0;  ///< largest |deflection| so far
   double carried_ = 0,

@@ -1,5 +1,5 @@
-// Torque laws of joints beyond a single parameter: friction, hysteresis, hardening, stops, relaxation, set,
-// capstan.
+// Torque laws of joints beyond a single parameter: dry friction, hysteresis, hardening, stops, relaxation,
+// set, capstan.
 
 #include <cmath>
 
@@ -83,6 +83,43 @@ std::vector<Kind> friction() {
            joint.friction.torque += v[0];
            joint.friction.growth = v[1];
          }
+       },
+       {},
+       laws},
+      {"direction_friction",
+       "",
+       false,
+       {"tau_c", "uneven"},
+       {true, false},
+       false,
+       6,
+       turns_back,
+       [](const Scene& s, Place, Random& r) {
+         return Values{significant(r.log_uniform(0.003, 0.03) * torque(s), 4),
+                       significant(r.sign() * r.uniform(0.3, 0.9), 3)};
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Joint& joint : is.joint)
+           if (joint.stiffness > 0) joint.friction = {.torque = v[0], .uneven = v[1]};
+       },
+       {},
+       laws},
+      {"speed_friction",
+       "",
+       false,
+       {"tau_c", "fall", "speed"},
+       {true, false, false},
+       false,
+       6,
+       [](const Scene& s, Place j) { return turns_back(s, j) && s.duration > 15 * s.pause; },
+       [](const Scene& s, Place, Random& r) {
+         return Values{significant(r.log_uniform(0.003, 0.02) * torque(s), 4),
+                       significant(r.uniform(0.8, 3), 3),
+                       significant(r.uniform(0.3, 1) * largest_deflection(s) / (10 * s.pause), 4)};
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Joint& joint : is.joint)
+           if (joint.stiffness > 0) joint.friction = {.torque = v[0], .fall = v[1], .speed = v[2]};
        },
        {},
        laws},

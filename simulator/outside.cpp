@@ -62,18 +62,18 @@ std::vector<Kind> pulls_and_ripples() {
          is.joint[j].detent_waves = v[1];
        }},
       {"unknown",
-       "dry friction that is larger in one direction than in the other",
+       "dry friction that fades as the joints run in",
        false,
-       {"tau_c", "uneven"},
+       {"tau_c", "run_in"},
        {true, false},
        false,
        20,
        rubs,
        [](const Scene& s, Place, Random& r) {
-         return Values{0.02 * torque(s), r.sign() * r.uniform(0.5, 0.9)};
+         return Values{0.03 * torque(s), r.uniform(0.4, 1) * largest_deflection(s)};
        },
        [](Physics& is, const Plan&, Place, const Values& v) {
-         add_friction(is, {.torque = v[0], .uneven = v[1]});
+         add_friction(is, {.torque = v[0], .run_in = v[1]});
        }},
       {"unknown",
        "dry friction in the pivot of the end point",
@@ -164,18 +164,18 @@ std::vector<Kind> pulls_and_ripples() {
 std::vector<Kind> frictions_and_springs() {
   return {
       {"unknown",
-       "dry friction that falls with the speed of turning",
+       "joints that rub beyond an angle, as a seal does where it is pressed",
        false,
-       {"tau_c", "fall", "speed"},
-       {true, false, false},
+       {"tau_c", "clear"},
+       {true, false},
        false,
        20,
        rubs,
        [](const Scene& s, Place, Random& r) {
-         return Values{0.01 * torque(s), r.uniform(1, 3), 0.3 * largest_deflection(s) / (10 * s.pause)};
+         return Values{0.03 * torque(s), r.uniform(0.3, 0.6) * largest_deflection(s)};
        },
        [](Physics& is, const Plan&, Place, const Values& v) {
-         add_friction(is, {.torque = v[0], .fall = v[1], .speed = v[2]});
+         add_friction(is, {.torque = v[0], .clear = v[1]});
        }},
       {"unknown",
        "dry friction that changes with the angle, as in a worn bearing",

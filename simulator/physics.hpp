@@ -29,9 +29,11 @@ struct Arm {
 struct Friction {
   double torque = 0;
   double growth = 0;             ///< 1 + growth |d|
-  double uneven = 0;             ///< 1 + uneven * direction of turning
+  double uneven = 0;             ///< 1 + uneven * the side to which it slips
   double ripple = 0, waves = 0;  ///< 1 + ripple sin(waves d)
   double fall = 0, speed = 1;    ///< 1 + fall exp(-|rate| / speed), rate over about one reading
+  double run_in = std::numeric_limits<double>::infinity();  ///< exp(-way turned / run_in)
+  double clear = 0;                                         ///< nothing where |d| is smaller
 };
 
 /// A dip of the torque about one angle, where the joint is worn: -depth u exp(-u^2 / 2), u = (d - place) /

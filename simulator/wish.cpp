@@ -1,5 +1,8 @@
 #include "simulator/wish.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace plumbline::simulator {
 namespace {
 
@@ -24,13 +27,20 @@ Wish one_with_groups(bool group, Random& random) {
   return {{kind}, {random.log_uniform(weakest, strongest)}};
 }
 
+/// Dry friction of all joints alike.
+bool rubs(const Kind& one) {
+  constexpr std::array<std::string_view, 4> frictions{"joint_friction", "load_friction", "direction_friction",
+                                                      "speed_friction"};
+  return std::find(frictions.begin(), frictions.end(), one.id) != frictions.end();
+}
+
 /// With play and dry friction in one joint its equilibrium is not unique; others add up to one effect.
 bool undetermined(const Kind& one, const Kind& other) {
   const auto are = [&](std::string_view a, std::string_view b) {
     return (one.id == a && other.id == b) || (one.id == b && other.id == a);
   };
-  return one.id == other.id || are("backlash", "joint_friction") || are("backlash", "load_friction") ||
-         are("joint_friction", "load_friction") || are("joint_stop", "joint_stops") ||
+  return one.id == other.id || (rubs(one) && (rubs(other) || other.id == "backlash")) ||
+         (rubs(other) && one.id == "backlash") || are("joint_stop", "joint_stops") ||
          are("tip_payload", "force_bias") || are("run_tare", "force_bias") ||
          are("base_compliance", "train_compliance") || are("stiffness_scale", "force_gain");
 }

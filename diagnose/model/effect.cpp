@@ -47,7 +47,7 @@ const std::vector<Effect>& catalogue() {
   static const std::vector<Effect> all = [] {
     std::vector<Effect> rows;
     for (const auto& group : {joint_effects, link_effects, bench_effects, load_cell_effects, common_effects,
-                              joint_law_effects, instrument_effects})
+                              joint_law_effects, friction_effects, instrument_effects})
       for (Effect& row : group()) rows.push_back(std::move(row));
     return rows;
   }();

@@ -62,6 +62,12 @@ struct Traveller {
     return result;
   }
 
+  /// Its joints will turn as fast as they turned last, if they go on as the drive does.
+  /// \param share  of the step to come in the last one
+  void expect(double share, double dt) {
+    for (JointMemory& joint : memory) joint.speed = dt > 0 ? share * joint.turn / dt : 0;
+  }
+
   void remember(const Layout& layout, const TimeStep& during) {
     for (std::size_t i = 0; i < memory.size(); ++i) {
       const JointLaw& law = on.joint[i];
@@ -69,6 +75,7 @@ struct Traveller {
       const JointMemory last = memory[i];
       JointMemory& now = memory[i];
       now.angle = q;
+      now.turn = std::abs(q - last.angle);
       law.flow_to(q, now);
       if (during.relaxed) continue;
       for (std::size_t s = 0; s < law.slider.size(); ++s)
@@ -175,13 +182,16 @@ class RunWalk {
     const Reading& reading = run_.readings[r];
     const double dt = moved_ ? reading.t - last_time_ : 0;
     if (moved_ && reading.x != last_x_) direction_ = reading.x > last_x_ ? 1 : -1;
-    const auto step_of = [&](const Traveller& rig) {
+    const Imposed target = main_.imposed(run_, reading);
+    const double last_way = last_step_.norm(),
+                 share = last_way > 0 ? (target.value - at_.value).norm() / last_way : 0;
+    const auto step_of = [&](Traveller& rig) {
+      rig.expect(share, dt);
       RigStep step{rig.on, moved_ ? rig.interval(dt) : TimeStep{}, rig.memory};
       step.interval.end = reading.t;
       return step;
     };
     const RigStep step = step_of(main_);
-    const Imposed target = main_.imposed(run_, reading);
     extrapolate(target);
     last_posture_ = main_.posture;
     if (!solver_.follow(step, at_, target, guess_, main_.posture)) return false;
@@ -272,8 +282,8 @@ std::size_t slider_count(const Rig& rig) {
       std::any_of(rig.stated_torques.begin(), rig.stated_torques.end(), std::mem_fn(&StatedTorque::directed));
   std::size_t most = 0;
   for (const std::vector<Slider>& own : rig.sliders) most = std::max(most, own.size());
-  const bool dry = rig.friction_growth > 0 || std::any_of(rig.friction.begin(), rig.friction.end(),
-                                                          [](double torque) { return torque > 0; });
+  const bool dry = rig.friction_law.growth > 0 || std::any_of(rig.friction.begin(), rig.friction.end(),
+                                                              [](double torque) { return torque > 0; });
   return (most > 0 || dry || directed ? 1 + most : 0) + (directed ? 1 : 0);
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "diagnose/model/rig.hpp"
 #include "diagnose/model/stated.hpp"
 
 namespace plumbline::diagnose {
@@ -28,17 +29,23 @@ struct Torque {
 /// The state of a slider.
 enum class Contact : signed char { slips_down = -1, sticks = 0, slips_up = 1 };
 
-/// A spring in series with a dry contact that slips at a torque, which may grow with the deflection. Dry
-/// friction is a very stiff one.
+/// A spring in series with a dry contact that slips at a torque. Dry friction is a very stiff one.
 struct JointSlider {
-  double stiffness = 0, yield = 0, growth = 0;  ///< N m/rad, N m, N m/rad
+  double stiffness = 0, yield = 0;  ///< N m/rad, N m
+  FrictionLaw law = {};             ///< how the torque at which it slips departs from the yield
 
   /// A contact changes its state only by more than this share of the slip torque, which rounding cannot fake.
   static constexpr double rounding = 1e-7;
 
-  [[nodiscard]] bool acts() const { return yield > 0 || growth > 0; }
-  /// Torque at which it slips.
-  [[nodiscard]] double slip(double deflection) const { return yield + growth * std::abs(deflection); }
+  [[nodiscard]] bool acts() const { return yield > 0 || law.growth > 0; }
+  /// Torque at which it slips towards that side, 1 or -1, at a speed in rad/s.
+  [[nodiscard]] double slip(double deflection, double side, double speed) const {
+    return (yield + law.growth * std::abs(deflection)) * share(side, speed);
+  }
+  /// By which side and speed multiply it.
+  [[nodiscard]] double share(double side, double speed) const {
+    return (1 + side * law.uneven) * (1 + law.fall * std::exp(-speed / law.speed));
+  }
 };
 
 /// As many Maxwell arms, and sliders, as a joint can have: of three effects that act together each brings its
@@ -53,6 +60,8 @@ struct JointMemory {
   std::array<double, most_arms> arm = {};        ///< torques that the Maxwell arms carry
   double set = 0;                                ///< how far the rest angle has moved
   double carried = 0;                            ///< largest torque of the spring beyond its yield
+  double turn = 0;                               ///< |change of q| in the step before
+  double speed = 0;                              ///< that it has in the step to come, rad/s
 };
 
 /// One joint's parameters. `rest` includes the rest error.
@@ -93,23 +102,25 @@ struct JointLaw {
     const double turn = angle - last.angle;
     if (contact == Contact::sticks) return stretched(carried, one.stiffness, turn);
     const double d = angle - rest, before = last.angle - rest;
-    const double sign = contact == Contact::slips_up ? 1 : -1;
-    return {sign * one.slip(d), sign * std::copysign(one.growth, d),
-            sign * (one.yield * turn + one.growth * (d * std::abs(d) - before * std::abs(before)) / 2)};
+    const double side = contact == Contact::slips_up ? 1 : -1, share = side * one.share(side, last.speed);
+    return {side * one.slip(d, side, last.speed), share * std::copysign(one.law.growth, d),
+            share * (one.yield * turn + one.law.growth * (d * std::abs(d) - before * std::abs(before)) / 2)};
   }
 
   /// The state that follows from a trial in state `contact`. A contact that is turned back sticks first: two
   /// joints can then not keep throwing each other from one direction of slip into the other.
   [[nodiscard]] Contact next(const JointSlider& one, double carried, double angle, const JointMemory& last,
                              Contact contact) const {
-    const double trial = carried + one.stiffness * (angle - last.angle), limit = one.slip(angle - rest);
-    const double slack = JointSlider::rounding * limit;
+    const double trial = carried + one.stiffness * (angle - last.angle), d = angle - rest;
+    const auto beyond = [&](double side, double rounding) {
+      return side * trial > one.slip(d, side, last.speed) * (1 + rounding);
+    };
     if (contact == Contact::sticks) {
-      if (trial > limit + slack) return Contact::slips_up;
-      return trial < -limit - slack ? Contact::slips_down : Contact::sticks;
+      if (beyond(1, JointSlider::rounding)) return Contact::slips_up;
+      return beyond(-1, JointSlider::rounding) ? Contact::slips_down : Contact::sticks;
     }
-    const bool goes_on = contact == Contact::slips_up ? trial >= limit - slack : trial <= slack - limit;
-    return goes_on ? contact : Contact::sticks;
+    const double side = contact == Contact::slips_up ? 1 : -1;
+    return beyond(side, -JointSlider::rounding) ? contact : Contact::sticks;
   }
 
   /// A Maxwell arm after an interval in which the joint turned at a steady rate: exact.

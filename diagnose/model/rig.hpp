@@ -31,6 +31,15 @@ struct Slider {
   friend bool operator==(const Slider&, const Slider&) = default;
 };
 
+/// What the slip torque of the dry contacts depends on:
+/// (tau_c + growth |d|) (1 + uneven side) (1 + fall exp(-speed of turning / speed)).
+struct FrictionLaw {
+  double growth = 0;           ///< N m/rad
+  double uneven = 0;           ///< of the side to which they slip, 1 or -1
+  double fall = 0, speed = 1;  ///< from rest to fast, and over how many rad/s
+  friend bool operator==(const FrictionLaw&, const FrictionLaw&) = default;
+};
+
 struct Rig {
   // The chain, per joint or link.
   std::vector<double> length;      ///< L_j
@@ -45,8 +54,8 @@ struct Rig {
   std::vector<Vector2> weight;               ///< dead weight of each link, at its middle, N
 
   // The chain as a whole.
-  double asymmetry = 0;        ///< e: springs are stiffer by it where d > 0, softer where d < 0
-  double friction_growth = 0;  ///< of dry friction with |d|, N m/rad
+  double asymmetry = 0;      ///< e: springs are stiffer by it where d > 0, softer where d < 0
+  FrictionLaw friction_law;  ///< of the dry friction of all joints
   double yield = std::numeric_limits<double>::infinity();  ///< tau_y beyond which rest angles move, N m
   double flow = 0;                                         ///< how far they move, over (torque - tau_y) / k
   double capstan = 0;        ///< mu: a rest angle falls by exp(-mu) from joint to joint

@@ -21,14 +21,14 @@ JointLaw joint_law(const Rig& rig, std::size_t i, double rest) {
   for (std::size_t a = 0; a < rig.arms.size(); ++a)
     law.arm_stiffness.at(a) = rig.arms[a].ratio * law.stiffness;
   if (law.stiffness > 0) {
-    law.slider.push_back({JointLaw::sticking * law.stiffness, rig.friction[i], rig.friction_growth});
-    for (const Slider& one : rig.sliders[i]) law.slider.push_back({one.ratio * law.stiffness, one.yield, 0});
+    law.slider.push_back({JointLaw::sticking * law.stiffness, rig.friction[i], rig.friction_law});
+    for (const Slider& one : rig.sliders[i]) law.slider.push_back({one.ratio * law.stiffness, one.yield});
   }
   for (const StatedTorque& one : rig.stated_torques)
     if (one.joint == i) law.stated.push_back(one);
   if (std::any_of(law.stated.begin(), law.stated.end(), std::mem_fn(&StatedTorque::directed))) {
     law.direction = law.slider.size();
-    law.slider.push_back({1 / JointLaw::turning, 1, 0});
+    law.slider.push_back({1 / JointLaw::turning, 1});
   }
   return law;
 }

@@ -40,6 +40,8 @@ inline std::optional<Chosen> chosen(const EffectAt& at) {
       {"hysteresis", {{0, 0.02, 0, 0.05, 0, 0.1}, {0.5, 0.02, 0.3, 0.05, 0.2, 0.1}}},
       {"hardening_spread", {{0, 0, 0}, {0.8, 0.4, 1.2}}},
       {"load_friction", {{0, 0}, {0.02, 3}}},
+      {"direction_friction", {{0, 0}, {0.02, 0.5}}},
+      {"speed_friction", {{0, 1, std::log(0.02)}, {0.02, 1, std::log(0.02)}}},
       {"plastic_set", {{0.05, 0}, {0.05, 0.3}}}};
   const auto place = all.find(at.effect->id);
   return place == all.end() ? std::nullopt : std::optional(place->second);

@@ -191,6 +191,9 @@ std::vector<Same> same_predictions() {
       {{"hysteresis"}, {0.1, 1, 0.15, 1, 0.05, 1}, {"stiffness_scale"}, {0.3}, press, solved},
       {{"relaxation_spectrum"}, {0.1, 3, 0.2, 3}, {"viscoelasticity"}, {0.3, 3}, press, solved},
       {{"tendon_friction"}, {0.1}, {"rest_angle", 2}, {-0.9 * std::expm1(-0.1)}, press, solved},
+      {{"direction_friction"}, {0.02, 0.5}, {"joint_friction"}, {0.03}, left, solved},
+      // No joint turns faster than 0.05 rad/s.
+      {{"speed_friction"}, {0.02, 0.5, 1e7}, {"joint_friction"}, {0.03}, left, solved},
       {{"run_tare"}, {0.3, -0.2}, {"force_bias"}, {0.3, -0.2}, press, solved},
   };
 }

@@ -167,6 +167,31 @@ TEST_CASE("friction that grows with the deflection") {
                    predicted(cycle(), only("joint_friction"), {0.02})) == 0);
 }
 
+TEST_CASE("friction that is larger in one direction") {
+  const Trace trace =
+      predicted(one_joint(steps_through({0, 0.6, 0}, 40)), only("direction_friction"), {0.03, 0.4});
+  for (const Eigen::Index row : {20, 40, 75})
+    CHECK(moment(trace, row) - stiffness * angle(trace, row, 0) ==
+          doctest::Approx(row > 40 ? -0.03 * 0.6 : 0.03 * 1.4).epsilon(1e-6));
+}
+
+TEST_CASE("friction that changes with the speed: that of the step before, as fast as the drive goes since") {
+  Experiment experiment = one_joint(steps_through({0, 0.6}, 40));
+  std::vector<Reading>& readings = experiment.runs.front().readings;
+  // After a steady drive the last steps take seven times as long.
+  for (std::size_t r = 38; r < readings.size(); ++r) readings[r].t += 6.0 * static_cast<double>(r - 37);
+  const double speed = 0.01;
+  const Trace trace = predicted(experiment, only("speed_friction"), {0.03, -0.5, std::log(speed)});
+  for (const std::size_t r : {20U, 37U, 38U, 40U}) {
+    const auto row = static_cast<Eigen::Index>(r);
+    // The force grows by the same in every step.
+    const double v =
+        (angle(trace, row - 1, 0) - angle(trace, row - 2, 0)) / (readings[r].t - readings[r - 1].t);
+    CHECK(moment(trace, row) - stiffness * angle(trace, row, 0) ==
+          doctest::Approx(0.03 * (1 - 0.5 * std::exp(-v / speed))).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("a torque beyond the yield leaves the rest angle moved by slope times the excess over k") {
   const Trace trace =
       predicted(one_joint(steps_through({0, 0.6, 0, 0.3}, 30)), only("plastic_set"), {0.15, 0.25});

@@ -76,32 +76,6 @@ std::vector<Effect> hysteresis() {
        .starts = [](const Place& at,
                     const Exercise& nominal) { return element_starts(nominal.deflection[at.joint]); },
        .probing = probing},
-      {.id = "load_friction",
-       .words = "dry friction in the joints that grows with their deflection",
-       .dissipates = true,
-       .parameters =
-           [](const Place& at) {
-             const double torque = typical_torque(at), rate = 1 / at.sizes.deflection;
-             return std::vector{one_way("tau_c", "N m", 0.05 * torque, 10 * torque),
-                                one_way("growth", "1/rad", 2 * rate, 100 * rate)};
-           },
-       .add =
-           [](const Addition& to) {
-             for (double& torque : to.rig.friction) torque += to.value[0];
-             to.rig.friction_growth += to.value[0] * to.value[1];
-           },
-       .possible = turns_back,
-       .special = {"joint_friction"},
-       .starts =
-           [](const Place&, const Exercise& nominal) {
-             Starts starts{{}, 1};
-             const double rate = 1 / std::max(nominal.largest, 1e-3);
-             for (const double share : {0.003, 0.015})
-               starts.from.push_back({share * nominal.torque, 3 * rate});
-             return starts;
-           },
-       .probing = {.growing = {0}, .large_step = true},
-       .at_least = 2},
   };
 }
 

@@ -13,6 +13,7 @@ std::vector<Effect> bench_effects();
 std::vector<Effect> load_cell_effects();
 std::vector<Effect> common_effects();
 std::vector<Effect> joint_law_effects();
+std::vector<Effect> friction_effects();
 std::vector<Effect> instrument_effects();
 
 }  // namespace plumbline::diagnose
