@@ -44,6 +44,10 @@ inline constexpr double misfit = 0.02;
 /// to `outside` are smaller by this factor.
 inline constexpr double fits_by_chance = 0.1;
 
+/// Of explanations with more than one effect so many that fitted were not what was there, or not all of it: on
+/// simulated benches with tolerances, odd noise and causes of their own six of 30, on plainer ones fewer.
+inline constexpr double wrong_compound = 0.12;
+
 // ---- Levels ----
 
 /// The level at which a gap is called present: of a hundred experiments without a gap one is called to have

@@ -157,6 +157,17 @@ double rounding(const Measurements& measurements, Name name) {
   return step / std::sqrt(12.0);
 }
 
+/// What no scale of a channel's noise exceeds: readings that go smoothly have no more noise than they are
+/// rough, whatever a model leaves of them. Noise that most of a run has less of, in proportion to small
+/// readings, say, or that changes slowly, shows a part of itself alone in the middle of third differences.
+double largest_scale(const Measurements& measurements, Name name) {
+  constexpr double hidden = 3;
+  double rough = 0;
+  for (const Series& series : measurements.series())
+    if (series.channel.name == name) rough = std::max(rough, series.roughness);
+  return std::max({1.0, hidden * rough, rounding(measurements, name)});
+}
+
 /// Standard deviations by channel, as far as differences of neighbours show them.
 std::array<double, channel_names> rough_scales(const Measurements& measurements,
                                                const std::vector<double>& residual) {
@@ -270,6 +281,7 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
     noise.scale[c] = raw.values[c] > 0 && scale > 0 ? with_prior(scale, raw.values[c] / 2) : 1.0;
     // Large and slow at once is a gap, not noise.
     if (noise.correlation > 0.5) noise.scale[c] = std::min(noise.scale[c], 1.5);
+    noise.scale[c] = std::min(noise.scale[c], largest_scale(measurements, names[c]));
   }
   return noise;
 }

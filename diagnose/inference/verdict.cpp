@@ -213,6 +213,9 @@ Cause judge(const Study& study, const Findings& findings) {
   double p_value = 0;
   for (const Ranked& one : cause.ranking) p_value = std::max(p_value, one.hypothesis.p_value.value_or(0));
   cause.unknown = probability_of_unknown(p_value);
+  const bool compound =
+      chosen < cause.ranking.size() && cause.ranking[chosen].hypothesis.fit.candidate.effects.size() > 1;
+  if (compound) cause.unknown = std::max(cause.unknown, beliefs::wrong_compound);
   for (Ranked& one : cause.ranking) one.probability *= 1 - cause.unknown;
   if (chosen == cause.ranking.size()) {
     std::vector<const Fit*> partial;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plumbline::diagnose {
 
@@ -24,18 +25,33 @@ double rounding_step(std::vector<double> values) {
   return 4 * repeated >= values.size() ? smallest : 0;
 }
 
+/// Standard deviation of independent noise whose third differences are in the middle as large as those of the
+/// values, which a smooth curve hardly has; infinite where there are too few to say.
+double roughness(const std::vector<double>& values) {
+  constexpr std::size_t few = 12;
+  if (values.size() < few) return std::numeric_limits<double>::infinity();
+  std::vector<double> sizes;
+  for (std::size_t i = 3; i < values.size(); ++i)
+    sizes.push_back(std::abs(values[i] - 3 * values[i - 1] + 3 * values[i - 2] - values[i - 3]));
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  constexpr double normal_mad = 0.6745, squares = 20;  // 1 + 9 + 9 + 1
+  return *middle / normal_mad / std::sqrt(squares);
+}
+
 }  // namespace
 
 Measurements::Measurements(const Experiment& experiment) {
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     for (const Channel& channel : run.measured()) {
-      Series series{r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, 0};
+      Series series{r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, 0, 0};
       for (std::size_t i = 0; i < run.readings.size(); ++i)
         if (!std::isnan(channel.of(run.readings[i]))) series.readings.push_back(i);
       if (series.readings.empty()) continue;
       std::vector<double> values;
       for (const std::size_t i : series.readings) values.push_back(channel.of(run.readings[i]));
+      series.roughness = roughness(values) / series.sigma;
       series.step = rounding_step(std::move(values)) / series.sigma;
       size_ += series.readings.size();
       series_.push_back(std::move(series));

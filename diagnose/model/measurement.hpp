@@ -17,6 +17,7 @@ struct Series {
   std::size_t first;                  ///< place of its first value in the flat list
   std::vector<std::size_t> readings;  ///< index of each value's reading in the run
   double step;  ///< that coarse readings are rounded to, declared sigmas; 0 where none shows
+  double roughness;  ///< of the readings themselves, declared sigmas: their noise is hardly larger
 };
 
 /// Where each measured value of an experiment stands. The flat list holds the series one after the other;
