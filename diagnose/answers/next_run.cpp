@@ -1,78 +1,17 @@
 #include "diagnose/answers/next_run.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "diagnose/answers/candidate_runs.hpp"
 #include "diagnose/inference/separation.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-constexpr int steps = 20;                   // readings of a press
 constexpr double usual_angle_sigma = 1e-3;  // rad: a common encoder, where the lab has not declared one
-
-/// The rig as it was in the runs so far: how far it went.
-struct Extent {
-  double travel = 0, force = 0, deflection = 0, pause = 1;
-};
-
-double largest_deflection(const Trace& trace, const std::vector<double>& rest) {
-  double largest = 0;
-  for (std::size_t i = 0; i < rest.size(); ++i) {
-    const auto q = trace.col(column_q + static_cast<Eigen::Index>(i));
-    largest = std::max(largest, (q - rest[i]).abs().maxCoeff());
-  }
-  return largest;
-}
-
-double largest_force(const Trace& trace) {
-  return std::sqrt((trace.col(column_Fx).square() + trace.col(column_Fy).square()).maxCoeff());
-}
-
-Extent extent(const Study& study) {
-  Extent so_far;
-  const Experiment& experiment = study.experiment();
-  const Prediction& nominal = study.nominal();
-  for (std::size_t r = 0; r < nominal.runs.size(); ++r) {
-    const Run& run = experiment.runs[r];
-    const Trace& trace = nominal.runs[r];
-    const Vector2 start = unloaded_end(experiment, run.rest);
-    so_far.force = std::max(so_far.force, largest_force(trace));
-    so_far.deflection = std::max(so_far.deflection, largest_deflection(trace, run.rest));
-    for (Eigen::Index i = 0; i < trace.rows(); ++i) {
-      const double way = (Vector2(trace(i, column_x), trace(i, column_y)) - start).norm();
-      if (run.holds_end_point()) so_far.travel = std::max(so_far.travel, way);
-    }
-    if (run.readings.size() > 1) so_far.pause = run.readings[1].t - run.readings[0].t;
-  }
-  if (so_far.travel == 0) {
-    for (const double length : experiment.link_length) so_far.travel += 0.05 * length;
-  }
-  return so_far;
-}
-
-struct Press {
-  const char* name;
-  Vector2 direction;
-};
-
-Run press(const Experiment& experiment, const std::vector<double>& rest, const Vector2& by, bool back,
-          double pause) {
-  Run run{"proposed", Control::end_point, rest, {}};
-  const Vector2 start = unloaded_end(experiment, rest);
-  const int last = back ? 2 * steps : steps;
-  const double empty = std::numeric_limits<double>::quiet_NaN();
-  for (int i = 0; i <= last; ++i) {
-    const double share = static_cast<double>(std::min(i, 2 * steps - i)) / steps;
-    const Vector2 end = start + share * by;
-    run.readings.push_back({i * pause, end.x(), end.y(), empty, empty, {}});
-  }
-  return run;
-}
 
 /// The bench with the proposed run alone on it.
 Experiment bench_for(const Experiment& experiment, const Run& run, bool out_of_gravity) {
@@ -86,15 +25,16 @@ Experiment bench_for(const Experiment& experiment, const Run& run, bool out_of_g
   return bench;
 }
 
-/// What the rivals would measure in the run; nothing where one cannot follow or it asks too much of the rig.
+/// What the rivals would measure in the run; nothing where one cannot follow, or the nominal
+/// chain, or it asks too much of the rig.
 std::optional<std::vector<Prediction>> forecast(const Study& bench, const std::vector<Fit>& rivals,
                                                 const Extent& so_far) {
   std::vector<Prediction> all;
+  if (!bench.nominal().reached) return std::nullopt;  // the run could not be diagnosed
   for (const Fit& rival : rivals) {
     all.push_back(predict(bench, rival.candidate, rival.parameters, true));
     const Prediction& one = all.back();
-    if (!one.reached || one.snapped || largest_force(one.runs[0]) > 2 * so_far.force ||
-        largest_deflection(one.runs[0], bench.experiment().runs[0].rest) > 1.5 * so_far.deflection)
+    if (!one.reached || one.snapped || !so_far.allows(one.runs[0], bench.experiment().runs[0].rest))
       return std::nullopt;
   }
   return all;
@@ -156,20 +96,7 @@ class Planner {
 
   /// All presses from one rest shape.
   void add_presses(const std::vector<double>& rest, const std::string& shape) {
-    static const std::vector<Press> presses{{"along -x", {-1, 0}},
-                                            {"along +x", {1, 0}},
-                                            {"along +y", {0, 1}},
-                                            {"along -y", {0, -1}},
-                                            {"between -x and +y", {-0.8, 0.6}}};
-    for (const Press& one : presses) {
-      for (const double range : {1.0, 1.5}) {
-        const double by = range * so_far_.travel;
-        for (const bool back : {false, true}) {
-          add(fmt::format("press {} by {:.3g} m from {}{}", one.name, by, shape, back ? " and unload" : ""),
-              press(experiment_, rest, by * one.direction, back, so_far_.pause));
-        }
-      }
-    }
+    for (const CandidateRun& one : presses(experiment_, rest, shape, so_far_)) add(one.description, one.run);
   }
 
   [[nodiscard]] std::vector<Proposal> best(std::size_t count) {
@@ -226,10 +153,8 @@ std::vector<Proposal> next_runs(const Study& study, const std::vector<Fit>& riva
                                 std::size_t count) {
   Planner planner(study, rivals, noise);
   for (const Run& run : study.experiment().runs) {
-    std::vector<double> mirrored = run.rest;
-    for (double& q : mirrored) q = -q;
     planner.add_presses(run.rest, "the rest shape of " + run.id);
-    planner.add_presses(mirrored, "the mirrored rest shape of " + run.id);
+    planner.add_presses(mirrored(run.rest), "the mirrored rest shape of " + run.id);
   }
   return planner.best(count);
 }
