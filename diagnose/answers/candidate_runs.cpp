@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "diagnose/model/nominal.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 

@@ -6,6 +6,7 @@
 #include "diagnose/answers/candidate_runs.hpp"
 #include "diagnose/bench/unmeasured.hpp"
 #include "diagnose/inference/start.hpp"
+#include "diagnose/model/nominal.hpp"
 
 namespace plumbline::diagnose {
 namespace {
