@@ -1,6 +1,7 @@
 #include "diagnose/answers/next_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -40,24 +41,30 @@ std::optional<std::vector<Prediction>> forecast(const Study& bench, const std::v
   return all;
 }
 
-/// Rows of the new run: forces, and angles where they are measured.
-Imitation new_rows(const Prediction& truth, const Prediction& imitator, const Noise& sigma,
+/// Rows of the new run: what it measures, and angles where they are to be.
+Imitation new_rows(const Prediction& truth, const Prediction& imitator, const Run& run, const Noise& sigma,
                    const NoiseModel& noise, bool angles) {
   const Trace& a = truth.runs[0];
   const Trace& b = imitator.runs[0];
-  const Eigen::Index last = angles ? a.cols() : static_cast<Eigen::Index>(column_q);
-  const Eigen::Index columns = last - column_Fx, rows = a.rows();
+  std::vector<Channel> channels;
+  for (const Channel::Name name : run.holds_end_point() ? std::array{Channel::Name::Fx, Channel::Name::Fy}
+                                                        : std::array{Channel::Name::x, Channel::Name::y})
+    channels.push_back({name});
+  for (std::size_t j = 0; angles && j < run.rest.size(); ++j) channels.push_back({Channel::Name::q, j});
+  std::erase_if(channels, [&](const Channel& one) { return !(one.sigma(sigma) > 0); });
+  const Eigen::Index rows = a.rows();
   Imitation result;
-  result.difference.resize(rows * columns);
-  result.slope.resize(rows * columns, static_cast<Eigen::Index>(imitator.sensitivity.size()));
-  for (Eigen::Index c = column_Fx; c < last; ++c) {
-    const double declared = c == column_Fx ? sigma.Fx : (c == column_Fy ? sigma.Fy : sigma.q);
-    const double real = declared * noise.scale[static_cast<std::size_t>(std::min<Eigen::Index>(c, column_q))];
-    const Eigen::Index at = (c - column_Fx) * rows;
+  result.difference.resize(rows * static_cast<Eigen::Index>(channels.size()));
+  result.slope.resize(result.difference.size(), static_cast<Eigen::Index>(imitator.sensitivity.size()));
+  Eigen::Index at = 0;
+  for (const Channel& channel : channels) {
+    const Eigen::Index c = column_of(channel);
+    const double real = channel.sigma(sigma) * noise.of(channel);
     result.difference.segment(at, rows) = ((a.col(c) - b.col(c)) / real).matrix();
     for (std::size_t p = 0; p < imitator.sensitivity.size(); ++p)
       result.slope.col(static_cast<Eigen::Index>(p)).segment(at, rows) =
           -(imitator.sensitivity[p][0].col(c) / real).matrix();
+    at += rows;
   }
   return result;
 }
@@ -129,7 +136,7 @@ class Planner {
       for (const bool angles : {false, true}) {
         const Noise sigma = with_angles(experiment_.noise);
         const double after = expected_log_odds(rivals_.size(), [&](std::size_t a, std::size_t b) {
-          return stacked(known(a, b), new_rows((*all)[a], (*all)[b], sigma, noise_, angles));
+          return stacked(known(a, b), new_rows((*all)[a], (*all)[b], run, sigma, noise_, angles));
         });
         proposals_.push_back({what + (out_of_gravity ? ", the rig turned out of gravity" : "") +
                                   (angles ? ", joint angles measured" : ""),
