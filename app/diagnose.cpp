@@ -10,6 +10,7 @@
 #include "diagnose/bench/condense.hpp"
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/inference/conventions.hpp"
+#include "diagnose/report/plan.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/stated/read_effects.hpp"
 #include "exchange/read_model.hpp"
@@ -20,29 +21,53 @@ namespace {
 
 struct Options {
   std::string experiment, effects, model, corrected, json, html;
-  bool next = false, as_is = false;
+  bool next = false, as_is = false, plan = false;
 };
 
-diagnose::Diagnosis diagnosis_of(const diagnose::Study& study, bool next) {
+/// \param work  is given what to call with the share that is done
+auto with_progress(const std::string& name, auto work) {
   constexpr std::size_t steps = 100;
-  Progress progress("diagnosis", steps);
+  Progress progress(name, steps);
   std::size_t shown = 0;
-  const auto show = [&](double share) {
+  return work([&](double share) {
     for (; shown < static_cast<std::size_t>(share * steps); ++shown) progress.advance();
-  };
-  return diagnose::diagnose(study, show, next);
+  });
 }
 
-void run(const Options& options) {
-  std::optional<diagnose::NominalChain> model;
-  if (!options.model.empty()) model = exchange::read_model(options.model).chain;
+/// What the experiment is compared with, where a file names it.
+std::optional<diagnose::NominalChain> model_of(const Options& options) {
+  if (options.model.empty()) return std::nullopt;
+  return exchange::read_model(options.model).chain;
+}
+
+std::vector<std::filesystem::path> inputs_of(const Options& options) {
+  std::vector<std::filesystem::path> inputs = trial::files_read(options.experiment);
+  inputs.insert(inputs.end(), {options.model, options.effects});
+  return inputs;
+}
+
+void run_plan(const Options& options) {
+  const std::optional<diagnose::NominalChain> model = model_of(options);
+  const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
+  diagnose::Experiment bench =
+      options.experiment.empty() ? example_bench(nominal) : diagnose::read_plan(options.experiment, nominal);
+  Outputs outputs(inputs_of(options));
+  files::OutputFile* const json = outputs.open("--json", options.json);
+  bench = condensed(std::move(bench));
+  const diagnose::Plan plan =
+      with_progress("plan", [&](const auto& show) { return diagnose::plan(bench, show); });
+  if (json) json->write(as_json(plan).dump(2) + "\n");
+  outputs.commit();
+  if (options.json != "-") fmt::print("{}", as_text(plan));
+}
+
+void run_diagnosis(const Options& options) {
+  const std::optional<diagnose::NominalChain> model = model_of(options);
   const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
   diagnose::Experiment experiment = options.experiment.empty()
                                         ? example_experiment(nominal)
                                         : diagnose::read_experiment(options.experiment, nominal);
-  std::vector<std::filesystem::path> inputs = trial::files_read(options.experiment);
-  inputs.insert(inputs.end(), {options.model, options.effects});
-  Outputs outputs(inputs);
+  Outputs outputs(inputs_of(options));
   files::OutputFile *const json = outputs.open("--json", options.json), *const html = outputs.open(
                                                                             "--html", options.html);
   CorrectedFiles corrected(outputs, options.corrected);
@@ -52,7 +77,8 @@ void run(const Options& options) {
       options.effects.empty()
           ? plain
           : diagnose::Study(plain.experiment(), diagnose::read_effects(options.effects, plain));
-  const diagnose::Diagnosis diagnosis = diagnosis_of(study, options.next);
+  const diagnose::Diagnosis diagnosis = with_progress(
+      "diagnosis", [&](const auto& show) { return diagnose::diagnose(study, show, options.next); });
   if (corrected.wanted()) corrected.write(exchange::corrected_models(study, diagnosis));
   nlohmann::ordered_json report = as_json(diagnosis);
   if (corrected.wanted()) report["corrected"] = corrected.as_json();
@@ -72,34 +98,49 @@ void add_diagnose(CLI::App& app) {
   verb->add_option("experiment", options->experiment,
                    "A folder with experiment.toml and its sample files. Without it: a small bundled example")
       ->type_name("FOLDER");
-  verb->add_option("--effects", options->effects,
-                   "A TOML file with effects of your own, as expressions, to look for beside the catalogue")
-      ->type_name("FILE");
+  auto* effects =
+      verb->add_option(
+              "--effects", options->effects,
+              "A TOML file with effects of your own, as expressions, to look for beside the catalogue")
+          ->type_name("FILE");
   verb->add_option(
           "--model", options->model,
           "The nominal model, instead of the experiment's own: .toml, as --corrected writes it, or a "
           "simulator's: .xml (MJCF), .urdf, .sdf")
       ->type_name("FILE");
-  verb->add_option(
-          "--corrected", options->corrected,
-          "Write the nominal model with what was found: .toml (ours), .xml (MJCF), .urdf or .sdf. One file a "
-          "candidate where the cause is ambiguous")
-      ->type_name("FILE")
-      ->excludes("--effects");
+  auto* corrected = verb->add_option("--corrected", options->corrected,
+                                     "Write the nominal model with what was found: .toml (ours), .xml "
+                                     "(MJCF), .urdf or .sdf. One file a "
+                                     "candidate where the cause is ambiguous")
+                        ->type_name("FILE")
+                        ->excludes(effects);
   verb->add_option("--json", options->json,
                    "Write the report as JSON too (without FILE: to standard output alone)")
       ->type_name("[FILE]")
       ->expected(0, 1)
       ->default_str("-");
-  verb->add_option(
-          "--html", options->html,
-          "Write a page with the curves, the residuals and the chain drawn: one file, to print or send")
-      ->type_name("FILE");
-  verb->add_flag("--next", options->next,
-                 "Say which run to make next even where the cause is clear: to tell the best two apart");
-  verb->add_flag("--as-is", options->as_is,
-                 "Take the numbers as they stand, even where they look like another unit, sign or axis");
-  verb->callback([options] { run(*options); });
+  auto* html =
+      verb->add_option(
+              "--html", options->html,
+              "Write a page with the curves, the residuals and the chain drawn: one file, to print or send")
+          ->type_name("FILE");
+  auto* next =
+      verb->add_flag("--next", options->next,
+                     "Say which run to make next even where the cause is clear: to tell the best two apart");
+  auto* as_is =
+      verb->add_flag("--as-is", options->as_is,
+                     "Take the numbers as they stand, even where they look like another unit, sign or axis");
+  verb->add_flag(
+          "--plan", options->plan,
+          "Before any data, from experiment.toml, whose runs may be without samples or hold commands "
+          "alone: which effects the bench can never see, which it can never tell apart, and the fewest "
+          "runs that separate the rest")
+      ->excludes(effects)
+      ->excludes(corrected)
+      ->excludes(html)
+      ->excludes(next)
+      ->excludes(as_is);
+  verb->callback([options] { options->plan ? run_plan(*options) : run_diagnosis(*options); });
 }
 
 }  // namespace plumbline::app

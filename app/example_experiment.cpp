@@ -8,12 +8,22 @@
 
 namespace plumbline::app {
 
-diagnose::Experiment example_experiment(const diagnose::NominalChain* model) {
+namespace {
+
+std::string file(const std::string& name, const std::string&) {
   std::map<std::string, std::string> files;
-  for (const auto& [name, text] : example_files) files.emplace(name, text);
-  return diagnose::read_experiment(
-      "examples/experiment", [&](const std::string& name, const std::string&) { return files.at(name); },
-      model);
+  for (const auto& [known, text] : example_files) files.emplace(known, text);
+  return files.at(name);
+}
+
+}  // namespace
+
+diagnose::Experiment example_experiment(const diagnose::NominalChain* model) {
+  return diagnose::read_experiment("examples/experiment", file, model);
+}
+
+diagnose::Experiment example_bench(const diagnose::NominalChain* model) {
+  return diagnose::read_plan("examples/experiment", file, model);
 }
 
 }  // namespace plumbline::app

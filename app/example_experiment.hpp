@@ -7,5 +7,7 @@
 namespace plumbline::app {
 
 diagnose::Experiment example_experiment(const diagnose::NominalChain* model = nullptr);
+/// Its bench, before anything was measured.
+diagnose::Experiment example_bench(const diagnose::NominalChain* model = nullptr);
 
 }  // namespace plumbline::app

@@ -21,9 +21,9 @@ struct Proposal {
 
 /// Rest shapes of the runs so far and their mirror images, pressed along x, along y and between, as far as
 /// before or half as far again, with and without unloading, joint angles measured or not, in gravity and out
-/// of it. Left out is what some rival could not follow, and what would need more than twice the force, or
-/// more than half as much deflection again, as the runs so far. \param rivals    two explanations or more,
-/// fitted to the same readings \returns the most telling runs first, at most `count`
+/// of it. Left out is what some rival, or the nominal chain, could not follow, and what would need more than
+/// twice the force, or more than half as much deflection again, as the runs so far. \param rivals    two
+/// explanations or more, fitted to the same readings \returns the most telling runs first, at most `count`
 std::vector<Proposal> next_runs(const Study& study, const std::vector<Fit>& rivals, const NoiseModel& noise,
                                 std::size_t count);
 

@@ -140,18 +140,36 @@ std::size_t measured_values(const Run& run) {
   return static_cast<std::size_t>(count);
 }
 
-}  // namespace
+/// What has a noise is measured, and something must be.
+void require_anything_measured(const Run& run, const Noise& noise) {
+  const bool force = noise.Fx > 0 || noise.Fy > 0, position = noise.x > 0 || noise.y > 0;
+  if (noise.q > 0 || (run.holds_end_point() ? force : position)) return;
+  throw Error("noise", "no figure for anything that run \"" + run.id + "\" measures",
+              run.holds_end_point() ? "a positive one for Fx, Fy or q" : "a positive one for x, y or q");
+}
 
-void require_physical(const Experiment& experiment) {
+void require_chain(const Experiment& experiment) {
   const auto passive = std::count(experiment.joint_stiffness.begin(), experiment.joint_stiffness.end(), 0.0);
   if (passive > 2)
     throw Error("nominal.joint_stiffness", std::to_string(passive) + " passive joints",
                 "at most two: with more the chain is a mechanism even with its end point held");
   const Reach<double> limits = reach(experiment.link_length);
   require_resolved(experiment, limits.largest);
+  for (const Run& run : experiment.runs) require_reach(experiment, run, limits);
+}
+
+}  // namespace
+
+void require_bench(const Experiment& bench) {
+  require_chain(bench);
+  for (const Run& run : bench.runs) require_anything_measured(run, bench.noise);
+}
+
+void require_physical(const Experiment& experiment) {
+  require_chain(experiment);
+  const Reach<double> limits = reach(experiment.link_length);
   std::size_t values = 0;
   for (const Run& run : experiment.runs) {
-    require_reach(experiment, run, limits);
     require_geometry(experiment, run, limits);
     require_noise(run, experiment.noise);
     values += measured_values(run);

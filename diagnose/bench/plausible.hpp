@@ -11,4 +11,8 @@ namespace plumbline::diagnose {
 ///         measured channel whose declared noise is zero, a mechanism, too few measured values
 void require_physical(const Experiment& experiment);
 
+/// The same of a bench before anything is measured: its chain, what its runs command, its noise.
+/// \throws Error as above, and where a run measures nothing: no channel of it has a noise
+void require_bench(const Experiment& bench);
+
 }  // namespace plumbline::diagnose

@@ -11,6 +11,7 @@
 #include "diagnose/bench/read_nominal.hpp"
 #include "diagnose/bench/read_samples.hpp"
 #include "diagnose/bench/sample_format.hpp"
+#include "diagnose/bench/unmeasured.hpp"
 #include "files/printable.hpp"
 #include "files/text_file.hpp"
 
@@ -109,10 +110,16 @@ fs::path file_inside(const fs::path& folder, const std::string& name, const std:
   return folder / name;
 }
 
-/// What every run of the experiment shares, unless it says otherwise itself.
-struct Shared {
+/// What is read: an experiment, or a bench before anything is measured.
+struct Source {
   const fs::path& folder;
   const ReadFile& read;
+  bool plan;
+};
+
+/// What every run of the experiment shares, unless it says otherwise itself.
+struct Shared {
+  const Source& source;
   const NominalChain& nominal;
   SampleFormat format;
   Unit rest;
@@ -130,10 +137,13 @@ Run read_run(const Section& section, const Shared& shared) {
   run.rest = section.has("rest") || shared.nominal.rest.empty()
                  ? in_si(section.numbers("rest", n), shared.rest)
                  : shared.nominal.rest;
+  const Source& source = shared.source;
+  if (source.plan && !section.has("samples")) return run;
   const std::string name = section.text("samples", "the name of a sample file");
-  Samples samples =
-      parse_samples(shared.read(name, section.place("samples")), (shared.folder / name).string(), run.control,
-                    read_sample_format(section, shared.format));
+  SampleFormat format = read_sample_format(section, shared.format);
+  format.any_order |= source.plan && format.header;  // a plan may hold commands alone
+  Samples samples = parse_samples(source.read(name, section.place("samples")),
+                                  (source.folder / name).string(), run.control, format);
   run.readings = std::move(samples.readings);
   run.origins = std::move(samples.origins);
   return run;
@@ -151,21 +161,10 @@ std::vector<Run> read_runs(const Section& root, const Shared& shared) {
   return runs;
 }
 
-}  // namespace
-
-Experiment read_experiment(const fs::path& folder, const NominalChain* model) {
-  std::error_code ignored;
-  if (!fs::is_directory(folder, ignored))
-    throw Error(folder.string(), "no such folder", "an experiment's folder");
-  const ReadFile read = [&](const std::string& name, const std::string& place) {
-    return files::read_text(file_inside(folder, name, place));
-  };
-  return read_experiment(folder, read, model);
-}
-
-Experiment read_experiment(const fs::path& folder, const ReadFile& read, const NominalChain* model) {
-  const std::string settings = "experiment.toml", file = (folder / settings).string();
-  const toml::table table = files::parse_toml(read(settings, file), file);
+/// Everything that the folder says, whether or not it can be.
+Experiment read_folder(const Source& source, const NominalChain* model) {
+  const std::string settings = "experiment.toml", file = (source.folder / settings).string();
+  const toml::table table = files::parse_toml(source.read(settings, file), file);
   const Section root(table, file);
   const std::string expected = "\"chain-experiment/1\"";
   if (root.text("format", expected) != "chain-experiment/1") root.refuse("format", expected);
@@ -177,12 +176,42 @@ Experiment read_experiment(const fs::path& folder, const ReadFile& read, const N
   experiment.origins = units.origins(model == nullptr);
   experiment.bench =
       root.has("bench") ? read_bench(root.table("bench")) : Bench{Bench::Plane::unknown, {0.0, 0.0}, false};
-  const Shared shared{folder, read, experiment,
+  const Shared shared{source, experiment,
                       read_sample_format(root, standard_format(experiment.link_length.size())), units.rest};
   experiment.noise = read_noise(root.table("noise"), shared.format);
   experiment.runs = read_runs(root, shared);
+  return experiment;
+}
+
+ReadFile files_of(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored))
+    throw Error(folder.string(), "no such folder", "an experiment's folder");
+  return [folder](const std::string& name, const std::string& place) {
+    return files::read_text(file_inside(folder, name, place));
+  };
+}
+
+}  // namespace
+
+Experiment read_experiment(const fs::path& folder, const NominalChain* model) {
+  return read_experiment(folder, files_of(folder), model);
+}
+
+Experiment read_experiment(const fs::path& folder, const ReadFile& read, const NominalChain* model) {
+  Experiment experiment = read_folder({folder, read, false}, model);
   require_physical(experiment);
   return experiment;
+}
+
+Experiment read_plan(const fs::path& folder, const NominalChain* model) {
+  return read_plan(folder, files_of(folder), model);
+}
+
+Experiment read_plan(const fs::path& folder, const ReadFile& read, const NominalChain* model) {
+  Experiment bench = unmeasured(read_folder({folder, read, true}, model));
+  require_bench(bench);
+  return bench;
 }
 
 }  // namespace plumbline::diagnose

@@ -27,4 +27,13 @@ using ReadFile = std::function<std::string(const std::string& name, const std::s
 Experiment read_experiment(const std::filesystem::path& folder, const ReadFile& read,
                            const NominalChain* model = nullptr);
 
+/// The same before anything is measured. A run without samples says what the bench can do, its control and
+/// its rest shape, and has no readings; of others the commands count. Every channel that has a noise is
+/// measured: its values are empty, and taken for empty where they are not.
+///
+/// \throws Error likewise, and where a run measures nothing that has a noise
+Experiment read_plan(const std::filesystem::path& folder, const NominalChain* model = nullptr);
+Experiment read_plan(const std::filesystem::path& folder, const ReadFile& read,
+                     const NominalChain* model = nullptr);
+
 }  // namespace plumbline::diagnose

@@ -32,7 +32,8 @@ double separation(const Imitation& rows) {
 Imitation condensed(const Imitation& rows) {
   const Eigen::Index count = rows.slope.cols();
   Eigen::MatrixXd all(rows.difference.size(), count + 1);
-  all << rows.slope, rows.difference;
+  all.leftCols(count) = rows.slope;
+  all.rightCols(1) = rows.difference;
   const Eigen::Index kept = std::min(all.rows(), all.cols());
   const Eigen::MatrixXd factor =
       Eigen::HouseholderQR<Eigen::MatrixXd>(all).matrixQR().topRows(kept).triangularView<Eigen::Upper>();
@@ -44,7 +45,8 @@ Imitation stacked(const Imitation& a, const Imitation& b) {
   both.difference.resize(a.difference.size() + b.difference.size());
   both.difference << a.difference, b.difference;
   both.slope.resize(both.difference.size(), a.slope.cols());
-  both.slope << a.slope, b.slope;
+  both.slope.topRows(a.slope.rows()) = a.slope;
+  both.slope.bottomRows(b.slope.rows()) = b.slope;
   return both;
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "diagnose/beliefs.hpp"
+#include "diagnose/inference/rival.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -143,12 +144,6 @@ double probability_of_unknown(double p_value) {
   return odds / (1 + odds);
 }
 
-/// Whether an effect is the other one, or that is a special case of it.
-bool covers(const EffectAt& whole, const EffectAt& part) {
-  const std::vector<std::string_view>& special = whole.effect->special;
-  return whole == part || std::find(special.begin(), special.end(), part.effect->id) != special.end();
-}
-
 /// Whether a set of effects is another one and more.
 bool contains(const Candidate& whole, const Candidate& part) {
   return std::all_of(part.effects.begin(), part.effects.end(), [&](const EffectAt& at) {
@@ -162,7 +157,7 @@ bool contains(const Candidate& whole, const Candidate& part) {
 bool near(const Hypothesis& best, const Hypothesis& other) {
   if (contains(other.fit.candidate, best.fit.candidate)) return false;
   const bool simpler = other.fit.candidate.count() == best.fit.candidate.count() &&
-                       other.fit.parameters.size() <= best.fit.parameters.size() + 1;
+                       other.fit.parameters.size() <= best.fit.parameters.size() + spare_parameters;
   return other.log_evidence > best.log_evidence - beliefs::told_apart ||
          (simpler && other.log_likelihood > best.log_likelihood - beliefs::told_apart);
 }

@@ -193,3 +193,41 @@ TEST_CASE("a folder that is none, and an experiment that is a folder") {
   std::filesystem::create_directory(folder.path() / "experiment.toml");
   CHECK_THROWS_WITH_AS(read_experiment(folder.path()), doctest::Contains("experiment.toml"), Error);
 }
+
+TEST_CASE("a plan is read without anything measured") {
+  const Folder folder;
+  lay(folder, {.toml = replaced(good_toml, "samples = \"pull.csv\"\n", ""),
+               .press = "t,x,y\n0,0.4518,0.0209\n1,0.4500,0.0209\n"});
+  const Experiment bench = read_plan(folder.path());
+  REQUIRE(bench.runs.size() == 2);
+  CHECK(bench.runs[0].readings[1].x == 0.45);
+  CHECK(std::isnan(bench.runs[0].readings[1].Fx));
+  CHECK(bench.runs[0].readings[1].q.size() == 2);  // as [noise] has a figure for them
+  CHECK(bench.runs[1].readings.empty());
+  CHECK(bench.runs[1].control == Control::force);
+}
+
+TEST_CASE("a plan passes over what was measured") {
+  const Folder folder;
+  lay(folder, {});
+  const Experiment bench = read_plan(folder.path());
+  CHECK(std::isnan(bench.runs[0].readings[1].Fx));
+  CHECK(std::isnan(bench.runs[1].readings[1].x));
+  CHECK(bench.runs[1].readings[1].Fx == 0.1);
+}
+
+TEST_CASE("commands alone are no experiment, and a run that measures nothing is no plan") {
+  CHECK(
+      says(fault({.press = "t,x,y\n0,0.4518,0.0209\n1,0.4500,0.0209\n", .pull = "t,Fx,Fy\n0,0,0\n2,0.1,0\n"}),
+           {"press.csv:1", "the header 't,x,y'"}));
+  const Folder folder;
+  lay(folder, {.toml = replaced(replaced(replaced(good_toml, "Fx = 0.02\n", ""), "Fy = 0.02\n", ""),
+                                "q = 0.001\n", "")});
+  std::string complaint;
+  try {
+    read_plan(folder.path());
+  } catch (const Error& error) {
+    complaint = error.what();
+  }
+  CHECK(says(complaint, {"noise", "\"press\"", "Fx, Fy or q"}));
+}

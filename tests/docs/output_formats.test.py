@@ -119,16 +119,30 @@ def trial(folder):
     hold("trial", [written("trial", "--experiments", "cases", folder=folder)])
 
 
-def report_document():
+def documented(document, name):
     """Every table of keys against the object of the schema that its heading names."""
-    schema = schema_of("gap-diagnosis")
-    for heading, found in tables(ROOT / "docs" / "report-format.md").items():
+    schema = schema_of(name)
+
+    def resolved(node):
+        node = schema["$defs"][node["$ref"].rsplit("/", 1)[1]] if "$ref" in node else node
+        node = node["oneOf"][-1] if "oneOf" in node else node
+        return node["items"] if node.get("type") == "array" else node
+
+    for heading, found in tables(ROOT / "docs" / document).items():
         node = schema
-        for name in [] if heading == "Top level" else heading.split("."):
-            node = node["properties"][name]
-            node = node["oneOf"][-1] if "oneOf" in node else node
-            node = node["items"] if node.get("type") == "array" else node
+        for key in [] if heading == "Top level" else heading.split("."):
+            node = resolved(node["properties"][key])
         assert set(keys(found[0])) == set(node["properties"]), heading
+    return schema
+
+
+def plans(folder):
+    two_links.write(folder / "planned", lambda joint, d, k: k * d, readings=8)
+    hold("experiment-plan", [written("diagnose", "planned", "--plan", folder=folder)])
+
+
+def report_document():
+    schema = documented("report-format.md", "gap-diagnosis")
     verdicts = [key for key in keys(tables(ROOT / "docs" / "report-format.md")["cause"][1])]
     assert verdicts == schema["properties"]["cause"]["properties"]["verdict"]["enum"]
     regimes = schema["properties"]["where"]["properties"]["load_path"]["items"]["properties"]["regime"]["enum"]
@@ -139,7 +153,8 @@ def report_document():
 
 
 report_document()
+documented("plan.md", "experiment-plan")
 with tempfile.TemporaryDirectory() as place:
-    for step in (straight_chains, claims, loaded_chains, reports, trial):
+    for step in (straight_chains, claims, loaded_chains, reports, plans, trial):
         (Path(place) / step.__name__).mkdir()
         step(Path(place) / step.__name__)

@@ -1,0 +1,138 @@
+#include "diagnose/answers/candidate_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "diagnose/model/nominal.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+constexpr int steps = 20;  // readings of a press
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+struct Direction {
+  const char* name;
+  Vector2 along;
+};
+
+const std::vector<Direction>& directions() {
+  static const std::vector<Direction> all{{"along -x", {-1, 0}},
+                                          {"along +x", {1, 0}},
+                                          {"along +y", {0, 1}},
+                                          {"along -y", {0, -1}},
+                                          {"between -x and +y", {-0.8, 0.6}}};
+  return all;
+}
+
+double largest_deflection(const Trace& trace, const std::vector<double>& rest) {
+  double largest = 0;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const auto q = trace.col(column_q + static_cast<Eigen::Index>(i));
+    largest = std::max(largest, (q - rest[i]).abs().maxCoeff());
+  }
+  return largest;
+}
+
+double largest_force(const Trace& trace) {
+  return std::sqrt((trace.col(column_Fx).square() + trace.col(column_Fy).square()).maxCoeff());
+}
+
+/// A run whose command goes from `start` by `by`, and back if asked.
+Run gone(Control control, const std::vector<double>& rest, const Vector2& start, const Vector2& by, bool back,
+         double pause) {
+  Run run{"proposed", control, rest, {}};
+  const int last = back ? 2 * steps : steps;
+  for (int i = 0; i <= last; ++i) {
+    const double share = static_cast<double>(std::min(i, 2 * steps - i)) / steps;
+    const Vector2 to = start + share * by;
+    if (control == Control::end_point) {
+      run.readings.push_back({i * pause, to.x(), to.y(), nothing, nothing, {}});
+    } else {
+      run.readings.push_back({i * pause, nothing, nothing, to.x(), to.y(), {}});
+    }
+  }
+  return run;
+}
+
+}  // namespace
+
+bool Extent::allows(const Trace& trace, const std::vector<double>& rest) const {
+  return (force == 0 || largest_force(trace) <= 2 * force) &&
+         (deflection == 0 || largest_deflection(trace, rest) <= 1.5 * deflection);
+}
+
+Extent extent(const Study& study) {
+  Extent so_far;
+  const Experiment& experiment = study.experiment();
+  const Prediction& nominal = study.nominal();
+  for (std::size_t r = 0; r < nominal.runs.size(); ++r) {
+    const Run& run = experiment.runs[r];
+    const Trace& trace = nominal.runs[r];
+    if (run.readings.empty()) continue;
+    const Vector2 start = unloaded_end(experiment, run.rest);
+    so_far.force = std::max(so_far.force, largest_force(trace));
+    so_far.deflection = std::max(so_far.deflection, largest_deflection(trace, run.rest));
+    for (Eigen::Index i = 0; i < trace.rows(); ++i) {
+      const double way = (Vector2(trace(i, column_x), trace(i, column_y)) - start).norm();
+      if (run.holds_end_point()) so_far.travel = std::max(so_far.travel, way);
+    }
+    if (run.readings.size() > 1) so_far.pause = run.readings[1].t - run.readings[0].t;
+  }
+  if (so_far.travel == 0) {
+    for (const double length : experiment.link_length) so_far.travel += 0.05 * length;
+  }
+  return so_far;
+}
+
+std::vector<CandidateRun> presses(const Experiment& experiment, const std::vector<double>& rest,
+                                  const std::string& shape, const Extent& so_far) {
+  std::vector<CandidateRun> all;
+  const Vector2 start = unloaded_end(experiment, rest);
+  for (const Direction& one : directions()) {
+    for (const double range : {1.0, 1.5}) {
+      const double by = range * so_far.travel;
+      for (const bool back : {false, true}) {
+        all.push_back(
+            {fmt::format("press {} by {:.3g} m from {}{}", one.name, by, shape, back ? " and unload" : ""),
+             gone(Control::end_point, rest, start, by * one.along, back, so_far.pause)});
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<CandidateRun> loads(const Experiment& experiment, const std::vector<double>& rest,
+                                const std::string& shape, const Extent& so_far) {
+  constexpr double usual_deflection = 0.33;  // rad
+  const double wanted = so_far.deflection > 0 ? so_far.deflection : usual_deflection;
+  const double stiffest =
+      *std::max_element(experiment.joint_stiffness.begin(), experiment.joint_stiffness.end());
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const double length : experiment.link_length) shortest = std::min(shortest, length);
+  std::vector<CandidateRun> all;
+  for (const Direction& one : directions()) {
+    double force = so_far.force > 0 ? so_far.force : 2 * wanted * stiffest / shortest;
+    for (int halved = 0; halved < 12; ++halved, force /= 2) {
+      Experiment bench = experiment;
+      bench.runs = {gone(Control::force, rest, {0, 0}, force * one.along, true, so_far.pause)};
+      const Prediction nominal = simulate(bench, nominal_rig(bench), {});
+      if (!nominal.reached || nominal.snapped || largest_deflection(nominal.runs[0], rest) > wanted) continue;
+      all.push_back(
+          {fmt::format("load with {:.3g} N {} from {} and unload", force, one.name, shape), bench.runs[0]});
+      break;
+    }
+  }
+  return all;
+}
+
+std::vector<double> mirrored(std::vector<double> rest) {
+  for (double& q : rest) q = -q;
+  return rest;
+}
+
+}  // namespace plumbline::diagnose

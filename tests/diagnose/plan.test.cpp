@@ -1,0 +1,116 @@
+#include "diagnose/answers/plan.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <plumbline/base/error.hpp>
+
+#include "diagnose/answers/rehearsal.hpp"
+#include "diagnose/bench/unmeasured.hpp"
+#include "diagnose/report/plan.hpp"
+#include "tests/diagnose/bench.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+using namespace plumbline::diagnose::test;
+
+namespace {
+
+/// Two links in a horizontal plane, whose end point is held and whose force is read.
+Experiment two_links() {
+  Experiment bench;
+  bench.name = "two links";
+  bench.link_length = {0.3, 0.2};
+  bench.joint_stiffness = {2.0, 1.5};
+  bench.link_mass = {0, 0};
+  bench.gravity = {0, 0};
+  bench.bench = {Bench::Plane::horizontal, {0, 0}, false};
+  bench.noise = {2e-4, 2e-4, 0.02, 0.02, 0};
+  bench.runs = {{"press", Control::end_point, {0.4, -0.9}, {}}};
+  return bench;
+}
+
+bool has(const std::vector<EffectAt>& effects, const EffectAt& one) {
+  return std::find(effects.begin(), effects.end(), one) != effects.end();
+}
+
+/// The class in which an effect stands; nothing where it is told apart from all others.
+const Alike* class_of(const Blindness& left, const EffectAt& one) {
+  for (const Alike& alike : left.alike)
+    if (has(alike.effects, one)) return &alike;
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("a bench sees gravity in a vertical plane alone") {
+  Experiment bench = two_links();
+  const std::vector<EffectAt> flat = rehearse(bench).impossible;
+  CHECK(has(flat, "gravity"));
+  CHECK(has(flat, "tip_payload"));
+  bench.bench = {Bench::Plane::vertical, {0, -1}, true};
+  const std::vector<EffectAt> upright = rehearse(bench).impossible;
+  CHECK_FALSE(has(upright, "gravity"));
+  CHECK_FALSE(has(upright, "tip_payload"));
+}
+
+TEST_CASE(
+    "a load cell's gain and the scale of all springs are one, until known weights set a scale of force") {
+  Experiment bench = two_links();
+  const Plan held = plan(bench);
+  const Alike* gain = class_of(held.never, "force_gain");
+  REQUIRE(gain != nullptr);
+  CHECK(gain->exactly);
+  CHECK(has(gain->effects, "stiffness_scale"));
+  CHECK_FALSE(held.planned);
+  CHECK_FALSE(held.fewest.empty());
+
+  bench.bench = {Bench::Plane::vertical, {0, -1}, true};
+  bench.link_mass = {0.3, 0.2};
+  bench.gravity = {0, -9.81};
+  const Plan weighed = plan(bench);
+  const Alike* now = class_of(weighed.never, "force_gain");
+  CHECK((now == nullptr || (!has(now->effects, "stiffness_scale") && !has(now->others, "stiffness_scale"))));
+}
+
+TEST_CASE("what the planned runs leave open is what the best runs leave open, and more") {
+  Experiment bench = two_links();
+  press(bench, {0.4, -0.9}, {-0.03, 0}, 10, false);
+  bench.runs.erase(bench.runs.begin());
+  const Plan made = plan(unmeasured(bench));
+  REQUIRE(made.planned);
+  for (const EffectAt& at : made.never.unseen) CHECK(has(made.planned->unseen, at));
+  // Without a way back nothing tells friction from a stiffer spring.
+  CHECK(class_of(made.never, "joint_friction") == nullptr);
+  CHECK(
+      (has(made.planned->unseen, "joint_friction") || class_of(*made.planned, "joint_friction") != nullptr));
+}
+
+TEST_CASE("in noise as large as all forces nothing is seen, and no run is worth its time") {
+  Experiment bench = two_links();
+  bench.noise.Fx = bench.noise.Fy = 1e3;
+  const Plan made = plan(bench);
+  CHECK(made.never.unseen.size() == rehearse(bench).effects.size());
+  CHECK(made.never.alike.empty());
+  CHECK(made.fewest.empty());
+}
+
+TEST_CASE("every run of a rehearsal can be made by the nominal chain and by every effect") {
+  Experiment bench = three_links();
+  press(bench, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
+  const Rehearsal rehearsal = rehearse(unmeasured(bench));
+  CHECK(rehearsal.planned == 1);
+  CHECK(rehearsal.bench.runs.size() == rehearsal.descriptions.size());
+  CHECK(rehearsal.bench.runs.size() > 5);
+  const Study study(rehearsal.bench);
+  for (const Instance& effect : rehearsal.effects) {
+    CAPTURE(effect.candidate.label());
+    CHECK(predict(study, effect.candidate, effect.parameters).reached);
+  }
+}
+
+TEST_CASE("a plan that the chain cannot follow is refused") {
+  Experiment bench = two_links();
+  press(bench, {0.4, -0.9}, {0.2, 0}, 10, false);  // beyond the reach of both links
+  CHECK_THROWS_AS(plan(unmeasured(bench)), Error);
+}
