@@ -11,12 +11,12 @@ namespace plumbline::diagnose {
 namespace {
 
 /// How finely a torque law is drawn, and whether each run has a constant of its own beside.
-struct LawShape {
+struct LawFineness {
   Eigen::Index knots;
   bool constants;
 };
 
-constexpr LawShape law_shapes[] = {{4, false}, {4, true}, {8, false}, {8, true}, {16, false}, {16, true}};
+constexpr LawFineness law_shapes[] = {{4, false}, {4, true}, {8, false}, {8, true}, {16, false}, {16, true}};
 
 /// A joint's nominal deflection along every run, and its range.
 struct Deflections {
@@ -37,7 +37,7 @@ Deflections deflections(const Experiment& experiment, const Prediction& nominal,
 
 /// The law's terms at every reading of a run: hats over the deflection for either direction, then the runs'
 /// constants.
-Eigen::MatrixXd law_terms(const Deflections& all, std::size_t run, const LawShape& shape) {
+Eigen::MatrixXd law_terms(const Deflections& all, std::size_t run, const LawFineness& shape) {
   const Eigen::VectorXd& deflection = all.by_run[run];
   const auto constants = static_cast<Eigen::Index>(shape.constants ? all.by_run.size() : 0);
   Eigen::MatrixXd terms = Eigen::MatrixXd::Zero(deflection.size(), 2 * shape.knots + constants);
@@ -81,7 +81,7 @@ TorqueEffect torque_effect(const Study& study, const std::vector<double>& residu
 
 /// Schwarz's criterion of the best law of this shape: what it leaves is taken as noise that four neighbouring
 /// readings share.
-double criterion(const Measurements& measurements, const TorqueEffect& effect, const LawShape& shape) {
+double criterion(const Measurements& measurements, const TorqueEffect& effect, const LawFineness& shape) {
   Eigen::MatrixXd slope;
   for (const Series& series : measurements.series()) {
     const Eigen::MatrixXd terms = law_terms(effect.deflection, series.run, shape);
@@ -108,7 +108,7 @@ std::vector<JointShare> shares_by_torque_law(const Study& study, const std::vect
   for (std::size_t j = 0; j < least.size(); ++j) {
     if (!(study.experiment().joint_stiffness[j] > 0)) continue;
     const TorqueEffect effect = torque_effect(study, clean, noise, j);
-    for (const LawShape& shape : law_shapes)
+    for (const LawFineness& shape : law_shapes)
       least[j] = std::min(least[j], criterion(study.measurements(), effect, shape));
   }
   const double best = *std::min_element(least.begin(), least.end());

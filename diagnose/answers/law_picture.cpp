@@ -5,6 +5,8 @@
 
 #include "diagnose/answers/offered_law.hpp"
 
+#include "diagnose/bench/median.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -33,12 +35,6 @@ std::vector<double> slopes(const std::vector<LawPicture::Knot>& knots) {
   std::vector<double> all;
   for (std::size_t i = 1; i < knots.size(); ++i) all.push_back(slope(knots[i - 1], knots[i]));
   return all;
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 using Parts = std::vector<std::string>;

@@ -4,19 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "diagnose/bench/median.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
 constexpr std::size_t wanted = 500, least = 40, short_enough = 1000;
-
-double median(std::vector<double> values) {
-  std::erase_if(values, [](double v) { return std::isnan(v); });
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
 
 /// Draws the readings of one run together, group by group.
 class Condenser {
@@ -51,6 +44,7 @@ class Condenser {
   [[nodiscard]] double middle(std::size_t from, std::size_t to, const Channel& channel) const {
     std::vector<double> values;
     for (std::size_t i = from; i < to; ++i) values.push_back(channel.of(run_.readings[i]));
+    std::erase_if(values, [](double v) { return std::isnan(v); });
     return median(std::move(values));
   }
 

@@ -6,15 +6,10 @@
 #include <cmath>
 #include <plumbline/chain/kinematics.hpp>
 
+#include "diagnose/bench/median.hpp"
+
 namespace plumbline::diagnose {
 namespace {
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 class Look {
  public:
@@ -62,9 +57,9 @@ class Look {
              run_->readings.size());
     constexpr std::size_t enough = 8;
     if (values.size() < enough) return;
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    if (*least == *most) {
-      remark("{} stands still at {:.6g} {}", channel.label(), *least, channel.unit());
+    const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+    if (*lowest == *highest) {
+      remark("{} stands still at {:.6g} {}", channel.label(), *lowest, channel.unit());
       return;
     }
     scatter(channel, values);

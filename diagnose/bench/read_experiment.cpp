@@ -94,8 +94,8 @@ Noise read_noise(const Section& noise, const SampleFormat& format) {
   const auto sigma = [&](const char* key, std::size_t column) {
     return in_si(noise.non_negative(key), format.columns[column].unit);
   };
-  return {sigma("x", column_x), sigma("y", column_y), sigma("Fx", column_Fx), sigma("Fy", column_Fy),
-          sigma("q", column_q1)};
+  return {sigma("x", place_x), sigma("y", place_y), sigma("Fx", place_Fx), sigma("Fy", place_Fy),
+          sigma("q", place_q1)};
 }
 
 /// \throws Error at the place for what is not inside the folder, behind all links, or no plain file

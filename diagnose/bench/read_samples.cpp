@@ -32,9 +32,9 @@ class Reader {
   /// \param row  from 0
   [[nodiscard]] Reading reading(std::size_t row) const {
     std::vector<double> v;
-    for (std::size_t c = 0; c < column_q1; ++c) v.push_back(value(c, row));
-    Reading reading{v[column_t], v[column_x], v[column_y], v[column_Fx], v[column_Fy], {}};
-    for (std::size_t c = column_q1; c < places_.size() && places_[c]; ++c) reading.q.push_back(value(c, row));
+    for (std::size_t c = 0; c < place_q1; ++c) v.push_back(value(c, row));
+    Reading reading{v[place_t], v[place_x], v[place_y], v[place_Fx], v[place_Fy], {}};
+    for (std::size_t c = place_q1; c < places_.size() && places_[c]; ++c) reading.q.push_back(value(c, row));
     if (format_.absolute_angles)
       std::adjacent_difference(reading.q.begin(), reading.q.end(), reading.q.begin());
     require_given(reading, row);
@@ -55,7 +55,7 @@ class Reader {
 
   void require_order(std::size_t row, const Reading& before, const Reading& now) const {
     if (now.t >= before.t) return;
-    const auto time = [&](std::size_t r) { return table_.rows[r].fields[*places_[column_t]]; };
+    const auto time = [&](std::size_t r) { return table_.rows[r].fields[*places_[place_t]]; };
     throw Error(where(row) + ", t", files::shown(time(row)),
                 "a time not before the last reading's, " + files::shown(time(row - 1)));
   }
@@ -106,7 +106,7 @@ class Reader {
   [[nodiscard]] double value(std::size_t c, std::size_t row) const {
     const Column& column = format_.columns[c];
     if (column.constant) return constants_[c];
-    if (!places_[c]) return c == column_t ? static_cast<double>(row) : none;
+    if (!places_[c]) return c == place_t ? static_cast<double>(row) : none;
     const std::string text = field(c, row);
     if (text.empty()) return none;
     const double plain = number(text, c, row);

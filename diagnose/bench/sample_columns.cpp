@@ -26,9 +26,9 @@ class Finder {
   /// Without [columns] the header is one of two.
   void require_header() const {
     const std::size_t all = format_.columns.size();
-    if (!format_.header || table_.header == names(column_q1) || table_.header == names(all)) return;
+    if (!format_.header || table_.header == names(place_q1) || table_.header == names(all)) return;
     throw Error(header_line_, header(),
-                "'" + joined(names(column_q1)) + "' or '" + joined(names(all)) +
+                "'" + joined(names(place_q1)) + "' or '" + joined(names(all)) +
                     "', or a table [columns] that says which column is which" + hint());
   }
 
@@ -41,7 +41,7 @@ class Finder {
   }
 
   void require_imposed(const ColumnPlaces& places, Control control) const {
-    const std::array displacement{column_x, column_y}, force{column_Fx, column_Fy};
+    const std::array displacement{place_x, place_y}, force{place_Fx, place_Fy};
     for (const auto c : control == Control::end_point ? displacement : force) {
       const std::string& channel = format_.columns[c].channel;
       if (places[c] || format_.columns[c].constant) continue;
@@ -51,9 +51,9 @@ class Finder {
   }
 
   void require_angles(const ColumnPlaces& places) const {
-    const auto there = std::count_if(places.begin() + column_q1, places.end(),
+    const auto there = std::count_if(places.begin() + place_q1, places.end(),
                                      [](const auto& one) { return one.has_value(); });
-    const auto joints = static_cast<std::ptrdiff_t>(places.size() - column_q1);
+    const auto joints = static_cast<std::ptrdiff_t>(places.size() - place_q1);
     if (there != 0 && there != joints)
       throw Error(header_line_, std::to_string(there) + " columns of joint angles",
                   "all " + std::to_string(joints) + ", or none");

@@ -145,7 +145,7 @@ void read_columns(const Section& columns, SampleFormat& format) {
   }
   if (!columns.has("q")) return;
   std::vector<Column*> angles;
-  for (std::size_t c = column_q1; c < format.columns.size(); ++c) angles.push_back(&format.columns[c]);
+  for (std::size_t c = place_q1; c < format.columns.size(); ++c) angles.push_back(&format.columns[c]);
   ColumnReader(columns, "q", quantity::angle).read(angles);
   const bool table = columns.node("q").is_table();
   format.absolute_angles = table && columns.table("q").flag_or("absolute", false);

@@ -30,7 +30,7 @@ struct Column {
 };
 
 /// The places of t, x, y, Fx, Fy and q1 to qn among the columns.
-enum : std::size_t { column_t, column_x, column_y, column_Fx, column_Fy, column_q1 };
+enum : std::size_t { place_t, place_x, place_y, place_Fx, place_Fy, place_q1 };
 
 struct SampleFormat {
   char delimiter = ',';  ///< ' ' for any number of blanks

@@ -36,57 +36,58 @@ struct Symbol {
   int turns = 0;  ///< times pi: degrees and revolutions
 };
 
-constexpr Dimension length{1, 0, 0, 0}, mass{0, 1, 0, 0}, duration{0, 0, 1, 0}, angle{0, 0, 0, 1},
-    force{1, 1, -2, 0}, torque{2, 1, -2, 0};
-
-constexpr std::array symbols{
-    Symbol{"m", "1", length},
-    Symbol{"km", "1e3", length},
-    Symbol{"dm", "1e-1", length},
-    Symbol{"cm", "1e-2", length},
-    Symbol{"mm", "1e-3", length},
-    Symbol{"um", "1e-6", length},
-    Symbol{"µm", "1e-6", length},  // micro sign
-    Symbol{"μm", "1e-6", length},  // Greek mu
-    Symbol{"in", "0.0254", length},
-    Symbol{"inch", "0.0254", length},
-    Symbol{"ft", "0.3048", length},
-    Symbol{"N", "1", force},
-    Symbol{"kN", "1e3", force},
-    Symbol{"cN", "1e-2", force},
-    Symbol{"mN", "1e-3", force},
-    Symbol{"uN", "1e-6", force},
-    Symbol{"µN", "1e-6", force},
-    Symbol{"μN", "1e-6", force},
-    Symbol{"dyn", "1e-5", force},
-    Symbol{"kgf", "9.80665", force},
-    Symbol{"kp", "9.80665", force},
-    Symbol{"gf", "9.80665e-3", force},
-    Symbol{"lbf", "4.4482216152605", force},
-    Symbol{"ozf", "0.27801385095378125", force},  // lbf / 16
-    Symbol{"Nm", "1", torque},
-    Symbol{"Ncm", "1e-2", torque},
-    Symbol{"Nmm", "1e-3", torque},
-    Symbol{"mNm", "1e-3", torque},
-    Symbol{"kg", "1", mass},
-    Symbol{"g", "1e-3", mass},
-    Symbol{"lb", "0.45359237", mass},
-    Symbol{"oz", "0.028349523125", mass},  // lb / 16
-    Symbol{"s", "1", duration},
-    Symbol{"ms", "1e-3", duration},
-    Symbol{"us", "1e-6", duration},
-    Symbol{"µs", "1e-6", duration},
-    Symbol{"μs", "1e-6", duration},
-    Symbol{"min", "60", duration},
-    Symbol{"h", "3600", duration},
-    Symbol{"rad", "1", angle},
-    Symbol{"mrad", "1e-3", angle},
-    Symbol{"deg", "1", angle, 180},
-    Symbol{"°", "1", angle, 180},
-    Symbol{"degree", "1", angle, 180},
-    Symbol{"degrees", "1", angle, 180},
-    Symbol{"rev", "360", angle, 180},
-};
+constexpr std::array symbols = [] {
+  constexpr Dimension length{1, 0, 0, 0}, mass{0, 1, 0, 0}, duration{0, 0, 1, 0}, angle{0, 0, 0, 1},
+      force{1, 1, -2, 0}, torque{2, 1, -2, 0};
+  return std::array{
+      Symbol{"m", "1", length},
+      Symbol{"km", "1e3", length},
+      Symbol{"dm", "1e-1", length},
+      Symbol{"cm", "1e-2", length},
+      Symbol{"mm", "1e-3", length},
+      Symbol{"um", "1e-6", length},
+      Symbol{"µm", "1e-6", length},  // micro sign
+      Symbol{"μm", "1e-6", length},  // Greek mu
+      Symbol{"in", "0.0254", length},
+      Symbol{"inch", "0.0254", length},
+      Symbol{"ft", "0.3048", length},
+      Symbol{"N", "1", force},
+      Symbol{"kN", "1e3", force},
+      Symbol{"cN", "1e-2", force},
+      Symbol{"mN", "1e-3", force},
+      Symbol{"uN", "1e-6", force},
+      Symbol{"µN", "1e-6", force},
+      Symbol{"μN", "1e-6", force},
+      Symbol{"dyn", "1e-5", force},
+      Symbol{"kgf", "9.80665", force},
+      Symbol{"kp", "9.80665", force},
+      Symbol{"gf", "9.80665e-3", force},
+      Symbol{"lbf", "4.4482216152605", force},
+      Symbol{"ozf", "0.27801385095378125", force},  // lbf / 16
+      Symbol{"Nm", "1", torque},
+      Symbol{"Ncm", "1e-2", torque},
+      Symbol{"Nmm", "1e-3", torque},
+      Symbol{"mNm", "1e-3", torque},
+      Symbol{"kg", "1", mass},
+      Symbol{"g", "1e-3", mass},
+      Symbol{"lb", "0.45359237", mass},
+      Symbol{"oz", "0.028349523125", mass},  // lb / 16
+      Symbol{"s", "1", duration},
+      Symbol{"ms", "1e-3", duration},
+      Symbol{"us", "1e-6", duration},
+      Symbol{"µs", "1e-6", duration},
+      Symbol{"μs", "1e-6", duration},
+      Symbol{"min", "60", duration},
+      Symbol{"h", "3600", duration},
+      Symbol{"rad", "1", angle},
+      Symbol{"mrad", "1e-3", angle},
+      Symbol{"deg", "1", angle, 180},
+      Symbol{"°", "1", angle, 180},
+      Symbol{"degree", "1", angle, 180},
+      Symbol{"degrees", "1", angle, 180},
+      Symbol{"rev", "360", angle, 180},
+  };
+}();
 
 /// A product of powers, as far as it has been read.
 struct Product {

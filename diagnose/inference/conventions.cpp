@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/conversion.hpp"
@@ -122,11 +123,11 @@ bool same_command(const Experiment& a, const Experiment& b) {
 
 /// How far the runs start from their unloaded end points, in lengths of the chain.
 double distance_at_start(const Experiment& experiment) {
-  double length = 0, sum = 0;
-  for (const double one : experiment.link_length) length += one;
+  double sum = 0;
+  const double whole = std::accumulate(experiment.link_length.begin(), experiment.link_length.end(), 0.0);
   for (const Run& run : experiment.runs) {
     if (!run.holds_end_point() || run.readings.empty()) continue;
-    sum += (run.command(run.readings.front()) - unloaded_end(experiment, run.rest)).norm() / length;
+    sum += (run.command(run.readings.front()) - unloaded_end(experiment, run.rest)).norm() / whole;
   }
   return sum;
 }

@@ -4,15 +4,10 @@
 #include <cmath>
 
 #include "diagnose/beliefs.hpp"
+#include "diagnose/bench/median.hpp"
 
 namespace plumbline::diagnose {
 namespace {
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Variance by the median of the sizes, which any minority of outliers moves by little.
 double median_variance(const std::vector<double>& differences) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "diagnose/bench/median.hpp"
+
 namespace plumbline::diagnose {
 
 namespace {
@@ -33,10 +35,8 @@ double roughness(const std::vector<double>& values) {
   std::vector<double> sizes;
   for (std::size_t i = 3; i < values.size(); ++i)
     sizes.push_back(std::abs(values[i] - 3 * values[i - 1] + 3 * values[i - 2] - values[i - 3]));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
   constexpr double normal_mad = 0.6745, squares = 20;  // 1 + 9 + 9 + 1
-  return *middle / normal_mad / std::sqrt(squares);
+  return median(std::move(sizes)) / normal_mad / std::sqrt(squares);
 }
 
 }  // namespace

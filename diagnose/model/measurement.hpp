@@ -16,7 +16,7 @@ struct Series {
   double sigma;                       ///< declared noise
   std::size_t first;                  ///< place of its first value in the flat list
   std::vector<std::size_t> readings;  ///< index of each value's reading in the run
-  double step;  ///< that coarse readings are rounded to, declared sigmas; 0 where none shows
+  double step;       ///< that coarse readings are rounded to, declared sigmas; 0 where none shows
   double roughness;  ///< of the readings themselves, declared sigmas: their noise is hardly larger
 };
 
