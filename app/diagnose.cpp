@@ -1,8 +1,10 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <plumbline/base/error.hpp>
 
 #include "app/corrected_files.hpp"
+#include "app/diagnose_many.hpp"
 #include "app/example_experiment.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
@@ -20,8 +22,14 @@ namespace plumbline::app {
 namespace {
 
 struct Options {
+<<<<<<< HEAD
   std::string experiment, effects, model, corrected, json, html;
   bool next = false, as_is = false, plan = false;
+=======
+  std::vector<std::string> experiments;
+  std::string effects, model, corrected, json, html, reports;
+  bool next = false, as_is = false;
+>>>>>>> 5b69ed40c8d161927d094ce4c051a4b991fef439
 };
 
 /// \param work  is given what to call with the share that is done
@@ -34,6 +42,7 @@ auto with_progress(const std::string& name, auto work) {
   });
 }
 
+<<<<<<< HEAD
 /// What the experiment is compared with, where a file names it.
 std::optional<diagnose::NominalChain> model_of(const Options& options) {
   if (options.model.empty()) return std::nullopt;
@@ -68,6 +77,32 @@ void run_diagnosis(const Options& options) {
                                         ? example_experiment(nominal)
                                         : diagnose::read_experiment(options.experiment, nominal);
   Outputs outputs(inputs_of(options));
+=======
+void run_many(const Options& options) {
+  if (!options.corrected.empty())
+    throw Error("--corrected", "several experiments, or --reports",
+                "one experiment, whose model is corrected");
+  ManyExperiments many{
+      options.experiments, options.reports, options.json, options.html, {}, {options.model, options.effects}};
+  if (!options.model.empty()) many.words.insert(many.words.end(), {"--model", options.model});
+  if (!options.effects.empty()) many.words.insert(many.words.end(), {"--effects", options.effects});
+  if (options.next) many.words.emplace_back("--next");
+  if (options.as_is) many.words.emplace_back("--as-is");
+  diagnose_many(many);
+}
+
+void run(const Options& options) {
+  if (options.experiments.size() > 1 || !options.reports.empty()) return run_many(options);
+  const std::string folder = options.experiments.empty() ? "" : options.experiments.front();
+  std::optional<diagnose::NominalChain> model;
+  if (!options.model.empty()) model = exchange::read_model(options.model).chain;
+  const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
+  diagnose::Experiment experiment =
+      folder.empty() ? example_experiment(nominal) : diagnose::read_experiment(folder, nominal);
+  std::vector<std::filesystem::path> inputs = trial::files_read(folder);
+  inputs.insert(inputs.end(), {options.model, options.effects});
+  Outputs outputs(inputs);
+>>>>>>> 5b69ed40c8d161927d094ce4c051a4b991fef439
   files::OutputFile *const json = outputs.open("--json", options.json), *const html = outputs.open(
                                                                             "--html", options.html);
   CorrectedFiles corrected(outputs, options.corrected);
@@ -95,8 +130,11 @@ void add_diagnose(CLI::App& app) {
       "diagnose",
       "Where the gap between an experiment and its model lies, what causes it, how far it shrinks");
   const auto options = std::make_shared<Options>();
-  verb->add_option("experiment", options->experiment,
-                   "A folder with experiment.toml and its sample files. Without it: a small bundled example")
+  verb->add_option(
+          "experiment", options->experiments,
+          "A folder with experiment.toml and its sample files. Without it: a small bundled example. Of "
+          "several, each is diagnosed, and a report for all says whether the cause is the same, how its "
+          "parameter scatters and whether it drifts")
       ->type_name("FOLDER");
   auto* effects =
       verb->add_option(
@@ -119,6 +157,7 @@ void add_diagnose(CLI::App& app) {
       ->type_name("[FILE]")
       ->expected(0, 1)
       ->default_str("-");
+<<<<<<< HEAD
   auto* html =
       verb->add_option(
               "--html", options->html,
@@ -141,6 +180,23 @@ void add_diagnose(CLI::App& app) {
       ->excludes(next)
       ->excludes(as_is);
   verb->callback([options] { options->plan ? run_plan(*options) : run_diagnosis(*options); });
+=======
+  verb->add_option(
+          "--html", options->html,
+          "Write a page with the curves, the residuals and the chain drawn: one file, to print or send")
+      ->type_name("FILE");
+  verb->add_option(
+          "--reports", options->reports,
+          "Keep the report of each of several experiments in this folder, as NAME.json and NAME.html")
+      ->type_name("DIR");
+  verb->add_flag("--next", options->next,
+                 "Say which run to make next even where the cause is clear: to tell the best two apart");
+  verb->add_flag("--as-is", options->as_is,
+                 "Take the numbers as they stand, even where they look like another unit, sign or axis");
+  verb->footer(
+      "Exit status 1 when one of several experiments could not be diagnosed; the others are reported.");
+  verb->callback([options] { run(*options); });
+>>>>>>> 5b69ed40c8d161927d094ce4c051a4b991fef439
 }
 
 }  // namespace plumbline::app

@@ -43,6 +43,9 @@ std::string_view against(Format format, const NominalEffect& effect, const Rig& 
   if ((effect.id == "gravity" || effect.id == "tip_payload") && !one_gravity(rig))
     return "weights in several directions";
   const bool plays = std::any_of(rig.backlash.begin(), rig.backlash.end(), [](double b) { return b > 0; });
+  if (format == Format::mjcf && rig.eccentricity != 0 && has_drive(rig))
+    return "the drive of this file holds the point where the load acts, not the end point";
+  if (rig.force_lag > 0 && !rig.force_drift.isZero(0)) return "what drifts does not lag in this file";
   if (rig.coupling != 0 && (!springs_left(rig) || plays))
     return "springs that neighbours share leave a joint without one of its own";
   if (format == Format::mjcf || !plays) return "";
@@ -51,6 +54,20 @@ std::string_view against(Format format, const NominalEffect& effect, const Rig& 
   if (std::any_of(rig.friction.begin(), rig.friction.end(), [](double f) { return f > 0; }))
     return "a joint with play has no dry friction in this format";
   return "";
+}
+
+Carried law_carried(const Model& model, Format format) {
+  const std::string effect = "torque_law";
+  if (format != Format::mjcf)
+    return {effect, false,
+            "joints of this format know no free torque law: the table at the head of the file"};
+  for (const diagnose::LawPicture& law : model.laws)
+    if (std::any_of(law.sliders.begin(), law.sliders.end(), [](const auto& one) { return one.growth > 0; }))
+      return {
+          effect, false,
+          "dry friction of this format does not grow with the deflection: the table at the head of the file"};
+  return {effect, true,
+          "as forces that go with the joint's angle from knot to knot, and arms beside the joint"};
 }
 
 }  // namespace
@@ -70,17 +87,17 @@ std::vector<Carried> what_is_carried(const Model& model, Format format) {
     }
     all.push_back(std::move(one));
   }
-  if (!model.laws.empty())
-    all.push_back({"torque_law", false,
-                   "joints of this format know no free torque law: the table at the head of the file"});
+  if (!model.laws.empty()) all.push_back(law_carried(model, format));
   return all;
 }
 
-Rig carried_rig(const Model& model, const std::vector<Carried>& effects) {
+Tree carried_tree(const Model& model, const std::vector<Carried>& effects, const Means& means) {
   std::vector<NominalEffect> own;
   for (std::size_t e = 0; e < model.experiment.effects.size(); ++e)
     if (effects[e].carried) own.push_back(model.experiment.effects[e]);
-  return rig_with(model, own);
+  Model shown = model;
+  if (!model.laws.empty() && !effects.back().carried) shown.laws.clear();
+  return tree_of(rig_with(model, own), shown, means);
 }
 
 }  // namespace plumbline::exchange

@@ -4,13 +4,14 @@
 
 #include "exchange/format.hpp"
 #include "exchange/model.hpp"
+#include "exchange/tree.hpp"
 
 namespace plumbline::exchange {
 
 /// Of every effect of the model, whether the format carries it and as what, or why not; then of its law.
 std::vector<Carried> what_is_carried(const Model& model, Format format);
 
-/// The rig with those effects alone that are carried.
-diagnose::Rig carried_rig(const Model& model, const std::vector<Carried>& effects);
+/// The tree of the model with what is carried alone.
+Tree carried_tree(const Model& model, const std::vector<Carried>& effects, const Means& means);
 
 }  // namespace plumbline::exchange

@@ -2,37 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "exchange/carried.hpp"
-#include "exchange/tree.hpp"
-#include "exchange/xml.hpp"
+#include "exchange/mjcf_parts.hpp"
 
 namespace plumbline::exchange {
 namespace {
 
-/// Within a time step or two: what is constrained is as good as rigid.
-constexpr double timestep = response_time / 5;
-
-Xml joint(const Hinge& hinge) {
-  Xml xml("joint");
-  xml.set("name", hinge.name).set("type", hinge.along == 'z' ? "hinge" : "slide");
-  xml.set("axis", hinge.along == 'x' ? "1 0 0" : hinge.along == 'y' ? "0 1 0" : "0 0 1");
-  if (hinge.stiffness != 0) xml.set("stiffness", number(hinge.stiffness));
-  if (hinge.rest != 0) xml.set("springref", number(hinge.rest));
-  if (hinge.range) xml.set("limited", "true").set("range", numbers({(*hinge.range)[0], (*hinge.range)[1]}));
-  if (hinge.friction > 0) xml.set("frictionloss", number(hinge.friction));
-  if (hinge.damping > 0) xml.set("damping", number(hinge.damping));
-  if (hinge.armature > 0) xml.set("armature", number(hinge.armature));
-  return xml;
-}
-
 Xml body(const Tree& tree, const Body& one) {
   Xml xml("body");
   xml.set("name", one.name).set("pos", numbers({one.place[0], one.place[1], 0}));
-  if (one.joint) xml.add(joint(*one.joint));
-  xml.add(Xml("inertial")
-              .set("pos", numbers({one.middle, 0, 0}))
-              .set("mass", number(one.mass))
-              .set("diaginertia", "1e-09 1e-09 1e-09"));
+  if (one.joint) xml.add(mjcf_joint(*one.joint));
+  xml.add(mjcf_inertial(one.mass, one.middle));
   if (one.length > 0)
     xml.add(Xml("geom")
                 .set("type", "capsule")
@@ -45,35 +27,6 @@ Xml body(const Tree& tree, const Body& one) {
     xml.add(Xml("site").set("name", "load").set("pos", numbers({tree.load[0], tree.load[1], 0})));
   }
   return xml;
-}
-
-Xml tendon(const Tendon& one) {
-  Xml xml("fixed");
-  xml.set("name", one.name);
-  if (one.stiffness > 0) xml.set("stiffness", number(one.stiffness));
-  if (one.friction > 0) xml.set("frictionloss", number(one.friction));
-  for (const auto& [name, share] : one.joints)
-    xml.add(Xml("joint").set("joint", name).set("coef", number(share)));
-  return xml;
-}
-
-void add_followers(const Tree& tree, Xml& root) {
-  if (tree.followers.empty()) return;
-  Xml equality("equality"), actuator("actuator");
-  for (const Follower& one : tree.followers) {
-    equality.add(Xml("joint")
-                     .set("name", one.slide)
-                     .set("joint1", one.slide)
-                     .set("joint2", one.hinge)
-                     .set("polycoef", numbers({one.polynomial.begin(), one.polynomial.end()})));
-    actuator.add(Xml("general")
-                     .set("name", one.slide)
-                     .set("joint", one.slide)
-                     .set("gainprm", "0")
-                     .set("biastype", "affine")
-                     .set("biasprm", numbers({one.force, 0, 0})));
-  }
-  root.add(std::move(equality)).add(std::move(actuator));
 }
 
 /// A list of numbers that scripts find by its name; MuJoCo's dynamics knows nothing of it.
@@ -103,8 +56,20 @@ Xml beside(const Model& model, const std::vector<Carried>& effects) {
   return custom;
 }
 
+/// Where forces on the end point act while all joints are straight.
+Pair reference_end(const Tree& tree) {
+  Pair at = tree.load;
+  for (std::string name = tree.tip; !name.empty();) {
+    const auto one = std::find_if(tree.bodies.begin(), tree.bodies.end(),
+                                  [&](const Body& body) { return body.name == name; });
+    at = {at[0] + one->place[0], at[1] + one->place[1]};
+    name = one->parent;
+  }
+  return at;
+}
+
 Xml defaults() {
-  const std::string reference = number(2 * timestep) + " 1", impedance = "0.9999 0.9999 0.001";
+  const std::string reference = rigid_reference(), impedance = rigid_impedance();
   Xml all("default");
   all.add(Xml("geom").set("contype", "0").set("conaffinity", "0"));
   all.add(Xml("joint")
@@ -122,12 +87,12 @@ Xml defaults() {
 Written to_mjcf(const Model& model) {
   Written file;
   file.effects = what_is_carried(model, Format::mjcf);
-  const Tree tree = tree_of(carried_rig(model, file.effects), model, {.tendons = true});
+  const Tree tree = carried_tree(model, file.effects, {.tendons = true});
   Xml root("mujoco");
   root.set("model", model.experiment.name);
   root.add(Xml("compiler").set("angle", "radian").set("inertiafromgeom", "false"));
   root.add(Xml("option")
-               .set("timestep", number(timestep))
+               .set("timestep", number(mjcf_timestep))
                .set("integrator", "implicit")
                .set("solver", "Newton")
                .set("tolerance", "1e-12")
@@ -136,13 +101,15 @@ Written to_mjcf(const Model& model) {
   Xml world("worldbody");
   for (const Body& one : tree.bodies)
     if (one.parent.empty()) world.add(body(tree, one));
-  root.add(std::move(world));
-  if (!tree.tendons.empty()) {
-    Xml all("tendon");
-    for (const Tendon& one : tree.tendons) all.add(tendon(one));
-    root.add(std::move(all));
+  if (tree.drive) {
+    world.add(mjcf_rail(*tree.drive, reference_end(tree)));
+    if (std::optional<Xml> clock = mjcf_clock(*tree.drive)) world.add(*std::move(clock));
   }
-  add_followers(tree, root);
+  root.add(std::move(world));
+  for (Xml& section : mjcf_couplings(tree)) root.add(std::move(section));
+  if (tree.drive)
+    for (Xml& section : mjcf_drive(*tree.drive, tree.tip, {tree.load[0], tree.load[1], 0}))
+      root.add(std::move(section));
   if (Xml custom = beside(model, file.effects); !custom.empty()) root.add(std::move(custom));
   file.text = document(
       head_lines(model, file.effects,

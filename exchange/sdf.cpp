@@ -1,7 +1,6 @@
 #include "exchange/sdf.hpp"
 
 #include "exchange/carried.hpp"
-#include "exchange/tree.hpp"
 #include "exchange/xml.hpp"
 
 namespace plumbline::exchange {
@@ -54,7 +53,7 @@ Xml joint(const Body& one) {
 Written to_sdf(const Model& model) {
   Written file;
   file.effects = what_is_carried(model, Format::sdf);
-  const Tree tree = tree_of(carried_rig(model, file.effects), model, {.soft_ranges = true});
+  const Tree tree = carried_tree(model, file.effects, {.soft_ranges = true});
   Xml root("sdf"), world("world"), chain("model");
   root.set("version", "1.7");
   world.set("name", "bench").add("gravity", numbers({tree.gravity[0], tree.gravity[1], 0}));

@@ -4,14 +4,13 @@
 
 #include <cmath>
 #include <functional>
+#include <numeric>
 
 namespace plumbline::exchange {
 namespace {
 
 using diagnose::Rig, diagnose::Vector2;
 
-// kg: of a body that weighs nothing; sdformat drops what has a millionth or less
-constexpr double speck = 1e-5;
 constexpr std::array<double, 3> gauss_place{0.1127016653792583, 0.5, 0.8872983346207417};
 constexpr std::array<double, 3> gauss_weight{5.0 / 18, 4.0 / 9, 5.0 / 18};
 
@@ -22,13 +21,19 @@ Pair pair(const Vector2& v) {
 class Builder {
  public:
   Builder(const Rig& rig, const Model& model, const Means& means)
-      : rig_(rig), rest_(model.rest), means_(means) {
+      : rig_(rig),
+        rest_(model.rest),
+        nominal_rest_(model.rest),
+        law_stiffness_(model.experiment.joint_stiffness),
+        means_(means) {
     double sum = 0, elastic = 0;
     for (const double k : rig.stiffness) sum += k, elastic += k > 0;
     typical_ = elastic > 0 ? sum / elastic : 1;
     for (std::size_t i = 0; i < rest_.size(); ++i)
       rest_[i] = rest_[i] * std::exp(-rig.capstan * static_cast<double>(i)) + rig.rest_error[i];
     weigh(model.experiment);
+    if (means.tendons && has_drive(rig)) drive(model.experiment);
+    laws_ = means.tendons ? &model.laws : nullptr;
   }
 
   Tree result() {
@@ -40,6 +45,8 @@ class Builder {
     if (rig_.payload.norm() > 0)
       tree_.bodies.push_back({"payload", here_, {at_, 0}, rig_.payload.norm() / gravity_, 0, 0, {}});
     couple();
+    if (laws_ != nullptr)
+      for (const diagnose::LawPicture& law : *laws_) follow_law(law);
     return std::move(tree_);
   }
 
@@ -54,6 +61,21 @@ class Builder {
     for (std::size_t j = 0; j < rig_.length.size(); ++j)
       mass_.push_back(weighs ? rig_.weight[j].norm() / gravity_ : experiment.link_mass[j]);
     if (weighs) tree_.gravity = pair(gravity_ / total.norm() * total);
+  }
+
+  void drive(const diagnose::Experiment& experiment) {
+    constexpr double rigid = 1e6;  // over the stiffness of the chain
+    const double reach = std::accumulate(rig_.length.begin(), rig_.length.end(), 0.0),
+                 gain = 1 + rig_.force_gain;
+    tree_.drive = Drive{.start = pair(unloaded_end(experiment, nominal_rest_)),
+                        .turned = rig_.misalignment,
+                        .friction = rig_.guide_friction,
+                        .stiffness = rigid * typical_ / (reach * reach),
+                        .matrix = {gain, gain * rig_.cross_talk.x(), gain * rig_.cross_talk.y(), gain},
+                        .bias = pair(rig_.force_bias),
+                        .drift = pair(rig_.force_drift),
+                        .limit = std::isfinite(rig_.force_limit) ? rig_.force_limit : 0,
+                        .lag = rig_.force_lag};
   }
 
   [[nodiscard]] Hinge hinge(const std::string& name, double stiffness, double rest = 0) const {
@@ -180,7 +202,9 @@ class Builder {
   void beside(std::size_t j, const std::string& parent, Pair place) {
     const std::string name = fmt::format("q{}", j + 1);
     const std::vector<std::string>& all = sum_.back();
-    const double k = rig_.stiffness[j], s = rig_.stop[j], far = 1e3;
+    const double k = rig_.stiffness[j], s = rig_.stop[j];
+    parent_.push_back(parent);
+    place_.push_back(place);
     if (means_.tendons && std::isfinite(s) && rig_.stop_stiffness[j] > 0)
       arm(name + "_stop", all, parent, place, rig_.stop_stiffness[j], [&](Hinge& one) {
         one.range = {-s, s};
@@ -216,6 +240,34 @@ class Builder {
         {name, hinge_name, {r * r * r * r, -4 * r * r * r, 6 * r * r, -4 * r, 1}, -kc / 4});
   }
 
+  /// A free torque law, beside the joint's spring: its knots, sliders and Maxwell arms.
+  void follow_law(const diagnose::LawPicture& law) {
+    for (const std::size_t joint : law.joints) {
+      const std::size_t j = joint - 1;
+      const std::string name = fmt::format("q{}_law", joint);
+      const auto added = [&](const diagnose::LawPicture::Knot& knot) {
+        return knot.torque - law_stiffness_.at(j) * knot.deflection;
+      };
+      std::vector<std::pair<std::string, double>> joints;
+      for (const std::string& one : sum_[j]) joints.emplace_back(one, 1);
+      for (std::size_t k = 1; k < law.knots.size(); ++k)
+        tree_.ramps.push_back({fmt::format("{}{}", name, k), joints, rest_[j] + law.knots[k - 1].deflection,
+                               rest_[j] + law.knots[k].deflection,
+                               added(law.knots[k - 1]) - added(law.knots[k])});
+      // What the first knot carries goes on before it: a ramp that was climbed long ago.
+      if (!law.knots.empty())
+        tree_.ramps.push_back(
+            {name + "0", joints, rest_[j] - 2 * far, rest_[j] - far, -added(law.knots.front())});
+      for (std::size_t s = 0; s < law.sliders.size(); ++s)
+        arm(fmt::format("{}_slip{}", name, s + 1), sum_[j], parent_[j], place_[j],
+            law.sliders[s].torque / law.sliders[s].slips_at,
+            [&](Hinge& one) { one.friction = law.sliders[s].torque; });
+      for (std::size_t a = 0; a < law.arms.size(); ++a)
+        arm(fmt::format("{}_relax{}", name, a + 1), sum_[j], parent_[j], place_[j], law.arms[a].stiffness,
+            [&](Hinge& one) { one.damping = law.arms[a].stiffness * law.arms[a].time_constant; });
+    }
+  }
+
   /// What couples joints with each other.
   void couple() {
     const double kappa = rig_.coupling;
@@ -226,9 +278,12 @@ class Builder {
     if (rig_.tip_stiffness > 0) tendon("tip", turning_, rig_.tip_stiffness, 0);
   }
 
+  static constexpr double far = 1e3;  // rad: farther than any joint turns
+
   const Rig& rig_;
-  std::vector<double> rest_;
+  std::vector<double> rest_, nominal_rest_, law_stiffness_;
   Means means_;
+  const std::vector<diagnose::LawPicture>* laws_ = nullptr;
   double typical_ = 1, gravity_ = 0;
   std::vector<double> mass_;
   Tree tree_;
@@ -236,9 +291,17 @@ class Builder {
   double at_ = 0;                              ///< and where on it
   std::vector<std::vector<std::string>> sum_;  ///< by joint: the hinges whose angles add up to its own
   std::vector<std::string> turning_;           ///< those that turn the last link
+  std::vector<std::string> parent_;            ///< by joint: the body that carries it
+  std::vector<Pair> place_;                    ///< by joint: where on that
 };
 
 }  // namespace
+
+bool has_drive(const Rig& rig) {
+  return rig.misalignment != 0 || rig.guide_friction > 0 || rig.force_gain != 0 ||
+         !rig.force_bias.isZero(0) || !rig.force_drift.isZero(0) || !rig.cross_talk.isZero(0) ||
+         std::isfinite(rig.force_limit) || rig.force_lag > 0;
+}
 
 Tree tree_of(const Rig& rig, const Model& model, const Means& means) {
   return Builder(rig, model, means).result();

@@ -41,6 +41,28 @@ struct Tendon {
   double stiffness = 0, friction = 0;
 };
 
+/// A torque on a weighted sum of joints that goes steadily from none at `from` to `torque` at `to`, and stays
+/// at either end. Ramps add up to any law that is piecewise linear.
+struct Ramp {
+  std::string name;
+  std::vector<std::pair<std::string, double>> joints;
+  double from, to, torque;
+};
+
+/// The bench's drive and its load cell: a rail, turned by an angle about a point, along which the drive leads
+/// the cell, which holds the end point.
+struct Drive {
+  Pair start{0, 0};     ///< the point about which the rail is turned
+  double turned = 0;    ///< rad
+  double friction = 0;  ///< N, along the rail's x
+  double stiffness;     ///< of drive and cell, N/m: as good as rigid
+  /// The cell reads matrix · force + bias + drift · time, row by row.
+  std::array<double, 4> matrix{1, 0, 0, 1};
+  Pair bias{0, 0}, drift{0, 0};
+  double limit = 0;  ///< largest reading; 0 without one
+  double lag = 0;    ///< time constant, s
+};
+
 /// A slide, under a constant force, that follows a polynomial of a hinge's angle: a spring of any potential.
 struct Follower {
   std::string slide, hinge;
@@ -53,19 +75,27 @@ struct Tree {
   std::vector<Body> bodies;  ///< parents first
   std::vector<Tendon> tendons;
   std::vector<Follower> followers;
+  std::vector<Ramp> ramps;
+  std::optional<Drive> drive;  ///< where something of the rig is the drive's or the cell's
   std::string tip;             ///< the body of the last link
   Pair end{0, 0}, load{0, 0};  ///< the end point, and where forces act on it, in its frame
 };
 
 /// What a format has besides bodies and joints.
 struct Means {
-  bool tendons = false;      ///< and followers
+  bool tendons = false;      ///< and followers, ramps, drives
   bool soft_ranges = false;  ///< a range that yields by a stiffness
 };
+
+/// Whether anything of the rig is the drive's or the load cell's.
+bool has_drive(const diagnose::Rig& rig);
 
 /// The tree of a rig whose effects the format can carry.
 /// \param down  of gravity where nothing in the rig weighs
 Tree tree_of(const diagnose::Rig& rig, const Model& model, const Means& means);
+
+/// kg: of a body that weighs nothing; sdformat drops what has a millionth or less.
+inline constexpr double speck = 1e-5;
 
 /// How fast joints settle, s: dynamics of the written model, of which statics knows nothing.
 inline constexpr double response_time = 0.02;

@@ -1,7 +1,6 @@
 #include "exchange/urdf.hpp"
 
 #include "exchange/carried.hpp"
-#include "exchange/tree.hpp"
 #include "exchange/xml.hpp"
 
 namespace plumbline::exchange {
@@ -67,7 +66,7 @@ void add_end(const Tree& tree, Xml& root) {
 Written to_urdf(const Model& model) {
   Written file;
   file.effects = what_is_carried(model, Format::urdf);
-  const Tree tree = tree_of(carried_rig(model, file.effects), model, {});
+  const Tree tree = carried_tree(model, file.effects, {});
   Xml root("robot");
   root.set("name", model.experiment.name);
   for (const Body& one : tree.bodies) {

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <plumbline/base/error.hpp>
+#include <set>
 
 namespace plumbline::exchange {
 namespace {
@@ -29,8 +30,15 @@ constexpr Way beam{true, "as three hinges on springs in every link, at the point
 constexpr Way load_site{true, "as the site load, where forces act"};
 constexpr Way offset{true, "as the place of the base"};
 
-constexpr Way cell{false, "of the load cell, not of the chain"};
-constexpr Way bench{false, "of the bench's drive, not of the chain"};
+constexpr Way cell_scale{true, "as a load cell on the drive: the coefficients of the tendons that read it"};
+constexpr Way cell_zero{true, "as a load cell on the drive: where its slides are at ease"};
+constexpr Way cell_drift{true, "as a load cell on the drive, one joint of whose tendons goes with time"};
+constexpr Way cell_limit{true, "as a load cell on the drive: the cutoff of its sensors"};
+constexpr Way cell_lag{true, "as a load cell on the drive, read where damped slides follow it"};
+constexpr Way rail{true, "as the frame of the drive's slides"};
+constexpr Way guide{true, "as dry friction on the way of the drive and its load cell"};
+constexpr Way no_bench{false,
+                       "of the bench, for which this format has no sensors or drives that could carry it"};
 constexpr Way runs{false, "differs from run to run"};
 constexpr Way linear{false, "springs of this format are linear"};
 constexpr Way constant{false, "dry friction of this format is a constant"};
@@ -61,14 +69,6 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"axial_compliance", stretch},
                                                    {"link_bending", beam},
                                                    {"position_offset", offset},
-                                                   {"force_bias", cell},
-                                                   {"force_gain", cell},
-                                                   {"cross_talk", cell},
-                                                   {"sensor_drift", cell},
-                                                   {"saturation", cell},
-                                                   {"sensor_lag", cell},
-                                                   {"rail_misalignment", bench},
-                                                   {"guide_friction", bench},
                                                    {"run_rest", runs},
                                                    {"run_tare", runs},
                                                    {"load_friction", constant},
@@ -78,13 +78,24 @@ const std::map<std::string_view, Way>& everywhere() {
   return all;
 }
 
-/// What takes a format that couples joints.
+/// What takes a format that couples joints, and drives and reads them.
 const std::map<std::string_view, Way>& coupled() {
   static const std::map<std::string_view, Way> all{
       {"nonlinear_spring", quartic}, {"hardening_spread", quartic}, {"joint_stop", stop},
       {"joint_stops", stop},         {"joint_coupling", shared},    {"tip_stiffness", shared},
       {"viscoelasticity", maxwell},  {"asymmetric_spring", side},   {"relaxation_spectrum", maxwell},
-      {"hysteresis", jenkins},       {"eccentric_load", load_site}};
+      {"hysteresis", jenkins},       {"eccentric_load", load_site}, {"force_bias", cell_zero},
+      {"force_gain", cell_scale},    {"cross_talk", cell_scale},    {"sensor_drift", cell_drift},
+      {"saturation", cell_limit},    {"sensor_lag", cell_lag},      {"rail_misalignment", rail},
+      {"guide_friction", guide}};
+  return all;
+}
+
+/// Effects of the bench, not of the chain.
+const std::set<std::string_view>& of_the_bench() {
+  static const std::set<std::string_view> all{"force_bias",        "force_gain",    "cross_talk",
+                                              "sensor_drift",      "saturation",    "sensor_lag",
+                                              "rail_misalignment", "guide_friction"};
   return all;
 }
 
@@ -93,6 +104,7 @@ Way without_coupling(Format format, std::string_view effect) {
     return format == Format::sdf ? range : Way{false, "a range of this format has no stiffness"};
   if (effect == "nonlinear_spring" || effect == "hardening_spread" || effect == "asymmetric_spring")
     return linear;
+  if (of_the_bench().contains(effect)) return no_bench;
   return effect == "eccentric_load" ? no_point : no_coupling;
 }
 

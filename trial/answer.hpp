@@ -13,6 +13,7 @@ namespace plumbline::trial {
 struct Report {
   struct Bounds {
     double low, high;
+    double value = 0;  ///< the estimate itself
   };
   struct Ranked {
     std::vector<std::string> effects;

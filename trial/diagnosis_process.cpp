@@ -20,6 +20,21 @@ void copy_experiment(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
+Diagnosed run_diagnosis(const fs::path& executable, const fs::path& folder,
+                        const std::vector<std::string>& words,
+                        std::optional<std::chrono::duration<double>> patience) {
+  std::vector<std::string> command{executable.string(), "diagnose", folder.string()};
+  command.insert(command.end(), words.begin(), words.end());
+  const auto begin = std::chrono::steady_clock::now();
+  const files::Ended diagnosis = files::run_program(command, "", patience);
+  Diagnosed result;
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.failure = diagnosis.failure;
+  const std::string complaint = files::shown(diagnosis.err.substr(0, diagnosis.err.find('\n')));
+  if (!result.failure.empty() && !complaint.empty()) result.failure += ": " + complaint;
+  return result;
+}
+
 Diagnosed diagnose_alone(const fs::path& executable, const fs::path& experiment, const fs::path& report,
                          std::chrono::duration<double> patience) {
   const files::TemporaryFolder chamber;
@@ -30,15 +45,7 @@ Diagnosed diagnose_alone(const fs::path& executable, const fs::path& experiment,
     result.failure = error.path1().string() + ": " + error.code().message();
     return result;
   }
-  const auto begin = std::chrono::steady_clock::now();
-  const files::Ended diagnosis = files::run_program(
-      {executable.string(), "diagnose", (chamber / "experiment").string(), "--json", report.string()}, "",
-      patience);
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  result.failure = diagnosis.failure;
-  const std::string complaint = files::shown(diagnosis.err.substr(0, diagnosis.err.find('\n')));
-  if (!result.failure.empty() && !complaint.empty()) result.failure += ": " + complaint;
-  return result;
+  return run_diagnosis(executable, chamber / "experiment", {"--json", report.string()}, patience);
 }
 
 }  // namespace plumbline::trial

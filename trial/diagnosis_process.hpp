@@ -4,7 +4,9 @@
 
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace plumbline::trial {
 
@@ -12,6 +14,12 @@ struct Diagnosed {
   double seconds = 0;
   std::string failure;  ///< empty where the process ended well
 };
+
+/// Runs `executable diagnose folder words…`, without a limit of time where there is no patience.
+/// \throws Error when no process can be started
+Diagnosed run_diagnosis(const std::filesystem::path& executable, const std::filesystem::path& folder,
+                        const std::vector<std::string>& words,
+                        std::optional<std::chrono::duration<double>> patience = std::nullopt);
 
 /// Runs `executable diagnose COPY --json report`. COPY is a folder made for this alone, with the experiment's
 /// own files: experiment.toml and the CSV files.

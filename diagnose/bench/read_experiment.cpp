@@ -8,6 +8,7 @@
 #include <set>
 
 #include "diagnose/bench/plausible.hpp"
+#include "diagnose/bench/read_date.hpp"
 #include "diagnose/bench/read_nominal.hpp"
 #include "diagnose/bench/read_samples.hpp"
 #include "diagnose/bench/sample_format.hpp"
@@ -168,7 +169,8 @@ Experiment read_folder(const Source& source, const NominalChain* model) {
   const Section root(table, file);
   const std::string expected = "\"chain-experiment/1\"";
   if (root.text("format", expected) != "chain-experiment/1") root.refuse("format", expected);
-  root.allow_only({"format", "name", "nominal", "bench", "noise", "units", "csv", "columns", "run"});
+  root.allow_only({"format", "name", "date", "nominal", "bench", "noise", "units", "csv", "columns", "run"});
+  static_cast<void>(read_date(root));  // of use to who compares experiments
   Experiment experiment;
   experiment.name = root.text("name", "a name");
   const Units units = read_units(root);

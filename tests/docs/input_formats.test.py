@@ -34,7 +34,7 @@ def schema_of(name):
 
 # Every key of the format, and a commanded end point out of reach: what is wrong with it is found after every key is read.
 EXPERIMENT = {
-    "format": "chain-experiment/1", "name": "all keys",
+    "format": "chain-experiment/1", "name": "all keys", "date": "2026-03-01",
     "nominal": {"link_length": [0.3, 0.2], "joint_stiffness": [2.0, 1.5], "link_mass": [0.1, 0.1],
                 "gravity": [0.0, -9.81], "rest": [0.4, -0.9],
                 "effect": [{"id": "backlash", "joint": 2, "parameters": {"b": 0.02}}]},

@@ -5,6 +5,7 @@ usage: output_formats.test.py PLUMBLINE
 """
 import json
 import math
+import shutil
 import tempfile
 from pathlib import Path
 
@@ -119,6 +120,24 @@ def trial(folder):
     hold("trial", [written("trial", "--experiments", "cases", folder=folder)])
 
 
+def many(folder):
+    """Of one experiment on three days, one that is broken, and two whose causes differ."""
+    for day in (1, 2, 3):
+        place = shutil.copytree(ROOT / "examples" / "experiment", folder / f"day-{day}")
+        settings = (place / "experiment.toml").read_text(encoding="utf-8")
+        (place / "experiment.toml").write_text(f"date = 2026-03-0{day}\n{settings}", encoding="utf-8")
+    two_links.write(folder / "one-spring", lambda joint, d, k: 1.3 * k * d, stiffness=(0.0, 1.5))
+    (folder / "broken").mkdir()
+    hold("gap-campaign", [written("diagnose", "day-1", "day-2", "day-3", folder=folder),
+                          written("diagnose", "day-1", "one-spring", "broken", folder=folder, statuses=[1])])
+    schema = schema_of("gap-campaign")
+    places = {"Top level": schema, "experiments": schema["$defs"]["experiment"],
+              "causes": schema["properties"]["causes"]["items"], "parameters": schema["$defs"]["parameter"]}
+    found = tables(ROOT / "docs" / "many-experiments.md")
+    for heading, node in places.items():
+        assert set(keys(found[heading][0])) == set(node["properties"]), heading
+
+
 def documented(document, name):
     """Every table of keys against the object of the schema that its heading names."""
     schema = schema_of(name)
@@ -155,6 +174,6 @@ def report_document():
 report_document()
 documented("plan.md", "experiment-plan")
 with tempfile.TemporaryDirectory() as place:
-    for step in (straight_chains, claims, loaded_chains, reports, plans, trial):
+    for step in (straight_chains, claims, loaded_chains, reports, plans, trial, many):
         (Path(place) / step.__name__).mkdir()
         step(Path(place) / step.__name__)

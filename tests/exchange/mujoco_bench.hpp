@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// A written MJCF at work in MuJoCo: its end point is led slowly along a run's commands, or loaded by its
-/// forces.
+/// forces; by the drive of the file, and read by its load cell, where it has them.
 
 #include <mujoco/mujoco.h>
 
@@ -25,30 +25,21 @@ enum class Pace { at_rest, on_the_way, by_the_clock };
 class MujocoBench {
  public:
   MujocoBench(const std::string& mjcf, Pace pace) : model_(load(mjcf), mj_deleteModel), pace_(pace) {
-    const int tip = model_->site_bodyid[site(*model_, "load")];
-    const std::string held = mj_id2name(model_.get(), mjOBJ_BODY, tip);
-    std::string with_hand = mjcf;
-    with_hand.insert(with_hand.find("</worldbody>"), "<body name=\"hand\" mocap=\"true\"/>");
-    with_hand.insert(with_hand.rfind("</mujoco>"), "<equality><connect name=\"hold\" body1=\"" + held +
-                                                       "\" body2=\"hand\" anchor=\"0 0 0\"/></equality>");
-    model_.reset(load(with_hand));
+    driven_ = mj_name2id(model_.get(), mjOBJ_ACTUATOR, "drive_x") >= 0;
+    if (!driven_) add_hand(mjcf);
     data_.reset(mj_makeData(model_.get()));
-    hold_ = mj_name2id(model_.get(), mjOBJ_EQUALITY, "hold");
-    const int load_site = site(*model_, "load");
-    for (int a = 0; a < 3; ++a) {
-      model_->eq_data[mjNEQDATA * hold_ + a] = model_->site_pos[3 * load_site + a];
-      model_->eq_data[mjNEQDATA * hold_ + 3 + a] = 0;
-    }
+    hold_ = mj_name2id(model_.get(), mjOBJ_EQUALITY, driven_ ? "grip" : "hold");
   }
 
   /// What would be read: x, y, Fx, Fy, q1 ... qn, a row a reading.
   diagnose::Trace run(const diagnose::Run& run) {
     const bool held = run.holds_end_point();
-    model_->eq_active[hold_] = held;
+    model_->eq_active[hold_] = held || driven_;
     mj_resetData(model_.get(), data_.get());
     std::copy_n(model_->qpos_spring, model_->nq, data_->qpos);
     mj_forward(model_.get(), data_.get());
-    target_ = held ? end() : Eigen::Vector2d(0, 0);
+    if (driven_ && !held) let_go();
+    target_ = !held ? Eigen::Vector2d(0, 0) : driven_ ? drive() : end();
     diagnose::Trace trace(static_cast<Eigen::Index>(run.readings.size()),
                           diagnose::column_q + static_cast<Eigen::Index>(run.rest.size()));
     for (std::size_t r = 0; r < run.readings.size(); ++r) {
@@ -58,6 +49,7 @@ class MujocoBench {
            : pace_ == Pace::on_the_way ? slow_way
                                        : 1,
            held);
+      if (r == 0) begin(run.readings.front().t);
       write(trace.row(static_cast<Eigen::Index>(r)), run, held);
     }
     return trace;
@@ -73,6 +65,21 @@ class MujocoBench {
 
  private:
   static constexpr double slow_way = 8;  // s from reading to reading
+
+  void add_hand(const std::string& mjcf) {
+    const int load_site = site(*model_, "load"), tip = model_->site_bodyid[load_site];
+    const std::string held = mj_id2name(model_.get(), mjOBJ_BODY, tip);
+    std::string with_hand = mjcf;
+    with_hand.insert(with_hand.find("</worldbody>"), "<body name=\"hand\" mocap=\"true\"/>");
+    with_hand.insert(with_hand.rfind("</mujoco>"), "<equality><connect name=\"hold\" body1=\"" + held +
+                                                       "\" body2=\"hand\" anchor=\"0 0 0\"/></equality>");
+    model_.reset(load(with_hand));
+    const int hold = mj_name2id(model_.get(), mjOBJ_EQUALITY, "hold");
+    for (int a = 0; a < 3; ++a) {
+      model_->eq_data[mjNEQDATA * hold + a] = model_->site_pos[3 * load_site + a];
+      model_->eq_data[mjNEQDATA * hold + 3 + a] = 0;
+    }
+  }
 
   static mjModel* load(const std::string& xml) {
     mju_user_warning = [](const char*) {};
@@ -92,6 +99,56 @@ class MujocoBench {
     return {place[0], place[1]};
   }
   [[nodiscard]] Eigen::Vector2d end() const { return at("end"); }
+  [[nodiscard]] Eigen::Vector2d sensors(const char* x, const char* y) const {
+    const auto read = [&](const char* name) {
+      return data_->sensordata[model_->sensor_adr[mj_name2id(model_.get(), mjOBJ_SENSOR, name)]];
+    };
+    return {read(x), read(y)};
+  }
+  [[nodiscard]] int dof(const char* joint) const {
+    return model_->jnt_dofadr[mj_name2id(model_.get(), mjOBJ_JOINT, joint)];
+  }
+  [[nodiscard]] Eigen::Vector2d drive() const { return sensors("x", "y"); }
+
+  /// The first reading is taken at rest, when the clock is set.
+  void begin(double time) {
+    const auto place = [&](const char* name) {
+      const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, name);
+      return joint < 0 ? -1 : model_->jnt_qposadr[joint];
+    };
+    if (const int clock = place("clock"); clock >= 0) data_->qpos[clock] = time;
+    for (const auto& [lag, cell] : {std::pair("lag_x", "cell_x"), std::pair("lag_y", "cell_y")})
+      if (const int own = place(lag); own >= 0) {
+        data_->qpos[own] = model_->qpos_spring[own] + data_->qpos[place(cell)];
+        data_->qvel[dof(lag)] = 0;
+      }
+    mj_forward(model_.get(), data_.get());
+  }
+
+  /// An end point by its commands; a force, by a drive that is let go, as the load cell reads it.
+  void lead(bool held) {
+    constexpr double patience = 0.1;  // s
+    if (!held) pushed_ += model_->opt.timestep / patience * (target_ - sensors("Fx", "Fy"));
+    for (int a = 0; a < 2; ++a) {
+      const char* name = a == 0 ? "drive_x" : "drive_y";
+      data_->ctrl[mj_name2id(model_.get(), mjOBJ_ACTUATOR, name)] = target_[a];
+      data_->qfrc_applied[dof(name)] = pushed_[a];
+    }
+  }
+
+  /// A drive that pushes with a force alone, which the catalogue has beside the guide.
+  void let_go() {
+    constexpr double light = 1e-6;
+    if (const int guide = mj_name2id(model_.get(), mjOBJ_TENDON, "guide"); guide >= 0)
+      model_->tendon_frictionloss[guide] = 0;
+    for (const char* name : {"drive_x", "drive_y"}) {
+      const int actuator = mj_name2id(model_.get(), mjOBJ_ACTUATOR, name);
+      model_->actuator_gainprm[mjNGAIN * actuator] = 0;
+      model_->actuator_biasprm[mjNBIAS * actuator + 1] = 0;
+      model_->dof_damping[dof(name)] *= light;
+      model_->dof_armature[dof(name)] *= light;
+    }
+  }
 
   /// Moves at a steady rate; waits for rest only where readings are taken at rest.
   void move(const Eigen::Vector2d& to, double seconds, bool held) {
@@ -113,6 +170,7 @@ class MujocoBench {
   }
 
   void hold_or_push(bool held) {
+    if (driven_) return lead(held);
     mj_kinematics(model_.get(), data_.get());
     mj_comPos(model_.get(), data_.get());
     const Eigen::Vector2d load = at("load"), beside = load - end();
@@ -132,7 +190,9 @@ class MujocoBench {
   void write(Row row, const diagnose::Run& run, bool held) {
     const Eigen::Vector2d point = held ? target_ : end();
     Eigen::Vector2d force = target_;
-    if (held) {
+    if (held && driven_) {
+      force = sensors("Fx", "Fy");
+    } else if (held) {
       // the rows of the connection, the first of its kind but for those of followers before it
       for (int c = 0; c < data_->nefc; ++c)
         if (data_->efc_type[c] == mjCNSTR_EQUALITY && data_->efc_id[c] == hold_) {
@@ -156,7 +216,9 @@ class MujocoBench {
   std::unique_ptr<mjModel, decltype(&mj_deleteModel)> model_;
   std::unique_ptr<mjData, decltype(&mj_deleteData)> data_{nullptr, mj_deleteData};
   Pace pace_;
+  bool driven_ = false;
   int hold_ = 0;
+  Eigen::Vector2d pushed_ = Eigen::Vector2d::Zero();  ///< by the drive, N
   Eigen::Vector2d target_ = Eigen::Vector2d::Zero();
 };
 

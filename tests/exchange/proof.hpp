@@ -15,8 +15,11 @@ namespace plumbline::exchange::test {
 using diagnose::Experiment, diagnose::Prediction;
 
 inline Pace pace_of(std::string_view effect) {
-  if (effect == "viscoelasticity" || effect == "relaxation_spectrum") return Pace::by_the_clock;
-  const bool slides = effect == "joint_friction" || effect == "friction_spread" || effect == "hysteresis";
+  if (effect == "viscoelasticity" || effect == "relaxation_spectrum" || effect == "sensor_drift" ||
+      effect == "sensor_lag")
+    return Pace::by_the_clock;
+  const bool slides = effect == "joint_friction" || effect == "friction_spread" || effect == "hysteresis" ||
+                      effect == "guide_friction";
   return slides ? Pace::on_the_way : Pace::at_rest;
 }
 
@@ -39,24 +42,37 @@ inline constexpr double slowness = 5;
 
 inline Experiment bench_for(const EffectAt& at) {
   Experiment experiment = diagnose::test::full_bench();
+  // An imposed force is beside the guide, and what is read on the way needs one that something holds.
+  if (takes_time(at) || at.effect->id == "guide_friction") experiment.runs.pop_back();
   if (!takes_time(at)) return experiment;
-  experiment.runs.pop_back();
   for (diagnose::Run& run : experiment.runs)
     for (diagnose::Reading& reading : run.readings) reading.t *= slowness;
   return experiment;
-}
-
-inline std::vector<double> amount_of(const Study& study, const EffectAt& at) {
-  std::vector<double> amount = sizeable(study, at);
-  if (takes_time(at))
-    for (std::size_t tau = 1; tau < amount.size(); tau += 2) amount[tau] += std::log(slowness);
-  return amount;
 }
 
 inline double rms(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value * value;
   return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+/// As much of the effect as nobody would miss.
+inline std::vector<double> amount_of(const Study& study, const EffectAt& at) {
+  std::vector<double> amount = sizeable(study, at);
+  if (at.effect->id == "viscoelasticity" || at.effect->id == "relaxation_spectrum") {
+    for (std::size_t tau = 1; tau < amount.size(); tau += 2) amount[tau] += std::log(slowness);
+    return amount;
+  }
+  const std::vector<double> nominal = study.nominal_residual();
+  const auto moved = [&] {
+    std::vector<double> difference = study.residual(predict(study, {{at}}, amount));
+    for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= nominal[i];
+    return rms(difference);
+  };
+  constexpr double plain = 6;
+  while (moved() < plain)
+    for (double& value : amount) value *= 2;
+  return amount;
 }
 
 /// Residuals of readings that have the effect, in standard deviations of their noise.

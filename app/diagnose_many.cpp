@@ -1,0 +1,77 @@
+#include "app/diagnose_many.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
+#include <plumbline/base/error.hpp>
+#include <thread>
+
+#include "app/outputs.hpp"
+#include "app/progress.hpp"
+#include "campaign/report.hpp"
+#include "diagnose/bench/read_date.hpp"
+#include "files/output_file.hpp"
+#include "files/temporary_folder.hpp"
+#include "trial/experiment_files.hpp"
+
+namespace plumbline::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Every file that is read.
+std::vector<fs::path> files_read(const ManyExperiments& many, const std::vector<fs::path>& folders) {
+  std::vector<fs::path> all(many.inputs.begin(), many.inputs.end());
+  for (const fs::path& folder : folders)
+    for (const fs::path& file : trial::files_read(folder)) all.push_back(file);
+  return all;
+}
+
+std::vector<campaign::Outcome> diagnosed(const ManyExperiments& many, const std::vector<fs::path>& folders) {
+  std::optional<files::TemporaryFolder> temporary;
+  const fs::path reports = many.reports.empty() ? temporary.emplace().path() : fs::path(many.reports);
+  files::make_folder(reports);
+  Progress progress("diagnoses", folders.size());
+  const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
+  const campaign::Work work{fs::read_symlink("/proc/self/exe"), many.words, reports, !many.reports.empty(),
+                            processors};
+  std::vector<campaign::Outcome> outcomes =
+      campaign::diagnose_all(folders, work, [&] { progress.advance(); });
+  for (std::size_t i = 0; i < folders.size(); ++i) outcomes[i].date = diagnose::date_of(folders[i]);
+  return outcomes;
+}
+
+}  // namespace
+
+void diagnose_many(const ManyExperiments& many) {
+  std::vector<fs::path> folders;
+  std::vector<std::string> passed_over;
+  for (const std::string& path : many.folders) {
+    if (fs::exists(path) && !fs::is_directory(path)) {
+      passed_over.push_back(path);
+    } else {
+      folders.emplace_back(path);
+    }
+  }
+  if (folders.empty()) throw Error(many.folders.front(), "no folder", "folders of experiments");
+  Outputs outputs(files_read(many, folders));
+  files::OutputFile *const json = outputs.open("--json", many.json), *const html =
+                                                                         outputs.open("--html", many.html);
+  if (!many.reports.empty()) files::require_folder(many.reports);
+  const std::vector<campaign::Outcome> outcomes = diagnosed(many, folders);
+  const campaign::Comparison comparison = campaign::compare(outcomes);
+  if (json) json->write(campaign::as_json(outcomes, comparison).dump(2) + "\n");
+  if (html) html->write(campaign::as_html(outcomes, comparison));
+  outputs.commit();
+  if (many.json != "-" && many.html != "-") {
+    fmt::print("{}", campaign::as_text(outcomes, comparison));
+    if (!passed_over.empty())
+      fmt::print("\nPassed over, being no folders: {}\n", fmt::join(passed_over, ", "));
+  }
+  if (comparison.failed > 0) throw CLI::RuntimeError(1);
+}
+
+}  // namespace plumbline::app
