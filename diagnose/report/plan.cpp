@@ -63,11 +63,14 @@ Json as_json(const Plan& plan) {
 
 std::string as_text(const Plan& plan) {
   std::string text = fmt::format("{}, before any data\n\n", plan.experiment);
+  const std::string by = plan.candidates > few_runs
+                             ? fmt::format("any {} of {} runs", few_runs, plan.candidates)
+                             : fmt::format("all runs that it could make, {}", plan.candidates);
   text += fmt::format(
-      "What can it never see?  Of what a lab calls sizeable, by any {} of {} runs\n"
+      "What can it never see?  Of what a lab calls sizeable, by {}\n"
       "  cannot act on this bench, or nothing shows it: {}\n"
       "  below the noise: {}\n\n",
-      few_runs, plan.candidates, list(plan.impossible), list(plan.never.unseen));
+      by, list(plan.impossible), list(plan.never.unseen));
   text += "What can it never tell apart?\n" + in_lines(plan.never.alike, "  ") + "\n";
   if (plan.planned) {
     text += "What do the runs leave open as they are planned?\n";
