@@ -22,14 +22,11 @@ namespace plumbline::app {
 namespace {
 
 struct Options {
-<<<<<<< HEAD
-  std::string experiment, effects, model, corrected, json, html;
-  bool next = false, as_is = false, plan = false;
-=======
   std::vector<std::string> experiments;
   std::string effects, model, corrected, json, html, reports;
-  bool next = false, as_is = false;
->>>>>>> 5b69ed40c8d161927d094ce4c051a4b991fef439
+  bool next = false, as_is = false, plan = false;
+
+  [[nodiscard]] std::string experiment() const { return experiments.empty() ? "" : experiments.front(); }
 };
 
 /// \param work  is given what to call with the share that is done
@@ -42,7 +39,6 @@ auto with_progress(const std::string& name, auto work) {
   });
 }
 
-<<<<<<< HEAD
 /// What the experiment is compared with, where a file names it.
 std::optional<diagnose::NominalChain> model_of(const Options& options) {
   if (options.model.empty()) return std::nullopt;
@@ -50,16 +46,18 @@ std::optional<diagnose::NominalChain> model_of(const Options& options) {
 }
 
 std::vector<std::filesystem::path> inputs_of(const Options& options) {
-  std::vector<std::filesystem::path> inputs = trial::files_read(options.experiment);
+  std::vector<std::filesystem::path> inputs = trial::files_read(options.experiment());
   inputs.insert(inputs.end(), {options.model, options.effects});
   return inputs;
 }
 
 void run_plan(const Options& options) {
+  if (options.experiments.size() > 1) throw Error("--plan", "several experiments", "one bench");
   const std::optional<diagnose::NominalChain> model = model_of(options);
   const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
-  diagnose::Experiment bench =
-      options.experiment.empty() ? example_bench(nominal) : diagnose::read_plan(options.experiment, nominal);
+  diagnose::Experiment bench = options.experiments.empty()
+                                   ? example_bench(nominal)
+                                   : diagnose::read_plan(options.experiment(), nominal);
   Outputs outputs(inputs_of(options));
   files::OutputFile* const json = outputs.open("--json", options.json);
   bench = condensed(std::move(bench));
@@ -70,14 +68,6 @@ void run_plan(const Options& options) {
   if (options.json != "-") fmt::print("{}", as_text(plan));
 }
 
-void run_diagnosis(const Options& options) {
-  const std::optional<diagnose::NominalChain> model = model_of(options);
-  const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
-  diagnose::Experiment experiment = options.experiment.empty()
-                                        ? example_experiment(nominal)
-                                        : diagnose::read_experiment(options.experiment, nominal);
-  Outputs outputs(inputs_of(options));
-=======
 void run_many(const Options& options) {
   if (!options.corrected.empty())
     throw Error("--corrected", "several experiments, or --reports",
@@ -91,18 +81,13 @@ void run_many(const Options& options) {
   diagnose_many(many);
 }
 
-void run(const Options& options) {
-  if (options.experiments.size() > 1 || !options.reports.empty()) return run_many(options);
-  const std::string folder = options.experiments.empty() ? "" : options.experiments.front();
-  std::optional<diagnose::NominalChain> model;
-  if (!options.model.empty()) model = exchange::read_model(options.model).chain;
+void run_diagnosis(const Options& options) {
+  const std::optional<diagnose::NominalChain> model = model_of(options);
   const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
-  diagnose::Experiment experiment =
-      folder.empty() ? example_experiment(nominal) : diagnose::read_experiment(folder, nominal);
-  std::vector<std::filesystem::path> inputs = trial::files_read(folder);
-  inputs.insert(inputs.end(), {options.model, options.effects});
-  Outputs outputs(inputs);
->>>>>>> 5b69ed40c8d161927d094ce4c051a4b991fef439
+  diagnose::Experiment experiment = options.experiments.empty()
+                                        ? example_experiment(nominal)
+                                        : diagnose::read_experiment(options.experiment(), nominal);
+  Outputs outputs(inputs_of(options));
   files::OutputFile *const json = outputs.open("--json", options.json), *const html = outputs.open(
                                                                             "--html", options.html);
   CorrectedFiles corrected(outputs, options.corrected);
@@ -121,6 +106,12 @@ void run(const Options& options) {
   if (html) html->write(diagnose::as_html(study, diagnosis));
   outputs.commit();
   if (options.json != "-" && options.html != "-") fmt::print("{}{}", as_text(diagnosis), corrected.as_text());
+}
+
+void run(const Options& options) {
+  if (options.plan) return run_plan(options);
+  return options.experiments.size() > 1 || !options.reports.empty() ? run_many(options)
+                                                                    : run_diagnosis(options);
 }
 
 }  // namespace
@@ -157,46 +148,31 @@ void add_diagnose(CLI::App& app) {
       ->type_name("[FILE]")
       ->expected(0, 1)
       ->default_str("-");
-<<<<<<< HEAD
   auto* html =
       verb->add_option(
               "--html", options->html,
               "Write a page with the curves, the residuals and the chain drawn: one file, to print or send")
           ->type_name("FILE");
+  auto* reports =
+      verb->add_option(
+              "--reports", options->reports,
+              "Keep the report of each of several experiments in this folder, as NAME.json and NAME.html")
+          ->type_name("DIR");
   auto* next =
       verb->add_flag("--next", options->next,
                      "Say which run to make next even where the cause is clear: to tell the best two apart");
   auto* as_is =
       verb->add_flag("--as-is", options->as_is,
                      "Take the numbers as they stand, even where they look like another unit, sign or axis");
-  verb->add_flag(
-          "--plan", options->plan,
-          "Before any data, from experiment.toml, whose runs may be without samples or hold commands "
-          "alone: which effects the bench can never see, which it can never tell apart, and the fewest "
-          "runs that separate the rest")
-      ->excludes(effects)
-      ->excludes(corrected)
-      ->excludes(html)
-      ->excludes(next)
-      ->excludes(as_is);
-  verb->callback([options] { options->plan ? run_plan(*options) : run_diagnosis(*options); });
-=======
-  verb->add_option(
-          "--html", options->html,
-          "Write a page with the curves, the residuals and the chain drawn: one file, to print or send")
-      ->type_name("FILE");
-  verb->add_option(
-          "--reports", options->reports,
-          "Keep the report of each of several experiments in this folder, as NAME.json and NAME.html")
-      ->type_name("DIR");
-  verb->add_flag("--next", options->next,
-                 "Say which run to make next even where the cause is clear: to tell the best two apart");
-  verb->add_flag("--as-is", options->as_is,
-                 "Take the numbers as they stand, even where they look like another unit, sign or axis");
+  auto* plan = verb->add_flag(
+      "--plan", options->plan,
+      "Before any data, from experiment.toml, whose runs may be without samples or hold commands "
+      "alone: which effects the bench can never see, which it can never tell apart, and the fewest "
+      "runs that separate the rest");
+  for (CLI::Option* other : {effects, corrected, html, reports, next, as_is}) plan->excludes(other);
   verb->footer(
       "Exit status 1 when one of several experiments could not be diagnosed; the others are reported.");
   verb->callback([options] { run(*options); });
->>>>>>> 5b69ed40c8d161927d094ce4c051a4b991fef439
 }
 
 }  // namespace plumbline::app
