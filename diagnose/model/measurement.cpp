@@ -28,15 +28,17 @@ double rounding_step(std::vector<double> values) {
 }
 
 /// Standard deviation of independent noise whose third differences are in the middle as large as those of the
-/// values, which a smooth curve hardly has; infinite where there are too few to say.
+/// values, which a smooth curve hardly has; infinite where there are too few to say, or most of them repeat.
 double roughness(const std::vector<double>& values) {
   constexpr std::size_t few = 12;
-  if (values.size() < few) return std::numeric_limits<double>::infinity();
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  if (values.size() < few) return unknown;
   std::vector<double> sizes;
   for (std::size_t i = 3; i < values.size(); ++i)
     sizes.push_back(std::abs(values[i] - 3 * values[i - 1] + 3 * values[i - 2] - values[i - 3]));
+  const double middle = median(std::move(sizes));
   constexpr double normal_mad = 0.6745, squares = 20;  // 1 + 9 + 9 + 1
-  return median(std::move(sizes)) / normal_mad / std::sqrt(squares);
+  return middle > 0 ? middle / normal_mad / std::sqrt(squares) : unknown;
 }
 
 }  // namespace

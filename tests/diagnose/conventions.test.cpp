@@ -94,6 +94,21 @@ TEST_CASE("one run in another unit is named alone") {
   CHECK(doubt->looks_like == "kgf");
 }
 
+TEST_CASE(
+    "what other runs refute is asked of one where it mends that nearly whole, and of all where it mends "
+    "much") {
+  const auto asked = [](double share, std::size_t from) {
+    Experiment experiment = bench();
+    for (std::size_t r = from; r < experiment.runs.size(); ++r)
+      for (Reading& reading : experiment.runs[r].readings) reading.Fx *= -share, reading.Fy *= -share;
+    return doubtful_convention(Study(experiment)).has_value();
+  };
+  CHECK(asked(1, 0));
+  CHECK(asked(1, 1));
+  CHECK(asked(0.7, 0));
+  CHECK_FALSE(asked(0.7, 1));
+}
+
 TEST_CASE("stiffnesses six or four times too large are no unit") {
   for (const double factor : {6.0, 4.0, 2.0, 1 / 6.0, 1 / 4.0}) {
     CAPTURE(factor);

@@ -71,6 +71,29 @@ TEST_CASE(
   CHECK(std::count(marked.begin(), marked.end(), true) == 1);
 }
 
+TEST_CASE("what a model leaves of smooth readings is no noise, however rough it is") {
+  Experiment experiment = blank_experiment({60, 80});
+  std::mt19937_64 random(9);
+  std::normal_distribution<double> normal;
+  const double sigma = experiment.noise.Fx;
+  for (Run& run : experiment.runs) {
+    for (std::size_t i = 0; i < run.readings.size(); ++i) {
+      const double way = static_cast<double>(i) / static_cast<double>(run.readings.size());
+      run.readings[i].Fx = sigma * (200 * std::sin(3 * way) + normal(random));
+      run.readings[i].Fy = sigma * (90 * way * way + normal(random));
+    }
+  }
+  const Measurements measurements(experiment);
+  for (const double size : {1.0, 20.0}) {
+    const std::vector<double> left = correlated_noise(measurements, size, 0, random);
+    // Of noise itself the bound, three times what third differences show, is no bound. The median of some 60
+    // third differences, of which a third are independent, is known to 0.28 of itself.
+    const double scale = estimate_noise(measurements, left).of({Channel::Name::Fx, 0});
+    CHECK(scale > 0.9);
+    CHECK(scale < (size > 1 ? 3 * (1 + 3 * 0.28) : 1.1));
+  }
+}
+
 TEST_CASE("innovations of correlated noise are white") {
   const Experiment experiment = blank_experiment({4000});
   const Measurements measurements(experiment);
