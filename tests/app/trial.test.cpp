@@ -76,7 +76,7 @@ TEST_CASE("without experiments, without labels, or in a folder in use: one line 
 #ifdef PLUMBLINE_SIMULATOR
 TEST_CASE("a small blind trial: seals hold, every diagnosis reports, most causes are found") {
   const Workplace here;
-  const Outcome outcome = here.plumbline("trial --trials 12 --seed 12 --out kept --json result.json");
+  const Outcome outcome = here.plumbline("trial --trials 12 --seed 12 --patience 300 --out kept --json result.json");
   CHECK(outcome.status == 0);
   CHECK(contains(outcome.out, "SHA-256 of the seals: "));
   const auto result = nlohmann::json::parse(here.read("result.json"));
@@ -88,17 +88,17 @@ TEST_CASE("a small blind trial: seals hold, every diagnosis reports, most causes
   CHECK(result["found"]["count"].get<int>() >= 6);
   CHECK(result["nominal_error_sigma"]["worst"].get<double>() < 0.05);
   // what was kept is a folder of sealed experiments, and gives the same result again
-  const Outcome again = here.plumbline("trial --experiments kept --json again.json");
+  const Outcome again = here.plumbline("trial --experiments kept --patience 300 --json again.json");
   CHECK(again.status == 0);
   CHECK(nlohmann::json::parse(here.read("again.json"))["found"] == result["found"]);
 }
 
 TEST_CASE("the second trial: sealed alike, counted by family") {
   const Workplace here;
-  const Outcome outcome = here.plumbline("trial --second --trials 4 --seed 3 --json result.json");
+  const Outcome outcome = here.plumbline("trial --second --trials 4 --seed 3 --patience 300 --json result.json");
   CHECK(outcome.status == 0);
   const auto result = nlohmann::json::parse(here.read("result.json"));
-  CHECK(result["command"] == "plumbline trial --second --trials 4 --seed 3");
+  CHECK(result["command"] == "plumbline trial --second --trials 4 --seed 3 --patience 300");
   CHECK(result["seals"]["broken"] == 0);
   std::size_t counted = 0;
   for (const auto& family : result["by_family"]) counted += family["found"]["total"].get<std::size_t>();
