@@ -59,6 +59,10 @@ inline constexpr double fit_level = 0.001;
 /// better one would be the wrong one in five of a hundred experiments (odds of twenty to one).
 inline constexpr double told_apart = 3.0;
 
+/// A plainer explanation that closes so much of the gap that the best one closes (of the squares) stands beside
+/// it: what is then left to the refinement is less than a tenth of the residual.
+inline constexpr double closes_alike = 0.99;
+
 // ---- What held-out readings say of an explanation ----
 
 /// It predicts where it leaves at most so many times the noise.

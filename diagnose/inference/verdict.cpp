@@ -162,6 +162,30 @@ bool near(const Hypothesis& best, const Hypothesis& other) {
          (simpler && other.log_likelihood > best.log_likelihood - beliefs::told_apart);
 }
 
+/// What the nominal model leaves beyond what an explanation does, as a share of what it leaves beyond the best.
+double share_of_best(double nominal, const Ranked& best, const Ranked& other) {
+  return (nominal - other.chi2_per_dof) / (nominal - best.chi2_per_dof);
+}
+
+/// Lists beside the best explanation the plainer ones of which it is a refinement, where these close the gap
+/// nearly as well: the refinement answers then to little, which may be anything.
+void list_plainer(const Study& study, const NoiseModel& noise, Cause& cause) {
+  Fit nothing;
+  nothing.residual = study.nominal_residual();
+  const double nominal = chi2_per_dof(study.measurements(), nothing, noise);
+  const Ranked& best = cause.ranking[cause.best];
+  for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
+    const Ranked& other = cause.ranking[i];
+    const std::vector<std::size_t>& known = cause.equivalent;
+    if (i == cause.best || std::find(known.begin(), known.end(), i) != known.end()) continue;
+    const Candidate &refined = best.hypothesis.fit.candidate, &plainer = other.hypothesis.fit.candidate;
+    if (plainer.effects.size() == refined.effects.size() && contains(refined, plainer) &&
+        share_of_best(nominal, best, other) > beliefs::closes_alike)
+      cause.equivalent.push_back(i);
+  }
+  if (!cause.equivalent.empty()) cause.verdict = CauseVerdict::ambiguous;
+}
+
 }  // namespace
 
 std::size_t best_partial(const Measurements& measurements, const std::vector<const Fit*>& fits) {
@@ -219,6 +243,7 @@ Cause judge(const Study& study, const Findings& findings) {
     return cause;
   }
   settle_on(cause, chosen, cause.unknown);
+  list_plainer(study, findings.noise, cause);
   return cause;
 }
 

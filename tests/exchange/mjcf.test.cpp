@@ -77,7 +77,7 @@ TEST_CASE("what MJCF cannot carry stands in it as numbers that MuJoCo reads") {
   REQUIRE(file.effects.size() == 2);
   CHECK_FALSE(file.effects[0].carried);
   CHECK_FALSE(file.effects[1].carried);
-  CHECK(file.text.find("NOT CARRIED: load_friction: dry friction of this format does not grow") !=
+  CHECK(file.text.find("NOT CARRIED: load_friction: dry friction of this format is a constant") !=
         std::string::npos);
   test::MujocoBench bench(file.text, test::Pace::at_rest);
   CHECK(bench.numbers("load_friction tau_c") == std::vector<double>{0.25});
