@@ -26,7 +26,7 @@ void CorrectedFiles::write(const std::vector<exchange::Corrected>& models) {
     files::OutputFile* const file = models.size() > 1 ? outputs_.open(option, path) : alone_;
     exchange::Written model = exchange::written(one.model, exchange::format_of(path_));
     file->write(model.text);
-    written_.push_back({path, std::move(model.effects)});
+    written_.push_back({path, std::move(model)});
   }
 }
 
@@ -34,9 +34,11 @@ nlohmann::ordered_json CorrectedFiles::as_json() const {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const Named& file : written_) {
     nlohmann::ordered_json effects = nlohmann::ordered_json::array();
-    for (const exchange::Carried& one : file.effects)
+    for (const exchange::Carried& one : file.model.effects)
       effects.push_back({{"effect", one.effect}, {"carried", one.carried}, {"how", one.how}});
-    all.push_back({{"file", file.path.string()}, {"effects", effects}});
+    nlohmann::ordered_json entry{{"file", file.path.string()}, {"effects", effects}};
+    if (!file.model.note.empty()) entry["note"] = file.model.note;
+    all.push_back(std::move(entry));
   }
   return all;
 }
@@ -45,7 +47,8 @@ std::string CorrectedFiles::as_text() const {
   std::string text;
   for (const Named& file : written_) {
     text += fmt::format("\nCorrected model: {}\n", file.path.string());
-    for (const exchange::Carried& one : file.effects)
+    if (!file.model.note.empty()) text += "  " + file.model.note + "\n";
+    for (const exchange::Carried& one : file.model.effects)
       text += fmt::format("  {}{}: {}\n", one.carried ? "" : "not carried: ", one.effect, one.how);
   }
   return text;

@@ -24,7 +24,7 @@ class CorrectedFiles {
  private:
   struct Named {
     std::filesystem::path path;
-    std::vector<exchange::Carried> effects;
+    exchange::Written model;
   };
   Outputs& outputs_;
   std::filesystem::path path_;

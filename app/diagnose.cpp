@@ -99,7 +99,7 @@ void run_diagnosis(const Options& options) {
           : diagnose::Study(plain.experiment(), diagnose::read_effects(options.effects, plain));
   const diagnose::Diagnosis diagnosis = with_progress(
       "diagnosis", [&](const auto& show) { return diagnose::diagnose(study, show, options.next); });
-  if (corrected.wanted()) corrected.write(exchange::corrected_models(study, diagnosis));
+  if (corrected.wanted()) corrected.write(exchange::corrected_models(study, diagnosis, options.model));
   nlohmann::ordered_json report = as_json(diagnosis);
   if (corrected.wanted()) report["corrected"] = corrected.as_json();
   if (json) json->write(report.dump(2) + "\n");

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <plumbline/base/error.hpp>
+
+#include "exchange/edit_mjcf.hpp"
 #include "exchange/mjcf.hpp"
 #include "exchange/sdf.hpp"
 #include "exchange/toml.hpp"
@@ -104,7 +107,8 @@ class Models {
 
 }  // namespace
 
-std::vector<Corrected> corrected_models(const Study& study, const Diagnosis& diagnosis) {
+std::vector<Corrected> corrected_models(const Study& study, const Diagnosis& diagnosis,
+                                        const std::filesystem::path& source) {
   const diagnose::Cause& cause = diagnosis.cause;
   Models models(study);
   if (cause.verdict == CauseVerdict::none) {
@@ -124,13 +128,35 @@ std::vector<Corrected> corrected_models(const Study& study, const Diagnosis& dia
     }
     if (cause.or_unknown && diagnosis.law) models.add_law(*diagnosis.law, false);
   }
-  return models.result();
+  std::vector<Corrected> all = models.result();
+  for (Corrected& one : all) one.model.source = source;
+  return all;
 }
+
+namespace {
+
+/// The user's own file where it can be edited, else a chain of its own.
+Written mjcf(const Model& model) {
+#ifdef PLUMBLINE_MUJOCO
+  if (!model.source.empty() && format_of(model.source) == Format::mjcf) {
+    try {
+      return edit_mjcf(model);
+    } catch (const Error& error) {
+      Written file = to_mjcf(model);
+      file.note = std::string("a chain of its own, for the model's file cannot be edited: ") + error.what();
+      return file;
+    }
+  }
+#endif
+  return to_mjcf(model);
+}
+
+}  // namespace
 
 Written written(const Model& model, Format format) {
   switch (format) {
     case Format::mjcf:
-      return to_mjcf(model);
+      return mjcf(model);
     case Format::urdf:
       return to_urdf(model);
     case Format::sdf:

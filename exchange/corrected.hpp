@@ -18,9 +18,11 @@ struct Corrected {
 
 /// One model where a cause was identified, or none is needed; one a candidate where several cannot be told
 /// apart; the free torque law, if there is one, where the cause is or may be unknown.
-std::vector<Corrected> corrected_models(const diagnose::Study& study, const diagnose::Diagnosis& diagnosis);
+/// \param source  the file that the nominal chain was read from, if any
+std::vector<Corrected> corrected_models(const diagnose::Study& study, const diagnose::Diagnosis& diagnosis,
+                                        const std::filesystem::path& source = {});
 
-/// The model in a format.
+/// The model in a format. MJCF that the nominal chain was read from is edited in place, where it can be.
 Written written(const Model& model, Format format);
 
 }  // namespace plumbline::exchange

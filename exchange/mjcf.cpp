@@ -29,33 +29,6 @@ Xml body(const Tree& tree, const Body& one) {
   return xml;
 }
 
-/// A list of numbers that scripts find by its name; MuJoCo's dynamics knows nothing of it.
-void note(Xml& custom, const std::string& name, const std::vector<double>& values) {
-  if (!values.empty()) custom.add(Xml("numeric").set("name", name).set("data", numbers(values)));
-}
-
-/// What MJCF cannot carry.
-Xml beside(const Model& model, const std::vector<Carried>& effects) {
-  Xml custom("custom");
-  for (std::size_t e = 0; e < model.experiment.effects.size(); ++e)
-    for (const auto& [name, value] : model.experiment.effects[e].parameters)
-      if (!effects[e].carried) note(custom, effects[e].effect + " " + name, {value});
-  for (const diagnose::LawPicture& law : model.laws) {
-    for (const std::size_t joint : law.joints) {
-      const std::string name = fmt::format("torque_law q{}", joint);
-      std::vector<double> knots, sliders, arms;
-      for (const auto& one : law.knots) knots.insert(knots.end(), {one.deflection, one.torque});
-      for (const auto& one : law.sliders)
-        sliders.insert(sliders.end(), {one.slips_at, one.torque, one.growth});
-      for (const auto& one : law.arms) arms.insert(arms.end(), {one.time_constant, one.stiffness});
-      note(custom, name, knots);
-      note(custom, name + " sliders", sliders);
-      note(custom, name + " arms", arms);
-    }
-  }
-  return custom;
-}
-
 /// Where forces on the end point act while all joints are straight.
 Pair reference_end(const Tree& tree) {
   Pair at = tree.load;
@@ -110,7 +83,7 @@ Written to_mjcf(const Model& model) {
   if (tree.drive)
     for (Xml& section : mjcf_drive(*tree.drive, tree.tip, {tree.load[0], tree.load[1], 0}))
       root.add(std::move(section));
-  if (Xml custom = beside(model, file.effects); !custom.empty()) root.add(std::move(custom));
+  if (Xml custom = mjcf_beside(model, file.effects); !custom.empty()) root.add(std::move(custom));
   file.text = document(
       head_lines(model, file.effects,
                  {"In the plane of x and y; armature, damping and time step are numerical, not identified.",

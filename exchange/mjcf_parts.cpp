@@ -1,5 +1,7 @@
 #include "exchange/mjcf_parts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -92,6 +94,11 @@ Xml reading(const Drive& drive, std::size_t row) {
       {joints + "_y", -drive.stiffness * drive.matrix[2 * row + 1]}};
   if (drive.drift[row] != 0) sum.emplace_back("clock", drive.drift[row]);
   return weighted_sum(row == 0 ? "Fx" : "Fy", sum);
+}
+
+/// A list of numbers that scripts find by its name; MuJoCo's dynamics knows nothing of it.
+void note(Xml& custom, const std::string& name, const std::vector<double>& values) {
+  if (!values.empty()) custom.add(Xml("numeric").set("name", name).set("data", numbers(values)));
 }
 
 Pair turned(Pair v, double angle) {
@@ -200,6 +207,27 @@ std::vector<Xml> mjcf_drive(const Drive& drive, const std::string& tip, const st
     sensor.add(std::move(one));
   }
   return not_empty({std::move(tendons), std::move(equality), std::move(actuator), std::move(sensor)});
+}
+
+Xml mjcf_beside(const Model& model, const std::vector<Carried>& effects) {
+  Xml custom("custom");
+  for (std::size_t e = 0; e < model.experiment.effects.size(); ++e)
+    for (const auto& [name, value] : model.experiment.effects[e].parameters)
+      if (!effects[e].carried) note(custom, effects[e].effect + " " + name, {value});
+  for (const diagnose::LawPicture& law : model.laws) {
+    for (const std::size_t joint : law.joints) {
+      const std::string name = fmt::format("torque_law q{}", joint);
+      std::vector<double> knots, sliders, arms;
+      for (const auto& one : law.knots) knots.insert(knots.end(), {one.deflection, one.torque});
+      for (const auto& one : law.sliders)
+        sliders.insert(sliders.end(), {one.slips_at, one.torque, one.growth});
+      for (const auto& one : law.arms) arms.insert(arms.end(), {one.time_constant, one.stiffness});
+      note(custom, name, knots);
+      note(custom, name + " sliders", sliders);
+      note(custom, name + " arms", arms);
+    }
+  }
+  return custom;
 }
 
 }  // namespace plumbline::exchange

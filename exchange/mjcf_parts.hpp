@@ -22,6 +22,9 @@ Xml mjcf_inertial(double mass, double middle);
 /// The sections of what couples joints and acts on them: tendons, equality constraints, actuators.
 std::vector<Xml> mjcf_couplings(const Tree& tree);
 
+/// What MJCF cannot carry, as numbers in <custom>.
+Xml mjcf_beside(const Model& model, const std::vector<Carried>& effects);
+
 /// The rail with the drive and the cell on it, in the plane of the chain.
 /// \param reference  where the end point is in the model's reference configuration
 Xml mjcf_rail(const Drive& drive, Pair reference);

@@ -2,6 +2,7 @@
 /// \file
 /// A model to be written for a simulator: a chain with the effects that it is known to have.
 
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,7 @@ struct Model {
   diagnose::Experiment experiment;
   std::vector<double> rest;                ///< the unloaded shape that the file shows
   std::vector<diagnose::LawPicture> laws;  ///< free torque laws beside the effects, where no cause is known
+  std::filesystem::path source = {};       ///< the file that the nominal chain was read from, if any
 };
 
 /// What became of one effect in a file.
@@ -30,6 +32,7 @@ struct Carried {
 struct Written {
   std::string text;
   std::vector<Carried> effects;
+  std::string note = {};  ///< what the file is, where there is a choice
 };
 
 /// What stands at the head of a file: the title, remarks on the format, what became of each effect, laws.

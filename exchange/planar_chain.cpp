@@ -39,24 +39,16 @@ std::vector<const ReadJoint*> in_series(const ReadModel& model, const std::strin
   return order;
 }
 
-/// The plane of the chain: x and y such that joints turn about x × y. In a vertical plane y is upward.
-struct Plane {
-  Vector3d x, y, origin;
-
-  explicit Plane(const ReadJoint& first) : origin(first.anchor) {
-    const Vector3d axis = first.axis.normalized(), up(0, 0, 1);
-    if (std::abs(axis.dot(up)) > 1 - rounding) {
-      x = Vector3d(1, 0, 0);
-      y = Vector3d(0, 1, 0);
-      return;
-    }
-    y = (up - axis.dot(up) * axis).normalized();
-    x = y.cross(axis);
-    if (x.x() + rounding * x.y() < 0) x = -x;
-  }
-  [[nodiscard]] Vector3d normal() const { return x.cross(y); }
-  [[nodiscard]] Eigen::Vector2d of(const Vector3d& vector) const { return {x.dot(vector), y.dot(vector)}; }
-};
+Plane plane_of(const ReadJoint& first) {
+  Plane plane;
+  plane.origin = first.anchor;
+  const Vector3d axis = first.axis.normalized(), up(0, 0, 1);
+  if (std::abs(axis.dot(up)) > 1 - rounding) return plane;
+  plane.y = (up - axis.dot(up) * axis).normalized();
+  plane.x = plane.y.cross(axis);
+  if (plane.x.x() + rounding * plane.x.y() < 0) plane.x = -plane.x;
+  return plane;
+}
 
 void require_planar(const std::vector<const ReadJoint*>& joints, const Plane& plane,
                     const std::string& source) {
@@ -87,12 +79,17 @@ Vector3d end_of(const ReadModel& model, const ReadJoint& last, const std::string
 
 }  // namespace
 
+Vector3d Plane::normal() const {
+  return x.cross(y);
+}
+
 PlanarChain planar_chain(const ReadModel& model, const std::string& source) {
   if (model.joints.empty()) throw Error(source, "no joint", "a chain of hinges");
   const std::vector<const ReadJoint*> joints = in_series(model, source);
-  const Plane plane(*joints.front());
+  const Plane plane = plane_of(*joints.front());
   require_planar(joints, plane, source);
   PlanarChain result;
+  result.plane = plane;
   std::vector<std::string> names;
   names.reserve(joints.size());
   for (const ReadJoint* joint : joints) names.push_back(joint->name);
@@ -109,6 +106,7 @@ PlanarChain planar_chain(const ReadModel& model, const std::string& source) {
                   "a serial chain of links with a length");
     const double direction = std::atan2(link.y(), link.x());
     const double sense = joint.axis.dot(plane.normal()) > 0 ? 1 : -1;
+    result.joints.push_back({static_cast<std::size_t>(&joint - model.joints.data()), sense});
     chain.link_length.push_back(link.norm());
     chain.joint_stiffness.push_back(joint.stiffness);
     chain.link_mass.push_back(joint.mass > no_mass ? joint.mass : 0);

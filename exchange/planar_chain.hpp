@@ -28,13 +28,31 @@ struct ReadModel {
   std::vector<ReadJoint> joints;
   std::optional<Eigen::Vector3d> end;  ///< a point of the last link, where the model names one
   std::string end_name;
+  int end_site = -1;  ///< its number, where the model has sites
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   std::vector<std::string> left_out;  ///< what else the model has: "frictionloss of q1"
+};
+
+/// The plane of a chain: x and y such that angles count about x × y. In a vertical plane y is upward.
+struct Plane {
+  Eigen::Vector3d x{1, 0, 0}, y{0, 1, 0}, origin{0, 0, 0};
+  [[nodiscard]] Eigen::Vector3d normal() const;
+  [[nodiscard]] Eigen::Vector2d of(const Eigen::Vector3d& vector) const {
+    return {x.dot(vector), y.dot(vector)};
+  }
+};
+
+/// A joint of the model that became one of the chain.
+struct TakenJoint {
+  std::size_t number;  ///< among those of the model
+  double sense;        ///< -1 where it turns the other way
 };
 
 struct PlanarChain {
   diagnose::NominalChain chain;
   std::vector<std::string> notes;  ///< which joints were taken, what was assumed, what was left out
+  Plane plane = {};
+  std::vector<TakenJoint> joints = {};  ///< from the base on
 };
 
 /// \param source  named in errors

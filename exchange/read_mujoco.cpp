@@ -1,50 +1,22 @@
 #include "exchange/read_mujoco.hpp"
 
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <memory>
-#include <plumbline/base/error.hpp>
 
-#include "files/printable.hpp"
+#include "exchange/mujoco_model.hpp"
 
 namespace plumbline::exchange {
 namespace {
 
 using Eigen::Vector3d;
-using Compiled = std::unique_ptr<mjModel, decltype(&mj_deleteModel)>;
-using State = std::unique_ptr<mjData, decltype(&mj_deleteData)>;
-
-Compiled load(const std::string& file) {
-  mju_user_warning = [](const char*) {};  // else it writes a log file
-  std::array<char, 500> reason{};
-  Compiled model(mj_loadXML(file.c_str(), nullptr, reason.data(), static_cast<int>(reason.size())),
-                 mj_deleteModel);
-  if (!model) throw Error(file, files::shown(reason.data()), "a model that MuJoCo reads");
-  return model;
-}
-
-/// One of many that stand one after the other.
-Vector3d vector(const mjtNum* values, int number = 0) {
-  const mjtNum* own = values + std::ptrdiff_t{3} * number;
-  return {own[0], own[1], own[2]};
-}
-
 class Reader {
  public:
-  explicit Reader(const std::string& file)
-      : model_(load(file)), data_(mj_makeData(model_.get()), mj_deleteData) {
-    mj_kinematics(model_.get(), data_.get());
-    mj_comPos(model_.get(), data_.get());
-  }
+  explicit Reader(const std::string& file) : own_(file) {}
 
   ReadModel read() {
     for (int j = 0; j < model_->njnt; ++j) add_joint(j);
     for (int b = 1; b < model_->nbody; ++b) add_mass(b);
     find_end();
-    result_.gravity = vector(model_->opt.gravity);
+    result_.gravity = vector_of(model_->opt.gravity);
     if (model_->ntendon > 0) result_.left_out.push_back(std::to_string(model_->ntendon) + " tendons");
     if (model_->neq > 0) result_.left_out.push_back(std::to_string(model_->neq) + " equality constraints");
     if (model_->nu > 0) result_.left_out.push_back(std::to_string(model_->nu) + " actuators");
@@ -53,16 +25,9 @@ class Reader {
 
  private:
   [[nodiscard]] std::string name(int type, int id, const char* otherwise) const {
-    const char* own = mj_id2name(model_.get(), type, id);
-    return own != nullptr && *own != '\0' ? files::shown(own) : otherwise + std::to_string(id + 1);
+    return own_.name(type, id, otherwise);
   }
-
-  /// The last joint of the body, or of the nearest one that carries it; -1 at the base.
-  [[nodiscard]] int last_joint(int body) const {
-    for (; body > 0; body = model_->body_parentid[body])
-      if (model_->body_jntnum[body] > 0) return model_->body_jntadr[body] + model_->body_jntnum[body] - 1;
-    return -1;
-  }
+  [[nodiscard]] int last_joint(int body) const { return own_.last_joint(body); }
 
   void add_joint(int j) {
     const int body = model_->jnt_bodyid[j];
@@ -71,8 +36,8 @@ class Reader {
     joint.name = name(mjOBJ_JOINT, j, "joint ");
     joint.carrier = carrier >= 0 ? name(mjOBJ_JOINT, carrier, "joint ") : "";
     joint.hinge = model_->jnt_type[j] == mjJNT_HINGE;
-    joint.axis = vector(data_->xaxis, j);
-    joint.anchor = vector(data_->xanchor, j);
+    joint.axis = vector_of(data_->xaxis, j);
+    joint.anchor = vector_of(data_->xanchor, j);
     joint.stiffness = model_->jnt_stiffness[j];
     const int q = model_->jnt_qposadr[j];
     joint.rest = model_->qpos_spring[q] - model_->qpos0[q];
@@ -87,7 +52,7 @@ class Reader {
     if (joint < 0 || !(model_->body_mass[body] > 0)) return;
     ReadJoint& to = result_.joints[static_cast<std::size_t>(joint)];
     const double mass = model_->body_mass[body];
-    to.middle = (to.mass * to.middle + mass * vector(data_->xipos, body)) / (to.mass + mass);
+    to.middle = (to.mass * to.middle + mass * vector_of(data_->xipos, body)) / (to.mass + mass);
     to.mass += mass;
   }
 
@@ -99,7 +64,7 @@ class Reader {
     bool named = false;
     for (int s = 0; s < model_->nsite; ++s) {
       if (last_joint(model_->site_bodyid[s]) != last) continue;
-      const Vector3d at = vector(data_->site_xpos, s);
+      const Vector3d at = vector_of(data_->site_xpos, s);
       const std::string own = name(mjOBJ_SITE, s, "site ");
       const bool is_end = own.find("end") != std::string::npos || own.find("tip") != std::string::npos;
       if (named && !is_end) continue;
@@ -107,11 +72,13 @@ class Reader {
       named = is_end;
       result_.end = at;
       result_.end_name = "site " + own;
+      result_.end_site = s;
     }
   }
 
-  Compiled model_;
-  State data_;
+  MujocoModel own_;
+  const mjModel* model_ = own_.model.get();
+  const mjData* data_ = own_.data.get();
   ReadModel result_;
 };
 

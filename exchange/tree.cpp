@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numeric>
@@ -94,6 +95,12 @@ class Builder {
     at_ = 0;
   }
 
+  /// The body that carries the next, whatever stands beside it.
+  Body& here() {
+    return *std::find_if(tree_.bodies.begin(), tree_.bodies.end(),
+                         [&](const Body& one) { return one.name == here_; });
+  }
+
   void slide(const std::string& name, char along, double stiffness) {
     Hinge one = hinge(name, stiffness);
     one.along = along;
@@ -114,7 +121,7 @@ class Builder {
       beam(j);
     } else {
       weight(j, length / 2);
-      tree_.bodies.back().length = length;
+      here().length = length;
       at_ = length;
     }
     if (rig_.axial > 0) slide(fmt::format("stretch{}", j + 1), 'x', 1 / (rig_.axial * length));
@@ -122,8 +129,8 @@ class Builder {
 
   void weight(std::size_t j, double middle) {
     if (!(mass_[j] > 0)) return;
-    tree_.bodies.back().mass = mass_[j];
-    tree_.bodies.back().middle = middle;
+    here().mass = mass_[j];
+    here().middle = middle;
   }
 
   /// A link that bends: three hinges at the points of Gauss, as stiff as what each stands for.
@@ -131,7 +138,7 @@ class Builder {
     const double length = rig_.length[j];
     double behind = 0;
     for (std::size_t g = 0; g < 3; ++g) {
-      tree_.bodies.back().length = (gauss_place[g] - behind) * length;
+      here().length = (gauss_place[g] - behind) * length;
       const std::string name = fmt::format("bend{}_{}", j + 1, g + 1);
       add(name, {(gauss_place[g] - behind) * length, 0},
           hinge(name, 1 / (rig_.flexibility * gauss_weight[g] * length)));
@@ -139,7 +146,7 @@ class Builder {
       turning_.push_back(name);
       behind = gauss_place[g];
     }
-    tree_.bodies.back().length = (1 - behind) * length;
+    here().length = (1 - behind) * length;
     at_ = (1 - behind) * length;
   }
 

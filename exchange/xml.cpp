@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace plumbline::exchange {
 namespace {
 
@@ -46,6 +48,17 @@ std::string numbers(const std::vector<double>& values) {
   return text;
 }
 
+Xml& Xml::set(const std::string& key, const std::string& value) {
+  const auto same = std::find_if(attributes_.begin(), attributes_.end(),
+                                 [&](const auto& attribute) { return attribute.first == key; });
+  if (same != attributes_.end()) {
+    same->second = value;
+  } else {
+    attributes_.emplace_back(key, value);
+  }
+  return *this;
+}
+
 std::string Xml::text(std::size_t depth) const {
   const std::string indent(2 * depth, ' ');
   std::string result = indent + "<" + name_;
@@ -57,10 +70,14 @@ std::string Xml::text(std::size_t depth) const {
   return result + indent + "</" + name_ + ">\n";
 }
 
-std::string document(const std::vector<std::string>& lines, const Xml& root) {
-  std::string result = "<?xml version=\"1.0\"?>\n<!--\n";
+std::string comment(const std::vector<std::string>& lines) {
+  std::string result = "\n";
   for (const std::string& line : lines) result += "  " + in_comment(line) + "\n";
-  return result + "-->\n" + root.text(0);
+  return result;
+}
+
+std::string document(const std::vector<std::string>& lines, const Xml& root) {
+  return "<?xml version=\"1.0\"?>\n<!--" + comment(lines) + "-->\n" + root.text(0);
 }
 
 }  // namespace plumbline::exchange

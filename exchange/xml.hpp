@@ -16,10 +16,8 @@ class Xml {
  public:
   explicit Xml(std::string name) : name_(std::move(name)) {}
 
-  Xml& set(const std::string& key, const std::string& value) {
-    attributes_.emplace_back(key, value);
-    return *this;
-  }
+  /// An attribute, in place of one of that name.
+  Xml& set(const std::string& key, const std::string& value);
   Xml& add(Xml child) {
     children_.push_back(std::move(child));
     return *this;
@@ -42,6 +40,8 @@ class Xml {
   std::vector<Xml> children_;
 };
 
+/// What stands between the marks of a comment with these lines.
+std::string comment(const std::vector<std::string>& lines);
 /// A file: the declaration, a comment with these lines, the root.
 std::string document(const std::vector<std::string>& lines, const Xml& root);
 

@@ -30,7 +30,7 @@ Diagnosed run_diagnosis(const fs::path& executable, const fs::path& folder,
   Diagnosed result;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result.failure = diagnosis.failure;
-  const std::string complaint = files::shown(diagnosis.err.substr(0, diagnosis.err.find('\n')));
+  const std::string complaint = files::printable(diagnosis.err.substr(0, diagnosis.err.find('\n')));
   if (!result.failure.empty() && !complaint.empty()) result.failure += ": " + complaint;
   return result;
 }

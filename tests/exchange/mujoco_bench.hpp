@@ -22,9 +22,17 @@ namespace plumbline::exchange::test {
 /// that what slides is read on its slow way.
 enum class Pace { at_rest, on_the_way, by_the_clock };
 
+/// What a file calls the parts of the chain; angles of some joints count the other way.
+struct Names {
+  std::string end = "end", load = "load";
+  std::vector<std::pair<std::string, double>> joints = {};  ///< "q1", "q2" ... unless it has its own
+};
+
 class MujocoBench {
  public:
-  MujocoBench(const std::string& mjcf, Pace pace) : model_(load(mjcf), mj_deleteModel), pace_(pace) {
+  MujocoBench(const std::string& mjcf, Pace pace, Names names = {})
+      : model_(load(mjcf), mj_deleteModel), names_(std::move(names)), pace_(pace) {
+    if (site(*model_, names_.load) < 0) names_.load = names_.end;
     driven_ = mj_name2id(model_.get(), mjOBJ_ACTUATOR, "drive_x") >= 0;
     if (!driven_) add_hand(mjcf);
     data_.reset(mj_makeData(model_.get()));
@@ -67,12 +75,13 @@ class MujocoBench {
   static constexpr double slow_way = 8;  // s from reading to reading
 
   void add_hand(const std::string& mjcf) {
-    const int load_site = site(*model_, "load"), tip = model_->site_bodyid[load_site];
+    const int load_site = site(*model_, names_.load), tip = model_->site_bodyid[load_site];
     const std::string held = mj_id2name(model_.get(), mjOBJ_BODY, tip);
     std::string with_hand = mjcf;
     with_hand.insert(with_hand.find("</worldbody>"), "<body name=\"hand\" mocap=\"true\"/>");
     with_hand.insert(with_hand.rfind("</mujoco>"), "<equality><connect name=\"hold\" body1=\"" + held +
-                                                       "\" body2=\"hand\" anchor=\"0 0 0\"/></equality>");
+                                                       "\" body2=\"hand\" anchor=\"0 0 0\" solref=\"0.008 "
+                                                       "1\" solimp=\"0.9999 0.9999 0.001\"/></equality>");
     model_.reset(load(with_hand));
     const int hold = mj_name2id(model_.get(), mjOBJ_EQUALITY, "hold");
     for (int a = 0; a < 3; ++a) {
@@ -93,12 +102,14 @@ class MujocoBench {
     if (model == nullptr) throw Error(std::string("MuJoCo: ") + reason.data() + "\n" + xml);
     return model;
   }
-  static int site(const mjModel& model, const char* name) { return mj_name2id(&model, mjOBJ_SITE, name); }
-  [[nodiscard]] Eigen::Vector2d at(const char* name) const {
+  static int site(const mjModel& model, const std::string& name) {
+    return mj_name2id(&model, mjOBJ_SITE, name.c_str());
+  }
+  [[nodiscard]] Eigen::Vector2d at(const std::string& name) const {
     const mjtNum* place = data_->site_xpos + 3 * site(*model_, name);
     return {place[0], place[1]};
   }
-  [[nodiscard]] Eigen::Vector2d end() const { return at("end"); }
+  [[nodiscard]] Eigen::Vector2d end() const { return at(names_.end); }
   [[nodiscard]] Eigen::Vector2d sensors(const char* x, const char* y) const {
     const auto read = [&](const char* name) {
       return data_->sensordata[model_->sensor_adr[mj_name2id(model_.get(), mjOBJ_SENSOR, name)]];
@@ -173,7 +184,7 @@ class MujocoBench {
     if (driven_) return lead(held);
     mj_kinematics(model_.get(), data_.get());
     mj_comPos(model_.get(), data_.get());
-    const Eigen::Vector2d load = at("load"), beside = load - end();
+    const Eigen::Vector2d load = at(names_.load), beside = load - end();
     if (held) {
       data_->mocap_pos[0] = target_.x() + beside.x();
       data_->mocap_pos[1] = target_.y() + beside.y();
@@ -183,7 +194,7 @@ class MujocoBench {
         none{0, 0, 0};
     std::fill_n(data_->qfrc_applied, model_->nv, 0.0);
     mj_applyFT(model_.get(), data_.get(), force.data(), none.data(), point.data(),
-               model_->site_bodyid[site(*model_, "load")], data_->qfrc_applied);
+               model_->site_bodyid[site(*model_, names_.load)], data_->qfrc_applied);
   }
 
   template <class Row>
@@ -205,15 +216,20 @@ class MujocoBench {
     row(diagnose::column_Fx) = force.x();
     row(diagnose::column_Fy) = force.y();
     for (std::size_t i = 0; i < run.rest.size(); ++i) {
-      double angle = 0;
-      for (const std::string& name : {"q" + std::to_string(i + 1), "q" + std::to_string(i + 1) + "_play"})
-        if (const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, name.c_str()); joint >= 0)
-          angle += data_->qpos[model_->jnt_qposadr[joint]];
+      const auto [name, sense] =
+          names_.joints.empty() ? std::pair("q" + std::to_string(i + 1), 1.0) : names_.joints[i];
+      const double angle = sense * angle_of(name) + angle_of(name + "_play");
       row(diagnose::column_q + static_cast<Eigen::Index>(i)) = angle;
     }
   }
 
+  [[nodiscard]] double angle_of(const std::string& name) const {
+    const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, name.c_str());
+    return joint < 0 ? 0 : data_->qpos[model_->jnt_qposadr[joint]];
+  }
+
   std::unique_ptr<mjModel, decltype(&mj_deleteModel)> model_;
+  Names names_;
   std::unique_ptr<mjData, decltype(&mj_deleteData)> data_{nullptr, mj_deleteData};
   Pace pace_;
   bool driven_ = false;
