@@ -25,6 +25,10 @@ program=(
   # least squares
   libceres-dev
 )
+# what checks the proofs in proofs/coq
+proofs=(coq libcoq-mathcomp-ssreflect libcoq-mathcomp-algebra libcoq-mathcomp-field libcoq-mathcomp-real-closed
+        libcoq-mathcomp-zify libcoq-mathcomp-algebra-tactics ocaml-nox ocaml-findlib libzarith-ocaml-dev
+        libyojson-ocaml-dev)
 models=(libmujoco-dev libsdformat-dev)
 tests=(
   ccache doctest-dev librapidcheck-dev python3-jsonschema
@@ -32,6 +36,8 @@ tests=(
   "${models[@]}"
   # pages, in a browser
   chromium chromium-driver python3-selenium
+  # the proofs
+  "${proofs[@]}"
   # drawings, at run time
   gnuplot-nox
   # packages and what is installed, as a user meets them
@@ -39,9 +45,6 @@ tests=(
 )
 docs=(doxygen)
 fuzz=(clang)
-proofs=(coq libcoq-mathcomp-ssreflect libcoq-mathcomp-algebra libcoq-mathcomp-field libcoq-mathcomp-real-closed
-        libcoq-mathcomp-zify libcoq-mathcomp-algebra-tactics ocaml-nox ocaml-findlib libzarith-ocaml-dev
-        libyojson-ocaml-dev)
 bench=(liblapack-dev libopenblas-dev libspectra-dev python3-scipy auto-07p gfortran)
 
 packages=("${program[@]}")

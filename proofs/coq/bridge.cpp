@@ -10,6 +10,7 @@
 
 #include "proofs/exact_chain.hpp"
 #include "proofs/exact_count.hpp"
+#include "proofs/exact_matrix.hpp"
 
 using namespace plumbline;
 using namespace plumbline::proofs;
@@ -40,6 +41,11 @@ void print_chain(const Chain<Rational>& chain, const Rational& F) {
   print(std::vector{F});
   print_matrix(matrix_A(chain));
   print_matrix(matrix_B(chain));
+  if (chain.size() == 1) {  // no buckling mode: neither recursion nor count
+    print(pencil_determinant(matrix_B(chain), matrix_A(chain)));
+    std::cout << "0\n";
+    return;
+  }
   print(recursion_polynomial(chain));
   if (count_below(chain, F) != ExactCount(chain).below(F)) throw Error("count", "two results", "one");
   std::cout << count_below(chain, F) << '\n';
@@ -50,7 +56,7 @@ void print_chain(const Chain<Rational>& chain, const Rational& F) {
 int main() {
   std::mt19937 random(1);
   const auto fraction = [&] { return Rational(1 + random() % 999, 1 + random() % 99); };
-  for (std::size_t n = 2; n <= 8; ++n) {
+  for (std::size_t n = 1; n <= 8; ++n) {
     for (std::size_t passive = 0; passive <= n; ++passive) {  // n: none is
       std::vector<Rational> length, stiffness;
       for (std::size_t i = 0; i < n; ++i) {
@@ -58,7 +64,7 @@ int main() {
         stiffness.push_back(i == passive ? Rational(0) : fraction());
       }
       const Chain<Rational> chain(length, stiffness);
-      const Rational all = sum_of_forces(chain);
+      const Rational all = n == 1 ? Rational(7) : sum_of_forces(chain);  // one link has none
       for (const int part : {1000, 30, 10, 5, 3, 2, 1}) print_chain(chain, all / part);
     }
   }

@@ -235,6 +235,30 @@ Definition matrices_hold (m : matrices) : bool :=
 
 End Chain.
 
+(* Entry (i, j) of A and of B of (33), and the coefficient of F^i in D(F) = det(A F + B), as fractions: not part of the
+   checker, but of the comparison with other programs. *)
+Section Matrices.
+
+Variables (dL dk : Z) (js : list joint).
+
+Definition joint_at (i : nat) : joint := nth i js (Joint 0 0 0).
+Definition inside (i : nat) : bool := Nat.ltb i (length js).
+
+Definition entry_A (i j : nat) : rational :=
+  if inside i && inside j then Rational (- dist (joint_at (Nat.max i j))) dL else Rational 0 1.
+Definition entry_B (i j : nat) : rational :=
+  if inside i then
+    if inside j then (if Nat.eqb i j then Rational (stiff (joint_at i)) dk else Rational 0 1)
+    else Rational (dist (joint_at i)) dL
+  else if inside j then Rational (dist (joint_at j)) dL else Rational 0 1.
+Definition coefficient (i : nat) : rational :=
+  match js with
+  | [j] => if Nat.eqb i 0 then Rational (- (dist j * dist j)) (dL * dL) else Rational 0 1
+  | _ => Rational (- nth i (polynomial js) 0 * dk ^ Z.of_nat i) (gathered dL dk js * dL ^ Z.of_nat i)
+  end.
+
+End Matrices.
+
 Fixpoint ascending (before : Z) (fs : list force) : bool :=
   match fs with [] => true | f :: fs' => (before <? number f) && ascending (number f) fs' end.
 

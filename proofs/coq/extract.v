@@ -2,4 +2,4 @@
 Require Import checker.
 From Coq Require Import ExtrOcamlBasic ExtrOcamlZBigInt ExtrOcamlNatInt.
 Extraction Language OCaml.
-Extraction "checker.ml" holds.
+Extraction "checker.ml" holds entry_A entry_B coefficient.

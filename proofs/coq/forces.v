@@ -244,6 +244,17 @@ case: (altP (k (cut k) =P 0)) => [kc|]; last by right.
 by have := one _ c_n k0 kc => /(_ (ltn_trans (ltn0Sn _) c_n)).
 Qed.
 
+Lemma elastic_behind i : (cut k < n.-1)%N -> (0 < i <= n.-1 - cut k)%N -> 0 < from (cut k) k i.
+Proof.
+move=> c_lt /andP [i0 i_m].
+have in_n j : (j <= n.-1 - cut k)%N -> (cut k + j < n)%N.
+  move=> j_m; apply: (@leq_ltn_trans n.-1); last by case: n two.
+  by rewrite -(subnKC (ltnW c_lt)) leq_add2l.
+rewrite lt0r stiffness_ge0 ?in_n // andbT; apply/eqP => ki.
+have := one (in_n _ i_m) (in_n 0%N (leq0n _)) ki; rewrite addn0 => /(_ (cut_passive c_lt)) /eqP.
+by rewrite -[X in _ == X]addn0 eqn_add2l gtn_eqF.
+Qed.
+
 Lemma second_string : exists ys, string_forces (from (cut k) z) (from (cut k) k) (n.-1 - cut k) ys.
 Proof.
 have c_le := cut_le; case: (posnP (n.-1 - cut k)) => [-> | pos].
@@ -253,13 +264,7 @@ have c_le := cut_le; case: (posnP (n.-1 - cut k)) => [-> | pos].
   by rewrite big_nil alg_polyC.
 have c_lt : (cut k < n.-1)%N by rewrite -subn_gt0.
 have kc := cut_passive c_lt.
-have in_n i : (i <= n.-1 - cut k)%N -> (cut k + i < n)%N.
-  move=> i_m; apply: (@leq_ltn_trans n.-1); last by case: n two.
-  by rewrite -(subnKC c_le) leq_add2l.
-have kp i : (0 < i <= n.-1 - cut k)%N -> 0 < from (cut k) k i.
-  case/andP=> i0 i_m; rewrite lt0r stiffness_ge0 ?in_n // andbT; apply/eqP => ki.
-  have := one (in_n _ i_m) (in_n 0%N (leq0n _)) ki; rewrite addn0 => /(_ kc) /eqP.
-  by rewrite -[X in _ == X]addn0 eqn_add2l gtn_eqF.
+have kp i := @elastic_behind i c_lt.
 apply: string_list => //.
 - by apply: distances_from; rewrite subnKC.
 - by move=> i /andP [i0 i_m]; apply: kp; rewrite i0 ltnW.
@@ -293,17 +298,24 @@ rewrite (at_passive z kc) -scalerAl scalerA mulNr mulVf ?expf_neq0 //.
 by rewrite scaleN1r.
 Qed.
 
+(* The roots of D are those of both strings. *)
+Lemma roots_of_strings xs ys : string_forces z k (cut k) xs ->
+  string_forces (from (cut k) z) (from (cut k) k) (n.-1 - cut k) ys -> roots_of (D n L k) (sort <=%R (xs ++ ys)).
+Proof.
+move=> [[_ [c c0 cE]] _ _ _ _] [[_ [d d0 dE]] _ _ _ _]; split; first exact: sort_le_sorted.
+have pe : perm_eq (sort <=%R (xs ++ ys)) (xs ++ ys) by apply/permPl/perm_sort.
+have [e e0 ->] := D_product; exists (e * (c * d)); first by rewrite !mulf_neq0.
+by rewrite (perm_big _ pe) big_cat [in LHS]cE [in LHS]dE /= -scalerAl -scalerAr !scalerA mulrA.
+Qed.
+
 (* All of them: n - 1, positive, the roots of D with multiplicity, counted by sign changes. *)
 Theorem critical_forces : exists fs,
   [/\ roots_of (D n L k) fs, size fs = n.-1, all (fun f => 0 < f) fs &
       forall F, count_below F = count (fun f => f < F) fs].
 Proof.
-have [xs [[_ [c c0 cE]] _ sx px cx]] := first_string; have [ys [[_ [d d0 dE]] _ sy py cy]] := second_string.
+have [xs fx] := first_string; have [ys fy] := second_string.
 exists (sort <=%R (xs ++ ys)); have pe : perm_eq (sort <=%R (xs ++ ys)) (xs ++ ys) by apply/permPl/perm_sort.
-split.
-- split; first exact: sort_le_sorted.
-  have [e e0 ->] := D_product; exists (e * (c * d)); first by rewrite !mulf_neq0.
-  by rewrite (perm_big _ pe) big_cat [in LHS]cE [in LHS]dE /= -scalerAl -scalerAr !scalerA mulrA.
+have := roots_of_strings fx fy; case: fx fy => [_ _ sx px cx] [_ _ sy py cy]; split=> //.
 - by rewrite size_sort size_cat sx sy subnKC // cut_le.
 - by rewrite (perm_all _ pe) all_cat px py.
 by move=> F; rewrite /count_below cx cy (permP pe) count_cat.

@@ -92,7 +92,7 @@ Qed.
 
 Lemma two_links : (1 < n)%N. Proof. by have [] := lawfulP. Qed.
 
-Theorem chain_lawful : chain_of_links n L k.
+Lemma chain_lawful : chain_of_links n L k.
 Proof. by have [_ h] := lawfulP; split=> i /h []. Qed.
 
 Lemma passive_js i : (i < n)%N -> (checker.stiff (nth x0 js i) =? 0)%Z = (k i == 0).
@@ -101,7 +101,7 @@ move=> i_n; have [_ _ st] := joints_stand i_n.
 by rewrite (zr_eq R) st mulf_eq0 gt_eqF ?dk_gt0.
 Qed.
 
-Theorem one_passive : at_most_one_passive n k.
+Lemma one_passive : at_most_one_passive n k.
 Proof.
 move=> i j; wlog i_j : i j / (i < j)%N => [th i_n j_n ki kj|i_n j_n ki kj].
   by case: (ltngtP i j) => // h; [apply: th | symmetry; apply: th].
@@ -131,31 +131,58 @@ Qed.
 Lemma chain_beads l : (l < n)%N -> z l - z l.+1 = L l.
 Proof. by move=> l_n; rewrite /z (distance_step L l_n) addrK. Qed.
 
-Lemma count_atE x : checker.proper x -> checker.count_at dL dk js x = Z.of_nat (count_below n L k (value R x)).
+Lemma cut_lt : (cut n k < n)%N.
+Proof. by have two := two_links; apply: leq_ltn_trans (@cut_le R n k two) _; rewrite ltn_predL ltnW. Qed.
+
+Lemma first_size : size (checker.first_part js) = (cut n k).+1.
+Proof. by rewrite /checker.first_part firstnE cutE size_takel // size_js cut_lt. Qed.
+Lemma first_stand l : (l < (cut n k).+1)%N -> stands (zr dL) (zr dk) L z k (nth x0 (checker.first_part js) l) l.
 Proof.
-move=> dx; rewrite /checker.count_at; congr Z.of_nat; rewrite /checker.both_changes /count_below.
-have sz := size_js; have two := two_links; have n0 := ltnW two.
-have c_le := @cut_le R n k two; have c_n : (cut n k < n)%N by apply: leq_ltn_trans c_le _; case: (n) two.
-have pos := distance_gt0 chain_lawful.
-have D0 : 0 < zr (checker.den x * dL) by rewrite zrM mulr_gt0 ?dL_gt0 //; apply: zr_gt0.
-have PD : zr (checker.num x * dk) * zr dL = value R x * zr (checker.den x * dL) * zr dk.
-  rewrite !zrM /value; field; rewrite gt_eqF //; exact: zr_gt0.
-congr (_ + _)%N.
-  rewrite /checker.first_part firstnE cutE.
-  have sf : size (take (cut n k).+1 js) = (cut n k).+1 by rewrite size_takel // sz.
-  rewrite (changes_stands (x0 := x0) (L := L) (z := z) (k := k) dL_gt0 dk_gt0 D0 PD) ?sf //.
-  - by move=> l l_c; rewrite nth_take //; apply: joints_stand; apply: leq_trans l_c _.
-  - by move=> l l_c; apply: pos; apply: leq_trans l_c _.
-  by move=> l l_c; apply: chain_beads; apply: leq_trans (ltnW l_c) _.
-rewrite /checker.second_part skipnE cutE.
-have sf : size (drop (cut n k) js) = (n - cut n k)%N by rewrite size_drop sz.
+by move=> l_c; rewrite /checker.first_part firstnE cutE nth_take //; apply: joints_stand; apply: leq_trans l_c cut_lt.
+Qed.
+Lemma second_size : size (checker.second_part js) = (n - cut n k)%N.
+Proof. by rewrite /checker.second_part skipnE cutE size_drop size_js. Qed.
+Lemma second_stand l : (l < n - cut n k)%N -> stands (zr dL) (zr dk) (from (cut n k) L) (from (cut n k) z)
+  (from (cut n k) k) (nth x0 (checker.second_part js) l) l.
+Proof.
+by move=> l_c; rewrite /checker.second_part skipnE cutE nth_drop; apply: joints_stand; rewrite -ltn_subRL.
+Qed.
+Lemma second_last : (n - cut n k).-1 = (n.-1 - cut n k)%N.
+Proof. by rewrite -subnS -add1n subnDA subn1. Qed.
+
+Section Changes.
+
+Variables (x : checker.rational) (dx : checker.proper x).
+
+Let D0 : 0 < zr (checker.den x * dL).
+Proof. by rewrite zrM mulr_gt0 ?dL_gt0 //; apply: zr_gt0. Qed.
+Let PD : zr (checker.num x * dk) * zr dL = value R x * zr (checker.den x * dL) * zr dk.
+Proof. by rewrite !zrM /value; field; rewrite gt_eqF //; apply: zr_gt0. Qed.
+
+Lemma first_changes :
+  checker.changes (checker.num x * dk) (checker.den x * dL) (checker.first_part js) = changes z k (value R x) (cut n k).
+Proof.
+rewrite (changes_stands (x0 := x0) (L := L) (z := z) (k := k) dL_gt0 dk_gt0 D0 PD) ?first_size //.
+- exact: first_stand.
+- by move=> l l_c; apply: (distance_gt0 chain_lawful); apply: leq_trans l_c cut_lt.
+by move=> l l_c; apply: chain_beads; apply: leq_trans (ltnW l_c) cut_lt.
+Qed.
+
+Lemma second_changes :
+  checker.changes (checker.num x * dk) (checker.den x * dL) (checker.second_part js) =
+  changes (from (cut n k) z) (from (cut n k) k) (value R x) (n.-1 - cut n k).
+Proof.
 rewrite (changes_stands (x0 := x0) (L := from (cut n k) L) (z := from (cut n k) z) (k := from (cut n k) k)
-         dL_gt0 dk_gt0 D0 PD) ?sf ?subn_gt0 //.
-- by rewrite -subnS -add1n subnDA subn1.
-- by move=> l l_c; rewrite nth_drop; apply: joints_stand; rewrite -ltn_subRL.
-- by move=> l l_c; apply: pos; rewrite -ltn_subRL.
+         dL_gt0 dk_gt0 D0 PD) ?second_size ?second_last ?subn_gt0 ?cut_lt //.
+- exact: second_stand.
+- by move=> l l_c; apply: (distance_gt0 chain_lawful); rewrite -ltn_subRL.
 by move=> l l_c; rewrite /from addnS; apply: chain_beads; rewrite -ltn_subRL ltnW.
 Qed.
+
+Lemma count_atE : checker.count_at dL dk js x = Z.of_nat (count_below n L k (value R x)).
+Proof. by rewrite /checker.count_at /checker.both_changes first_changes second_changes. Qed.
+
+End Changes.
 
 (* 10^e *)
 Definition ten (e : Z) : R := if (0 <=? e)%Z then zr (10 ^ e) else (zr (10 ^ - e))^-1.
@@ -189,7 +216,7 @@ by rewrite /checker.power_of_ten /ten /value; case: ifP => _ /=; rewrite ?zr1 ?d
 Qed.
 
 (* What is said of one force. *)
-Theorem bounds_sound (fs : seq R) f : roots_of (D n L k) fs -> checker.bounds dL dk js f ->
+Lemma bounds_sound (fs : seq R) f : roots_of (D n L k) fs -> checker.bounds dL dk js f ->
   let: m := Z.to_nat (checker.number f) in
   [/\ (0 < m <= n.-1)%N, 0 < value R (checker.low f),
       value R (checker.low f) <= nth 0 fs m.-1 < value R (checker.high f),
@@ -216,7 +243,7 @@ by case: (m) m0 => // m' _ /=; rewrite ltnS => -> ->.
 Qed.
 
 (* high - low is less than half a unit in the last of the stated digits of low. *)
-Theorem precise_sound f : checker.bounds dL dk js f -> checker.precise f ->
+Lemma precise_sound f : checker.bounds dL dk js f -> checker.precise f ->
   exists e, ten (e - 1) <= value R (checker.low f) < ten e /\
     2%:R * (value R (checker.high f) - value R (checker.low f)) < ten (e - checker.digits f).
 Proof.

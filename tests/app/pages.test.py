@@ -328,8 +328,8 @@ class Pages(unittest.TestCase):
                 if claim[key]:
                     expected[f"{claim['id']}/{key}"] = claim[key]
             for i, evidence in enumerate(claim["evidence"]):
-                for key in evidence:
-                    expected[f"{claim['id']}/evidence/{i}/{key}"] = evidence[key]
+                for key, value in evidence.items():
+                    expected[f"{claim['id']}/evidence/{i}/{key}"] = ", ".join(value) if key == "coq" else value
         self.assertEqual(shown, expected)
         undrawn = "[...document.querySelectorAll('.wide img')].filter(i => !i.naturalWidth).length"
         self.assertEqual(self.browser.run(undrawn), 0)

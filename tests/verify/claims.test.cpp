@@ -7,8 +7,10 @@
 #include <plumbline/base/error.hpp>
 #include <set>
 
+#include "proofs/coq/machine_checked.hpp"
 #include "tests/verify/true_prints.hpp"
 #include "verify/judging/judge.hpp"
+#include "verify/report/report.hpp"
 
 using namespace plumbline;
 using namespace plumbline::verify;
@@ -50,6 +52,7 @@ TEST_CASE(
     "every claim can be judged, with evidence, the strongest first, and a truth where the print is not") {
   const std::set<std::string> proved = theorems();
   REQUIRE(proved.contains("Simple modes"));
+  const bool checked = !proofs::coq_version().empty();
   for (const Judged& judged : judge(all_claims(), 50)) {
     INFO(judged.claim.id, ": ", judged.problem);
     REQUIRE(judged.judgement);
@@ -59,10 +62,26 @@ TEST_CASE(
                          [](const Evidence& a, const Evidence& b) { return a.kind < b.kind; }));
     for (const Evidence& one : evidence) {
       INFO(one.detail);
-      CHECK(proved.contains(one.theorem) == (one.kind == EvidenceKind::theorem));
+      CHECK(proved.contains(one.theorem) == (one.kind <= EvidenceKind::theorem));
+      if (!one.coq.empty()) CHECK((one.kind == EvidenceKind::machine_checked) == checked);
     }
     CHECK(judged.judgement->truth.empty() == (judged.judgement->verdict == Verdict::confirmed));
   }
+}
+
+TEST_CASE("a claim is machine-checked exactly where this build has checked the proofs") {
+  const bool checked = !proofs::coq_version().empty();
+  for (const char* settled : {"rank", "two-zeros", "eigenvectors", "det-A", "B-invertible"}) {
+    const Judged judged = judge({find(settled)}, 10).front();
+    REQUIRE(judged.judgement);
+    CHECK((judged.judgement->evidence.front().kind == EvidenceKind::machine_checked) == checked);
+    CHECK((as_detail(judged, false).find("machine-checked") != std::string::npos) == checked);
+  }
+  CHECK((proofs_checked() == "not in this build") == !checked);
+  // one name that Coq does not know makes the whole a theorem on paper
+  CHECK(
+      Evidence::by_checked_theorem("Two zeros", {"eigenvalues.rank_BinvA", "eigenvalues.no_such"}, "").kind ==
+      EvidenceKind::theorem);
 }
 
 TEST_CASE("the true statement is confirmed by the check that refutes the printed one") {

@@ -30,9 +30,9 @@ Judgement invertible(const Printed& printed, int) {
   }
   return judge_word(
       printed.at(0), nonzero ? "nonzero" : "zero", "det B = -sum_i z_i^2 prod_{j != i} k_j",
-      {Evidence::by_theorem("Closed form",
-                            "det B = -sum_i z_i^2 prod_{j != i} k_j, negative unless two joints "
-                            "or more are passive"),
+      {Evidence::by_checked_theorem("Closed form", {"definite.det_B", "definite.det_B_zero"},
+                                    "det B = -sum_i z_i^2 prod_{j != i} k_j, negative unless two joints "
+                                    "or more are passive"),
        {EvidenceKind::symbolic, "n = 2 … 6: the determinant by minors equals that sum"}});
 }
 
@@ -42,7 +42,8 @@ Judgement determinant_A(const Printed& printed, int) {
     zero = zero && proofs::expanded_determinant(matrix_A(proofs::SymbolicChain::generic(n))).is_zero();
   }
   return judge_word(printed.at(0), zero ? "zero" : "nonzero", "det A = 0",
-                    {{EvidenceKind::symbolic, "n = 2 … 6: the last row and column of A vanish"}});
+                    {Evidence::by_checked_theorem("Closed form", {"definite.det_A"}, "A has a row of zeros"),
+                     {EvidenceKind::symbolic, "n = 2 … 6: the last row and column of A vanish"}});
 }
 
 std::size_t generic_rank(std::size_t n) {
@@ -58,8 +59,9 @@ Judgement rank(const Printed& printed, int) {
       "rank(B^-1 A) = n: S1 is invertible, det S1 = (-1)^n L_1 … L_n; the double eigenvalue 0 has "
       "one eigenvector only",
       EvidenceKind::symbolic, "symbolic lengths and stiffnesses");
-  return with_evidence(
-      result, Evidence::by_theorem("Two zeros", "rank n for every chain with at most one passive joint"));
+  return with_evidence(result,
+                       Evidence::by_checked_theorem("Two zeros", {"eigenvalues.rank_BinvA"},
+                                                    "rank n for every chain with at most one passive joint"));
 }
 
 Judgement zeros(const Printed& printed, int) {
@@ -67,7 +69,8 @@ Judgement zeros(const Printed& printed, int) {
       printed.at(0), [](std::size_t n) { return generic_zero(n).algebraic; },
       "the eigenvalue 0 has multiplicity two", EvidenceKind::symbolic,
       "order of lambda in the characteristic polynomial");
-  return with_evidence(result, Evidence::by_theorem("Two zeros", "multiplicity two for every n"));
+  return with_evidence(result, Evidence::by_checked_theorem("Two zeros", {"eigenvalues.zero_twice"},
+                                                            "multiplicity two for every n"));
 }
 
 Judgement eigenvectors(const Printed& printed, int) {
@@ -79,7 +82,10 @@ Judgement eigenvectors(const Printed& printed, int) {
       "B^-1 A is defective: it has n independent eigenvectors, n - 1 of the modes and (0, …, 0, 1)",
       EvidenceKind::exact, "distinct non-zero eigenvalues and eigenvectors of the eigenvalue 0");
   return with_evidence(result,
-                       Evidence::by_theorem("Two zeros", "one Jordan block of size two at 0; Simple modes"));
+                       Evidence::by_checked_theorem("Two zeros",
+                                                    {"eigenvalues.kernel_of_BinvA", "eigenvalues.semisimple",
+                                                     "eigenvalues.eigenvalues_distinct"},
+                                                    "one Jordan block of size two at 0; Simple modes"));
 }
 
 /// How many vectors of the Jordan chain at zero describe the unbent chain on its axis.
@@ -106,11 +112,16 @@ Judgement straight(const Printed& printed, int) {
                   "-1/lambda; the second vector of its Jordan chain, (-1, 0, …, 0), turns the whole chain "
                   "about its base. "
                   "Neither satisfies (29), (30) at any finite F_x",
-          {{EvidenceKind::symbolic,
+          {Evidence::by_checked_theorem("Two zeros", {"eigenvalues.jordan_chain"},
+                                        "the Jordan chain at 0, for every n"),
+           {EvidenceKind::symbolic,
             fmt::format("n = 2 … 6: Jordan chain of length {} at 0, {} of its vectors has q = 0",
                         multiplicity, unbent)}},
           ""};
 }
+
+constexpr const char* nonzero_eigenvalues =
+    "the eigenvalues of B^-1 A other than 0 are the -1/F of the critical forces F, for every n";
 
 Judgement eigenvalue_of_force(const Printed& printed, int) {
   const proofs::Formulas formulas({"Fx"});
@@ -122,7 +133,8 @@ Judgement eigenvalue_of_force(const Printed& printed, int) {
   const bool same = proofs::identical(left, right);
   return {same ? Verdict::confirmed : Verdict::refuted,
           same ? "" : "lambda = -1/F_x",
-          {{EvidenceKind::symbolic,
+          {Evidence::by_checked_theorem("Two zeros", {"eigenvalues.eigenvalues"}, nonzero_eigenvalues),
+           {EvidenceKind::symbolic,
             "n = 3: det(lambda B - A) = lambda^4 det(A F_x + B) identically with the printed lambda"}},
           ""};
 }
@@ -136,7 +148,8 @@ Judgement force_of_eigenvalue(const Printed& printed, int) {
                                       pow(lambda, 4) * proofs::bordered_determinant(chain, F));
   return {same ? Verdict::confirmed : Verdict::refuted,
           same ? "" : "F_x = -1/lambda",
-          {{EvidenceKind::symbolic,
+          {Evidence::by_checked_theorem("Two zeros", {"eigenvalues.eigenvalues"}, nonzero_eigenvalues),
+           {EvidenceKind::symbolic,
             "n = 3: det(lambda B - A) = lambda^4 det(A F_x + B) identically with the printed F_x"}},
           ""};
 }
@@ -172,7 +185,8 @@ Judgement shape_count(const Printed& printed, int) {
       "two shapes, of opposite sign, for each of the n - 1 critical forces", EvidenceKind::exact,
       "distinct roots of det(A F + B), L_i = (3i-1)/i");
   return with_evidence(
-      result, Evidence::by_theorem("Simple modes", "n - 1 critical forces, by Definiteness, all distinct"));
+      result, Evidence::by_checked_theorem("Simple modes", {"forces.critical_forces", "forces.simple_forces"},
+                                           "n - 1 critical forces, by Definiteness, all distinct"));
 }
 
 /// Negative directions of E - F delta_x on the shapes with delta_y = 0, by exact elimination.
@@ -215,10 +229,11 @@ Judgement buckles_at(const Printed& printed, int) {
   return judge_word(
       printed.at(0), first ? "lowest" : "another",
       "the straight shape loses its stability at the lowest critical force",
-      {Evidence::by_theorem("Stable below the lowest force",
-                            "E - F delta_x on delta_y = 0 has as many negative directions as "
-                            "there "
-                            "are critical forces below F"),
+      {Evidence::by_checked_theorem("Stable below the lowest force",
+                                    {"stability.stable_exactly_below", "stability.unstable_above"},
+                                    "E - F delta_x on delta_y = 0 is a strict minimum to second order "
+                                    "exactly below the lowest critical force, "
+                                    "and falls along a mode beyond it"),
        {EvidenceKind::exact, "unit chain of four links, negative directions by elimination: " + found}});
 }
 
@@ -240,8 +255,10 @@ Judgement straight_until(const Printed& printed, int) {
   const Rational stiff = initial_curvature(1), soft = initial_curvature(Rational(1, 10));
   return judge_list(
       printed, {below, above}, fmt::format("it is {} below and {} beyond", below, above),
-      {Evidence::by_theorem("Stable below the lowest force",
-                            "the straight chain is stable under F exactly for F < F_1"),
+      {Evidence::by_checked_theorem(
+           "Stable below the lowest force", {"stability.stable_exactly_below", "stability.unstable_above"},
+           "the second variation at the straight chain is positive under F exactly for F < F_1, and negative "
+           "somewhere for F > F_1"),
        {EvidenceKind::exact,
         fmt::format(
             "unit chain of four links, elimination at F = 0.924 and 0.925: {}, {}. Bent shapes can exist "
@@ -281,7 +298,9 @@ Judgement listed_eigenvalues(const Printed& printed, int) {
   Judgement result = nonzero;
   if (nonzero.verdict == Verdict::confirmed) result.verdict = Verdict::convention;
   result.truth = "B^-1 A has n + 1 eigenvalues; the n - 1 that are not zero are meant";
-  return result;
+  return with_evidence(result,
+                       Evidence::by_checked_theorem("Two zeros", {"eigenvalues.characteristic_polynomial"},
+                                                    "of n + 1 eigenvalues two are zero, for every n"));
 }
 
 /// Which chains the method serves, found by trying.
@@ -311,7 +330,8 @@ Judgement generality(const Printed& printed, int) {
                 : "it serves " + domain +
                       ": two passive joints make B singular (a mechanism), a single link has no "
                       "non-zero eigenvalue",
-          {Evidence::by_theorem("Closed form", "det B != 0 exactly when at most one joint is passive"),
+          {Evidence::by_checked_theorem("Closed form", {"definite.det_B_zero"},
+                                        "det B != 0 exactly when at most one joint is passive"),
            {EvidenceKind::exact,
             fmt::format("tried: elastic {}, passive base {}, passive interior joint {}, two passive joints "
                         "{}, one link {}",

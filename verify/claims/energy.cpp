@@ -77,8 +77,8 @@ Judgement factor_order(const Printed& printed, int) {
   return judge_word(
       printed.at(0), equal ? "largest" : "another",
       "mu_i^0 = -1/lambda_i: the smallest factor belongs to the largest |lambda|",
-      {Evidence::by_theorem("Energy factor",
-                            "mu_i^0 = F_i = -1/lambda_i exactly, for every mode of every chain"),
+      {Evidence::by_checked_theorem("Energy factor", {"definite.energy_factor", "eigenvalues.eigenvalues"},
+                                    "mu_i^0 = F_i = -1/lambda_i exactly, for every mode of every chain"),
        {EvidenceKind::symbolic, "n = 2 … 6: (29) and (30) inserted in (39) leave F"}});
 }
 
@@ -108,8 +108,9 @@ Judgement energy_count(const Printed& printed, int) {
       printed.at(0), [](std::size_t n) { return proofs::distinct_critical_forces(unequal_chain(n)); },
       "n - 1 energies E_i = F_i delta_x, each of two mirrored shapes", EvidenceKind::exact,
       "distinct roots of det(A F + B), L_i = (3i-1)/i");
-  return with_evidence(
-      result, Evidence::by_theorem("Energy factor", "mu_i = F_i; by Simple modes they are distinct"));
+  return with_evidence(result, Evidence::by_checked_theorem(
+                                   "Energy factor", {"definite.energy_factor", "forces.simple_forces"},
+                                   "mu_i = F_i; by Simple modes they are distinct"));
 }
 
 /// The printed numbers of the equations that a later one can follow from.

@@ -120,7 +120,8 @@ Judgement critical_force(const std::string& place, const Printed& printed, int d
         "F_x^0 = +1/max|lambda_i|: every non-zero lambda_i is negative and (35) reads F_x = -1/lambda_i > 0, "
         "as Table 3 lists it (0.9240)";
   result.evidence.insert(result.evidence.begin(),
-                         Evidence::by_theorem("Definiteness", "all n - 1 forces -1/lambda_i are positive"));
+                         Evidence::by_checked_theorem("Definiteness", {"eigenvalues.eigenvalues"},
+                                                      "all n - 1 forces -1/lambda_i are positive"));
   result.evidence.push_back({EvidenceKind::interval, "F_x^0 bounded by exact counts: " + lowest.text(20)});
   result.evidence.push_back({EvidenceKind::mp50, algorithm1_against<Mpfr50>(four_link_chain(), lowest)});
   result.evidence.push_back({EvidenceKind::real64, algorithm1_against<double>(four_link_chain(), lowest)});

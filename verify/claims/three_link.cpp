@@ -210,7 +210,8 @@ Judgement two_shapes(const Printed& printed, int) {
   const std::size_t count = count_below(chain, Rational(100));
   return judge_word(
       printed.at(0), std::to_string(count), fmt::format("there are {}, up to the sign of phi", count),
-      {Evidence::by_theorem("Definiteness", "n - 1 critical forces; Simple modes: all distinct"),
+      {Evidence::by_checked_theorem("Definiteness", {"forces.critical_forces", "forces.simple_forces"},
+                                    "n - 1 critical forces; Simple modes: all distinct"),
        {EvidenceKind::exact,
         fmt::format("recursion on the unit chain: {} critical forces below 100", count)}});
 }

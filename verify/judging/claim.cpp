@@ -7,6 +7,8 @@
 #include <array>
 #include <plumbline/base/error.hpp>
 
+#include "proofs/coq/machine_checked.hpp"
+
 namespace plumbline::verify {
 namespace {
 
@@ -17,6 +19,17 @@ bool is_word(const std::string& text) {
 }
 
 }  // namespace
+
+Evidence Evidence::by_checked_theorem(std::string name, std::vector<std::string> coq, std::string says) {
+  Evidence evidence = by_theorem(std::move(name), std::move(says));
+  evidence.coq = std::move(coq);
+  const auto checked = proofs::machine_checked();
+  if (std::all_of(evidence.coq.begin(), evidence.coq.end(), [&](const std::string& one) {
+        return std::find(checked.begin(), checked.end(), one) != checked.end();
+      }))
+    evidence.kind = EvidenceKind::machine_checked;
+  return evidence;
+}
 
 Judgement judge_print(const Claim& claim, const Printed& printed, int digits) {
   if (printed.empty() || (!claim.list && printed.size() != claim.printed.size()))
@@ -52,8 +65,8 @@ std::string_view name(Severity severity) {
 }
 
 std::string_view name(EvidenceKind kind) {
-  static constexpr std::array<std::string_view, 7> names{"theorem", "symbolic", "exact",  "interval",
-                                                         "mp50",    "double",   "sampled"};
+  static constexpr std::array<std::string_view, 8> names{"machine-checked", "theorem", "symbolic", "exact",
+                                                         "interval",        "mp50",    "double",   "sampled"};
   return names.at(static_cast<std::size_t>(kind));
 }
 

@@ -19,12 +19,13 @@ enum class Severity { result, number, wording, convention };
 enum class Subject { statement, number, name };
 
 /// From the strongest to the weakest.
-enum class EvidenceKind { theorem, symbolic, exact, interval, mp50, real64, sampled };
+enum class EvidenceKind { machine_checked, theorem, symbolic, exact, interval, mp50, real64, sampled };
 
 struct Evidence {
   EvidenceKind kind;
-  std::string detail;   ///< what was computed and what came out, so that a stranger can redo it
-  std::string theorem;  ///< the name that proofs/theorems.md gives it; empty for any other kind
+  std::string detail;            ///< what was computed and what came out, so that a stranger can redo it
+  std::string theorem;           ///< the name that proofs/theorems.md gives it; empty where it is none
+  std::vector<std::string> coq;  ///< what proves it in proofs/coq, as "definite.M_definite"; empty where nothing does
 
   Evidence(EvidenceKind what, std::string computed) : kind(what), detail(std::move(computed)) {}
   /// Proved for every chain.
@@ -33,6 +34,8 @@ struct Evidence {
     evidence.theorem = std::move(name);
     return evidence;
   }
+  /// Proved for every chain, and by all of `coq` in Coq: machine-checked where this build has checked them.
+  static Evidence by_checked_theorem(std::string name, std::vector<std::string> coq, std::string says);
   /// Certified at points of a range, of a statement about the whole range: sampled, however sharp each point.
   static Evidence at_points(std::string computed) { return {EvidenceKind::sampled, std::move(computed)}; }
 };

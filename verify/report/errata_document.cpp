@@ -111,8 +111,9 @@ std::string evidence(const Erratum& erratum) {
     return severity(one.claim, one.judgement->verdict) == erratum.severity;
   });
   const Evidence& best = grave->judgement->evidence.front();
-  return fmt::format("{}{}: {}", name(best.kind), best.theorem.empty() ? "" : " “" + best.theorem + "”",
-                     two_lines(best.detail));
+  const std::string coq = best.coq.empty() ? "" : fmt::format(" ({})", fmt::join(best.coq, ", "));
+  return fmt::format("{}{}{}: {}", name(best.kind), best.theorem.empty() ? "" : " “" + best.theorem + "”",
+                     coq, two_lines(best.detail));
 }
 
 /// What does not depend on the erratum, by verdict: it is said to stand only where it was found to.

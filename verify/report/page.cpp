@@ -67,6 +67,9 @@ Json card(const Json& report, const Claim& claim) {
     one["place"] = std::to_string(i);
     one["has_theorem"] = one.contains("theorem");
     if (one.contains("theorem")) one["anchor"] = anchor(one["theorem"].get<std::string>());
+    one["has_coq"] = one.contains("coq");
+    if (one.contains("coq"))
+      one["checked"] = fmt::format("{}", fmt::join(one["coq"].get<std::vector<std::string>>(), ", "));
     const auto kind = report["evidence"][i]["kind"].get<std::string>();
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
   }
@@ -141,6 +144,7 @@ std::string as_html(const std::vector<Judged>& judged, const std::vector<DrawnFi
   const Json report = as_json(judged);
   return page::document("The claims, judged", "Every claim of the paper with its verdict and the evidence",
                         page::filled(claims_template, {{"total", std::to_string(judged.size())},
+                                                       {"proofs_checked", proofs_checked()},
                                                        {"counts", counts(report)},
                                                        {"sections", sections(judged, report)},
                                                        {"errata", corrections(judged)},

@@ -9,6 +9,7 @@
 #include <map>
 #include <sstream>
 
+#include "proofs/coq/machine_checked.hpp"
 #include "verify/paper/paper.hpp"
 #include "verify/report/errata.hpp"
 
@@ -90,8 +91,8 @@ std::string line(const Judged& judged, const Style& style) {
   const std::string& reading = judged.claim.reading;
   return fmt::format(
       "  {} {} {} {}\n", fitted(judged.claim.id, 23), painted(fitted(verdict, 10), verdict, style.colour),
-      fitted(strongest(judged), 8),
-      style.columns == 0 ? reading : fitted(reading, std::max<std::size_t>(style.columns, 66) - 46));
+      fitted(strongest(judged), 15),
+      style.columns == 0 ? reading : fitted(reading, std::max<std::size_t>(style.columns, 73) - 53));
 }
 
 std::string summary(const std::vector<Judged>& judged, bool colour) {
@@ -126,6 +127,12 @@ std::string heading(const std::string& section) {
 
 }  // namespace
 
+std::string proofs_checked() {
+  if (proofs::coq_version().empty()) return "not in this build";
+  return fmt::format("{} theorems, by Coq {}, without axioms", proofs::machine_checked().size(),
+                     proofs::coq_version());
+}
+
 std::string as_table(const std::vector<Judged>& judged, const Style& style) {
   std::string text;
   std::string section;
@@ -136,7 +143,7 @@ std::string as_table(const std::vector<Judged>& judged, const Style& style) {
     }
     text += line(j, style);
   }
-  text += "\n" + summary(judged, style.colour);
+  text += "\n" + summary(judged, style.colour) + "proofs checked: " + proofs_checked() + "\n";
   for (const Judged& j : judged) {
     if (!j.judgement) text += fmt::format("  {}: {}\n", j.claim.id, j.problem);
   }
@@ -163,7 +170,8 @@ std::string as_detail(const Judged& judged, bool colour) {
   if (!judged.judgement->value.empty()) text += wrapped("value: " + judged.judgement->value, 2);
   for (const Evidence& e : judged.judgement->evidence) {
     const std::string theorem = e.theorem.empty() ? "" : " “" + e.theorem + "”";
-    text += wrapped(fmt::format("evidence, {}{}: {}", name(e.kind), theorem, e.detail), 2);
+    const std::string coq = e.coq.empty() ? "" : fmt::format(" ({})", fmt::join(e.coq, ", "));
+    text += wrapped(fmt::format("evidence, {}{}{}: {}", name(e.kind), theorem, coq, e.detail), 2);
   }
   if (!claim.source.file.empty())
     text += wrapped(fmt::format("checked at {}:{}", claim.source.file, claim.source.line), 2);
@@ -178,6 +186,7 @@ nlohmann::ordered_json as_json(const std::vector<Judged>& judged) {
     for (const Evidence& e : judgement.evidence) {
       nlohmann::ordered_json one{{"kind", std::string(name(e.kind))}, {"detail", e.detail}};
       if (!e.theorem.empty()) one["theorem"] = e.theorem;
+      if (!e.coq.empty()) one["coq"] = e.coq;
       evidence.push_back(std::move(one));
     }
     const auto grave = j.judgement ? severity(j.claim, judgement.verdict) : std::nullopt;

@@ -15,6 +15,9 @@ struct Style {
   std::size_t columns = 0;  ///< of the terminal, 0 where there is none: then no reading is cut
 };
 
+/// Whether the proofs of the theorems were checked in this build, by what, and how many.
+std::string proofs_checked();
+
 /// A table by section, one line a claim; a summary; then the errata, those of one cause together.
 std::string as_table(const std::vector<Judged>& judged, const Style& style);
 
@@ -22,8 +25,8 @@ std::string as_table(const std::vector<Judged>& judged, const Style& style);
 std::string as_detail(const Judged& judged, bool colour);
 
 /// A list of objects with the keys id, where, quote, reading, charity, printed, verdict, severity and cause
-/// (null where there is nothing to correct), truth, evidence (a list of kind, detail and for a theorem its
-/// name), value. A claim that could not be judged has the verdict "unjudged" and the reason as its truth.
+/// (null where there is nothing to correct), truth, evidence (a list of kind, detail, for a theorem its
+/// name and the names of its proofs in Coq), value. A claim that could not be judged has the verdict "unjudged" and the reason as its truth.
 nlohmann::ordered_json as_json(const std::vector<Judged>& judged);
 
 /// A figure of the paper, redrawn.
