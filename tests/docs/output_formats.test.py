@@ -105,7 +105,8 @@ def reports(folder):
         assert files == {one["file"] for one in report["corrected"]}, name
         assert (len(files) > 1) == (report["cause"]["verdict"] == "ambiguous"), files
     assert bundled["cause"]["verdict"] == "identified"
-    hold("gap-diagnosis", [*verdicts.values(), bundled])
+    edited = written("diagnose", "no-gap", "--model", "no-gap.xml", "--corrected", "edited.xml", folder=folder)
+    hold("gap-diagnosis", [*verdicts.values(), bundled, edited])
 
 
 def trial(folder):
