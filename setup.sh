@@ -4,6 +4,7 @@
 #
 #   ./setup.sh           what the program is built with
 #   ./setup.sh --tests   and what its tests need
+#   ./setup.sh --python  and what the Python package needs
 #   ./setup.sh --models  and the parsers that read the models of simulators
 #   ./setup.sh --bench   and what the benchmarks compare with
 #   ./setup.sh --docs    and what writes the reference of the library
@@ -30,10 +31,17 @@ proofs=(coq libcoq-mathcomp-ssreflect libcoq-mathcomp-algebra libcoq-mathcomp-fi
         libcoq-mathcomp-zify libcoq-mathcomp-algebra-tactics ocaml-nox ocaml-findlib libzarith-ocaml-dev
         libyojson-ocaml-dev)
 models=(libmujoco-dev libsdformat-dev)
+python=(
+  pybind11-dev python3-dev python3-numpy python3-pip python3-setuptools python3-wheel python3-venv
+  # what it uses where it finds it, and its notebooks
+  python3-pandas python3-matplotlib python3-mpmath jupyter-nbconvert python3-ipykernel
+)
 tests=(
   ccache doctest-dev librapidcheck-dev python3-jsonschema
   # the simulated bench of the blind trial, and the models of simulators
   "${models[@]}"
+  # the Python package
+  "${python[@]}" python3-pytest mypy
   # pages, in a browser
   chromium chromium-driver python3-selenium
   # the proofs
@@ -51,13 +59,14 @@ packages=("${program[@]}")
 case "${1:-}" in
   "") ;;
   --tests) packages+=("${tests[@]}") ;;
+  --python) packages+=("${python[@]}") ;;
   --models) packages+=("${models[@]}") ;;
   --bench) packages+=("${bench[@]}") ;;
   --docs) packages+=("${docs[@]}") ;;
   --fuzz) packages+=("${fuzz[@]}") ;;
   --proofs) packages+=("${proofs[@]}") ;;
   *)
-    echo "setup: found $1, expected nothing, --tests, --models, --bench, --docs, --fuzz or --proofs" >&2
+    echo "setup: found $1, expected nothing, --tests, --python, --models, --bench, --docs, --fuzz or --proofs" >&2
     exit 2
     ;;
 esac

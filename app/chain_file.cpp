@@ -21,7 +21,8 @@ Rational parse_number(const std::string& text, const std::string& list, std::siz
   };
   const auto value = proofs::parse_decimal(text);
   if (!value) refuse("", "a decimal number");
-  if (list.ends_with("lengths") && *value <= 0) refuse(", which is not positive", "a positive length");
+  if ((list.ends_with("lengths") || list.ends_with("link_length")) && *value <= 0)
+    refuse(", which is not positive", "a positive length");
   if (list.ends_with("stiffness") && *value < 0) refuse(", which is negative", "zero (passive) or positive");
   return *value;
 }
@@ -66,6 +67,16 @@ std::vector<Rational> number_list(const toml::table& table, const std::string& k
     values.push_back(parse_number(item.value_or(found.str()), where, values.size()));
   }
   return values;
+}
+
+/// The key as chain files spell it or as experiments do, whichever stands there.
+std::string spelling(const toml::table& table, const std::string& here, const std::string& in_experiments,
+                     const std::string& source) {
+  if (!table.contains(in_experiments)) return here;
+  if (table.contains(here))
+    throw Error(files::place(*table.get(in_experiments), source), "both " + here + " and " + in_experiments,
+                "one of the two, which mean the same");
+  return in_experiments;
 }
 
 std::vector<Rational> joined_numbers(const std::string& field, const std::string& list) {
@@ -119,9 +130,10 @@ std::vector<std::size_t> find_columns(const files::CsvRow& header, const std::st
 
 Chain<Rational> parse_chain(const std::string& text, const std::string& source) {
   const toml::table table = files::parse_toml(quote_decimals(text), source);
-  files::refuse_unknown_keys(table, {"lengths", "stiffness", "rest"}, source);
-  const auto lengths = number_list(table, "lengths", source);
-  const auto stiffness = number_list(table, "stiffness", source);
+  files::refuse_unknown_keys(table, {"lengths", "stiffness", "rest"}, source,
+                             {"link_length", "joint_stiffness"});
+  const auto lengths = number_list(table, spelling(table, "lengths", "link_length", source), source);
+  const auto stiffness = number_list(table, spelling(table, "stiffness", "joint_stiffness", source), source);
   const auto rest = table.contains("rest") ? number_list(table, "rest", source) : std::vector<Rational>();
   try {
     return Chain<Rational>(lengths, stiffness, rest);

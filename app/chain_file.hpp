@@ -9,8 +9,9 @@
 
 namespace plumbline::app {
 
-/// A chain from TOML text: lists `lengths`, `stiffness` and (optional) `rest`, of numbers or of decimals in
-/// quotes. \throws Error that names the source and the line or key
+/// A chain from TOML text: lists `lengths` (or `link_length`), `stiffness` (or `joint_stiffness`) and
+/// (optional) `rest`, of numbers or of decimals in quotes. \throws Error that names the source and the line
+/// or key
 Chain<Rational> parse_chain(const std::string& text, const std::string& source);
 
 struct NamedChain {

@@ -56,7 +56,7 @@ Chains read_chains(const std::string& path) {
       chains.emplace(reference.name, reference.chain);
     return chains;
   }
-  const ChainTable table = parse_chain_table(files::read_text(path), path);
+  const ChainTable table = parse_chain_table(files::read_text(path), files::source_name(path));
   refuse(table.errors);
   for (const NamedChain& entry : table.chains) chains.emplace(entry.name, entry.chain);
   return chains;
@@ -127,9 +127,9 @@ void run(const Options& options) {
   Outputs outputs({options.values, options.chains});
   files::OutputFile* const json = outputs.open("--json", options.json);
   const std::string text = files::read_text(options.values);
-  refuse_certificates(text, options.values);
+  refuse_certificates(text, files::source_name(options.values));
   const Chains chains = read_chains(options.chains);
-  const SubmittedValues read = parse_values(text, options.values, chains);
+  const SubmittedValues read = parse_values(text, files::source_name(options.values), chains);
   refuse(read.errors);
   const Submitted& submitted = read.values;
   const auto values = compare_all(submitted, chains);
@@ -149,7 +149,9 @@ void add_check(CLI::App& app) {
       app.add_subcommand("check", "How many digits of your critical forces agree with the reference");
   const auto options = std::make_shared<Options>();
   verb->add_option("values", options->values,
-                   "CSV with the columns chain,mode,force, as `plumbline critical --all --csv` writes it")
+                   "CSV with the columns chain,mode,force, as `plumbline critical --all --csv` writes it; - "
+                   "is standard "
+                   "input")
       ->type_name("VALUES.csv")
       ->required();
   verb->add_option("--chains", options->chains,

@@ -9,6 +9,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "app/arguments.hpp"
+#include "app/commit.hpp"
 #include "app/complaints.hpp"
 
 namespace plumbline::app {
@@ -42,7 +43,8 @@ std::string what_went_wrong() {
 std::unique_ptr<CLI::App> bare_command() {
   auto command = std::make_unique<CLI::App>("What is true of elastic serial chains under load.", "plumbline");
   command->require_subcommand(0, 1);
-  command->set_version_flag("--version", "plumbline " PLUMBLINE_VERSION);
+  const std::string built = *commit == '\0' ? "" : " (" + std::string(commit) + ")";
+  command->set_version_flag("--version", "plumbline " PLUMBLINE_VERSION + built);
   command->footer("Exit status: 0 done, 1 a claim or a check failed, 2 bad input.");
   return command;
 }

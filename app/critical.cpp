@@ -26,6 +26,7 @@ struct Options {
   std::string input, csv, json, certify;
   int digits = 15;
   bool all = false;
+  bool table = false;  ///< what was read is a table of chains
 };
 
 constexpr const char* example_chain_name = "examples/four-link.toml";
@@ -34,23 +35,26 @@ bool is_table(const std::string& path) {
   return fs::path(path).extension() == ".csv";
 }
 
-/// How many modes of a chain to compute: a person wants to see some, a table needs the lowest.
+/// How many modes of a chain to compute, whatever is written: of one chain some, of many the lowest.
 std::size_t wanted(const Options& options) {
   if (options.all) return std::numeric_limits<std::size_t>::max();
-  return is_table(options.input) || !options.csv.empty() ? 1 : 20;
+  return options.table ? 1 : 20;
 }
 
-ChainTable read(const std::string& path) {
+ChainTable read(Options& options) {
+  const std::string& path = options.input;
   if (path.empty())
     return {{{"four-link", example_chain_name, parse_chain(example_chain, example_chain_name)}}, {}};
-  const std::string extension = fs::path(path).extension();
-  if (extension == ".csv") return parse_chain_table(files::read_text(path), path);
-  if (extension != ".toml" && !fs::is_directory(path))
+  const std::string extension = fs::path(path).extension(), source = files::source_name(path);
+  const bool piped = files::is_standard_input(path);
+  if (extension != ".csv" && extension != ".toml" && !piped && !fs::is_directory(path))
     throw Error(path, "a name that ends in \"" + extension + "\"",
                 ".toml (a chain) or .csv (a table of chains)");
-  return {
-      {{files::printable(fs::path(path).stem().string()), path, parse_chain(files::read_text(path), path)}},
-      {}};
+  const std::string text = files::read_text(path);
+  options.table = piped ? is_chain_table(text) : is_table(path);
+  if (options.table) return parse_chain_table(text, source);
+  const std::string name = piped ? "chain" : files::printable(fs::path(path).stem().string());
+  return {{{name, source, parse_chain(text, source)}}, {}};
 }
 
 void require_straight(const Chain<Rational>& chain) {
@@ -124,7 +128,7 @@ void run(Options options) {
   files::OutputFile *const csv = outputs.open("--csv", options.csv),
                            *const json = outputs.open("--json", options.json),
                            *const certify = outputs.open("--certify", options.certify);
-  ChainTable table = read(options.input);
+  ChainTable table = read(options);
 
   const Results results = compute(table, options);
   complain(table.errors);
@@ -133,8 +137,7 @@ void run(Options options) {
     if (json) json->write(as_json(results.chains, table.errors, options.digits).dump(2) + "\n");
     if (certify) certify->write(certificates(results, options));
     outputs.commit();
-    if (!csv && !json)
-      fmt::print("{}", is_table(options.input) ? as_text(results.chains) : as_text(results.chains[0]));
+    if (!csv && !json) fmt::print("{}", options.table ? as_text(results.chains) : as_text(results.chains[0]));
   }
   if (!table.errors.empty()) throw CLI::RuntimeError(2);
 }
@@ -149,7 +152,8 @@ void add_critical(CLI::App& app) {
                    "CHAIN.toml with the lists lengths and stiffness, or\n"
                    "CHAINS.csv with the columns chain,lengths,stiffness,\n"
                    "the latter two lists joined by ';'. Every number is\n"
-                   "the exact decimal that is written. Without a file:\n"
+                   "the exact decimal that is written. - is standard\n"
+                   "input, either of them. Without a file:\n"
                    "the four-link chain of the paper")
       ->type_name("FILE");
   verb->add_option("--digits", options->digits, "Significant digits of the forces, all correct")
@@ -157,8 +161,8 @@ void add_critical(CLI::App& app) {
       ->capture_default_str()
       ->check(whole_number(1, 10000).description(""));
   verb->add_flag("--all", options->all,
-                 "Every mode (else, at most the 20 lowest of a chain;\n"
-                 "the lowest alone for a table, and in CSV)");
+                 "Every mode (else, at most the 20 lowest of a chain,\n"
+                 "and the lowest alone of each in a table)");
   const auto file_option = [&](const char* name, std::string& value, const char* description) {
     verb->add_option(name, value, description)->type_name("[FILE]")->expected(0, 1)->default_str("-");
   };

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <plumbline/loaded/equilibrium.hpp>
-#include <plumbline/loaded/nominal_model.hpp>
-#include <random>
 
 #include "app/arguments.hpp"
 #include "app/loaded_input.hpp"
@@ -18,8 +15,8 @@
 #include "proofs/certificate.hpp"
 #include "proofs/decimal.hpp"
 #include "proofs/equilibria_certificate.hpp"
+#include "proofs/found_equilibria.hpp"
 #include "proofs/span.hpp"
-#include "proofs/units.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -49,7 +46,6 @@ struct Answer {
 };
 
 constexpr int certificate_digits = 40;
-constexpr std::size_t most_sampled = 1000;  ///< equilibria that are listed without --certify
 
 Point<Rational> exact(const std::vector<std::string>& pair, const char* option) {
   const auto number = [&](const std::string& text) {
@@ -154,92 +150,27 @@ Answer certified(const Options& options, const proofs::CensusTask& task) {
   return answer;
 }
 
-/// What floating point finds: equilibria that differ by more than full turns of passive joints.
-class Found {
- public:
-  Found(const Chain<double>& chain, const proofs::Window& window) : chain_(&chain), window_(&window) {}
-
-  void add(Equilibrium<double> one) {
-    auto q = joint_angles(one.theta);
-    for (std::size_t i = 0; i < q.size(); ++i) {
-      if (chain_->passive_joint(i)) q[i] = std::remainder(q[i], 2 * M_PI);
-    }
-    if (!counted(q) ||
-        std::any_of(all.begin(), all.end(), [&](const auto& other) { return same(q, other.second); }))
-      return;
-    all.emplace_back(std::move(one), std::move(q));
-  }
-
-  std::vector<std::pair<Equilibrium<double>, std::vector<double>>> all;
-
- private:
-  [[nodiscard]] bool counted(const std::vector<double>& q) const {
-    for (std::size_t i = 0; i < window_->size(); ++i) {
-      const proofs::Span range((*window_)[i]);
-      if (!chain_->passive_joint(i) && !range.contains(q[i])) return false;
-    }
-    return true;
-  }
-  [[nodiscard]] bool same(const std::vector<double>& a, const std::vector<double>& b) const {
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      const double apart = a[i] - b[i];
-      if (std::abs(chain_->passive_joint(i) ? std::remainder(apart, 2 * M_PI) : apart) > 1e-6) return false;
-    }
-    return true;
-  }
-
-  const Chain<double>* chain_;
-  const proofs::Window* window_;
-};
-
 /// Newton's method from many random shapes: fast, for any n, and never sure to be complete.
 Answer sampled(const Options& options, const proofs::CensusTask& task) {
-  const Chain<Interval> given = proofs::enclosed_chain(task);
-  const proofs::Units units = proofs::own_units(given);
-  const auto middle = [](const Interval& x) { return static_cast<double>(x.middle()); };
-  const auto chain = convert<double>(proofs::in_units(given, units), middle);
-  const Point<Interval> measured = proofs::in_units(proofs::enclosed_load(task), task.control(), units);
-  const NominalModel<double> model(chain);
-  EquilibriumSolver<NominalModel<double>> solver(model);
-  const Point<double> at{middle(measured.x), middle(measured.y)};
-  const bool held = task.control() == Control::end_point;
-  if (held) model.require_reach(at);
+  const proofs::FoundEquilibria found = proofs::find_equilibria(task);
+  const int digits = std::min(options.digits, 15);
+  const auto text = [&](const Interval::End& x) { return x.str(digits); };
   Answer answer;
-  if (held) answer.window = proofs::unwound(given, options.turns);
-  std::mt19937_64 random(1);
-  std::uniform_real_distribution<double> turn(-3.14159, 3.14159);
-  Found found(chain, answer.window);
-  const std::size_t n = chain.size(), trials = 1000 * n;
-  std::size_t trial = 0;
-  for (; trial < trials && found.all.size() < most_sampled; ++trial) {
-    std::vector<double> q = chain.rest();
-    for (double& angle : q) angle += turn(random) * (trial % 3 == 0 ? 1 : 0.4) * (1 + 2 * options.turns);
-    if (trial == 0) q = chain.rest();
-    try {
-      const auto theta = absolute_angles(q);
-      found.add(held ? solver.at_end_point(at, theta) : solver.under_force(at, theta));
-    } catch (const Error&) {  // this start leads to no equilibrium
-    }
-  }
-  std::sort(found.all.begin(), found.all.end(),
-            [](const auto& a, const auto& b) { return a.first.energy < b.first.energy; });
-  const auto text = [&](double x, const Interval& unit) {
-    return (Interval::from_double(x) * unit).middle().str(std::min(options.digits, 15));
-  };
-  for (const auto& [one, q] : found.all) {
+  answer.window = found.window;
+  for (const proofs::FoundEquilibrium& one : found.equilibria) {
     Entry entry{{},
-                text(one.end_point.x, units.length),
-                text(one.end_point.y, units.length),
-                text(one.force.x, units.force()),
-                text(one.force.y, units.force()),
-                text(one.energy, units.stiffness),
+                text(one.x),
+                text(one.y),
+                text(one.fx),
+                text(one.fy),
+                text(one.energy),
                 type_name(one.negative_directions)};
-    for (const double angle : q) entry.q.push_back(text(angle, Interval(1)));
+    for (const double angle : one.q) entry.q.push_back(text(Interval::End(angle)));
     answer.equilibria.push_back(std::move(entry));
   }
-  answer.note = fmt::format("found from {} random shapes; {}", trial,
-                            trial < trials ? "stopped at so many: there are more, perhaps a continuum"
-                                           : "--certify proves that there are no others, or finds them");
+  answer.note = fmt::format("found from {} random shapes; {}", found.starts,
+                            found.exhausted ? "--certify proves that there are no others, or finds them"
+                                            : "stopped at so many: there are more, perhaps a continuum");
   return answer;
 }
 

@@ -19,7 +19,8 @@ void LoadedChain::add_to(CLI::App& verb) {
   verb.add_option(
           "chain", path,
           "CHAIN.toml with the lists lengths, stiffness and rest (the joint angles of the unloaded shape; a "
-          "passive base joint begins at its own). Without it: the four-link Z-chain of the paper's Table 1")
+          "passive base joint begins at its own), or - for standard input. Without it: the four-link Z-chain "
+          "of the paper's Table 1")
       ->type_name("FILE");
 }
 
@@ -28,10 +29,11 @@ void LoadedChain::read() {
     exact = parse_chain(table1_z, name);
     return;
   }
-  if (std::filesystem::path(path).extension() != ".toml" && !std::filesystem::is_directory(path))
+  const bool piped = files::is_standard_input(path);
+  if (!piped && std::filesystem::path(path).extension() != ".toml" && !std::filesystem::is_directory(path))
     throw Error(path, "a name that does not end in .toml", "CHAIN.toml");
-  exact = parse_chain(files::read_text(path), path);
-  name = files::printable(std::filesystem::path(path).stem().string());
+  exact = parse_chain(files::read_text(path), files::source_name(path));
+  name = piped ? "chain" : files::printable(std::filesystem::path(path).stem().string());
 }
 
 }  // namespace plumbline::app

@@ -1,6 +1,11 @@
 #include "app/outputs.hpp"
 
+#include <fmt/ranges.h>
+#include <unistd.h>
+
 #include <plumbline/base/error.hpp>
+
+#include "files/text_file.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -17,7 +22,8 @@ bool is_device(const fs::path& path) {
 
 Outputs::Outputs(const std::vector<fs::path>& inputs) {
   for (const fs::path& input : inputs)
-    if (!input.empty()) taken_.emplace(files::identity(input), "the input itself");
+    if (!input.empty() && !files::is_standard_input(input))
+      taken_.emplace(files::identity(input), "the input itself");
 }
 
 files::OutputFile* Outputs::open(const std::string& option, const fs::path& path) {
@@ -32,16 +38,24 @@ files::OutputFile* Outputs::open(const std::string& option, const fs::path& path
     if (printed) take({0, 0, "-"});
     if (!printed || !is_device("/dev/stdout")) take(files::identity(printed ? "-" : path));
   }
+  if (!printed) written_.push_back(path.string());
   return &files_.emplace_back(path);
 }
 
 void Outputs::withdraw(const files::OutputFile* file) {
+  std::erase(written_, file->path().string());
   files_.remove_if([&](const files::OutputFile& one) { return &one == file; });
 }
 
 void Outputs::commit() {
   for (files::OutputFile& file : files_) file.complete();
   for (files::OutputFile& file : files_) file.commit();
+  if (isatty(STDERR_FILENO) == 0) return;
+  constexpr std::size_t most = 5;  // by name; of a whole folder the number says enough
+  if (written_.size() > most)
+    fmt::print(stderr, "plumbline: wrote {} files\n", written_.size());
+  else if (!written_.empty())
+    fmt::print(stderr, "plumbline: wrote {}\n", fmt::join(written_, ", "));
 }
 
 }  // namespace plumbline::app

@@ -28,12 +28,14 @@ class Outputs {
   /// Lets go of a file that was opened: it will not be written.
   void withdraw(const files::OutputFile* file);
 
-  /// Lets all files appear, once all are on the disk. \throws Error when one does not fit: then none does
+  /// Lets all files appear, once all are on the disk, and says so to a terminal. \throws Error when one does
+  /// not fit: then none does
   void commit();
 
  private:
   std::map<files::FileIdentity, std::string> taken_;  ///< and what for
   std::list<files::OutputFile> files_;
+  std::vector<std::string> written_;  ///< their names, but for standard output
 };
 
 }  // namespace plumbline::app

@@ -1,8 +1,6 @@
 #include <fmt/core.h>
 
-#include <cmath>
 #include <memory>
-#include <plumbline/loaded/nominal_model.hpp>
 
 #include "app/arguments.hpp"
 #include "app/certified_report.hpp"
@@ -14,8 +12,8 @@
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "proofs/certificate.hpp"
-#include "proofs/measures.hpp"
 #include "proofs/path_certificate.hpp"
+#include "proofs/path_load.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -29,40 +27,9 @@ struct Options {
   bool certify = false;
 };
 
-template <Analytic Real>
-Real exactly(double x) {
-  if constexpr (std::same_as<Real, Interval>) {
-    return Interval::from_double(x);
-  } else {
-    return Real(x);
-  }
-}
-
-/// Of a vector, also where its square is not to be held.
-double length(double x, double y) {
-  return std::hypot(x, y);
-}
-template <Analytic Real>
-Real length(const Real& x, const Real& y) {
-  using std::sqrt;
-  return sqrt(x * x + y * y);
-}
-
-/// From the unloaded state to the load that was asked for, and how far that is.
-template <Analytic Real>
-std::pair<Loading<Real>, Real> loading_of(const Options& options, const Chain<Real>& chain) {
-  const bool held = options.force.empty();
-  const Real x = exactly<Real>(held ? -options.to : options.force[0]),
-             y = exactly<Real>(held ? options.dy : options.force[1]);
-  const Real size = length(x, y);
-  const Point<Real> start = held ? end_point(chain, chain.rest()) : Point<Real>{Real(0), Real(0)};
-  return {{held ? Control::end_point : Control::force, start, {x / size, y / size}}, size};
-}
-
-/// The load's direction as the options give it.
-Point<Rational> direction_of(const Options& options) {
-  return options.force.empty() ? Point<Rational>{Rational(-options.to), Rational(options.dy)}
-                               : Point<Rational>{Rational(options.force[0]), Rational(options.force[1])};
+proofs::PathLoad load_of(const Options& options) {
+  return options.force.empty() ? proofs::PathLoad{Control::end_point, {-options.to, options.dy}}
+                               : proofs::PathLoad{Control::force, {options.force[0], options.force[1]}};
 }
 
 struct Followed {
@@ -77,23 +44,18 @@ Followed follow(const Options& options, const proofs::PathTask& task) {
   all.report.chain = options.chain.name;
   if (options.digits > 0) {
     const auto exact = from_rational<proofs::Located>(options.chain.exact);
-    all.located = locate(all.report, options.chain.exact, loading_of(options, exact).first);
+    all.located = locate(all.report, options.chain.exact, proofs::loading_of(load_of(options), exact).first);
   }
-  if (options.certify) {
-    const auto exact = from_rational<Interval>(options.chain.exact);
-    const Loading<Interval> loading = loading_of(options, exact).first;
+  if (options.certify)
     all.certified = proofs::certify(
-        all.report, exact, loading,
-        proofs::symmetries(options.chain.exact, loading.control, direction_of(options)),
+        all.report, options.chain.exact, load_of(options),
         options.certificate.empty() ? proofs::ProvedPoints::as_followed : proofs::ProvedPoints::rounded);
-  }
   return all;
 }
 
 std::string certificate_of(const Options& options, const proofs::JoinedBranches& certified) {
-  const Point<Rational> direction = direction_of(options);
-  const proofs::PathGiven given{options.chain.name, options.chain.exact, false,
-                                options.force.empty() ? Control::end_point : Control::force, direction};
+  const proofs::PathLoad way = load_of(options);
+  const proofs::PathGiven given{options.chain.name, options.chain.exact, false, way.control, way.direction()};
   const std::string load = options.force.empty()
                                ? fmt::format("--to {} --dy {}", options.to, options.dy)
                                : fmt::format("--force {},{}", options.force[0], options.force[1]);
@@ -108,18 +70,6 @@ std::string certificate_of(const Options& options, const proofs::JoinedBranches&
          "\n";
 }
 
-/// As NominalModel does, also where the squares of lengths are not to be held.
-void require_reach(const Chain<double>& chain, const Point<double>& p) {
-  const auto [inner, outer] = reach(chain.length());
-  const double distance = length(p.x, p.y);
-  if (chain.size() > 1 && (!(distance < outer) || (inner > 0 && !(distance > inner))))
-    throw Error(
-        "end point", fmt::format("distance {:.6g} from the base", distance),
-        fmt::format("between {:.6g} and {:.6g}, both excluded: the reach of the chain", inner, outer));
-  const proofs::Measures m = proofs::measures_of(chain);
-  NominalModel<double>(proofs::measured(chain, m)).require_reach({p.x / m.length, p.y / m.length});
-}
-
 void run(Options options) {
   Outputs outputs({options.chain.path});
   files::OutputFile *const csv = outputs.open("--csv", options.csv),
@@ -128,14 +78,11 @@ void run(Options options) {
                            *const certificate = outputs.open("--certificate", options.certificate);
   options.certify = options.certify || certificate;
   options.chain.read();
-  const auto chain = from_rational<double>(options.chain.exact);
-  const auto [loading, last] = loading_of(options, chain);
-  if (!(last > 0) || !is_finite(last)) throw Error("load", "nothing to do", "a finite load that is not zero");
-  if (loading.control == Control::end_point) require_reach(chain, loading.at(last));
-  const proofs::PathTask task{chain, loading, last, options.step, options.side};
+  const proofs::PathTask task =
+      proofs::path_task(options.chain.exact, load_of(options), options.step, options.side);
   const auto [report, located, certified] = follow(options, task);
   for (const std::string& warning : report.warnings) complain("warning: " + warning);
-  if (svg) svg->write(page::as_svg(as_drawing(report, chain), 2));
+  if (svg) svg->write(page::as_svg(as_drawing(report, task.chain), 2));
   if (csv) csv->write(as_csv(report));
   if (json) {
     auto all = as_json(report);

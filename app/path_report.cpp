@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <plumbline/branch/straight_start.hpp>
 
 #include "files/csv_file.hpp"
 
@@ -68,24 +69,6 @@ nlohmann::ordered_json point_json(const BranchPoint<double>& p) {
 
 }  // namespace
 
-std::string_view name(BranchEnd end) {
-  switch (end) {
-    case BranchEnd::load:
-      return "end of the load window";
-    case BranchEnd::closed:
-      return "closed";
-    case BranchEnd::unstable:
-      return "stability lost";
-    case BranchEnd::unbounded:
-      return "force unbounded: links in one line";
-    case BranchEnd::degenerate:
-      return "degenerate point";
-    case BranchEnd::points:
-      break;
-  }
-  return "limit of points";
-}
-
 std::string as_text(const proofs::PathReport& report) {
   const auto& l = report.loading;
   const Point<double> to = l.at(report.last);
@@ -100,11 +83,11 @@ std::string as_text(const proofs::PathReport& report) {
     if (report.history)
       text += i == 0 ? "\nThe slowly loaded chain\n" : "\nand from there, where the energy flows\n";
     else
-      text +=
-          fmt::format("\nBranch {} ({} points; ends: {})\n", i + 1, branch.points.size(), name(branch.end));
+      text += fmt::format("\nBranch {} ({} points; ends: {})\n", i + 1, branch.points.size(),
+                          proofs::name(branch.end));
     text += table(branch);
     if (report.history && branch.end != BranchEnd::load && branch.end != BranchEnd::unstable)
-      text += fmt::format("the path ends here: {}\n", name(branch.end));
+      text += fmt::format("the path ends here: {}\n", proofs::name(branch.end));
   }
   return text;
 }
@@ -139,7 +122,7 @@ nlohmann::ordered_json as_json(const proofs::PathReport& report) {
       entry.update(point_json(event.point));
       events.push_back(std::move(entry));
     }
-    branches.push_back({{"end", name(branch.end)}, {"events", events}, {"points", points}});
+    branches.push_back({{"end", proofs::name(branch.end)}, {"events", events}, {"points", points}});
   }
   const auto& l = report.loading;
   return {{"chain", report.chain},
@@ -148,6 +131,35 @@ nlohmann::ordered_json as_json(const proofs::PathReport& report) {
           {"direction", {l.direction.x, l.direction.y}},
           {report.history ? "history" : "branches", branches}};
 }
+
+namespace {
+
+constexpr int dot = 0;  ///< gnuplot's smallest point
+
+/// What a straight chain does before it buckles: the force grows, and nothing moves.
+void add_straight_part(page::Panel& curve, double critical) {
+  constexpr int black = 0;
+  curve.curves.push_back({{{0, 0}, {0, critical}}, black, false, "straight", 1.6});
+  curve.marks.push_back({0, critical, "buckling"});
+}
+
+/// Near a singularity, where all links come into one line, forces grow beyond bounds: what most points stay
+/// within is shown. Nothing where that is all.
+std::string range_of_most(const std::vector<page::Curve>& curves) {
+  std::vector<double> forces;
+  for (const page::Curve& curve : curves)
+    for (const auto& [x, y] : curve.points) forces.push_back(y);
+  std::sort(forces.begin(), forces.end());
+  const auto at = [&](double share) {
+    return forces[static_cast<std::size_t>(share * static_cast<double>(forces.size() - 1))];
+  };
+  const double low = at(0.02), high = at(0.98), air = (high - low) / 2;
+  if (forces.front() >= low - air && forces.back() <= high + air) return "";
+  return fmt::format("set yrange [{:.6g}:{:.6g}]\n", std::max(forces.front(), low - air),
+                     std::min(forces.back(), high + air));
+}
+
+}  // namespace
 
 std::vector<page::Panel> as_drawing(const proofs::PathReport& report, const Chain<double>& chain) {
   const auto& l = report.loading;
@@ -159,7 +171,7 @@ std::vector<page::Panel> as_drawing(const proofs::PathReport& report, const Chai
                     {},
                     "",
                     false};
-  page::Panel shapes{"shapes", "x [length]", "y [length]", {}, {}, "set key off", true};
+  page::Panel shapes{"shapes, each with its load", "x [length]", "y [length]", {}, {}, "set key off", true};
   const auto deflection = [&](const BranchPoint<double>& p) {
     if (held) return p.load;
     const Point<double>& start = report.branches[0].points[0].end_point;
@@ -175,10 +187,16 @@ std::vector<page::Panel> as_drawing(const proofs::PathReport& report, const Chai
                        fmt::format("{} {}", report.history ? "stretch" : "branch", b + 1));
     for (const auto& event : branch.events)
       curve.marks.push_back({deflection(event.point), force(event.point), std::string(name(event.kind))});
-    for (const std::size_t i : {std::size_t{0}, branch.points.size() / 2, branch.points.size() - 1})
-      shapes.curves.push_back({verify::outline(chain, branch.points[i].theta), colour,
-                               branch.points[i].negative_directions > 0, "", 2.2});
+    for (const std::size_t i : {std::size_t{0}, branch.points.size() / 2, branch.points.size() - 1}) {
+      const BranchPoint<double>& point = branch.points[i];
+      const auto outline = verify::outline(chain, point.theta);
+      shapes.curves.push_back({outline, colour, point.negative_directions > 0, "", 2.2});
+      shapes.marks.push_back(
+          {outline.back().first, outline.back().second, fmt::format("{:.3g}", point.load), dot});
+    }
   }
+  if (held && is_straight(chain)) add_straight_part(curve, force(report.branches[0].points[0]));
+  curve.extra += range_of_most(curve.curves);
   return {curve, shapes};
 }
 

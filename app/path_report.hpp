@@ -11,8 +11,6 @@
 
 namespace plumbline::app {
 
-std::string_view name(BranchEnd end);
-
 /// The force-deflection curve in a few lines, and every event.
 std::string as_text(const proofs::PathReport& report);
 /// `branch,point,load,x,y,Fx,Fy,energy,stiffness,negative_directions,event,q1,…`: a row a point, events among

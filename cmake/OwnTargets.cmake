@@ -55,10 +55,15 @@ endfunction()
 
 # Where nothing takes time, the compiler's time is worth more.
 set(quick $<$<CONFIG:Release>:-O1>)
+# What the extension module of Python links: code that runs wherever it is loaded, while calls within a file stay direct.
+set(anywhere "")
+if(PLUMBLINE_PYTHON)
+  set(anywhere -fPIC -fno-semantic-interposition)
+endif()
 set(numbers <Eigen/Core> <Eigen/LU> <boost/multiprecision/gmp.hpp> <boost/multiprecision/mpfr.hpp>)
 set(texts <fmt/format.h> <fmt/ranges.h> <nlohmann/json.hpp>)
-plumbline_way(text FLAGS ${quick} HEADERS ${texts})
-plumbline_way(proof HEADERS ${numbers} <boost/multiprecision/mpfi.hpp> <fmt/format.h>)
+plumbline_way(text FLAGS ${quick} ${anywhere} HEADERS ${texts})
+plumbline_way(proof FLAGS ${anywhere} HEADERS ${numbers} <boost/multiprecision/mpfi.hpp> <fmt/format.h>)
 plumbline_way(claim FLAGS ${quick} HEADERS ${numbers} <boost/multiprecision/mpfi.hpp> <fmt/format.h> <ginac/ginac.h>)
-plumbline_way(fit HEADERS <Eigen/Dense> <fmt/format.h>)
+plumbline_way(fit FLAGS ${anywhere} HEADERS <Eigen/Dense> <fmt/format.h>)
 plumbline_way(verb FLAGS ${quick} HEADERS ${texts} ${numbers} <CLI/CLI.hpp>)

@@ -21,6 +21,8 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile();
 
+  /// As the user wrote it.
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   void write(const std::string& text) { text_ += text; }
   /// Puts the draft on the disk. \throws Error when it does not fit
   void complete();

@@ -47,6 +47,11 @@ std::string all_of(int file, const std::string& name) {
 }  // namespace
 
 std::string read_text(const std::filesystem::path& path) {
+  if (is_standard_input(path)) {
+    std::string text = all_of(STDIN_FILENO, source_name(path));
+    require_text(text, source_name(path));
+    return text;
+  }
   const std::string name = path.string();
   const Descriptor file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));  // no waiting for a writer
   struct stat found = {};
@@ -58,6 +63,14 @@ std::string read_text(const std::filesystem::path& path) {
   std::string text = all_of(file.number(), name);
   require_text(text, name);
   return text;
+}
+
+bool is_standard_input(const std::filesystem::path& path) {
+  return path == "-";
+}
+
+std::string source_name(const std::filesystem::path& path) {
+  return is_standard_input(path) ? "standard input" : path.string();
 }
 
 void require_text(const std::string& text, const std::string& source) {

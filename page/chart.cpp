@@ -122,6 +122,57 @@ std::string rings(const Layer& layer, const Frame& frame) {
   return circles;
 }
 
+/// Three heads along a line, each in the direction in which its points come.
+std::string arrows(const Layer& layer, const Frame& frame) {
+  constexpr double size = 6;
+  std::vector<ChartPoint> way;
+  double whole = 0;
+  std::vector<double> so_far;
+  for (const ChartPoint& point : layer.points) {
+    if (!std::isfinite(point.x) || !std::isfinite(point.y)) continue;
+    const ChartPoint at{frame.x.pixel(point.x), frame.y.pixel(point.y)};
+    if (!way.empty()) whole += std::hypot(at.x - way.back().x, at.y - way.back().y);
+    way.push_back(at);
+    so_far.push_back(whole);
+  }
+  std::string heads;
+  for (const double share : {0.2, 0.5, 0.8}) {
+    const auto next = std::upper_bound(so_far.begin(), so_far.end(), share * whole);
+    if (next == so_far.begin() || next == so_far.end()) continue;
+    const auto i = static_cast<std::size_t>(next - so_far.begin());
+    const double dx = way[i].x - way[i - 1].x, dy = way[i].y - way[i - 1].y, step = std::hypot(dx, dy);
+    const double u = size * dx / step, v = size * dy / step, x = way[i].x, y = way[i].y;
+    heads += fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z", x, y, x - u - v / 2, y - v + u / 2,
+                         x - u + v / 2, y - v - u / 2);
+  }
+  return heads.empty() ? "" : fmt::format("<path class=\"arrow {}\" d=\"{}\"/>\n", layer.ink, heads);
+}
+
+/// "Fx −0.82 N"; "reading 7".
+std::string value_text(const std::string& label, double value) {
+  const std::size_t comma = label.rfind(", ");
+  std::string number = fmt::format("{:.4g}", value);
+  if (number.front() == '-') number.replace(0, 1, "\u2212");
+  return comma == std::string::npos ? label + " " + number
+                                    : label.substr(0, comma) + " " + number + " " + label.substr(comma + 2);
+}
+
+/// A place around each of at most so many points that says its values when it is pointed at.
+std::string values(const Chart& chart, const Layer& layer, const Frame& frame) {
+  constexpr std::size_t most = 100;
+  const std::size_t stride = layer.points.size() / most + 1;
+  std::string places;
+  for (std::size_t i = 0; i < layer.points.size(); i += stride) {
+    const ChartPoint& point = layer.points[i];
+    if (!std::isfinite(point.x) || !std::isfinite(point.y)) continue;
+    places += fmt::format(
+        "<circle class=\"value\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\"><title>{}, {}</title></circle>\n",
+        frame.x.pixel(point.x), frame.y.pixel(point.y), escaped(value_text(chart.y_label, point.y)),
+        escaped(value_text(chart.x_label, point.x)));
+  }
+  return places;
+}
+
 std::string strips(const Chart& chart, const Frame& frame) {
   std::string rectangles;
   const auto rectangle = [&](double x, double y, double w, double h, const std::string& ink) {
@@ -165,10 +216,14 @@ std::string axes(const Chart& chart, const Frame& frame) {
 
 std::string labels(const Chart& chart, const Frame& frame) {
   std::string text;
-  for (const ChartLabel& label : chart.labels)
-    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"label middle\">{}</text>\n",
-                        std::max(left + 28, frame.x.pixel(label.at.x)),
-                        frame.y.pixel(label.at.y) - label.above, escaped(label.text));
+  for (const ChartLabel& label : chart.labels) {
+    const double aside = label.towards.x * label.distance, up = label.towards.y * label.distance;
+    const char* const anchor = label.towards.x > 0.5 ? "" : label.towards.x < -0.5 ? " end" : " middle";
+    const double drop = label.towards.y < -0.5 ? 9 : label.towards.y > 0.5 ? 0 : 4;  // of the line of text
+    text += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"label{}\">{}</text>\n",
+                        std::max(left + 28, frame.x.pixel(label.at.x) + aside),
+                        frame.y.pixel(label.at.y) - up + drop, anchor, escaped(label.text));
+  }
   return text;
 }
 
@@ -187,6 +242,7 @@ std::string drawn(const Chart& chart) {
     switch (layer.kind) {
       case Layer::Kind::line:
         svg += line(layer, frame);
+        if (layer.directed) svg += arrows(layer, frame);
         break;
       case Layer::Kind::dots:
         svg += dots(layer, frame);
@@ -196,7 +252,10 @@ std::string drawn(const Chart& chart) {
         break;
     }
   }
-  return svg + labels(chart, frame) + "</svg>\n";
+  svg += labels(chart, frame);
+  for (const Layer& layer : chart.layers)
+    if (layer.told) svg += values(chart, layer, frame);
+  return svg + "</svg>\n";
 }
 
 }  // namespace plumbline::page

@@ -18,7 +18,9 @@ struct Layer {
   enum class Kind { line, dots, rings } kind;
   std::string ink;
   std::vector<ChartPoint> points;
-  double radius = 1.6;  ///< of dots and rings, in the chart's pixels
+  double radius = 1.6;    ///< of dots and rings, in the chart's pixels
+  bool directed = false;  ///< a line with heads of arrows along it
+  bool told = false;      ///< a point says its values to who points at it
 };
 
 /// A strip across the whole height, or the whole width, behind the curves. Its word stands in it if it fits.
@@ -30,7 +32,8 @@ struct Strip {
 struct ChartLabel {
   ChartPoint at;
   std::string text;
-  double above = 9;  ///< the point, in the chart's pixels
+  double distance = 9;          ///< from the point, in the chart's pixels
+  ChartPoint towards = {0, 1};  ///< a unit vector, y up
 };
 
 struct Chart {

@@ -103,6 +103,24 @@ PathReport reported(const PathTask& task, const Measures& m, bool history,
 
 }  // namespace
 
+std::string_view name(BranchEnd end) {
+  switch (end) {
+    case BranchEnd::load:
+      return "end of the load window";
+    case BranchEnd::closed:
+      return "closed";
+    case BranchEnd::unstable:
+      return "stability lost";
+    case BranchEnd::unbounded:
+      return "force unbounded: links in one line";
+    case BranchEnd::degenerate:
+      return "degenerate point";
+    case BranchEnd::points:
+      break;
+  }
+  return "limit of points";
+}
+
 PathReport follow_slowly(const PathTask& task) {
   const Measures m = measures_of(task.chain);
   return reported(task, m, true, slow_branches(measured(task, m)), {});

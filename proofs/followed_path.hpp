@@ -9,6 +9,9 @@
 
 namespace plumbline::proofs {
 
+/// What the end of a branch is called.
+std::string_view name(BranchEnd end);
+
 struct PathTask {
   Chain<double> chain;
   Loading<double> loading;

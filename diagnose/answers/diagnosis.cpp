@@ -236,6 +236,12 @@ void explain(const Study& study, const std::vector<double>& residual, Diagnosis&
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.or_unknown)
     offer_law_to(study, heldout, chosen, diagnosis);
   diagnosis.not_exercised = never_exercised(study, chosen);
+  if (!diagnosis.cause.ranking.empty()) {
+    // What the best explanation is made of has been seen at work.
+    const auto& best = diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate.effects;
+    std::erase_if(diagnosis.not_exercised,
+                  [&](const EffectAt& at) { return std::find(best.begin(), best.end(), at) != best.end(); });
+  }
   if (diagnosis.cause.verdict != CauseVerdict::unknown)
     diagnosis.estimates =
         estimate(study, diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit, findings.noise);

@@ -113,8 +113,7 @@ fs::path file_inside(const fs::path& folder, const std::string& name, const std:
 
 /// What is read: an experiment, or a bench before anything is measured.
 struct Source {
-  const fs::path& folder;
-  const ReadFile& read;
+  const ReadTable& read;
   bool plan;
 };
 
@@ -140,11 +139,10 @@ Run read_run(const Section& section, const Shared& shared) {
                  : shared.nominal.rest;
   const Source& source = shared.source;
   if (source.plan && !section.has("samples")) return run;
-  const std::string name = section.text("samples", "the name of a sample file");
   SampleFormat format = read_sample_format(section, shared.format);
   format.any_order |= source.plan && format.header;  // a plan may hold commands alone
-  Samples samples = parse_samples(source.read(name, section.place("samples")),
-                                  (source.folder / name).string(), run.control, format);
+  const NamedTable named = source.read(section, format);
+  Samples samples = read_samples(named.table, named.source, run.control, format);
   run.readings = std::move(samples.readings);
   run.origins = std::move(samples.origins);
   return run;
@@ -162,11 +160,8 @@ std::vector<Run> read_runs(const Section& root, const Shared& shared) {
   return runs;
 }
 
-/// Everything that the folder says, whether or not it can be.
-Experiment read_folder(const Source& source, const NominalChain* model) {
-  const std::string settings = "experiment.toml", file = (source.folder / settings).string();
-  const toml::table table = files::parse_toml(source.read(settings, file), file);
-  const Section root(table, file);
+/// Everything that the settings say, whether or not it can be.
+Experiment read_settings(const Section& root, const Source& source, const NominalChain* model) {
   const std::string expected = "\"chain-experiment/1\"";
   if (root.text("format", expected) != "chain-experiment/1") root.refuse("format", expected);
   root.allow_only({"format", "name", "date", "nominal", "bench", "noise", "units", "csv", "columns", "run"});
@@ -185,6 +180,18 @@ Experiment read_folder(const Source& source, const NominalChain* model) {
   return experiment;
 }
 
+/// The same from files.
+Experiment read_folder(const fs::path& folder, const ReadFile& read, bool plan, const NominalChain* model) {
+  const std::string settings = "experiment.toml", file = (folder / settings).string();
+  const ReadTable read_table = [&](const Section& run, const SampleFormat& format) {
+    const std::string name = run.text("samples", "the name of a sample file");
+    const std::string source = (folder / name).string();
+    return NamedTable{source, parse_sample_table(read(name, run.place("samples")), source, format)};
+  };
+  const toml::table table = files::parse_toml(read(settings, file), file);
+  return read_settings(Section(table, file), {read_table, plan}, model);
+}
+
 ReadFile files_of(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored))
@@ -201,7 +208,14 @@ Experiment read_experiment(const fs::path& folder, const NominalChain* model) {
 }
 
 Experiment read_experiment(const fs::path& folder, const ReadFile& read, const NominalChain* model) {
-  Experiment experiment = read_folder({folder, read, false}, model);
+  Experiment experiment = read_folder(folder, read, false, model);
+  require_physical(experiment);
+  return experiment;
+}
+
+Experiment read_experiment(const toml::table& settings, const std::string& source, const ReadTable& read,
+                           const NominalChain* model) {
+  Experiment experiment = read_settings(Section(settings, source), {read, false}, model);
   require_physical(experiment);
   return experiment;
 }
@@ -211,7 +225,7 @@ Experiment read_plan(const fs::path& folder, const NominalChain* model) {
 }
 
 Experiment read_plan(const fs::path& folder, const ReadFile& read, const NominalChain* model) {
-  Experiment bench = unmeasured(read_folder({folder, read, true}, model));
+  Experiment bench = unmeasured(read_folder(folder, read, true, model));
   require_bench(bench);
   return bench;
 }

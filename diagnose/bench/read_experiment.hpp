@@ -7,6 +7,7 @@
 #include <string>
 
 #include "diagnose/bench/experiment.hpp"
+#include "diagnose/bench/sample_table.hpp"
 
 namespace plumbline::diagnose {
 
@@ -17,6 +18,22 @@ namespace plumbline::diagnose {
 ///         number, a negative length or stiffness, a repeated run id, a sample file outside the folder,
 ///         readings that the chain cannot reach, or too few of them to judge anything
 Experiment read_experiment(const std::filesystem::path& folder, const NominalChain* model = nullptr);
+
+/// The samples of a run.
+struct NamedTable {
+  std::string source;  ///< as errors name it
+  SampleTable table;
+};
+/// \param run     its table: the key `samples` says which samples
+/// \param format  that the experiment and the run declare
+/// \throws Error that names the key, or the source
+using ReadTable = std::function<NamedTable(const Section& run, const SampleFormat& format)>;
+
+/// An experiment that stands in memory: the same keys, checked by the same rules.
+/// \param settings  what experiment.toml holds
+/// \param source    named in errors
+Experiment read_experiment(const toml::table& settings, const std::string& source, const ReadTable& read,
+                           const NominalChain* model = nullptr);
 
 /// The text of experiment.toml, or of a sample file that it names.
 /// \throws Error at the place where the name stands, or that names the file

@@ -1,5 +1,7 @@
 #include "diagnose/bench/read_nominal.hpp"
 
+#include <plumbline/base/error.hpp>
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -9,16 +11,28 @@ NominalEffect read_effect(const Section& section) {
           section.named_numbers("parameters")};
 }
 
+/// The key as experiments spell it or as chain files do, whichever stands there.
+std::string spelling(const Section& nominal, const std::string& here, const std::string& in_chain_files) {
+  if (!nominal.has(in_chain_files)) return here;
+  if (nominal.has(here))
+    throw Error(nominal.place(in_chain_files), "both " + here + " and " + in_chain_files,
+                "one of the two, which mean the same");
+  return in_chain_files;
+}
+
 }  // namespace
 
 NominalChain read_nominal(const Section& nominal) {
-  nominal.allow_only({"link_length", "joint_stiffness", "link_mass", "gravity", "rest", "effect"});
+  nominal.allow_only({"link_length", "joint_stiffness", "link_mass", "gravity", "rest", "effect"},
+                     {"lengths", "stiffness"});
+  const std::string lengths = spelling(nominal, "link_length", "lengths"),
+                    stiffness = spelling(nominal, "joint_stiffness", "stiffness");
   NominalChain chain;
-  chain.link_length = nominal.numbers("link_length", 0, "a positive length", [](double v) { return v > 0; });
+  chain.link_length = nominal.numbers(lengths, 0, "a positive length", [](double v) { return v > 0; });
   const std::size_t n = chain.link_length.size();
   const auto not_negative = [](double v) { return v >= 0; };
   chain.joint_stiffness =
-      nominal.numbers("joint_stiffness", n, "zero (passive) or a positive stiffness", not_negative);
+      nominal.numbers(stiffness, n, "zero (passive) or a positive stiffness", not_negative);
   chain.link_mass.assign(n, 0.0);
   if (nominal.has("link_mass"))
     chain.link_mass = nominal.numbers("link_mass", n, "zero or a positive mass", not_negative);

@@ -135,9 +135,8 @@ class Reader {
 
 }  // namespace
 
-Samples parse_samples(const std::string& text, const std::string& source, Control control,
-                      const SampleFormat& format) {
-  const SampleTable table = parse_sample_table(text, source, format);
+Samples read_samples(const SampleTable& table, const std::string& source, Control control,
+                     const SampleFormat& format) {
   const Reader reader(table, format, source, control);
   Samples samples{{}, reader.origins()};
   for (std::size_t row = 0; row < table.rows.size(); ++row) {

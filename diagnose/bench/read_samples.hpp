@@ -5,7 +5,7 @@
 #include <string>
 
 #include "diagnose/bench/experiment.hpp"
-#include "diagnose/bench/sample_format.hpp"
+#include "diagnose/bench/sample_table.hpp"
 
 namespace plumbline::diagnose {
 
@@ -16,9 +16,10 @@ struct Samples {
 };
 
 /// Time and the imposed channels may not be empty.
+/// \param source  of the table, named in errors with the line
 /// \param format  for n joints
 /// \throws Error that names the source and the line
-Samples parse_samples(const std::string& text, const std::string& source, Control control,
-                      const SampleFormat& format);
+Samples read_samples(const SampleTable& table, const std::string& source, Control control,
+                     const SampleFormat& format);
 
 }  // namespace plumbline::diagnose

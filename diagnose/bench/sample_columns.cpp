@@ -21,7 +21,7 @@ class Finder {
       : table_(table),
         format_(format),
         source_(source),
-        header_line_(source + ":" + std::to_string(table.header_line)) {}
+        header_line_(table.header_line == 0 ? source : source + ":" + std::to_string(table.header_line)) {}
 
   /// Without [columns] the header is one of two.
   void require_header() const {

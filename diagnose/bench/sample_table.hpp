@@ -12,7 +12,7 @@ namespace plumbline::diagnose {
 
 struct SampleTable {
   std::vector<std::string> header;  ///< empty where the file has none
-  std::size_t header_line = 1;
+  std::size_t header_line = 1;      ///< 0 of what no file holds
   std::vector<files::CsvRow> rows;  ///< all with as many fields as the header
 };
 

@@ -29,16 +29,18 @@ std::string shown(const toml::node& node) {
 std::string Section::place(const std::string& key) const {
   const toml::node* node = table_->get(key);
   if (node == nullptr && !path_.empty()) node = table_;
-  const std::string line = node == nullptr ? "" : ":" + std::to_string(node->source().begin.line);
+  const auto number = node == nullptr ? 0 : node->source().begin.line;  // 0 of what no text holds
+  const std::string line = number == 0 ? "" : ":" + std::to_string(number);
   return source_ + line + ": " + path_ + files::shown(key);
 }
 
-void Section::allow_only(const std::set<std::string>& keys) const {
+void Section::allow_only(const std::set<std::string>& keys, const std::set<std::string>& synonyms) const {
   for (const auto& [key, value] : *table_) {
-    if (keys.contains(std::string(key.str()))) continue;
+    const std::string name(key.str());
+    if (keys.contains(name) || synonyms.contains(name)) continue;
     std::string expected = "one of";
     for (const std::string& known : keys) expected += " " + known;
-    throw Error(place(std::string(key.str())), "an unknown key", expected);
+    throw Error(place(name), "an unknown key", expected);
   }
 }
 

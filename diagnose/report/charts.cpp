@@ -61,6 +61,7 @@ page::Chart residual_chart(const Explained& explained, std::size_t place, double
   const Run& run = explained.experiment.runs[series.run];
   const double sigma = explained.diagnosis.noise.of(series.channel);
   page::Layer before{Kind::rings, "nominal", {}, 1.7}, after{Kind::dots, "corrected", {}, 2};
+  before.told = after.told = true;
   for (std::size_t i = 0; i < series.readings.size(); ++i) {
     const auto reading = static_cast<double>(series.readings[i]);
     before.points.push_back({reading, explained.before[series.first + i]});
@@ -86,12 +87,18 @@ page::Chart residual_chart(const Explained& explained, std::size_t place, double
 
 std::vector<PageChart> curve_charts(const Explained& explained) {
   std::vector<PageChart> charts;
+  const HeldOut heldout = heldout_of(explained);
   for (const Series& series : explained.measurements.series()) {
     const Run& run = explained.experiment.runs[series.run];
     const Command command = command_of(run);
     page::Layer measured{Kind::dots, "measured", {}, series.readings.size() > 30 ? 1.6 : 2.6};
-    for (const std::size_t i : series.readings)
-      measured.points.push_back({command.along[i], series.channel.of(run.readings[i])});
+    page::Layer set_aside{Kind::rings, "heldout", {}, 2.8};
+    measured.told = true;
+    for (const std::size_t i : series.readings) {
+      const page::ChartPoint point{command.along[i], series.channel.of(run.readings[i])};
+      measured.points.push_back(point);
+      if (!heldout.empty() && heldout.reading[series.run][i]) set_aside.points.push_back(point);
+    }
     page::Chart chart{
         panel_id("curve", series.run, series.channel),
         series.channel.label() + " in run " + run.id,
@@ -103,6 +110,7 @@ std::vector<PageChart> curve_charts(const Explained& explained) {
       chart.layers.push_back(
           {Kind::line, "corrected", curve(explained.corrected.runs[series.run], series.channel, command)});
     chart.layers.push_back(measured);
+    chart.layers.push_back(set_aside);
     charts.push_back({run.id + ": " + series.channel.label(), page::drawn(chart),
                       series.channel.name == Channel::Name::q});
   }

@@ -24,7 +24,10 @@ std::vector<PageChart> loop_charts(const Explained& explained);
 /// What is missing, over what it depends on.
 PageChart missing_chart(const Missing& missing);
 
-/// The chain in its shapes along each run, the joints drawn by their share.
+/// Whether what explains the gap is about joints: else their shares would show where nothing is wrong.
+bool at_joints(const Explained& explained);
+
+/// The chain in its shapes along each run; where that is so, the joints drawn by their share.
 std::vector<PageChart> shape_charts(const Explained& explained);
 
 }  // namespace plumbline::diagnose

@@ -44,6 +44,7 @@ PageChart loop_over_command(const Explained& explained, const Series& series, co
   const Trace &base = elastic.runs[series.run], &whole = explained.corrected.runs[series.run];
   const Eigen::Index column = column_of(series.channel);
   page::Layer measured{Kind::dots, "measured", {}}, modelled{Kind::line, "corrected", {}};
+  modelled.directed = measured.told = true;
   for (std::size_t i = 0; i < run.readings.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     modelled.points.push_back({command.along[i], whole(row, column) - base(row, column)});
@@ -73,7 +74,7 @@ PageChart loop_at_joint(const Explained& explained, std::size_t joint, std::size
   const auto measured = missing_torques(explained.study, explained.experiment),
              modelled =
                  missing_torques(explained.study, as_measured(explained.experiment, explained.corrected));
-  const page::Chart chart{
+  page::Chart chart{
       fmt::format("torque-loop-{}", run + 1),
       fmt::format("Loop of the torque at joint {} in run {}", joint, explained.experiment.runs[run].id),
       "The torque that the nominal statics miss at the joint over its angle, measured as dots, of the "
@@ -82,6 +83,7 @@ PageChart loop_at_joint(const Explained& explained, std::size_t joint, std::size
       fmt::format("torque missing at joint {}, N m", joint),
       {{Kind::line, "corrected", torque_over_angle(modelled[joint - 1], run)},
        {Kind::dots, "measured", torque_over_angle(measured[joint - 1], run)}}};
+  chart.layers.front().directed = chart.layers.back().told = true;
   return {fmt::format("{}: torque missing at joint {}", explained.experiment.runs[run].id, joint),
           page::drawn(chart)};
 }

@@ -97,6 +97,7 @@ Json parameters(const Json& effects, const Candidate& best,
       row["place"] = at.joint > 0 ? effects[e]["joint"] : Json("–");
       row["name"] = one.name;
       row["unit"] = one.unit;
+      row["no_bounds"] = !(one.low < one.high);
       rows.push_back(row);
     }
   }
@@ -199,6 +200,7 @@ void add_charts(Json& view, const Explained& explained) {
   view["residuals"] = charts(residuals, false);
   view["angle_residuals"] = section(charts(residuals, true));
   view["shapes"] = charts(shape_charts(explained), false);
+  view["rings"] = at_joints(explained);
   view["loops"] = section(charts(loop_charts(explained), false));
   if (view.contains("law")) view["law"]["charts"] = charts(law_charts(explained), false);
 }
@@ -220,6 +222,7 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
     const CauseVerdict verdict = diagnosis.cause.verdict;
     view["shrink"]["explains"] = verdict == CauseVerdict::identified || verdict == CauseVerdict::ambiguous;
     view["shrink"]["of_law"] = diagnosis.offers_law();
+    view["shrink"]["grows"] = !(diagnosis.shrink->ratio < 1);
     view["shrink"]["heldout_names"] = joined(diagnosis.shrink->heldout, ", ", ", ");
   }
   view["proposals"] = {{"any", !diagnosis.proposals.empty()}};

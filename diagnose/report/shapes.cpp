@@ -5,6 +5,7 @@
 #include <plumbline/chain/kinematics.hpp>
 #include <set>
 
+#include "diagnose/model/effects/rows.hpp"
 #include "diagnose/report/charts.hpp"
 #include "page/chart.hpp"
 
@@ -42,6 +43,17 @@ std::vector<std::size_t> stations(std::size_t farthest) {
   return {chosen.begin(), chosen.end()};
 }
 
+/// Off the links that meet at a joint, on the side to which they do not turn.
+page::ChartPoint beside(const std::vector<page::ChartPoint>& points, std::size_t joint) {
+  const page::ChartPoint &at = points[joint], &last = points[joint > 0 ? joint - 1 : 0],
+                         &next = points[joint + 1];
+  const double along_x = next.x - last.x, along_y = next.y - last.y, length = std::hypot(along_x, along_y);
+  if (!(length > 0)) return {0, 1};
+  const page::ChartPoint left{-along_y / length, along_x / length};
+  const double off = (at.x - last.x) * left.x + (at.y - last.y) * left.y;
+  return off < 0 ? page::ChartPoint{-left.x, -left.y} : left;
+}
+
 /// The joints of one shape: small rings, and rings whose area is the joint's share.
 void add_joints(page::Chart& chart, const std::vector<page::ChartPoint>& points,
                 const std::vector<JointShare>& shares) {
@@ -52,7 +64,8 @@ void add_joints(page::Chart& chart, const std::vector<page::ChartPoint>& points,
     const double radius = 16 * std::sqrt(one.share);
     chart.layers.push_back({Kind::rings, "share", {at}, radius});
     if (one.share >= 0.05)
-      chart.labels.push_back({at, fmt::format("{}: {:.0f} %", one.joint, 100 * one.share), radius + 4});
+      chart.labels.push_back({at, fmt::format("{}: {:.0f} %", one.joint, 100 * one.share), radius + 4,
+                              beside(points, one.joint - 1)});
   }
   chart.layers.push_back(joints);
 }
@@ -82,11 +95,24 @@ PageChart shape_chart(const Explained& explained, std::size_t r) {
     chart.layers.push_back({Kind::line, fmt::format("shape-{}", i + 1 + 3 - readings.size()), last});
   }
   add_joints(chart, last,
-             explained.diagnosis.gap.present ? explained.diagnosis.where.joints : std::vector<JointShare>{});
+             at_joints(explained) ? explained.diagnosis.where.joints : std::vector<JointShare>{});
   return {run.id + ": " + whose, page::drawn(chart)};
 }
 
 }  // namespace
+
+bool at_joints(const Explained& explained) {
+  if (!explained.diagnosis.gap.present) return false;
+  if (explained.best == nullptr || explained.diagnosis.cause.verdict == CauseVerdict::unknown) return true;
+  const std::vector<EffectAt>& effects = explained.best->candidate.effects;
+  return std::any_of(effects.begin(), effects.end(), [](const EffectAt& at) {
+    if (at.effect->at_joint) return true;
+    for (const auto& rows : {joint_effects(), common_effects(), joint_law_effects()})
+      for (const Effect& row : rows)
+        if (row.id == at.effect->id) return true;
+    return false;
+  });
+}
 
 std::vector<PageChart> shape_charts(const Explained& explained) {
   std::vector<PageChart> charts;

@@ -88,16 +88,22 @@ std::string where(const Diagnosis& diagnosis) {
   return text;
 }
 
+/// "tau_c = 0.035 N m (95 %: 0.0347 to 0.0353)"; bounds that no profile told apart are none.
+std::string parameter(const Estimate& one) {
+  const std::string unit = one.unit == "ratio" ? "" : " " + one.unit;
+  const std::string bounds = one.low < one.high ? fmt::format("95 %: {:.4g} to {:.4g}", one.low, one.high)
+                                                : std::string("no bounds found");
+  return fmt::format("{} = {:.4g}{} ({}{})", one.name, one.value, unit, bounds,
+                     one.at_bound ? "; at its bound" : "");
+}
+
 std::string parameters(const Diagnosis& diagnosis) {
   std::string text;
   const Candidate& candidate = diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate;
   for (std::size_t e = 0; e < candidate.effects.size(); ++e) {
-    text += "  " + candidate.effects[e].label() + ":";
-    for (const Estimate& one : diagnosis.estimates[e]) {
-      text += fmt::format(" {} = {:.4g} (95 %: {:.4g} to {:.4g}{})", one.name, one.value, one.low, one.high,
-                          one.at_bound ? "; at its bound" : "");
-    }
-    text += "\n";
+    const EffectAt& at = candidate.effects[e];
+    text += fmt::format("  {}, {}\n", at.label(), at.in_words());
+    for (const Estimate& one : diagnosis.estimates[e]) text += "    " + parameter(one) + "\n";
   }
   return text;
 }
@@ -160,12 +166,12 @@ std::string how_far(const Diagnosis& diagnosis) {
   std::string held;
   for (const std::string& name : shrink.heldout) held += (held.empty() ? "" : ", ") + name;
   return fmt::format(
-      "How far?  On held-out readings ({}), with {}, the residual shrinks to {:.3g} of itself (95 %: {:.3g} "
-      "to {:.3g}; "
-      "noise floor "
-      "{:.3g})\n  rms before: {}\n  rms after:  {}\n",
-      held, what_shrinks(diagnosis), shrink.ratio, shrink.ratio_low, shrink.ratio_high,
-      shrink.noise_floor_ratio, by_channel(shrink.rms_before), by_channel(shrink.rms_after));
+      "How far?  On held-out readings ({}), with {}, the residual {} {:.3g} of itself (95 %: {:.3g} to "
+      "{:.3g}; "
+      "noise floor {:.3g})\n  rms before: {}\n  rms after:  {}\n",
+      held, what_shrinks(diagnosis), shrink.ratio < 1 ? "shrinks to" : "does not shrink, it becomes",
+      shrink.ratio, shrink.ratio_low, shrink.ratio_high, shrink.noise_floor_ratio,
+      by_channel(shrink.rms_before), by_channel(shrink.rms_after));
 }
 
 std::string what_next(const Diagnosis& diagnosis) {

@@ -44,9 +44,19 @@ Explained::Explained(const Study& studied, const Diagnosis& diagnosed)
     return;
   }
   if (best == nullptr) return;
-  model = diagnosed.cause.verdict == CauseVerdict::unknown ? "best partial explanation" : "corrected model";
+  const bool corrects = !diagnosed.shrink || diagnosed.shrink->ratio < 1;
+  model = diagnosed.cause.verdict == CauseVerdict::unknown ? "best partial explanation"
+          : corrects                                       ? "corrected model"
+                                                           : "best explanation";
   corrected = predict(study, best->candidate, best->parameters);
   after = measurements.residual(experiment, corrected);
+}
+
+HeldOut heldout_of(const Explained& explained) {
+  if (!explained.diagnosis.shrink) return {};
+  HeldOut chosen = choose_heldout(explained.experiment);
+  if (chosen.names != explained.diagnosis.shrink->heldout) chosen = choose_blocks(explained.experiment);
+  return chosen;
 }
 
 Command command_of(const Run& run) {

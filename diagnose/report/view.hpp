@@ -22,6 +22,9 @@ struct Explained {
   [[nodiscard]] const Series& series(std::size_t place) const { return measurements.series()[place]; }
 };
 
+/// The readings that were set aside; empty where none were.
+HeldOut heldout_of(const Explained& explained);
+
 /// How far along its path each reading of a run was commanded: its distance from the first reading, in the
 /// direction of the farthest one.
 struct Command {

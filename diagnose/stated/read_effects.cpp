@@ -220,7 +220,7 @@ std::vector<StatedEffect> parse_effects(const std::string& text, const std::stri
 std::shared_ptr<const std::vector<Effect>> read_effects(const std::filesystem::path& file,
                                                         const Study& study) {
   std::vector<Effect> rows;
-  for (const StatedEffect& one : parse_effects(files::read_text(file), file.string())) {
+  for (const StatedEffect& one : parse_effects(files::read_text(file), files::source_name(file))) {
     require_defined(one, study);
     rows.push_back(row_of(std::make_shared<StatedEffect>(one)));
   }

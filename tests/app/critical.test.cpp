@@ -86,6 +86,45 @@ TEST_CASE("files that cannot be read or written are named, and nothing is left b
   CHECK(here.read("chain.csv") == "chain,lengths,stiffness\na,1;1,1;1\n");
 }
 
+TEST_CASE("what is written to one file does not depend on the others") {
+  const Workplace here;
+  here.write("chain.toml", "lengths = [1, 1, 1]\nstiffness = [0, 1, 1]");
+  CHECK(here.plumbline("critical chain.toml --csv a.csv").status == 0);
+  CHECK(here.plumbline("critical chain.toml --json a.json").status == 0);
+  CHECK(here.plumbline("critical chain.toml --csv b.csv --json b.json").status == 0);
+  CHECK(here.read("a.csv") == "chain,mode,force\nchain,1,1.00000000000000\nchain,2,3.00000000000000\n");
+  CHECK(here.read("b.csv") == here.read("a.csv"));
+  CHECK(here.read("b.json") == here.read("a.json"));
+}
+
+TEST_CASE("the keys of a chain are those of an experiment too") {
+  const Workplace here;
+  here.write("chain.toml", "link_length = [1, 1]\njoint_stiffness = [0, 1]");
+  CHECK(here.plumbline("critical chain.toml --csv").out == "chain,mode,force\nchain,1,2.00000000000000\n");
+  here.write("both.toml", "lengths = [1, 1]\nlink_length = [1, 1]\nstiffness = [0, 1]");
+  const Outcome both = here.plumbline("critical both.toml");
+  check_refused(both);
+  CHECK(both.err ==
+        "plumbline: both.toml:2: found both lengths and link_length, expected one of the two, which "
+        "mean the same\n");
+}
+
+TEST_CASE("a chain, a table and values come from standard input too") {
+  const Workplace here;
+  here.write("chain.toml", "lengths = [1, 1, 1]\nstiffness = [0, 1, 1]");
+  here.write("chains.csv", "chain,lengths,stiffness\na,1;1,0;1\n");
+  CHECK(here.plumbline("critical - --csv < chain.toml").out ==
+        "chain,mode,force\nchain,1,1.00000000000000\nchain,2,3.00000000000000\n");
+  CHECK(here.plumbline("critical - --csv < chains.csv").out == "chain,mode,force\na,1,2.00000000000000\n");
+  here.write("values.csv", "chain,mode,force\na,1,2.0\n");
+  CHECK(here.plumbline("check - --chains chains.csv < values.csv").status == 0);
+  here.write("bad.toml", "lengths = [1, -1]\nstiffness = [1, 1]");
+  CHECK(here.plumbline("critical - < bad.toml")
+            .err.starts_with("plumbline: standard input:1: lengths, entry 2"));
+  CHECK(here.plumbline("critical - < /dev/null")
+            .err.starts_with("plumbline: standard input: found an empty file"));
+}
+
 TEST_CASE("numbers are taken exactly as they are written, far beyond double") {
   const Workplace here;
   // F_c = (k1 z2^2 + k2 z1^2) / (L1 L2 (L1 + L2)), here 5 k / (2 L)

@@ -307,6 +307,42 @@ class Pages(unittest.TestCase):
         self.browser.open(self.altered("none", "</main>", '<p style="width: 40rem">wide</p></main>'), 390)
         self.assertGreater(self.browser.run("document.documentElement.scrollWidth"), 390)
 
+    def test_pages_are_dark_where_that_is_preferred_and_white_on_paper(self):
+        colours = ("[getComputedStyle(document.documentElement).getPropertyValue('--paper').trim(), "
+                   "getComputedStyle(document.body).color]")
+        for name in ("identified", "verify"):
+            with self.subTest(name):
+                self.browser.open(self.pages[name])
+                shown = {}
+                for medium, scheme in (("screen", "light"), ("screen", "dark"), ("print", "dark")):
+                    self.browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+                        "media": medium, "features": [{"name": "prefers-color-scheme", "value": scheme}]})
+                    shown[medium, scheme] = self.browser.run(colours)
+                self.browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "", "features": []})
+                self.assertEqual(shown["screen", "light"][0], "#fff")
+                self.assertNotEqual(shown["screen", "dark"][0], "#fff")
+                self.assertNotEqual(shown["screen", "dark"][1], shown["screen", "light"][1])
+                self.assertEqual(shown["print", "dark"], shown["screen", "light"])
+
+    def test_points_say_their_values(self):
+        for verdict, page, _ in self.diagnoses():
+            with self.subTest(verdict):
+                root = xml.fromstring(page.read_text())
+                said = [circle.findtext("title") for circle in root.iter("circle") if circle.get("class") == "value"]
+                self.assertGreater(len(said), 100)
+                for text in said:
+                    self.assertRegex(text, r"^[^,]+ −?[0-9.e+-]+( [^,]+)?, [^,].* −?[0-9.e+-]+( .+)?$")
+
+    def test_what_was_held_out_is_marked(self):
+        for verdict, page, report in self.diagnoses():
+            rings = page.read_text().count('class="ring heldout"')
+            with self.subTest(verdict):
+                self.assertEqual(rings > 0, report["shrink"] is not None)
+
+    def test_joints_have_rings_where_the_cause_sits_there(self):
+        self.assertIn('class="ring share"', self.pages["stopped"].read_text())
+        self.assertIn('class="ring share"', self.pages["identified"].read_text())
+
     def test_pages_print_on_few_sheets(self):
         self.browser.open(self.pages["identified"])
         document = base64.b64decode(self.browser.driver.print_page())

@@ -81,7 +81,8 @@ double force_in(const std::string& unit, const std::string& text) {
   SampleFormat format = standard_format(2);
   const toml::table table = toml::parse(tables);
   format = read_sample_format(Section(table, "f"), format);
-  return parse_samples("F\n" + text + "\n", "s", Control::end_point, format).readings.at(0).Fx;
+  const SampleTable samples = parse_sample_table("F\n" + text + "\n", "s", format);
+  return read_samples(samples, "s", Control::end_point, format).readings.at(0).Fx;
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   return offer(bytes, size, [](const std::string& text) {
-    plumbline::diagnose::parse_samples(text, "f", plumbline::Control::end_point,
-                                       plumbline::diagnose::standard_format(2));
+    using namespace plumbline::diagnose;
+    const SampleFormat format = standard_format(2);
+    read_samples(parse_sample_table(text, "f", format), "f", plumbline::Control::end_point, format);
   });
 }

@@ -62,3 +62,29 @@ TEST_CASE("a drawing in space has one scale for both axes") {
   REQUIRE(std::sscanf(svg.c_str() + at, "d=\"M%lf %lfL%lf %lfL%lf %lf", &x0, &y0, &x1, &y1, &x2, &y2) == 6);
   CHECK(x1 - x0 == doctest::Approx(2 * (y1 - y2)).epsilon(0.01));  // drawn to a tenth of a pixel
 }
+
+TEST_CASE("a point says its values to who points at it, and no page gets heavy by that") {
+  Chart chart = chart_of({{0.5, -1}, {1, 2}}, Layer::Kind::dots);
+  CHECK(count(drawn(chart), "class=\"value\"") == 0);
+  chart.layers[0].told = true;
+  const std::string svg = drawn(chart);
+  CHECK(svg.find("<title>y −1 N, x 0.5 m</title>") != std::string::npos);
+  CHECK(count(svg, "class=\"value\"") == 2);
+  for (int i = 0; i < 10000; ++i) chart.layers[0].points.push_back({1.0 * i, 0});
+  CHECK(count(drawn(chart), "class=\"value\"") <= 100);
+}
+
+TEST_CASE("the heads of arrows along a line go the way of its points") {
+  Chart chart = chart_of({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}});
+  chart.layers[0].directed = true;
+  for (const bool back : {false, true}) {
+    if (back) std::reverse(chart.layers[0].points.begin(), chart.layers[0].points.end());
+    const std::string svg = drawn(chart);
+    const std::size_t at = svg.find("d=\"M", svg.find("class=\"arrow measured\""));
+    double tip, one, other, ignored;
+    REQUIRE(std::sscanf(svg.c_str() + at, "d=\"M%lf %lfL%lf %lfL%lf", &tip, &ignored, &one, &ignored,
+                        &other) == 5);
+    CHECK(one == doctest::Approx(other));
+    CHECK((tip > one) == !back);
+  }
+}

@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "diagnose/bench/condense.hpp"
+#include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/inference/conventions.hpp"
+#include "diagnose/report/report.hpp"
+#include "diagnose/report/view.hpp"
+#include "diagnose/stated/read_effects.hpp"
+#include "exchange/read_model.hpp"
+#include "python/engine/engine.hpp"
+
+namespace plumbline::python {
+namespace {
+
+using diagnose::Experiment, diagnose::NominalChain, diagnose::Study;
+using Column = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// By name of the column, of one run.
+using Columns = std::vector<std::pair<std::string, Column>>;
+
+void put(toml::array& list, const py::handle& value);
+void put(toml::table& table, const std::string& key, const py::handle& value);
+
+/// Hands a value of Python's to what takes one of TOML's.
+template <class Put>
+void as_toml(const py::handle& value, const Put& put_value) {
+  if (py::isinstance<py::bool_>(value)) {
+    put_value(value.cast<bool>());
+  } else if (py::isinstance<py::int_>(value)) {
+    put_value(value.cast<std::int64_t>());
+  } else if (py::isinstance<py::float_>(value)) {
+    put_value(value.cast<double>());
+  } else if (py::isinstance<py::dict>(value)) {
+    toml::table table;
+    for (const auto& [key, entry] : py::reinterpret_borrow<py::dict>(value)) put(table, py::str(key), entry);
+    put_value(std::move(table));
+  } else if (py::isinstance<py::list>(value)) {
+    toml::array list;
+    for (const py::handle entry : py::reinterpret_borrow<py::list>(value)) put(list, entry);
+    put_value(std::move(list));
+  } else {
+    put_value(std::string(py::str(value)));
+  }
+}
+
+void put(toml::array& list, const py::handle& value) {
+  as_toml(value, [&](auto&& one) { list.push_back(std::forward<decltype(one)>(one)); });
+}
+
+void put(toml::table& table, const std::string& key, const py::handle& value) {
+  as_toml(value, [&](auto&& one) { table.insert_or_assign(key, std::forward<decltype(one)>(one)); });
+}
+
+toml::table as_toml(const py::dict& settings) {
+  toml::table table;
+  for (const auto& [key, value] : settings) put(table, py::str(key), value);
+  return table;
+}
+
+/// Columns of numbers as the fields of a sample file, each as the shortest decimal that is read as itself.
+diagnose::SampleTable table_of_columns(const Columns& columns) {
+  diagnose::SampleTable table;
+  table.header_line = 0;
+  for (const auto& [name, values] : columns) table.header.push_back(name);
+  const auto rows = columns.empty() ? 0 : static_cast<std::size_t>(columns.front().second.size());
+  for (std::size_t row = 0; row < rows; ++row) {
+    files::CsvRow& fields = table.rows.emplace_back(files::CsvRow{row + 1, {}});
+    for (const auto& [name, values] : columns) {
+      const double value = values.data()[row];
+      fields.fields.push_back(std::isnan(value) ? "" : fmt::format("{}", value));
+    }
+  }
+  return table;
+}
+
+Experiment experiment_of(const py::dict& settings, const std::vector<Columns>& samples,
+                         const std::string& model) {
+  std::optional<NominalChain> nominal;
+  if (!model.empty()) nominal = exchange::read_model(model).chain;
+  const toml::table table = as_toml(settings);
+  std::size_t run = 0;
+  const diagnose::ReadTable read = [&](const diagnose::Section& section, const diagnose::SampleFormat&) {
+    const std::string source = "samples of run \"" + section.text("id", "a name") + "\"";
+    return diagnose::NamedTable{source, table_of_columns(samples.at(run++))};
+  };
+  return diagnose::read_experiment(table, "experiment", read, nominal ? &*nominal : nullptr);
+}
+
+/// How the diagnosis is to be made.
+struct Wish {
+  std::string effects;  ///< a file; or empty
+  bool next, as_is;
+  py::object progress;  ///< called with the share that is done; or none
+};
+
+/// A diagnosis and what it is about.
+class Diagnosed {
+ public:
+  Diagnosed(Experiment experiment, const Wish& wish) : study_(study_of(std::move(experiment), wish)) {
+    const auto report = [&](double share) {
+      const py::gil_scoped_acquire locked;
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (!wish.progress.is_none()) wish.progress(share);
+    };
+    const py::gil_scoped_release released;
+    diagnosis_ = diagnose::diagnose(*study_, report, wish.next);
+  }
+
+  [[nodiscard]] std::string json() const { return as_json(*diagnosis_).dump(2) + "\n"; }
+  [[nodiscard]] std::string text() const { return as_text(*diagnosis_); }
+  [[nodiscard]] std::string html() const {
+    return unlocked([&] { return as_html(*study_, *diagnosis_); });
+  }
+  /// Every measured series beside what the nominal and the corrected model say.
+  [[nodiscard]] py::list curves() const {
+    const diagnose::Explained seen(*study_, *diagnosis_);
+    py::list all;
+    for (const diagnose::Series& series : seen.measurements.series()) {
+      const diagnose::Run& run = seen.experiment.runs[series.run];
+      const diagnose::Command command = command_of(run);
+      const Eigen::Index column = diagnose::column_of(series.channel);
+      std::vector<double> along, measured, nominal, corrected;
+      for (const std::size_t r : series.readings) {
+        const auto row = static_cast<Eigen::Index>(r);
+        along.push_back(command.along[r]);
+        measured.push_back(series.channel.of(run.readings[r]));
+        nominal.push_back(seen.nominal.runs[series.run](row, column));
+        corrected.push_back(seen.corrected.runs[series.run](row, column));
+      }
+      py::dict one;
+      one["run"] = run.id, one["channel"] = series.channel.label();
+      one["unit"] = std::string(series.channel.unit()), one["command"] = command.label;
+      one["along"] = array_of(along), one["measured"] = array_of(measured);
+      one["nominal"] = array_of(nominal), one["corrected"] = array_of(corrected), one["model"] = seen.model;
+      all.append(one);
+    }
+    return all;
+  }
+
+ private:
+  static std::unique_ptr<Study> study_of(Experiment experiment, const Wish& wish) {
+    const py::gil_scoped_release released;
+    auto study = std::make_unique<Study>(condensed(std::move(experiment)));
+    if (!wish.as_is) require_conventions(*study);
+    if (wish.effects.empty()) return study;
+    return std::make_unique<Study>(study->experiment(), diagnose::read_effects(wish.effects, *study));
+  }
+
+  std::unique_ptr<const Study> study_;
+  std::optional<diagnose::Diagnosis> diagnosis_;
+};
+
+Experiment experiment_in(const std::string& folder, const std::string& model) {
+  std::optional<NominalChain> nominal;
+  if (!model.empty()) nominal = exchange::read_model(model).chain;
+  return diagnose::read_experiment(folder, nominal ? &*nominal : nullptr);
+}
+
+}  // namespace
+
+void add_diagnosis(py::module_& module) {
+  using namespace py::literals;
+  py::class_<Diagnosed>(module, "Diagnosed")
+      .def("json", &Diagnosed::json)
+      .def("text", &Diagnosed::text)
+      .def("html", &Diagnosed::html)
+      .def("curves", &Diagnosed::curves);
+  module.def(
+      "diagnose",
+      [](const py::dict& settings, const std::vector<Columns>& samples, const std::string& model,
+         std::string effects, bool next, bool as_is, py::object progress) {
+        return std::make_unique<Diagnosed>(experiment_of(settings, samples, model),
+                                           Wish{std::move(effects), next, as_is, std::move(progress)});
+      },
+      "settings"_a, "samples"_a, py::kw_only(), "model"_a, "effects"_a, "next"_a, "as_is"_a, "progress"_a);
+  module.def(
+      "diagnose_folder",
+      [](const std::string& folder, const std::string& model, std::string effects, bool next, bool as_is,
+         py::object progress) {
+        return std::make_unique<Diagnosed>(experiment_in(folder, model),
+                                           Wish{std::move(effects), next, as_is, std::move(progress)});
+      },
+      "folder"_a, py::kw_only(), "model"_a, "effects"_a, "next"_a, "as_is"_a, "progress"_a);
+}
+
+}  // namespace plumbline::python
