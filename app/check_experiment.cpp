@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <plumbline/base/error.hpp>
 
 #include "app/complaints.hpp"
@@ -12,6 +13,7 @@
 #include "diagnose/bench/oddities.hpp"
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/inference/conventions.hpp"
+#include "exchange/read_model.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -96,8 +98,14 @@ std::string what_was_read(const Experiment& experiment) {
   return text;
 }
 
-void run(const std::string& folder) {
-  const Experiment experiment = diagnose::read_experiment(folder);
+struct Options {
+  std::string experiment, model;
+};
+
+void run(const Options& options) {
+  std::optional<diagnose::NominalChain> model;
+  if (!options.model.empty()) model = exchange::read_model(options.model).chain;
+  const Experiment experiment = diagnose::read_experiment(options.experiment, model ? &*model : nullptr);
   fmt::print("{}\n", what_was_read(experiment));
   const std::vector<std::string> odd = diagnose::oddities(experiment);
   if (!odd.empty()) fmt::print("Odd\n  {}\n\n", fmt::join(odd, "\n  "));
@@ -116,12 +124,13 @@ void add_check_experiment(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "check-experiment",
       "What is read from an experiment, in which units, and what looks odd; nothing is fitted");
-  const auto folder = std::make_shared<std::string>();
-  verb->add_option("experiment", *folder, "A folder with experiment.toml and its sample files")
+  const auto options = std::make_shared<Options>();
+  verb->add_option("experiment", options->experiment, "A folder with experiment.toml and its sample files")
       ->type_name("FOLDER")
       ->required();
+  verb->add_option("--model", options->model, "The nominal model, as for diagnose")->type_name("FILE");
   verb->footer("Exit status 1 where numbers look like another unit, sign, axis or order.");
-  verb->callback([folder] { run(*folder); });
+  verb->callback([options] { run(*options); });
 }
 
 }  // namespace plumbline::app

@@ -1,20 +1,19 @@
 #include "exchange/edit_mjcf.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <iterator>
 #include <plumbline/base/error.hpp>
-#include <sstream>
 
 #include "exchange/carried.hpp"
 #include "exchange/mjcf_document.hpp"
+#include "exchange/mjcf_keys.hpp"
 #include "exchange/mjcf_parts.hpp"
 #include "exchange/mujoco_model.hpp"
 #include "exchange/planar_chain.hpp"
 #include "exchange/read_mujoco.hpp"
+#include "exchange/tree_path.hpp"
 
 namespace plumbline::exchange {
 namespace {
@@ -26,43 +25,6 @@ constexpr Means means{.tendons = true};
 
 std::string numbers_of(const Vector3d& v) {
   return numbers({v.x(), v.y(), v.z()});
-}
-
-/// From the base to the last link.
-std::vector<const Body*> path_of(const Tree& tree) {
-  std::vector<const Body*> path;
-  for (std::string name = tree.tip; !name.empty(); name = path.back()->parent)
-    path.push_back(&*std::find_if(tree.bodies.begin(), tree.bodies.end(),
-                                  [&](const Body& body) { return body.name == name; }));
-  std::reverse(path.begin(), path.end());
-  return path;
-}
-
-const Body* carrier_of(const Tree& tree, const std::string& joint) {
-  const auto found = std::find_if(tree.bodies.begin(), tree.bodies.end(),
-                                  [&](const Body& body) { return body.joint && body.joint->name == joint; });
-  return found == tree.bodies.end() ? nullptr : &*found;
-}
-
-std::string chain_name(std::size_t j) {
-  return fmt::format("q{}", j + 1);
-}
-
-/// What of a tree belongs to link j, from 0: its length and its mass.
-struct LinkOf {
-  double length = 0, mass = 0;
-};
-
-std::vector<LinkOf> links_of(const Tree& tree, std::size_t count) {
-  std::vector<LinkOf> links(count);
-  std::size_t next = 0;  // links that have begun
-  for (const Body* body : path_of(tree)) {
-    if (next > 0) links[next - 1].length += body->place[0];
-    if (next < count && body->joint && body->joint->name == chain_name(next)) ++next;
-    if (next > 0 && body->mass > 2 * speck) links[next - 1].mass += body->mass;
-  }
-  links.back().length += tree.end[0];
-  return links;
 }
 
 class Editor {
@@ -95,7 +57,7 @@ class Editor {
     if (after_.drive) add_drive();
     if (Xml custom = mjcf_beside(model_, written_.effects); !custom.empty())
       document_.append(document_.root(), custom);
-    extend_keys();
+    extend_keys(document_, *own_.model, after_.drive ? after_.drive->start : Pair{0, 0});
     written_.note = model_.source.filename().string() + " with the correction in it";
     written_.text = document_.text(
         head_lines(model_, written_.effects, {"Edited: " + model_.source.filename().string() + "."}));
@@ -406,62 +368,6 @@ class Editor {
     const Vector3d grip = at_end({0, 0});
     for (const Xml& section : mjcf_drive(*after_.drive, tip_name(), {grip.x(), grip.y(), grip.z()}))
       document_.append(document_.root(), section);
-  }
-
-  /// What keyframes say of the joints and actuators that are added: at ease, and led to where the drive
-  /// starts.
-  void extend_keys() {
-    const std::vector<xml_node> old = document_.joints;
-    document_.number();
-    const mjModel& m = *own_.model;
-    for (const xml_node keyframe : document_.root().children("keyframe"))
-      for (const xml_node key : keyframe.children("key")) {
-        std::vector<std::string> qpos, qvel, ctrl = words(key.attribute("ctrl").value());
-        const std::vector<std::string> own_qpos = words(key.attribute("qpos").value()),
-                                       own_qvel = words(key.attribute("qvel").value());
-        for (const xml_node one : document_.joints) {
-          const auto place = std::find(old.begin(), old.end(), one);
-          if (place == old.end()) {
-            qpos.push_back(one.attribute("springref").value());
-            qvel.emplace_back("0");
-            continue;
-          }
-          const auto j = static_cast<int>(place - old.begin());
-          const bool last = j + 1 == m.njnt;
-          take(own_qpos, m.jnt_qposadr[j], last ? m.nq : m.jnt_qposadr[j + 1], qpos);
-          take(own_qvel, m.jnt_dofadr[j], last ? m.nv : m.jnt_dofadr[j + 1], qvel);
-        }
-        for (const std::string& one : drive_controls()) ctrl.push_back(one);
-        if (!own_qpos.empty()) set(key, "qpos", joined(qpos));
-        if (!own_qvel.empty()) set(key, "qvel", joined(qvel));
-        if (key.attribute("ctrl")) set(key, "ctrl", joined(ctrl));
-      }
-  }
-  static std::vector<std::string> words(const std::string& text) {
-    std::istringstream in(text);
-    return {std::istream_iterator<std::string>(in), {}};
-  }
-  static std::string joined(const std::vector<std::string>& words) {
-    return fmt::format("{}", fmt::join(words, " "));
-  }
-  static void take(const std::vector<std::string>& from, int first, int last, std::vector<std::string>& to) {
-    for (auto i = static_cast<std::size_t>(first); i < std::min(from.size(), static_cast<std::size_t>(last));
-         ++i)
-      to.push_back(from[i]);
-  }
-  /// Of the actuators that are added, in the file's order.
-  std::vector<std::string> drive_controls() {
-    std::vector<std::string> all;
-    int number = 0;
-    for (const xml_node section : document_.root().children("actuator"))
-      for (const xml_node one : section.children()) {
-        if (one.type() != pugi::node_element || ++number <= own_.model->nu) continue;
-        const std::string name = one.attribute("name").value();
-        all.push_back(number_of(name == "drive_x"   ? after_.drive->start[0]
-                                : name == "drive_y" ? after_.drive->start[1]
-                                                    : 0));
-      }
-    return all;
   }
 
   const Model& model_;

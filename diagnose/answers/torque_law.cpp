@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "diagnose/answers/law_choice.hpp"
+#include "diagnose/model/run_rig.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -219,13 +220,17 @@ Prediction predict_with_law(const Study& study, const TorqueLaw& law) {
 std::vector<LawTrace> law_traces(const Study& study, const TorqueLaw& law) {
   const Response rig = response(study, law.base);
   const Prediction with = predict_with_law(study, law);
+  const Rig base = rig_with(study, law.base.candidate, law.base.parameters);
   std::vector<LawTrace> traces;
   for (const JointTorqueLaw& one : law.laws)
     for_each_part(study, rig, one, [&](std::size_t a, std::size_t run, const Matrix& terms) {
       const std::size_t joint = rig.joints[a];
+      const Run& own = study.experiment().runs[run];
+      const RunRig joints(in_run(base, own.number), own.rest);
       const Vector bent = deflection(study, with, run, joint);
-      traces.push_back({joint + 1, run, bent,
-                        study.experiment().joint_stiffness[joint] * bent + terms * one.coefficients});
+      const Vector spring =
+          bent.unaryExpr([&](double d) { return joints.joint[joint].elastic(own.rest[joint] + d).value; });
+      traces.push_back({joint + 1, run, bent, spring + terms * one.coefficients});
     });
   return traces;
 }

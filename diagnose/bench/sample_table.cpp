@@ -43,6 +43,14 @@ void drop_trailing(std::vector<std::string>& fields, std::size_t columns) {
   while (fields.size() > columns && fields.back().empty()) fields.pop_back();
 }
 
+/// What the file may need so that a line with more fields than the header is read.
+std::string how_to_read(const SampleTable& table, const files::CsvRow& uneven, const SampleFormat& format) {
+  if (const std::string other = other_delimiter(table, format); !other.empty()) return other;
+  if (!format.header || uneven.fields.size() < table.header.size()) return "";
+  return "; if the header is line " + std::to_string(uneven.line) +
+         ": csv.skip_lines = " + std::to_string(uneven.line - 1);
+}
+
 }  // namespace
 
 SampleTable parse_sample_table(const std::string& text, const std::string& source,
@@ -69,7 +77,8 @@ SampleTable parse_sample_table(const std::string& text, const std::string& sourc
     drop_trailing(row.fields, columns);
     if (row.fields.size() == columns) continue;
     throw Error(source + ":" + std::to_string(row.line), std::to_string(row.fields.size()) + " fields",
-                std::to_string(columns) + ", as in the " + (format.header ? "header" : "first line"));
+                std::to_string(columns) + ", as in the " + (format.header ? "header" : "first line") +
+                    how_to_read(table, row, format));
   }
   return table;
 }

@@ -164,3 +164,27 @@ TEST_CASE("in a chain of several joints the law is where the torque is missing")
   CHECK(offered->pictures.front().joints == std::vector<std::size_t>{2});
   CHECK(offered->shrink->ratio < 0.3);
 }
+
+TEST_CASE("what a joint carries along a run has what the nominal model knows of its spring") {
+  Experiment experiment = full_bench();
+  experiment.effects = {{"nonlinear_spring", 0, {{"c", 5}}}, {"joint_stiffness", 2, {{"a", 0.4}}}};
+  const Study study(experiment);
+  JointTorqueLaw none;
+  none.joints = {2};
+  none.stiffness = experiment.joint_stiffness[1];
+  none.span = {-1, 1, 100};
+  none.coefficients = Eigen::VectorXd::Zero(law_terms_count);
+  const std::vector<LawTrace> traces = law_traces(study, TorqueLaw{{}, {none}, 3, 1, 1});
+  REQUIRE(traces.size() == experiment.runs.size());
+  // The same joint by statics: the moment of the end point's force about it.
+  const std::vector<double>& length = experiment.link_length;
+  for (const LawTrace& trace : traces) {
+    const Trace& run = study.nominal().runs[trace.run];
+    for (Eigen::Index r = 0; r < run.rows(); ++r) {
+      const double second = angle(run, r, 0) + angle(run, r, 1), third = second + angle(run, r, 2);
+      const double x = length[1] * std::cos(second) + length[2] * std::cos(third),
+                   y = length[1] * std::sin(second) + length[2] * std::sin(third);
+      CHECK(trace.torque(r) == doctest::Approx(x * run(r, column_Fy) - y * run(r, column_Fx)).epsilon(1e-6));
+    }
+  }
+}
