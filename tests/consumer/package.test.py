@@ -49,7 +49,7 @@ class Package(unittest.TestCase):
         self.dpkg("--install", self.package)
         program, share = self.system / "usr/bin/plumbline", self.system / "usr/share"
         version = output("dpkg-deb", "--field", self.package, "Version").strip()
-        self.assertEqual(output(program, "--version"), f"plumbline {version}\n")
+        self.assertRegex(output(program, "--version"), rf"^plumbline {re.escape(version)}( \([0-9a-f]+(-dirty)?\))?\n$")
         self.assertIn("Critical force", output(program, "critical"))
 
         page = output("man", "--local-file", "--warnings=all", share / "man/man1/plumbline.1", env={**os.environ, "MANWIDTH": "120"})
