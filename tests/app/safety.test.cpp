@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/app/process.hpp"
 
@@ -198,9 +199,16 @@ TEST_CASE("very many digits end: the forces of four links to ten thousand") {
   fs::copy(sources + "/examples/four-link.toml", here.path() / "c.toml");
   const std::string more = here.plumbline("critical c.toml --csv --digits 10000").out,
                     fewer = here.plumbline("critical c.toml --csv --digits 5700").out;
-  REQUIRE(more.size() > 10000);
-  const std::size_t same = fewer.size() - 10;  // the last digits are rounded
-  CHECK(more.substr(0, same) == fewer.substr(0, same));
+  std::istringstream rows(more), short_rows(fewer);
+  std::size_t compared = 0;
+  for (std::string row, short_row; std::getline(rows, row) && std::getline(short_rows, short_row);
+       ++compared) {
+    if (compared == 0) continue;  // the names of the columns
+    REQUIRE(row.size() > 10000);
+    const std::size_t same = short_row.size() - 10;  // the last digits are rounded
+    CHECK(row.substr(0, same) == short_row.substr(0, same));
+  }
+  CHECK(compared == 4);  // and three forces
 }
 
 TEST_CASE("equilibria that stay undecided end with status 1") {
