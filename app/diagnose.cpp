@@ -81,6 +81,14 @@ void run_many(const Options& options) {
   diagnose_many(many);
 }
 
+/// Why --next has no answer.
+const char* nothing_next(const diagnose::Diagnosis& diagnosis) {
+  if (!diagnosis.gap.present)
+    return "What next?  There is no gap to explain; --plan says which effects the bench could show\n";
+  if (diagnosis.cause.ranking.size() < 2) return "What next?  There are no two explanations to tell apart\n";
+  return "What next?  No press or load that the explanations could follow would tell them apart\n";
+}
+
 void run_diagnosis(const Options& options) {
   const std::optional<diagnose::NominalChain> model = model_of(options);
   const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
@@ -105,7 +113,9 @@ void run_diagnosis(const Options& options) {
   if (json) json->write(report.dump(2) + "\n");
   if (html) html->write(diagnose::as_html(study, diagnosis));
   outputs.commit();
-  if (options.json != "-" && options.html != "-") fmt::print("{}{}", as_text(diagnosis), corrected.as_text());
+  if (options.json == "-" || options.html == "-") return;
+  fmt::print("{}{}", as_text(diagnosis), corrected.as_text());
+  if (options.next && diagnosis.proposals.empty()) fmt::print("\n{}", nothing_next(diagnosis));
 }
 
 void run(const Options& options) {

@@ -1,27 +1,30 @@
 /// \file
-/// `bench-next [DRAWS] [SEED]`: how many runs it takes to a certain and right answer when each next one is
-/// the first that the diagnosis proposes, beside runs drawn at random from the same candidates. Chains of two
-/// and three links in a horizontal plane, forces measured, one effect at random; experiments of the
+/// `bench-next [DRAWS] [SEED] [NOISE]`: how many runs it takes to a certain and right answer when each next
+/// one is the first that the diagnosis proposes, beside runs drawn at random from the same candidates. Chains
+/// of two and three links in a horizontal plane, forces measured, one effect at random; experiments of the
 /// diagnosis' own forward model. Prints the tables of RESULTS-next.md.
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <random>
 #include <string>
 
 #include "diagnose/answers/candidate_runs.hpp"
 #include "diagnose/answers/diagnosis.hpp"
+#include "diagnose/beliefs.hpp"
 
 namespace plumbline::bench {
 using namespace diagnose;
 namespace {
 
-constexpr std::size_t most_runs =
-    6;  ///< after which an answer that is not yet certain counts as one at these
+constexpr std::size_t most_runs = 8;
 
 double uniform(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
@@ -38,7 +41,7 @@ struct Draw {
   Instance truth;
 };
 
-Experiment chain(std::mt19937& random) {
+Experiment chain(std::mt19937& random, double noise) {
   Experiment bench;
   bench.name = "drawn";
   const std::size_t links = 2 + below(random, 2);
@@ -49,7 +52,7 @@ Experiment chain(std::mt19937& random) {
   bench.link_mass.assign(links, 0);
   bench.gravity = {0, 0};
   bench.bench = {Bench::Plane::horizontal, {0, 0}, false};
-  bench.noise = {1e-4, 1e-4, 0.02, 0.02, 0};
+  bench.noise = {1e-4, 1e-4, noise, noise, 0};
   return bench;
 }
 
@@ -76,57 +79,111 @@ bool make(Experiment& experiment, const Instance& truth, Run run, std::mt19937& 
 }
 
 /// Every press that `--next` could propose to a bench that turns nowhere and reads no angles.
-std::vector<CandidateRun> candidates(const Study& study) {
-  std::vector<CandidateRun> all;
+std::vector<Run> candidates(const Study& study) {
+  std::vector<Run> all;
   const Extent so_far = extent(study);
-  const std::vector<double>& rest = study.experiment().runs.front().rest;
-  for (const std::vector<double>& shape : {rest, mirrored(rest)})
-    for (CandidateRun& one : presses(study.experiment(), shape, "here", so_far))
-      all.push_back(std::move(one));
+  for (const Shape& shape : shapes(study.experiment(), 2)) {
+    for (const CandidateRun& one : runs_from(study.experiment(), shape, so_far)) {
+      Experiment bench = study.experiment();
+      bench.runs = {one.run};
+      const Prediction nominal = Study(bench).nominal();
+      if (nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], shape.rest))
+        all.push_back(one.run);
+    }
+  }
   return all;
 }
 
-bool add_random(Experiment& experiment, const Instance& truth, std::mt19937& random) {
-  std::vector<CandidateRun> pool = candidates(Study(experiment));
-  std::shuffle(pool.begin(), pool.end(), random);
-  return std::any_of(pool.begin(), pool.end(),
-                     [&](const CandidateRun& one) { return make(experiment, truth, one.run, random); });
+double travel(const Run& run) {
+  double farthest = 0;
+  for (const Reading& one : run.readings)
+    farthest = std::max(farthest, std::hypot(one.x - run.readings[0].x, one.y - run.readings[0].y));
+  return farthest;
 }
 
-bool add_proposed(Experiment& experiment, const Instance& truth, const Diagnosis& diagnosis,
-                  std::mt19937& random) {
-  for (const Proposal& one : diagnosis.proposals)
-    if (!one.angles && make(experiment, truth, one.run, random)) return true;
-  return add_random(experiment, truth, random);
+/// How the next run is chosen: as proposed, at random, or at random among the longest, there and back.
+enum class Way { proposed, random, far };
+
+bool add_random(Experiment& experiment, const Instance& truth, Way way, std::mt19937& random) {
+  std::vector<Run> pool = candidates(Study(experiment));
+  double farthest = 0;
+  for (const Run& run : pool) farthest = std::max(farthest, travel(run));
+  if (way == Way::far)
+    std::erase_if(pool, [&](const Run& run) { return travel(run) < 0.99 * farthest || !run.turns_back(); });
+  std::shuffle(pool.begin(), pool.end(), random);
+  return std::any_of(pool.begin(), pool.end(),
+                     [&](const Run& run) { return make(experiment, truth, run, random); });
+}
+
+bool add_run(Experiment& experiment, const Instance& truth, Way way, const Diagnosis& diagnosis,
+             std::mt19937& random) {
+  if (way == Way::proposed)
+    for (const Proposal& one : diagnosis.proposals)
+      if (!one.angles && make(experiment, truth, one.run, random)) return true;
+  return add_random(experiment, truth, way, random);
+}
+
+/// Everything that the bench could measure of a truth next, without noise.
+Experiment everything(const Experiment& experiment, const Instance& truth) {
+  Experiment all = experiment;
+  all.runs.clear();
+  Experiment quiet = experiment;
+  std::mt19937 unused;
+  for (const Run& run : candidates(Study(experiment))) {
+    if (!run.turns_back()) continue;
+    quiet.runs.clear();
+    quiet.noise.Fx = quiet.noise.Fy = 1e-12;
+    if (make(quiet, truth, run, unused)) all.runs.push_back(quiet.runs.front());
+  }
+  return all;
+}
+
+/// Whether the answer is right and cannot be made more certain: the truth, alone or among explanations that
+/// not even all runs that could be made next would together tell apart from it.
+bool certain(const Cause& cause, const Experiment& experiment, const Instance& truth) {
+  if (cause.verdict != CauseVerdict::identified && cause.verdict != CauseVerdict::ambiguous) return false;
+  if (cause.or_unknown) return false;
+  std::vector<std::size_t> named = cause.equivalent;
+  named.push_back(cause.best);
+  const auto candidate = [&](std::size_t place) { return cause.ranking[place].hypothesis.fit.candidate; };
+  if (std::none_of(named.begin(), named.end(),
+                   [&](std::size_t place) { return candidate(place) == truth.candidate; }))
+    return false;
+  if (named.size() == 1) return true;
+  const Study study(everything(experiment, truth));
+  FitSettings settings;
+  settings.outlier_bound = std::numeric_limits<double>::max();
+  return std::all_of(named.begin(), named.end(), [&](std::size_t place) {
+    if (candidate(place) == truth.candidate) return true;
+    double square = 0;
+    for (const double z : fit(study, candidate(place), settings).whitened) square += z * z;
+    return square / 2 < beliefs::told_apart;
+  });
 }
 
 /// Runs to a certain and right answer; nothing where it never came.
-std::optional<std::size_t> runs_needed(Experiment experiment, const Instance& truth, bool follow,
+std::optional<std::size_t> runs_needed(Experiment experiment, const Instance& truth, Way way,
                                        std::mt19937 random) {
   for (;;) {
     const Study study(experiment);
-    const Diagnosis diagnosis = diagnose::diagnose(study, {}, follow);
-    const Cause& cause = diagnosis.cause;
-    if (cause.verdict == CauseVerdict::identified &&
-        cause.ranking[cause.best].hypothesis.fit.candidate == truth.candidate)
-      return experiment.runs.size();
-    if (experiment.runs.size() == most_runs) return std::nullopt;
-    if (!(follow ? add_proposed(experiment, truth, diagnosis, random)
-                 : add_random(experiment, truth, random)))
+    const Diagnosis diagnosis = diagnose::diagnose(study, {}, way == Way::proposed);
+    if (certain(diagnosis.cause, experiment, truth)) return experiment.runs.size();
+    if (experiment.runs.size() == most_runs || !add_run(experiment, truth, way, diagnosis, random))
       return std::nullopt;
   }
 }
 
 /// A first run on a bench with one effect; nothing where the draw cannot be made.
-std::optional<Draw> draw(std::mt19937& random) {
-  Draw one{chain(random), {}, {}};
+std::optional<Draw> draw(std::mt19937& random, double noise) {
+  Draw one{chain(random, noise), {}, {}};
   double bend = uniform(random, 0, 1) < 0.5 ? 1 : -1;
   for (std::size_t i = 0; i < one.bench.link_length.size(); ++i, bend = -bend)
     one.rest.push_back(bend * uniform(random, 0.3, 0.9));
   Experiment first = one.bench;
   first.runs.push_back({"start", Control::end_point, one.rest, {}});
-  const std::vector<CandidateRun> pool = candidates(Study(first));
-  const Run run = pool[below(random, pool.size())].run;
+  const std::vector<Run> pool = candidates(Study(first));
+  if (pool.empty()) return std::nullopt;
+  const Run run = pool[below(random, pool.size())];
   first.runs = {run};
   for (Reading& reading : first.runs[0].readings) reading.Fx = reading.Fy = 0;
   const Study commanded(first);
@@ -153,37 +210,50 @@ std::optional<Draw> draw(std::mt19937& random) {
   return one;
 }
 
+constexpr std::array ways{Way::proposed, Way::random, Way::far};
+
+/// Runs by way, as `ways` lists them.
 struct Count {
   std::string effect;
-  std::optional<std::size_t> followed, random;
+  std::array<std::optional<std::size_t>, ways.size()> runs;
+
+  [[nodiscard]] bool settled() const {
+    return std::any_of(runs.begin(), runs.end(), [](const auto& one) { return one.has_value(); });
+  }
+  /// What never settled counts as one run more than there may be.
+  [[nodiscard]] std::size_t of(std::size_t way) const { return runs.at(way).value_or(most_runs + 1); }
 };
 
 void print(const std::vector<Count>& counts) {
   const auto shown = [](const std::optional<std::size_t>& runs) {
     return runs ? std::to_string(*runs) : fmt::format("> {}", most_runs);
   };
-  fmt::print("| draw | effect | `--next` | at random |\n| ---: | --- | ---: | ---: |\n");
+  fmt::print(
+      "| draw | effect | `--next` | at random | far, at random |\n| ---: | --- | ---: | ---: | ---: |\n");
+  std::array<std::size_t, ways.size()> sum{}, never{};
   std::size_t settled = 0, more = 0, fewer = 0, at_once = 0;
-  double followed = 0, random = 0, followed_after = 0, random_after = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const Count& one = counts[i];
-    fmt::print("| {} | {} | {} | {} |\n", i + 1, one.effect, shown(one.followed), shown(one.random));
-    if (!one.followed && !one.random) continue;
-    const auto a = static_cast<double>(one.followed.value_or(most_runs + 1));
-    const auto b = static_cast<double>(one.random.value_or(most_runs + 1));
-    ++settled, fewer += a<b, more += a> b, at_once += a == 1;
-    followed += a, random += b, followed_after += a - 1, random_after += b - 1;
+    fmt::print("| {} | {} | {} | {} | {} |\n", i + 1, one.effect, shown(one.runs[0]), shown(one.runs[1]),
+               shown(one.runs[2]));
+    if (!one.settled()) continue;
+    ++settled, fewer += one.of(0)<one.of(1), more += one.of(0)> one.of(1), at_once += one.of(0) == 1;
+    for (std::size_t way = 0; way < ways.size(); ++way)
+      sum.at(way) += one.of(way), never.at(way) += !one.runs.at(way);
   }
   fmt::print(
-      "\n{} draws: {} settled by either way within {} runs, {} of them by the first run; `--next` needs "
-      "fewer "
-      "runs in {}, more in {}.\n",
-      counts.size(), settled, most_runs, at_once, fewer, more);
+      "\n{} draws, {} settled by some way within {} runs, {} of them by the first run. `--next` needs fewer "
+      "runs "
+      "than chance in {}, more in {}; left open: {}, {} at random, {} far at random.\n",
+      counts.size(), settled, most_runs, at_once, fewer, more, never[0], never[1], never[2]);
+  const auto ratio = [&](std::size_t way, std::size_t shared) {
+    return static_cast<double>(sum[0] - shared) / static_cast<double>(sum.at(way) - shared);
+  };
   fmt::print(
-      "Runs in all of these: {} against {}, ratio {:.2f}; after the first, which both share: {} against {}, "
-      "ratio {:.2f}. What was not settled counts as {}.\n",
-      followed, random, followed / random, followed_after, random_after, followed_after / random_after,
-      most_runs + 1);
+      "Runs in these: {} against {} at random (ratio {:.2f}) and {} far at random ({:.2f}); after the first, "
+      "which all share: {} against {} ({:.2f}) and {} ({:.2f}). What was left open counts as {}.\n",
+      sum[0], sum[1], ratio(1, 0), sum[2], ratio(2, 0), sum[0] - settled, sum[1] - settled, ratio(1, settled),
+      sum[2] - settled, ratio(2, settled), most_runs + 1);
 }
 
 }  // namespace
@@ -193,14 +263,16 @@ int main(int argc, char** argv) {
   using namespace plumbline::bench;
   const int draws = argc > 1 ? std::atoi(argv[1]) : 60;
   const auto seed = static_cast<unsigned>(argc > 2 ? std::atoi(argv[2]) : 1);
+  const double noise = argc > 3 ? std::atof(argv[3]) : 0.02;
   std::vector<Count> counts;
   for (unsigned stream = 0; static_cast<int>(counts.size()) < draws; ++stream) {
     std::seed_seq mixed{seed, stream};
     std::mt19937 random(mixed);
-    const std::optional<Draw> one = draw(random);
+    const std::optional<Draw> one = draw(random, noise);
     if (!one) continue;
-    counts.push_back({one->truth.candidate.label(), runs_needed(one->bench, one->truth, true, random),
-                      runs_needed(one->bench, one->truth, false, random)});
+    counts.push_back({one->truth.candidate.label(), {}});
+    for (std::size_t way = 0; way < ways.size(); ++way)
+      counts.back().runs.at(way) = runs_needed(one->bench, one->truth, ways.at(way), random);
     fmt::print(stderr, "\r{} of {}", counts.size(), draws);
   }
   fmt::print(stderr, "\n");

@@ -65,6 +65,12 @@ inline constexpr double closes_alike = 0.99;
 
 // ---- What held-out readings say of an explanation ----
 
+/// They do not carry the gap where noise alone is more than this share of what is read there: not tested.
+inline constexpr double carries_no_gap = 0.7;
+/// They test nothing that is fitted without them where the parameters that are left open spread their
+/// prediction by more than this share of the noise's variance: a right explanation would then miss them.
+inline constexpr double undetermined = 0.5;
+
 /// It predicts where it leaves at most so many times the noise.
 inline constexpr double predicts = 1.5;
 /// It is what was looked for, with a remainder, where it leaves at most so many times the noise, of a gap

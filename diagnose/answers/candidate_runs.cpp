@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "diagnose/model/nominal.hpp"
 
@@ -59,6 +60,58 @@ Run gone(Control control, const std::vector<double>& rest, const Vector2& start,
   return run;
 }
 
+std::vector<double> mirrored(std::vector<double> rest) {
+  for (double& q : rest) q = -q;
+  return rest;
+}
+
+std::vector<CandidateRun> presses(const Experiment& experiment, const Shape& shape, const Extent& so_far) {
+  std::vector<CandidateRun> all;
+  const Vector2 start = unloaded_end(experiment, shape.rest);
+  for (const Direction& one : directions()) {
+    for (const double range : {1.0, 1.5}) {
+      const double by = range * so_far.travel;
+      for (const bool back : {false, true})
+        all.push_back({fmt::format("press {} by {:.3g} m from {}{}", one.name, by, shape.words,
+                                   back ? " and unload" : ""),
+                       gone(Control::end_point, shape.rest, start, by * one.along, back, so_far.pause)});
+    }
+  }
+  return all;
+}
+
+/// The largest load along a direction that deflects the nominal chain no more than is wanted.
+std::optional<Vector2> bearable(const Experiment& experiment, const Shape& shape, const Vector2& along,
+                                const Extent& so_far) {
+  constexpr double usual_deflection = 0.33;  // rad
+  const double wanted = so_far.deflection > 0 ? so_far.deflection : usual_deflection;
+  const double shortest = *std::min_element(experiment.link_length.begin(), experiment.link_length.end());
+  const double stiffest =
+      *std::max_element(experiment.joint_stiffness.begin(), experiment.joint_stiffness.end());
+  double force = so_far.force > 0 ? so_far.force : 2 * wanted * stiffest / shortest;
+  for (int halved = 0; halved < 12; ++halved, force /= 2) {
+    Experiment bench = experiment;
+    bench.runs = {gone(Control::force, shape.rest, {0, 0}, force * along, true, so_far.pause)};
+    const Prediction nominal = simulate(bench, nominal_rig(bench), {});
+    if (nominal.reached && !nominal.snapped && largest_deflection(nominal.runs[0], shape.rest) <= wanted)
+      return force * along;
+  }
+  return std::nullopt;
+}
+
+std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape, const Extent& so_far) {
+  std::vector<CandidateRun> all;
+  for (const Direction& one : directions()) {
+    const std::optional<Vector2> load = bearable(experiment, shape, one.along, so_far);
+    if (!load) continue;
+    for (const bool back : {false, true})
+      all.push_back({fmt::format("load with {:.3g} N {} from {}{}", load->norm(), one.name, shape.words,
+                                 back ? " and unload" : ""),
+                     gone(Control::force, shape.rest, {0, 0}, *load, back, so_far.pause)});
+  }
+  return all;
+}
+
 }  // namespace
 
 bool Extent::allows(const Trace& trace, const std::vector<double>& rest) const {
@@ -70,6 +123,7 @@ Extent extent(const Study& study) {
   Extent so_far;
   const Experiment& experiment = study.experiment();
   const Prediction& nominal = study.nominal();
+  double pause = 0;
   for (std::size_t r = 0; r < nominal.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     const Trace& trace = nominal.runs[r];
@@ -81,58 +135,35 @@ Extent extent(const Study& study) {
       const double way = (Vector2(trace(i, column_x), trace(i, column_y)) - start).norm();
       if (run.holds_end_point()) so_far.travel = std::max(so_far.travel, way);
     }
-    if (run.readings.size() > 1) so_far.pause = run.readings[1].t - run.readings[0].t;
+    if (run.readings.size() > 1) pause = std::max(pause, run.readings[1].t - run.readings[0].t);
   }
+  if (pause > 0) so_far.pause = pause;
   if (so_far.travel == 0) {
     for (const double length : experiment.link_length) so_far.travel += 0.05 * length;
   }
   return so_far;
 }
 
-std::vector<CandidateRun> presses(const Experiment& experiment, const std::vector<double>& rest,
-                                  const std::string& shape, const Extent& so_far) {
-  std::vector<CandidateRun> all;
-  const Vector2 start = unloaded_end(experiment, rest);
-  for (const Direction& one : directions()) {
-    for (const double range : {1.0, 1.5}) {
-      const double by = range * so_far.travel;
-      for (const bool back : {false, true}) {
-        all.push_back(
-            {fmt::format("press {} by {:.3g} m from {}{}", one.name, by, shape, back ? " and unload" : ""),
-             gone(Control::end_point, rest, start, by * one.along, back, so_far.pause)});
-      }
-    }
-  }
+std::vector<Shape> shapes(const Experiment& experiment, std::size_t most) {
+  std::vector<Shape> all;
+  const auto add = [&](Shape one) {
+    const bool known = std::any_of(all.begin(), all.end(), [&](const Shape& other) {
+      return other.control == one.control && other.rest == one.rest;
+    });
+    if (!known && all.size() < most) all.push_back(std::move(one));
+  };
+  std::vector<const Run*> runs;
+  for (const Run& run : experiment.runs) runs.push_back(&run);
+  std::sort(runs.begin(), runs.end(), [](const Run* a, const Run* b) { return a->id < b->id; });
+  for (const Run* run : runs) add({run->control, run->rest, "the rest shape of " + run->id});
+  for (const Run* run : runs)
+    add({run->control, mirrored(run->rest), "the mirrored rest shape of " + run->id});
   return all;
 }
 
-std::vector<CandidateRun> loads(const Experiment& experiment, const std::vector<double>& rest,
-                                const std::string& shape, const Extent& so_far) {
-  constexpr double usual_deflection = 0.33;  // rad
-  const double wanted = so_far.deflection > 0 ? so_far.deflection : usual_deflection;
-  const double stiffest =
-      *std::max_element(experiment.joint_stiffness.begin(), experiment.joint_stiffness.end());
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const double length : experiment.link_length) shortest = std::min(shortest, length);
-  std::vector<CandidateRun> all;
-  for (const Direction& one : directions()) {
-    double force = so_far.force > 0 ? so_far.force : 2 * wanted * stiffest / shortest;
-    for (int halved = 0; halved < 12; ++halved, force /= 2) {
-      Experiment bench = experiment;
-      bench.runs = {gone(Control::force, rest, {0, 0}, force * one.along, true, so_far.pause)};
-      const Prediction nominal = simulate(bench, nominal_rig(bench), {});
-      if (!nominal.reached || nominal.snapped || largest_deflection(nominal.runs[0], rest) > wanted) continue;
-      all.push_back(
-          {fmt::format("load with {:.3g} N {} from {} and unload", force, one.name, shape), bench.runs[0]});
-      break;
-    }
-  }
-  return all;
-}
-
-std::vector<double> mirrored(std::vector<double> rest) {
-  for (double& q : rest) q = -q;
-  return rest;
+std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape, const Extent& so_far) {
+  return shape.control == Control::end_point ? presses(experiment, shape, so_far)
+                                             : loads(experiment, shape, so_far);
 }
 
 }  // namespace plumbline::diagnose

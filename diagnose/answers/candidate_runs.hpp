@@ -15,7 +15,7 @@ struct Extent {
   double travel = 0;      ///< of a held end point, m; a twentieth of the chain where none was commanded
   double force = 0;       ///< on the end point, N
   double deflection = 0;  ///< of a joint, rad
-  double pause = 2;       ///< between readings, s
+  double pause = 2;       ///< between readings, s: as slow as the slowest
 
   /// Whether the first run of a prediction asks no more than twice the force, and half as much deflection
   /// again, as the runs so far; anything where they asked nothing.
@@ -29,19 +29,20 @@ struct CandidateRun {
   Run run;  ///< what to command; the measured channels are empty
 };
 
-/// The end point pressed along x, along y and between, as far as before and half as far again, with and
-/// without unloading.
-/// \param shape  the rest shape in words
-std::vector<CandidateRun> presses(const Experiment& experiment, const std::vector<double>& rest,
-                                  const std::string& shape, const Extent& so_far);
+/// A rest shape that a bench has, and how it is moved from there.
+struct Shape {
+  Control control;
+  std::vector<double> rest;
+  std::string words;
+};
 
-/// The end point loaded along the same directions with weights on a string, and unloaded: as large as the
-/// runs so far, or as deflects the nominal chain as much as they did, a third of a radian where they asked
-/// nothing.
-std::vector<CandidateRun> loads(const Experiment& experiment, const std::vector<double>& rest,
-                                const std::string& shape, const Extent& so_far);
+/// The rest shapes of the runs, by the names of these, then the same turned over; of shapes that are alike
+/// the first. \param most  so many of them, at most
+std::vector<Shape> shapes(const Experiment& experiment, std::size_t most);
 
-/// The rest shape turned over, as the same bench can have it.
-std::vector<double> mirrored(std::vector<double> rest);
+/// Runs from a shape along x, along y and between, with and without unloading. A held end point is pressed as
+/// far as before and half as far again. Another is loaded with weights on a string: as much as in the runs so
+/// far, or as deflects the nominal chain as much as they did, a third of a radian where they asked nothing.
+std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape, const Extent& so_far);
 
 }  // namespace plumbline::diagnose

@@ -5,6 +5,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/answers/implied_shares.hpp"
+#include "diagnose/answers/rotation.hpp"
 #include "diagnose/beliefs.hpp"
 
 namespace plumbline::diagnose {
@@ -52,17 +53,21 @@ bool ripples(const Measurements& measurements, const NoiseModel& noise) {
                      [&](const Series& series) { return noise.of(series.channel) > beliefs::largest_scale; });
 }
 
-/// The hypotheses that a search on fewer readings left standing, fitted to all of them.
+/// The hypotheses that a search on fewer readings left standing, two at least, fitted to all of them.
 Findings confirmed(const Study& study, const Findings& found) {
   // More readings cannot lift what fell behind by so much.
   constexpr double hopeless = 50;
   Findings all;
   FitSettings settings;
   settings.noise = found.noise;
+  std::size_t standing = 0;
   for (const Hypothesis& hypothesis : found.hypotheses) {
-    if (hypothesis.log_evidence < found.hypotheses.front().log_evidence - hopeless) break;
+    const bool behind = hypothesis.log_evidence < found.hypotheses.front().log_evidence - hopeless;
+    if (behind && standing >= 2) break;
     Fit one = fit_from(study, hypothesis.fit.candidate, settings, hypothesis.fit.parameters);
-    if (one.converged) all.hypotheses.push_back({std::move(one), 0, 0, {}});
+    if (!one.converged) continue;
+    standing += genuine(study, one);
+    all.hypotheses.push_back({std::move(one), 0, 0, {}});
   }
   weigh(study, all);
   return all;
@@ -117,23 +122,6 @@ bool leaves_structure(const Measurements& measurements, const Findings& findings
   return test_gap(measurements, findings.hypotheses.front().fit.residual).p_value < beliefs::fit_level;
 }
 
-/// How an explanation, refitted without the readings that are held out, predicts them. What only those
-/// readings determine stays as it is: it can be neither confirmed nor refuted. Nothing where none are held
-/// out, or the refit fails.
-std::optional<Shrink> blind_shrink(const Study& study, const HeldOut& heldout, const Fit& fitted,
-                                   const NoiseModel& noise) {
-  if (heldout.empty()) return std::nullopt;
-  const Study seen = study.of(without(study.experiment(), heldout));
-  FitSettings settings;
-  settings.noise = noise;
-  const Fit blind = fit_from(seen, fitted.candidate, settings, fitted.parameters);
-  if (!blind.converged) return std::nullopt;
-  const Prediction after = predict(study, blind.candidate, blind.parameters);
-  if (!after.reached) return std::nullopt;
-  return measure_shrink(study.measurements(), heldout, study.nominal_residual(), study.residual(after),
-                        noise);
-}
-
 /// Whether it leaves of held-out readings at most so many times the noise.
 bool predicts(const std::optional<Shrink>& blind, double times) {
   return blind && blind->chi2_per_value_after < times * times;
@@ -156,35 +144,60 @@ std::optional<std::size_t> best_partial_of(const Study& study, const Cause& caus
 /// With thousands of readings every model fails a test for exactness. The best partial explanation, of one
 /// effect or else of two, that predicts held-out readings nearly to the noise, where these show the gap
 /// clearly, is what was looked for, with a remainder.
-void accept_remainder(const Study& study, const HeldOut& heldout, const NoiseModel& noise, Cause& cause) {
+void accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause) {
   if (cause.verdict != CauseVerdict::unknown) return;
   for (const std::size_t effects : {std::size_t{1}, std::size_t{2}}) {
     const std::optional<std::size_t> place = best_partial_of(study, cause, effects);
     if (!place) continue;
-    const std::optional<Shrink> blind =
-        blind_shrink(study, heldout, cause.ranking[*place].hypothesis.fit, noise);
-    if (!predicts(blind, beliefs::nearly) || blind->noise_floor_ratio > beliefs::clear) continue;
+    const std::optional<Rotated> blind = rotated(study, cause.ranking[*place].hypothesis.fit, noise);
+    if (!blind) continue;
+    const double left = blind->shrink.ratio, floor = blind->shrink.noise_floor_ratio;
+    if (!predicts(blind->shrink, beliefs::nearly) || floor > beliefs::clear) continue;
     settle_on(cause, *place, beliefs::other_than_nearly);
-    cause.remainder = std::sqrt(
-        std::max(0.0, blind->ratio * blind->ratio - blind->noise_floor_ratio * blind->noise_floor_ratio));
+    cause.remainder = std::sqrt(std::max(0.0, left * left - floor * floor));
     return;
   }
 }
 
 /// What does not predict is not identified: it may be one of the causes that nobody has listed. Three effects
 /// at once explain much that they are not, and are then no explanation at all.
-void demand_prediction(const Study& study, const HeldOut& heldout, const NoiseModel& noise, Cause& cause) {
+/// \param blind  nothing where no readings could test it
+void demand_prediction(const std::optional<Shrink>& blind, Cause& cause) {
   if (cause.verdict == CauseVerdict::unknown) return;
-  const Fit& best = cause.ranking[cause.best].hypothesis.fit;
-  const std::size_t effects = best.candidate.count();
-  if (heldout.empty() && effects < 3) return;
-  if (predicts(blind_shrink(study, heldout, best, noise), beliefs::predicts)) return;
+  const std::size_t effects = cause.ranking[cause.best].hypothesis.fit.candidate.count();
+  if (!blind && effects < 3) return;
+  if (predicts(blind, beliefs::predicts)) return;
   const double refuted = effects < 3 ? beliefs::wrong_unpredicted : beliefs::wrong_unpredicted_three;
   cause.verdict = effects < 3 ? CauseVerdict::ambiguous : CauseVerdict::unknown;
   cause.or_unknown = effects < 3;
   if (cause.verdict == CauseVerdict::unknown) cause.equivalent.clear();
   for (Ranked& one : cause.ranking) one.probability *= (1 - refuted) / (1 - cause.unknown);
   cause.unknown = refuted;
+}
+
+/// Whether the choice that is made without a part falls on the best explanation, or among those that are then
+/// not told apart on it.
+bool chosen_without(const Study& study, const HeldOut& part, const Findings& findings, const Cause& cause) {
+  const Study seen = study.of(without(study.experiment(), part));
+  const Cause blind = judge(seen, confirmed(seen, findings));
+  if (blind.ranking.empty()) return false;
+  const Candidate& best = cause.ranking[cause.best].hypothesis.fit.candidate;
+  const auto is_best = [&](std::size_t place) {
+    return blind.ranking[place].hypothesis.fit.candidate == best;
+  };
+  return is_best(blind.best) || std::any_of(blind.equivalent.begin(), blind.equivalent.end(), is_best);
+}
+
+/// How far the best explanation shrinks the residual where its fit, and a choice like that which fell on it,
+/// have not seen it.
+std::optional<Shrink> shrink_of(const Study& study, const Findings& findings, const Cause& cause) {
+  if (cause.ranking.empty()) return std::nullopt;
+  std::optional<Rotated> blind = rotated(study, cause.ranking[cause.best].hypothesis.fit, findings.noise);
+  if (!blind) return std::nullopt;
+  blind->shrink.chosen_blind =
+      std::all_of(blind->parts.begin(), blind->parts.end(),
+                  [&](const HeldOut& part) { return chosen_without(study, part, findings, cause); });
+  return blind->shrink;
 }
 
 /// Where no known effect explains the gap: a law that closes it, if one predicts.
@@ -201,8 +214,7 @@ void offer_law_to(const Study& study, const HeldOut& heldout, const Findings& ch
   if (diagnosis.offers_law()) diagnosis.shrink = diagnosis.law->shrink;
 }
 
-void explain(const Study& study, const std::vector<double>& residual, Diagnosis& diagnosis,
-             const Report& progress) {
+void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
   const HeldOut heldout = choose_heldout(study.experiment());
   const Study seen = study.of(without(study.experiment(), heldout));
   const Findings chosen = search(seen, [&](double share) { progress(0.1 + 0.4 * share); });
@@ -213,16 +225,6 @@ void explain(const Study& study, const std::vector<double>& residual, Diagnosis&
     return;
   }
   const bool structured = leaves_structure(seen.measurements(), chosen);
-  if (!heldout.empty()) {
-    std::vector<const Fit*> fits;
-    for (const Hypothesis& hypothesis : chosen.hypotheses) fits.push_back(&hypothesis.fit);
-    const Fit& best = *fits[structured ? best_partial(seen.measurements(), fits) : 0];
-    const Prediction after = predict(study, best.candidate, best.parameters);
-    if (after.reached) {
-      diagnosis.shrink =
-          measure_shrink(study.measurements(), heldout, residual, study.residual(after), chosen.noise);
-    }
-  }
   Findings findings = confirmed(study, chosen);
   diagnosis.cause = judge(study, findings);
   if (diagnosis.cause.verdict == CauseVerdict::unknown && !structured) {
@@ -230,8 +232,9 @@ void explain(const Study& study, const std::vector<double>& residual, Diagnosis&
     findings = search(study, [&](double share) { progress(0.5 + 0.4 * share); });
     diagnosis.cause = judge(study, findings);
   }
-  accept_remainder(study, heldout, findings.noise, diagnosis.cause);
-  demand_prediction(study, heldout, findings.noise, diagnosis.cause);
+  accept_remainder(study, findings.noise, diagnosis.cause);
+  diagnosis.shrink = shrink_of(study, findings, diagnosis.cause);
+  demand_prediction(diagnosis.shrink, diagnosis.cause);
   diagnosis.noise = findings.noise;
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.or_unknown)
     offer_law_to(study, heldout, chosen, diagnosis);
@@ -289,7 +292,7 @@ Diagnosis diagnose(const Study& study, const Report& progress, bool plan) {
   diagnosis.gap = ask_for_gap(study, residual);
   diagnosis.noise = diagnosis.gap.test.noise;
   if (diagnosis.gap.present) {
-    explain(study, residual, diagnosis, report);
+    explain(study, diagnosis, report);
   } else if (ripples(study.measurements(), diagnosis.noise)) {
     diagnosis.gap.present = true;
     diagnosis.cause.verdict = CauseVerdict::unknown;

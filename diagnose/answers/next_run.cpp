@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "diagnose/answers/candidate_runs.hpp"
+#include "diagnose/answers/expected_information.hpp"
+#include "diagnose/inference/evidence.hpp"
 #include "diagnose/inference/separation.hpp"
 
 namespace plumbline::diagnose {
@@ -28,8 +30,8 @@ Experiment bench_for(const Experiment& experiment, const Run& run, bool out_of_g
 
 /// What the rivals would measure in the run; nothing where one cannot follow, or the nominal
 /// chain, or it asks too much of the rig.
-std::optional<std::vector<Prediction>> forecast(const Study& bench, const std::vector<Fit>& rivals,
-                                                const Extent& so_far) {
+std::optional<std::vector<Prediction>> predictions(const Study& bench, const std::vector<Fit>& rivals,
+                                                   const Extent& so_far) {
   std::vector<Prediction> all;
   if (!bench.nominal().reached) return std::nullopt;  // the run could not be diagnosed
   for (const Fit& rival : rivals) {
@@ -41,32 +43,43 @@ std::optional<std::vector<Prediction>> forecast(const Study& bench, const std::v
   return all;
 }
 
-/// Rows of the new run: what it measures, and angles where they are to be.
-Imitation new_rows(const Prediction& truth, const Prediction& imitator, const Run& run, const Noise& sigma,
-                   const NoiseModel& noise, bool angles) {
-  const Trace& a = truth.runs[0];
-  const Trace& b = imitator.runs[0];
+/// What a run measures, and joint angles where they are to be: channels that have a noise.
+std::vector<Channel> channels_of(const Run& run, const Noise& sigma, bool angles) {
+  using Name = Channel::Name;
   std::vector<Channel> channels;
-  for (const Channel::Name name : run.holds_end_point() ? std::array{Channel::Name::Fx, Channel::Name::Fy}
-                                                        : std::array{Channel::Name::x, Channel::Name::y})
+  for (const Name name :
+       run.holds_end_point() ? std::array{Name::Fx, Name::Fy} : std::array{Name::x, Name::y})
     channels.push_back({name});
-  for (std::size_t j = 0; angles && j < run.rest.size(); ++j) channels.push_back({Channel::Name::q, j});
+  for (std::size_t j = 0; angles && j < run.rest.size(); ++j) channels.push_back({Name::q, j});
   std::erase_if(channels, [&](const Channel& one) { return !(one.sigma(sigma) > 0); });
-  const Eigen::Index rows = a.rows();
-  Imitation result;
-  result.difference.resize(rows * static_cast<Eigen::Index>(channels.size()));
-  result.slope.resize(result.difference.size(), static_cast<Eigen::Index>(imitator.sensitivity.size()));
+  return channels;
+}
+
+/// What a rival makes of the run, in the noise as it is.
+Forecast forecast(const Prediction& predicted, const std::vector<Channel>& channels, const Noise& sigma,
+                  const NoiseModel& noise, const Eigen::MatrixXd& covariance) {
+  const Trace& trace = predicted.runs[0];
+  const Eigen::Index rows = trace.rows();
+  Forecast result;
+  result.covariance = covariance;
+  result.read.resize(rows * static_cast<Eigen::Index>(channels.size()));
+  result.slope.resize(result.read.size(), static_cast<Eigen::Index>(predicted.sensitivity.size()));
   Eigen::Index at = 0;
   for (const Channel& channel : channels) {
     const Eigen::Index c = column_of(channel);
     const double real = channel.sigma(sigma) * noise.of(channel);
-    result.difference.segment(at, rows) = ((a.col(c) - b.col(c)) / real).matrix();
-    for (std::size_t p = 0; p < imitator.sensitivity.size(); ++p)
+    result.read.segment(at, rows) = (trace.col(c) / real).matrix();
+    for (std::size_t p = 0; p < predicted.sensitivity.size(); ++p)
       result.slope.col(static_cast<Eigen::Index>(p)).segment(at, rows) =
-          -(imitator.sensitivity[p][0].col(c) / real).matrix();
+          (predicted.sensitivity[p][0].col(c) / real).matrix();
     at += rows;
   }
   return result;
+}
+
+/// Rows of the run for an imitation.
+Imitation rows_of(const Forecast& truth, const Forecast& imitator) {
+  return {truth.read - imitator.read, -imitator.slope};
 }
 
 /// Expected lead of the right rival over its best imitator, averaged over which is right.
@@ -96,26 +109,26 @@ class Planner {
     settings.noise = noise;
     for (const Fit& rival : rivals)
       rivals_.push_back(fit_from(study, rival.candidate, settings, rival.parameters));
+    for (const Fit& rival : rivals_) open_.push_back(posterior_covariance(study, rival));
     for (const Fit& truth : rivals_)
       for (const Fit& imitator : rivals_) known_.push_back(condensed(imitation(truth, imitator)));
     before_ = expected_log_odds(rivals_.size(), [&](std::size_t a, std::size_t b) { return known(a, b); });
   }
 
-  /// All presses from one rest shape.
-  void add_presses(const std::vector<double>& rest, const std::string& shape) {
-    for (const CandidateRun& one : presses(experiment_, rest, shape, so_far_)) add(one.description, one.run);
+  void add_runs_from(const Shape& shape) {
+    for (const CandidateRun& one : runs_from(experiment_, shape, so_far_)) add(one.description, one.run);
   }
 
   [[nodiscard]] std::vector<Proposal> best(std::size_t count) {
     // Of runs that promise the same to a few percent the one that asks least stands first.
-    const auto grade = [](const Proposal& one) { return std::lround(16 * std::log(one.log_odds + 1e-3)); };
+    const auto grade = [](const Proposal& one) { return std::lround(16 * std::log(one.information + 1e-4)); };
     std::stable_sort(proposals_.begin(), proposals_.end(),
                      [&](const Proposal& a, const Proposal& b) { return grade(a) > grade(b); });
     std::vector<Proposal> chosen;
     for (const Proposal& one : proposals_) {
       const bool alike = std::any_of(chosen.begin(), chosen.end(), [&](const Proposal& other) {
-        return other.run.rest == one.run.rest && other.angles == one.angles &&
-               other.out_of_gravity == one.out_of_gravity;
+        return other.run.control == one.run.control && other.run.rest == one.run.rest &&
+               other.angles == one.angles && other.out_of_gravity == one.out_of_gravity;
       });
       if (!alike && chosen.size() < count) chosen.push_back(one);
     }
@@ -131,25 +144,37 @@ class Planner {
     const bool weighs = experiment_.bench.plane != Bench::Plane::horizontal;
     for (const bool out_of_gravity : {false, true}) {
       if (out_of_gravity && !weighs) continue;
-      const auto all = forecast(Study(bench_for(experiment_, run, out_of_gravity)), rivals_, so_far_);
+      const auto all = predictions(Study(bench_for(experiment_, run, out_of_gravity)), rivals_, so_far_);
       if (!all) continue;
       for (const bool angles : {false, true}) {
-        const Noise sigma = with_angles(experiment_.noise);
-        const double after = expected_log_odds(rivals_.size(), [&](std::size_t a, std::size_t b) {
-          return stacked(known(a, b), new_rows((*all)[a], (*all)[b], run, sigma, noise_, angles));
+        const std::vector<Forecast> rivals = forecasts(*all, run, angles);
+        if (rivals.front().read.size() == 0) continue;
+        const double after = expected_log_odds(rivals.size(), [&](std::size_t a, std::size_t b) {
+          return stacked(known(a, b), rows_of(rivals[a], rivals[b]));
         });
         proposals_.push_back({what + (out_of_gravity ? ", the rig turned out of gravity" : "") +
                                   (angles ? ", joint angles measured" : ""),
-                              run, angles, out_of_gravity, after, before_});
+                              run, angles, out_of_gravity, expected_information(rivals), after, before_});
       }
     }
+  }
+
+  [[nodiscard]] std::vector<Forecast> forecasts(const std::vector<Prediction>& predicted, const Run& run,
+                                                bool angles) const {
+    const Noise sigma = with_angles(experiment_.noise);
+    const std::vector<Channel> channels = channels_of(run, sigma, angles);
+    std::vector<Forecast> all;
+    for (std::size_t r = 0; r < predicted.size(); ++r)
+      all.push_back(forecast(predicted[r], channels, sigma, noise_, open_[r]));
+    return all;
   }
 
   const Experiment& experiment_;
   const NoiseModel& noise_;
   Extent so_far_;
   std::vector<Fit> rivals_;
-  std::vector<Imitation> known_;  ///< [truth][imitator]
+  std::vector<Eigen::MatrixXd> open_;  ///< covariance of their parameters
+  std::vector<Imitation> known_;       ///< [truth][imitator]
   double before_ = 0;
   std::vector<Proposal> proposals_;
 };
@@ -158,11 +183,9 @@ class Planner {
 
 std::vector<Proposal> next_runs(const Study& study, const std::vector<Fit>& rivals, const NoiseModel& noise,
                                 std::size_t count) {
+  constexpr std::size_t most_shapes = 12;
   Planner planner(study, rivals, noise);
-  for (const Run& run : study.experiment().runs) {
-    planner.add_presses(run.rest, "the rest shape of " + run.id);
-    planner.add_presses(mirrored(run.rest), "the mirrored rest shape of " + run.id);
-  }
+  for (const Shape& shape : shapes(study.experiment(), most_shapes)) planner.add_runs_from(shape);
   return planner.best(count);
 }
 

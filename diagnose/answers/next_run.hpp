@@ -15,15 +15,18 @@ struct Proposal {
   Run run;              ///< what to command; the measured channels are empty
   bool angles;          ///< whether its joint angles are to be measured
   bool out_of_gravity;  ///< whether the rig is to be turned until gravity acts across its plane
+  double information;   ///< of which rival is right, that the run is expected to give, nats
   double log_odds;      ///< expected after the run, in favour of whichever rival is right; natural logarithm
   double log_odds_so_far;  ///< the same without it
 };
 
-/// Rest shapes of the runs so far and their mirror images, pressed along x, along y and between, as far as
-/// before or half as far again, with and without unloading, joint angles measured or not, in gravity and out
-/// of it. Left out is what some rival, or the nominal chain, could not follow, and what would need more than
-/// twice the force, or more than half as much deflection again, as the runs so far. \param rivals    two
-/// explanations or more, fitted to the same readings \returns the most telling runs first, at most `count`
+/// Of the presses and loads that the bench could make, from the rest shapes of the runs so far and their
+/// mirror images, joint angles measured or not, in gravity and out of it, those that are expected to lower
+/// the entropy of the choice among the rivals most, each as probable as the other, their parameters as
+/// uncertain as the readings leave them. Left out is what some rival, or the nominal chain, could not follow,
+/// and what would need more than twice the force, or more than half as much deflection again, as the runs so
+/// far. \param rivals  two explanations or more, fitted to the same readings \returns the most telling runs
+/// first, at most `count`
 std::vector<Proposal> next_runs(const Study& study, const std::vector<Fit>& rivals, const NoiseModel& noise,
                                 std::size_t count);
 

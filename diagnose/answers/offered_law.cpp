@@ -19,6 +19,7 @@ std::optional<OfferedLaw> tested_law(const Study& study, const HeldOut& heldout,
   if (after.reached && covers(study, *law, heldout))
     offered.shrink =
         measure_shrink(study.measurements(), heldout, study.nominal_residual(), study.residual(after), noise);
+  if (offered.shrink) offered.shrink->chosen_blind = true;
   return offered;
 }
 

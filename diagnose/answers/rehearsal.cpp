@@ -30,28 +30,6 @@ bool follows(const Experiment& bench, const CandidateRun& candidate, const Rig& 
   return predicted.reached && !predicted.snapped;
 }
 
-struct Shape {
-  Control control;
-  std::vector<double> rest;
-  std::string words;
-  friend bool operator==(const Shape& a, const Shape& b) {
-    return a.control == b.control && a.rest == b.rest;
-  }
-};
-
-/// The rest shapes of the plan, then the same turned over.
-std::vector<Shape> shapes(const Experiment& bench) {
-  std::vector<Shape> all;
-  const auto add = [&](Shape one) {
-    if (all.size() < most_shapes && std::find(all.begin(), all.end(), one) == all.end())
-      all.push_back(std::move(one));
-  };
-  for (const Run& run : bench.runs) add({run.control, run.rest, "the rest shape of " + run.id});
-  for (const Run& run : bench.runs)
-    add({run.control, mirrored(run.rest), "the mirrored rest shape of " + run.id});
-  return all;
-}
-
 std::vector<CandidateRun> planned_runs(const Experiment& bench) {
   std::vector<CandidateRun> all;
   for (const Run& run : bench.runs)
@@ -63,10 +41,8 @@ std::vector<CandidateRun> planned_runs(const Experiment& bench) {
 std::vector<CandidateRun> further_runs(const Experiment& bench, const Extent& so_far) {
   std::vector<CandidateRun> all;
   const Rig nominal = nominal_rig(bench);
-  for (const Shape& shape : shapes(bench)) {
-    const bool held = shape.control == Control::end_point;
-    for (CandidateRun& one : held ? presses(bench, shape.rest, shape.words, so_far)
-                                  : loads(bench, shape.rest, shape.words, so_far)) {
+  for (const Shape& shape : shapes(bench, most_shapes)) {
+    for (CandidateRun& one : runs_from(bench, shape, so_far)) {
       if (!one.run.turns_back() || !follows(bench, one, nominal)) continue;
       const Prediction predicted = simulate(with_runs(bench, {one}), nominal, {});
       if (so_far.allows(predicted.runs[0], shape.rest)) all.push_back(std::move(one));

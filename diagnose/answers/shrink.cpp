@@ -2,46 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <random>
-#include <set>
 
 namespace plumbline::diagnose {
 namespace {
-
-/// How far a run's command goes from where it begins.
-double reach_of_command(const Run& run) {
-  double reach = 0;
-  for (const Reading& reading : run.readings)
-    reach = std::max(reach, (run.command(reading) - run.command(run.readings.front())).norm());
-  return reach;
-}
-
-/// The run to do without: of the kind (control, whether it turns back) that has most runs, the one that goes
-/// farthest after the farthest, so that what is left goes as far. The order of the runs does not matter. Of
-/// two runs neither: what is left would not tell what the runs have in common from what is one run's own.
-std::optional<std::size_t> spare_run(const Experiment& experiment) {
-  using Kind = std::pair<Control, bool>;
-  std::map<Kind, std::vector<std::size_t>> kinds;
-  for (std::size_t r = 0; r < experiment.runs.size(); ++r)
-    kinds[{experiment.runs[r].control, experiment.runs[r].turns_back()}].push_back(r);
-  auto& most = std::max_element(kinds.begin(), kinds.end(), [](const auto& a, const auto& b) {
-                 return a.second.size() < b.second.size();
-               })->second;
-  if (most.size() < 2 || experiment.runs.size() < 3) return std::nullopt;
-  const auto key = [&](std::size_t r) {
-    return std::pair(reach_of_command(experiment.runs[r]), experiment.runs[r].id);
-  };
-  std::sort(most.begin(), most.end(), [&](std::size_t a, std::size_t b) { return key(a) > key(b); });
-  return most[1];
-}
-
-HeldOut nothing(const Experiment& experiment) {
-  HeldOut none;
-  for (const Run& run : experiment.runs) none.reading.emplace_back(run.readings.size(), false);
-  return none;
-}
 
 /// Flat: which values are held out and no outliers.
 std::vector<std::vector<std::size_t>> judged_values(const Measurements& measurements, const HeldOut& heldout,
@@ -61,7 +25,7 @@ struct Sums {
   double before = 0, after = 0;
 };
 
-/// Blocks of neighbouring values, with their sums of squares.
+/// Blocks of neighbouring values, with their sums of squares, whatever the order of the runs.
 std::vector<Sums> blocks(const std::vector<std::vector<std::size_t>>& values,
                          const std::vector<double>& before, const std::vector<double>& after) {
   constexpr std::size_t length = 8;  // longer than correlated noise remembers, 0.7^8 < 0.06
@@ -73,6 +37,9 @@ std::vector<Sums> blocks(const std::vector<std::vector<std::size_t>>& values,
       result.back().after += after[series[i]] * after[series[i]];
     }
   }
+  std::sort(result.begin(), result.end(), [](const Sums& a, const Sums& b) {
+    return std::pair(a.before, a.after) < std::pair(b.before, b.after);
+  });
   return result;
 }
 
@@ -123,51 +90,6 @@ std::map<Channel, ChannelShrink> by_channel(const Measurements& measurements,
 }
 
 }  // namespace
-
-HeldOut choose_heldout(const Experiment& experiment) {
-  HeldOut heldout = nothing(experiment);
-  if (const std::optional<std::size_t> r = spare_run(experiment)) {
-    heldout.reading[*r].assign(heldout.reading[*r].size(), true);
-    heldout.names.push_back(experiment.runs[*r].id);
-    return heldout;
-  }
-  return choose_blocks(experiment);
-}
-
-HeldOut choose_blocks(const Experiment& experiment) {
-  HeldOut heldout = nothing(experiment);
-  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
-    const Run& run = experiment.runs[r];
-    const std::size_t length = run.readings.size() / 8;
-    if (length == 0) continue;
-    for (const std::size_t from : {2 * length, 5 * length}) {
-      std::fill_n(heldout.reading[r].begin() + static_cast<std::ptrdiff_t>(from), length, true);
-      heldout.names.push_back(run.id + "[" + std::to_string(run.first_taken(from)) + ":" +
-                              std::to_string(run.last_taken(from + length - 1)) + "]");
-    }
-  }
-  return heldout;
-}
-
-Experiment without(const Experiment& experiment, const HeldOut& heldout) {
-  Experiment rest = experiment;
-  constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
-  for (std::size_t r = 0; r < rest.runs.size(); ++r) {
-    Run& run = rest.runs[r];
-    const std::vector<Channel> measured = run.measured();
-    for (std::size_t i = 0; i < run.readings.size(); ++i) {
-      if (!heldout.reading[r][i]) continue;
-      Reading& reading = run.readings[i];
-      for (const Channel& channel : measured) channel.in(reading) = unseen;
-    }
-  }
-  // A run of which nothing is left would only be walked for nothing.
-  std::erase_if(rest.runs, [&](const Run& run) {
-    const auto r = static_cast<std::size_t>(&run - rest.runs.data());
-    return std::all_of(heldout.reading[r].begin(), heldout.reading[r].end(), [](bool held) { return held; });
-  });
-  return rest;
-}
 
 Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
                       const std::vector<double>& before, const std::vector<double>& after,

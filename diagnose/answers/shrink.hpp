@@ -4,29 +4,11 @@
 
 #include <map>
 
+#include "diagnose/answers/heldout.hpp"
+#include "diagnose/beliefs.hpp"
 #include "diagnose/inference/fit.hpp"
 
 namespace plumbline::diagnose {
-
-/// The readings that are set aside before anything is fitted.
-struct HeldOut {
-  std::vector<std::vector<bool>> reading;  ///< [run][reading]
-  std::vector<std::string> names;          ///< of runs, or of blocks as "run[from:to]"
-
-  [[nodiscard]] bool empty() const { return names.empty(); }
-};
-
-/// What to set aside: of the kind of runs (control, loading only or not) that there are most of, the one that
-/// goes farthest but one, where there are two and three runs in all; else two blocks of the path of every
-/// run. Decided by what was commanded, before any residual is looked at. Nothing where too little would be
-/// left.
-HeldOut choose_heldout(const Experiment& experiment);
-
-/// Two blocks of the path of every run.
-HeldOut choose_blocks(const Experiment& experiment);
-
-/// The experiment without the measured values that are held out; what was commanded stays, for the history.
-Experiment without(const Experiment& experiment, const HeldOut& heldout);
 
 /// The same for one channel alone.
 struct ChannelShrink {
@@ -40,6 +22,11 @@ struct Shrink {
   double noise_floor_ratio = 1;                     ///< what a perfect model would reach
   double chi2_per_value_after = 1;
   std::map<Channel, ChannelShrink> channels;
+  /// Whether a choice that sees no more than the fits falls on what shrinks it, or on what is not told apart.
+  bool chosen_blind = false;
+
+  /// Whether the readings carry a gap that could shrink.
+  [[nodiscard]] bool tested() const { return noise_floor_ratio <= beliefs::carries_no_gap; }
 };
 
 /// Compares residuals before (nominal) and after on the held-out readings; isolated outliers are left out of

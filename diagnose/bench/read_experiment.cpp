@@ -125,14 +125,26 @@ struct Shared {
   Unit rest;
 };
 
+/// What imposes a force.
+bool read_by_weights(const Section& section, Control control) {
+  if (!section.has("loaded_by")) return false;
+  const std::string expected = "\"servo\" or \"weights\"";
+  const std::string word = section.text("loaded_by", expected);
+  if (word != "servo" && word != "weights") section.refuse("loaded_by", expected);
+  if (word == "weights" && control != Control::force)
+    section.refuse("loaded_by", "nothing, or \"servo\", where the end point is put");
+  return word == "weights";
+}
+
 Run read_run(const Section& section, const Shared& shared) {
-  section.allow_only({"id", "control", "rest", "samples", "csv", "columns"});
+  section.allow_only({"id", "control", "loaded_by", "rest", "samples", "csv", "columns"});
   Run run;
   run.id = section.text("id", "a name");
   const std::string expected = "\"displacement\" or \"force\"";
   const std::string control = section.text("control", expected);
   if (control != "displacement" && control != "force") section.refuse("control", expected);
   run.control = control == "force" ? Control::force : Control::end_point;
+  run.by_weights = read_by_weights(section, run.control);
   const std::size_t n = shared.nominal.link_length.size();
   run.rest = section.has("rest") || shared.nominal.rest.empty()
                  ? in_si(section.numbers("rest", n), shared.rest)

@@ -73,6 +73,16 @@ double log_prior(const Study& study, const Candidate& candidate) {
   return log_p;
 }
 
+Eigen::MatrixXd posterior_covariance(const Study& study, const Fit& fit) {
+  const std::vector<ParameterRange> ranges = study.ranges(fit.candidate);
+  Eigen::VectorXd width(static_cast<Eigen::Index>(ranges.size()));
+  for (std::size_t p = 0; p < ranges.size(); ++p)
+    width(static_cast<Eigen::Index>(p)) = fit.at_bound[p] ? 0 : prior_width(ranges[p]);
+  const Eigen::MatrixXd told = width.asDiagonal() * fit.information * width.asDiagonal();
+  const Eigen::MatrixXd precision = Eigen::MatrixXd::Identity(told.rows(), told.cols()) + told;
+  return width.asDiagonal() * precision.llt().solve(Eigen::MatrixXd(width.asDiagonal()));
+}
+
 double log_evidence(const Study& study, const Fit& fit, const NoiseModel& noise) {
   double value = log_likelihood(study.measurements(), fit.residual, noise) + log_prior(study, fit.candidate);
   const std::vector<ParameterRange> ranges = study.ranges(fit.candidate);

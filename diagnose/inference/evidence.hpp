@@ -19,6 +19,10 @@ double log_likelihood(const Measurements& measurements, const std::vector<double
 /// places.
 double log_prior(const Study& study, const Candidate& candidate);
 
+/// Covariance of the parameters at a fit, as far as they are open: what the readings do not tell keeps the width
+/// of the prior. Zero rows for those at a bound.
+Eigen::MatrixXd posterior_covariance(const Study& study, const Fit& fit);
+
 /// Logarithm of the evidence, by Laplace's method at the fit: likelihood, times the prior density of the
 /// fitted parameters, times the volume that the readings leave them. The prior of a parameter is a Cauchy
 /// density whose width is what a lab would call a sizeable effect, on the side of zero that is physical; of a

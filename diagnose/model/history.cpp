@@ -37,6 +37,7 @@ struct Traveller {
       return {run.control,
               start + turned(run.command(reading) - start, rig.misalignment) + rig.position_offset};
     }
+    if (run.by_weights) return {run.control, turned(run.command(reading), rig.misalignment)};
     const Vector2 read = run.command(reading) - rig.force_bias - rig.force_drift * reading.t;
     return {run.control, turned(load_cell(rig).inverse() * read, rig.misalignment)};
   }

@@ -14,9 +14,10 @@ struct Sizes {
   double length = 0, link = 0;                       ///< of the chain, and of its mean link
   double force = 0;                                  ///< that nine readings of ten stay below
   double deflection = 0;                             ///< of a joint under such a force, rad
-  double duration = 0, pause = 0;                    ///< of the longest run; between readings
+  double duration = 0, pause = 0;                    ///< of the longest run; between readings of the fastest
   bool weighs = true;                                ///< the bench may feel gravity in its plane
   bool measures_force = false;                       ///< a run imposes the end point and reads the force
+  bool load_cell = false;                            ///< or sets an imposed force by it
   bool clock = false;                 ///< time stamps are more than the readings' numbers, 0, 1, 2, ...
   bool measures_both_forces = false;  ///< and both components of it
   std::size_t runs = 0;               ///< of the whole experiment

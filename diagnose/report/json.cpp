@@ -112,7 +112,14 @@ Json cause(const Diagnosis& diagnosis) {
   return report;
 }
 
-Json shrink(const Shrink& measured) {
+/// What the shrink belongs to.
+const char* shrinks(const Diagnosis& diagnosis) {
+  if (diagnosis.offers_law()) return "law";
+  return diagnosis.cause.verdict == CauseVerdict::unknown ? "partial" : "cause";
+}
+
+Json shrink(const Diagnosis& diagnosis) {
+  const Shrink& measured = *diagnosis.shrink;
   Json channels = Json::object();
   for (const auto& [channel, one] : measured.channels) {
     channels[channel.label()] = {{"ratio", one.ratio},
@@ -120,7 +127,10 @@ Json shrink(const Shrink& measured) {
                                  {"ratio_high", one.ratio_high},
                                  {"noise_floor_ratio", one.noise_floor_ratio}};
   }
-  return {{"heldout", measured.heldout},
+  return {{"of", shrinks(diagnosis)},
+          {"tested", measured.tested()},
+          {"chosen_blind", measured.chosen_blind},
+          {"heldout", measured.heldout},
           {"rms_before", by_label(measured.rms_before)},
           {"rms_after", by_label(measured.rms_after)},
           {"ratio", measured.ratio},
@@ -160,7 +170,7 @@ Json as_json(const Diagnosis& diagnosis) {
                  {"gap", gap(diagnosis.gap, diagnosis.noise)},
                  {"where", places},
                  {"cause", cause(diagnosis)},
-                 {"shrink", diagnosis.shrink ? shrink(*diagnosis.shrink) : Json(nullptr)},
+                 {"shrink", diagnosis.shrink ? shrink(diagnosis) : Json(nullptr)},
                  {"next", next(diagnosis.proposals)}};
   if (diagnosis.law) report["law"] = law_as_json(*diagnosis.law);
   return report;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "diagnose/beliefs.hpp"
 #include "diagnose/report/law.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/report/sketch.hpp"
@@ -161,26 +162,38 @@ std::string what_shrinks(const Diagnosis& diagnosis) {
 }
 
 std::string how_far(const Diagnosis& diagnosis) {
-  if (!diagnosis.shrink) return "How far?  Too few readings to hold some out\n";
+  if (!diagnosis.shrink) return "How far?  Not tested: too few readings to hold some out\n";
   const Shrink& shrink = *diagnosis.shrink;
   std::string held;
   for (const std::string& name : shrink.heldout) held += (held.empty() ? "" : ", ") + name;
+  if (!shrink.tested())
+    return fmt::format(
+        "How far?  Not tested: the readings held out ({}) carry too little of the gap, noise alone is {} of "
+        "them\n",
+        held, percent(shrink.noise_floor_ratio));
   return fmt::format(
-      "How far?  On held-out readings ({}), with {}, the residual {} {:.3g} of itself (95 %: {:.3g} to "
+      "How far?  On held-out readings ({}), with {}{}, the residual {} {:.3g} of itself (95 %: {:.3g} to "
       "{:.3g}; "
       "noise floor {:.3g})\n  rms before: {}\n  rms after:  {}\n",
-      held, what_shrinks(diagnosis), shrink.ratio < 1 ? "shrinks to" : "does not shrink, it becomes",
-      shrink.ratio, shrink.ratio_low, shrink.ratio_high, shrink.noise_floor_ratio,
-      by_channel(shrink.rms_before), by_channel(shrink.rms_after));
+      held, what_shrinks(diagnosis), shrink.chosen_blind ? "" : ", which without them would not be chosen",
+      shrink.ratio < 1 ? "shrinks to" : "does not shrink, it becomes", shrink.ratio, shrink.ratio_low,
+      shrink.ratio_high, shrink.noise_floor_ratio, by_channel(shrink.rms_before),
+      by_channel(shrink.rms_after));
+}
+
+std::string odds(double log_odds) {
+  return log_odds > 14 ? "over a million to one" : fmt::format("{:.3g} to one", std::exp(log_odds));
 }
 
 std::string what_next(const Diagnosis& diagnosis) {
   if (diagnosis.proposals.empty()) return "";
-  std::string text = "What next?  Runs that would tell the candidates apart, best first\n";
+  const double so_far = diagnosis.proposals.front().log_odds_so_far;
+  std::string text = "What next?  Runs that would tell the candidates apart, best first";
+  if (so_far > beliefs::told_apart)
+    text += fmt::format("; these runs leave odds of {} already", odds(so_far));
+  text += "\n";
   for (const Proposal& one : diagnosis.proposals)
-    text += fmt::format(
-        "  {}: expected odds {}\n", one.description,
-        one.log_odds > 14 ? "over a million to one" : fmt::format("{:.3g} to one", std::exp(one.log_odds)));
+    text += fmt::format("  {}: expected odds {}\n", one.description, odds(one.log_odds));
   return text;
 }
 

@@ -54,9 +54,7 @@ Explained::Explained(const Study& studied, const Diagnosis& diagnosed)
 
 HeldOut heldout_of(const Explained& explained) {
   if (!explained.diagnosis.shrink) return {};
-  HeldOut chosen = choose_heldout(explained.experiment);
-  if (chosen.names != explained.diagnosis.shrink->heldout) chosen = choose_blocks(explained.experiment);
-  return chosen;
+  return named(explained.experiment, explained.diagnosis.shrink->heldout);
 }
 
 Command command_of(const Run& run) {

@@ -279,6 +279,29 @@ TEST_CASE("base and train compliance are one and the same when only x moves and 
   CHECK(largest_difference(base, train) < 1e-9);
 }
 
+TEST_CASE("a servo that loads shares the load cell's errors, weights do not") {
+  Experiment experiment = three_links();
+  load(experiment, {0.2, 0.3, -0.3}, {0, 0}, {-1.0, 0.5}, 10);
+  const auto end = [&](const char* id, const std::vector<double>& parameters) {
+    const Trace trace = predict(Study(experiment), id ? only(id) : Candidate{}, parameters).runs[0];
+    return Point{trace(10, column_x), trace(10, column_y)};
+  };
+  const Point nominal = end(nullptr, {});
+  const std::vector<std::pair<const char*, std::vector<double>>> errors{{"force_gain", {0.1}},
+                                                                        {"force_bias", {0.1, 0.1}},
+                                                                        {"sensor_drift", {0.02, 0.01}},
+                                                                        {"cross_talk", {0.1, 0.1}}};
+  for (const auto& [id, parameters] : errors) {
+    CAPTURE(id);
+    experiment.runs[0].by_weights = false;
+    CHECK(std::abs(end(id, parameters)[0] - nominal[0]) > 1e-4);
+    experiment.runs[0].by_weights = true;
+    CHECK(end(id, parameters) == nominal);
+  }
+  // A wrong stiffness shows under either.
+  CHECK(std::abs(end("stiffness_scale", {0.1})[0] - nominal[0]) > 1e-4);
+}
+
 TEST_CASE("rig and load-cell effects act on what is commanded and on what is read") {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0.01}, 10, true);

@@ -132,6 +132,10 @@ TEST_CASE("a fault of experiment.toml is named by its key") {
   CHECK(says(toml_fault("\"vertical\"", "\"upright\""), {"bench.gravity_plane", "upright", "horizontal"}));
   CHECK(says(toml_fault("[0.0, -1.0]", "[0.0, -2.0]"), {"gravity_direction", "length 2", "unit"}));
   CHECK(says(toml_fault("\"vertical\"", "\"horizontal\""), {"gravity_direction", "horizontal plane"}));
+  CHECK(says(toml_fault("\"force\"", "\"force\"\nloaded_by = \"crane\""),
+             {"run[2].loaded_by", "crane", "weights"}));
+  CHECK(says(toml_fault("\"displacement\"", "\"displacement\"\nloaded_by = \"weights\""),
+             {"run[1].loaded_by", "weights", "end point"}));
   CHECK(says(toml_fault("[0.3, 0.2]", "[0.3, -0.2]"), {"nominal.link_length[2]", "-0.2", "positive"}));
   CHECK(says(toml_fault("[0.3, 0.2]", "[0.3, \"a\"]"), {"nominal.link_length[2]", "a", "finite"}));
   CHECK(says(toml_fault("[0.3, 0.2]", "0.3"), {"nominal.link_length", "0.3", "list"}));

@@ -2,6 +2,7 @@
 /// \file
 /// Whether a corrected model does in MuJoCo what the diagnosis says.
 
+#include <algorithm>
 #include <random>
 
 #include "diagnose/answers/diagnosis.hpp"
@@ -119,8 +120,8 @@ inline RoundTrip round_trip(const Experiment& bench, const Prediction& true_runs
   trip.reported = trip.diagnosis.shrink->ratio;
   for (const Corrected& one : corrected_models(study, trip.diagnosis)) {
     const diagnose::Shrink in_file = measure_shrink(
-        study.measurements(), diagnose::choose_heldout(study.experiment()), study.nominal_residual(),
-        study.residual(in_mujoco(one.model, pace)), trip.diagnosis.noise);
+        study.measurements(), diagnose::named(study.experiment(), trip.diagnosis.shrink->heldout),
+        study.nominal_residual(), study.residual(in_mujoco(one.model, pace)), trip.diagnosis.noise);
     trip.mujoco = std::min(trip.mujoco, in_file.ratio);
   }
   return trip;

@@ -4,6 +4,13 @@
 #include "diagnose/model/effects/rows.hpp"
 
 namespace plumbline::diagnose {
+namespace {
+
+bool has_load_cell(const Place& at) {
+  return at.sizes.load_cell;
+}
+
+}  // namespace
 
 std::vector<Effect> load_cell_effects() {
   return {
@@ -15,11 +22,13 @@ std::vector<Effect> load_cell_effects() {
              return std::vector{both_ways("b_x", "N", small, -large, large),
                                 both_ways("b_y", "N", small, -large, large)};
            },
-       .add = [](const Addition& to) { to.rig.force_bias += Vector2(to.value[0], to.value[1]); }},
+       .add = [](const Addition& to) { to.rig.force_bias += Vector2(to.value[0], to.value[1]); },
+       .possible = has_load_cell},
       {.id = "force_gain",
        .words = "a scale error of the load cell",
        .parameters = [](const Place&) { return std::vector{both_ways("g", "ratio", 0.05, -0.8, 3)}; },
-       .add = [](const Addition& to) { to.rig.force_gain += to.value[0]; }},
+       .add = [](const Addition& to) { to.rig.force_gain += to.value[0]; },
+       .possible = has_load_cell},
       {.id = "sensor_drift",
        .words = "a load cell that drifts in time",
        .parameters =

@@ -1,0 +1,168 @@
+#include "diagnose/answers/rotation.hpp"
+
+#include <doctest/doctest.h>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "diagnose/report/report.hpp"
+#include "tests/diagnose/bench.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+using namespace plumbline::diagnose::test;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Experiment four_presses() {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.05, 0}, 20, true);
+  press(experiment, {-0.2, -0.5, 0.4}, {-0.06, 0.02}, 20, true);
+  press(experiment, {0.2, 0.5, -0.4}, {-0.04, 0}, 20, true);
+  press(experiment, {0.2, -0.3, -0.4}, {0, -0.05}, 20, true);
+  return experiment;
+}
+
+std::string names(const Json& effects) {
+  std::set<std::string> sorted;
+  for (const Json& one : effects)
+    sorted.insert(one.is_string() ? one.get<std::string>()
+                                  : one["id"].get<std::string>() + one["joint"].dump());
+  return fmt::format("{}", fmt::join(sorted, " + "));
+}
+
+/// What a report says, by what it says it of.
+std::map<std::string, Json> said(const Json& report) {
+  std::map<std::string, Json> all{{"verdict", report["cause"]["verdict"]},
+                                  {"chi2", report["gap"]["chi2_per_dof"]}};
+  // Of explanations that are exactly alike either may stand first.
+  std::vector<std::string> alike;
+  for (const Json& one : report["cause"]["ranking"])
+    if (one["probability"] > 0.05) all["probability of " + names(one["effects"])] = one["probability"];
+  for (const Json& one : report["cause"]["equivalent"]) alike.push_back(names(one));
+  for (const Json& one : report["where"]["runs"])
+    all["share of " + one["run"].get<std::string>()] = one["share"];
+  for (const Json& one : report["cause"]["effects"]) {
+    alike.push_back(one["id"].get<std::string>() +
+                    (one["joint"].is_null() ? "" : "(" + one["joint"].dump() + ")"));
+    if (report["cause"]["verdict"] == "identified")
+      for (const auto& [name, value] : one["parameters"].items()) all[name] = value["value"];
+  }
+  std::sort(alike.begin(), alike.end());
+  all["class"] = alike;
+  if (report["shrink"].is_null()) return all;
+  for (const char* key :
+       {"ratio", "ratio_low", "ratio_high", "noise_floor_ratio", "tested", "of", "chosen_blind"})
+    all[key] = report["shrink"][key];
+  std::vector<std::string> heldout = report["shrink"]["heldout"];
+  std::sort(heldout.begin(), heldout.end());
+  all["heldout"] = heldout;
+  return all;
+}
+
+/// What differs by more than the tolerance of fits, whose sums are rounded in another order.
+std::string differences(const std::map<std::string, Json>& a, const std::map<std::string, Json>& b) {
+  constexpr double close = 0.01;
+  std::string all;
+  for (const auto& [what, value] : a) {
+    const auto other = b.find(what);
+    const bool same = other != b.end() &&
+                      (value.is_number() ? std::abs(value.get<double>() - other->second.get<double>()) <=
+                                               close * std::max(0.1, std::abs(value.get<double>()))
+                                         : value == other->second);
+    if (!same)
+      all +=
+          what + " " + value.dump() + " -> " + (other == b.end() ? "nothing" : other->second.dump()) + "\n";
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("every run that another is like is held out once, in whatever order they stand") {
+  Experiment experiment = four_presses();
+  press(experiment, {0.2, -0.3, -0.4}, {0, -0.05}, 20, false);  // the only one that does not come back
+  std::vector<std::string> names;
+  for (int turn = 0; turn < 5; ++turn) {
+    std::vector<std::string> now;
+    for (const HeldOut& part : run_parts(experiment)) {
+      now.insert(now.end(), part.names.begin(), part.names.end());
+      for (std::size_t r = 0; r < 5; ++r)
+        CHECK(part.reading[r][0] ==
+              (std::count(part.names.begin(), part.names.end(), experiment.runs[r].id) == 1));
+    }
+    if (turn == 0) names = now;
+    CHECK(now == names);
+    std::rotate(experiment.runs.begin(), experiment.runs.begin() + 1, experiment.runs.end());
+  }
+  CHECK(std::set<std::string>(names.begin(), names.end()) ==
+        std::set<std::string>{"press-1", "press-2", "press-3", "press-4"});
+  CHECK(names.size() == 4);
+}
+
+TEST_CASE("no reading is held out in two parts, and none at the ends of a run in blocks") {
+  const Experiment experiment = four_presses();
+  for (const auto& parts : {run_parts(experiment), block_parts(experiment)}) {
+    HeldOut all = nothing_held(experiment);
+    for (const HeldOut& part : parts)
+      for (std::size_t r = 0; r < 4; ++r)
+        for (std::size_t i = 0; i < part.reading[r].size(); ++i) {
+          CHECK_FALSE((all.reading[r][i] && part.reading[r][i]));
+          all.reading[r][i] = all.reading[r][i] || part.reading[r][i];
+        }
+  }
+  for (const HeldOut& part : block_parts(experiment))
+    for (const std::vector<bool>& run : part.reading) CHECK_FALSE((run.front() || run.back()));
+}
+
+TEST_CASE("what shrinks belongs to the cause that it is asked of") {
+  const Experiment experiment = measured(four_presses(), only("joint_stiffness", 2), {0.2}, 3);
+  const Study study(experiment);
+  const NoiseModel noise;
+  const auto right = rotated(study, fit(study, only("joint_stiffness", 2), {}), noise);
+  const auto wrong = rotated(study, fit(study, only("joint_stiffness", 1), {}), noise);
+  REQUIRE(right);
+  REQUIRE(wrong);
+  CHECK(right->shrink.heldout.size() == 4);
+  CHECK(right->shrink.ratio < 1.1 * right->shrink.noise_floor_ratio);
+  CHECK(wrong->shrink.ratio > 2 * right->shrink.ratio);
+}
+
+TEST_CASE("a run's own tare is tested on blocks of the run: no other run determines it") {
+  Experiment experiment = four_presses();
+  const EffectAt tare{"run_tare", 0};
+  const Study bare(experiment);
+  std::vector<double> values(bare.ranges(tare).size(), 0.0);
+  for (std::size_t p = 0; p < values.size(); ++p)
+    values[p] = (p % 2 == 0 ? 1 : -1) * bare.ranges(tare)[p].scale;
+  const Study study(measured(experiment, {{tare}}, values, 4));
+  const auto found = rotated(study, fit(study, {{tare}}, {}), {});
+  REQUIRE(found);
+  for (const std::string& name : found->shrink.heldout) CHECK(name.find('[') != std::string::npos);
+  CHECK(found->shrink.ratio < 1.2 * found->shrink.noise_floor_ratio);
+}
+
+TEST_CASE("the order of the runs does not change the answer") {
+  const std::vector<std::pair<Candidate, std::vector<double>>> truths{
+      {only("backlash", 2), {0.03}},
+      {only("force_gain"), {0.1}},
+      {{{{"joint_friction", 0}, {"joint_stiffness", 1}}}, {0.03, 0.3}},
+      {{}, {}}};
+  unsigned seed = 20;
+  for (const auto& [truth, parameters] : truths) {
+    Experiment experiment = measured(four_presses(), truth, parameters, ++seed);
+    const std::map<std::string, Json> report =
+        said(as_json(plumbline::diagnose::diagnose(Study(experiment))));
+    for (int turn = 0; turn < 2; ++turn) {
+      std::rotate(experiment.runs.begin(), experiment.runs.begin() + 1, experiment.runs.end());
+      if (turn == 1) std::swap(experiment.runs[0], experiment.runs[1]);
+      CAPTURE(truth.label());
+      CHECK(differences(report, said(as_json(plumbline::diagnose::diagnose(Study(experiment))))) == "");
+    }
+  }
+}
