@@ -69,7 +69,10 @@ Written to_urdf(const Model& model) {
   const Tree tree = carried_tree(model, file.effects, {});
   Xml root("robot");
   root.set("name", model.experiment.name);
-  for (const Body& one : tree.bodies) {
+  // The root link of this format has no place: what hangs from it has its place too.
+  const Body& base = tree.bodies.front();
+  for (Body one : tree.bodies) {
+    if (one.parent == base.name) one.place = {one.place[0] + base.place[0], one.place[1] + base.place[1]};
     root.add(link(one));
     if (!one.parent.empty()) root.add(joint(one));
   }
