@@ -44,8 +44,8 @@ inline constexpr double misfit = 0.02;
 /// to `outside` are smaller by this factor.
 inline constexpr double fits_by_chance = 0.1;
 
-/// Of explanations with more than one effect so many that fitted were not what was there, or not all of it: on
-/// simulated benches with tolerances, odd noise and causes of their own six of 30, on plainer ones fewer.
+/// Of explanations with more than one effect so many that fitted were not what was there, or not all of it:
+/// on simulated benches with tolerances, odd noise and causes of their own six of 30, on plainer ones fewer.
 inline constexpr double wrong_compound = 0.12;
 
 // ---- Levels ----
@@ -59,8 +59,8 @@ inline constexpr double fit_level = 0.001;
 /// better one would be the wrong one in five of a hundred experiments (odds of twenty to one).
 inline constexpr double told_apart = 3.0;
 
-/// A plainer explanation that closes so much of the gap that the best one closes (of the squares) stands beside
-/// it: what is then left to the refinement is less than a tenth of the residual.
+/// A plainer explanation that closes so much of the gap that the best one closes (of the squares) stands
+/// beside it: what is then left to the refinement is less than a tenth of the residual.
 inline constexpr double closes_alike = 0.99;
 
 // ---- What held-out readings say of an explanation ----

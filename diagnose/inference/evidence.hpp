@@ -19,8 +19,8 @@ double log_likelihood(const Measurements& measurements, const std::vector<double
 /// places.
 double log_prior(const Study& study, const Candidate& candidate);
 
-/// Covariance of the parameters at a fit, as far as they are open: what the readings do not tell keeps the width
-/// of the prior. Zero rows for those at a bound.
+/// Covariance of the parameters at a fit, as far as they are open: what the readings do not tell keeps the
+/// width of the prior. Zero rows for those at a bound.
 Eigen::MatrixXd posterior_covariance(const Study& study, const Fit& fit);
 
 /// Logarithm of the evidence, by Laplace's method at the fit: likelihood, times the prior density of the

@@ -162,7 +162,7 @@ bool near(const Hypothesis& best, const Hypothesis& other) {
          (simpler && other.log_likelihood > best.log_likelihood - beliefs::told_apart);
 }
 
-/// What the nominal model leaves beyond what an explanation does, as a share of what it leaves beyond the best.
+/// How much of the gap an explanation closes, as a share of what the best one closes.
 double share_of_best(double nominal, const Ranked& best, const Ranked& other) {
   return (nominal - other.chi2_per_dof) / (nominal - best.chi2_per_dof);
 }

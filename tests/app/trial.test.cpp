@@ -76,7 +76,8 @@ TEST_CASE("without experiments, without labels, or in a folder in use: one line 
 #ifdef PLUMBLINE_SIMULATOR
 TEST_CASE("a small blind trial: seals hold, every diagnosis reports, most causes are found") {
   const Workplace here;
-  const Outcome outcome = here.plumbline("trial --trials 12 --seed 12 --patience 300 --out kept --json result.json");
+  const Outcome outcome =
+      here.plumbline("trial --trials 12 --seed 12 --patience 300 --out kept --json result.json");
   CHECK(outcome.status == 0);
   CHECK(contains(outcome.out, "SHA-256 of the seals: "));
   const auto result = nlohmann::json::parse(here.read("result.json"));
@@ -95,7 +96,8 @@ TEST_CASE("a small blind trial: seals hold, every diagnosis reports, most causes
 
 TEST_CASE("the second trial: sealed alike, counted by family") {
   const Workplace here;
-  const Outcome outcome = here.plumbline("trial --second --trials 4 --seed 3 --patience 300 --json result.json");
+  const Outcome outcome =
+      here.plumbline("trial --second --trials 4 --seed 3 --patience 300 --json result.json");
   CHECK(outcome.status == 0);
   const auto result = nlohmann::json::parse(here.read("result.json"));
   CHECK(result["command"] == "plumbline trial --second --trials 4 --seed 3 --patience 300");

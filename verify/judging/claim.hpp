@@ -25,7 +25,7 @@ struct Evidence {
   EvidenceKind kind;
   std::string detail;            ///< what was computed and what came out, so that a stranger can redo it
   std::string theorem;           ///< the name that proofs/theorems.md gives it; empty where it is none
-  std::vector<std::string> coq;  ///< what proves it in proofs/coq, as "definite.M_definite"; empty where nothing does
+  std::vector<std::string> coq;  ///< what proves it in proofs/coq, as "definite.M_definite"; or empty
 
   Evidence(EvidenceKind what, std::string computed) : kind(what), detail(std::move(computed)) {}
   /// Proved for every chain.

@@ -26,7 +26,8 @@ std::string as_detail(const Judged& judged, bool colour);
 
 /// A list of objects with the keys id, where, quote, reading, charity, printed, verdict, severity and cause
 /// (null where there is nothing to correct), truth, evidence (a list of kind, detail, for a theorem its
-/// name and the names of its proofs in Coq), value. A claim that could not be judged has the verdict "unjudged" and the reason as its truth.
+/// name and the names of its proofs in Coq), value. A claim that could not be judged has the verdict
+/// "unjudged" and the reason as its truth.
 nlohmann::ordered_json as_json(const std::vector<Judged>& judged);
 
 /// A figure of the paper, redrawn.
