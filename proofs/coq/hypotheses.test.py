@@ -177,6 +177,25 @@ def off_the_axis():
     return strain - 1 * shortening < 0  # below the lowest force, 2
 
 
+def softer():
+    return D(numbers(1, 1), numbers(0, 1), 2) == 0 and D(numbers(1, 1), [Fraction(0), Fraction(1, 2)], 1) == 0
+
+
+def negative_length_and_stiffer():
+    L = [Fraction(1), Fraction(-1, 2)]
+    return D(L, numbers(1, 1), -2) == 0 and D(L, numbers(1, 2), -3) == 0
+
+
+def all_raised():
+    L, k, raised = numbers(1, 1, 1), numbers(0, 1, 1), numbers(0, 4, 4)
+    return D(L, k, 1) == D(L, k, 3) == 0 and D(L, raised, 4) == D(L, raised, 12) == 0
+
+
+def elastic_base_cut():
+    whole = recursion(numbers(3, 2, 1), numbers(8, 1, 100), Fraction(6))
+    return all(value > 0 for value in whole) and D(numbers(1, 1), numbers(8, 1), 6) == 0  # none up to 6; 6 without link 3
+
+
 # theorem, hypothesis as README.md words it, theory, what stands there, what is put in its place, counterexample
 LINKS = "links : chain_of_links n L k"
 ONE = "one : at_most_one_passive n k"
@@ -219,6 +238,14 @@ CASES = [
     ("stability.stable_below", "the end on the axis", "stability",
      "q != 0 -> (S0 n L)^T *m q = 0 -> 0 < second_variation F q.", "q != 0 -> True -> 0 < second_variation F q.",
      off_the_axis),
+    ("monotone.forces_monotone", "no stiffness falls", "monotone",
+     "Hypothesis stiffer : forall i, (i < n)%N -> k i <= k' i.", "Hypothesis stiffer : forall i, (i < n)%N -> k i <= k i.", softer),
+    ("monotone.forces_monotone", "L > 0", "monotone",
+     "(links : chain_of_links n L k)", "(links : forall i, (i < n)%N -> 0 <= k i)", negative_length_and_stiffer),
+    ("interlacing.raised_interlaced", "the others stay", "interlacing",
+     "j != i -> k' j = k j)", "j != i -> k j <= k' j)", all_raised),
+    ("interlacing.cut_passive_base", "the base passive", "interlacing",
+     "Theorem cut_passive_base fs cs m : k 0%N = 0 ->", "Theorem cut_passive_base fs cs m : True ->", elastic_base_cut),
 ]
 
 

@@ -184,53 +184,84 @@ Let z := distance n L.
 Let pos i : (i < n)%N -> 0 < L i. Proof. by have [h _] := links; apply: h. Qed.
 Let n0 : (0 < n)%N. Proof. exact: ltnW. Qed.
 
-(* Along both strings, where an interior joint is passive. *)
+(* Both strings: the second begins behind the first interior passive joint, and is empty where there is none. *)
+Let c := cut n k.
+Let m := (n.-1 - c)%N.
+Definition angles_behind (f : nat -> R) i := if i is i'.+1 then f (c + i'.+1)%N else deflection n L f c.+1 / z c.
+Definition deflections_behind (f : nat -> R) i := if i is i'.+1 then deflection n L f (c + i'.+1)%N else 0.
+
+Let c_le : (c <= n.-1)%N. Proof. exact: (@cut_le R n k two). Qed.
+Let cm : (c + m)%N = n.-1. Proof. exact: subnKC. Qed.
+Let nE : n.-1.+1 = n. Proof. exact: prednK. Qed.
+Let zc : z c != 0. Proof. by rewrite gt_eqF // /z distance_pos // -[X in (_ < X)%N]nE ltnS. Qed.
+
+Lemma deflections_behindS f i : (i <= m)%N ->
+  deflections_behind f i.+1 = deflections_behind f i + from c z i * angles_behind f i.
+Proof.
+case: i => [|i] _; rewrite /deflections_behind /angles_behind /from; first by rewrite addn0 addn1 add0r mulrC divfK.
+by rewrite [(c + i.+2)%N]addnS deflectionS.
+Qed.
+
+(* The first string ends at a passive joint, or at the end point. *)
+Lemma at_cut f : deflection n L f n = 0 -> k c * deflection n L f c.+1 = 0.
+Proof.
+move=> fn; case: (ltngtP c n.-1) c_le => // [h _|-> _]; last by rewrite nE fn mulr0.
+by rewrite /c cut_passive // mul0r.
+Qed.
+
+Lemma energy_of_strings f F : deflection n L f n = 0 ->
+  \sum_(0 <= i < n) k i * f i ^+ 2 - F * (\sum_(0 <= i < n.-1) bead z i * deflection n L f i.+1 ^+ 2) =
+  energy z k f (deflection n L f) F c + energy (from c z) (from c k) (angles_behind f) (deflections_behind f) F m.
+Proof.
+move=> fn; set s := deflection n L f.
+have A : \sum_(c.+1 <= i < n) k i * f i ^+ 2 = \sum_(i < m.+1) from c k i * angles_behind f i ^+ 2.
+  rewrite big_ord_recl {1}/from addn0 /angles_behind expr_div_n expr2 !mulrA at_cut // !mul0r add0r.
+  rewrite -{1}[c.+1]add0n big_addn.
+  have -> : (n - c.+1)%N = m by rewrite /m -subn1 -subnDA add1n.
+  by rewrite big_mkord; apply: eq_bigr => i _; rewrite lift0 /from /= addnC addSnnS.
+have B : \sum_(c <= i < n.-1) bead z i * s i.+1 ^+ 2 = \sum_(i < m) bead (from c z) i * deflections_behind f i.+1 ^+ 2.
+  rewrite -{1}[c]add0n big_addn -/m big_mkord; apply: eq_bigr => i _.
+  by rewrite /bead /from /deflections_behind addnS [(i + c)%N]addnC.
+have c_n : (c.+1 <= n)%N by rewrite -[X in (_ < X)%N]nE ltnS.
+rewrite /energy -A -B (@big_cat_nat _ _ _ c.+1 0 n) //= (@big_cat_nat _ _ _ c 0 n.-1) //= !big_mkord.
+by move: (\sum_(i < c.+1) _) (\sum_(c.+1 <= i < n) _) (\sum_(i < c) _) (\sum_(c <= i < n.-1) _) => *; ring.
+Qed.
+
+(* Nothing is left of the energy at the ends of the strings. *)
+Lemma least_first f F : deflection n L f n = 0 -> least z k (deflection n L f) F c = 0.
+Proof.
+move=> /at_cut; rewrite /least; move: (deflection n L f c.+1) ((G z k c).[F]) ((H z k c).[F]) => s g h ks.
+by transitivity (k c * s * (g / h * s)); [ring | rewrite ks mul0r].
+Qed.
+
+Lemma least_second f F : deflection n L f n = 0 -> least (from c z) (from c k) (deflections_behind f) F m = 0.
+Proof. by move=> fn; rewrite /least /= addnS cm nE fn expr0n mulr0. Qed.
+
+Lemma first_distances : distances c z.
+Proof. by have [a b] := chain_distances two links; split=> i h; [apply: a|apply: b]; apply: leq_trans h c_le. Qed.
+
+Lemma second_distances : distances m (from c z).
+Proof. by apply: distances_from => //; rewrite cm. Qed.
+
+Lemma second_elastic i : (0 < i <= m)%N -> 0 < from c k i.
+Proof.
+move=> i_m; apply: (elastic_behind two links one) => //.
+by rewrite -subn_gt0; case/andP: i_m; apply: leq_trans.
+Qed.
+
 Lemma energy_ge0 (f : nat -> R) (F a : R) : deflection n L f n = 0 -> F < a -> count_below n L k a = 0%N ->
   F * (\sum_(0 <= i < n.-1) bead z i * deflection n L f i.+1 ^+ 2) <= \sum_(0 <= i < n) k i * f i ^+ 2.
 Proof.
 move=> fn F_a; rewrite /count_below => /eqP; rewrite addn_eq0 => /andP [/eqP c1 /eqP c2].
-have c_le := @cut_le R n k two; have nE : n.-1.+1 = n by rewrite prednK.
-have dz := chain_distances two links; have [xs sx] := first_string two links one.
-have dz1 : distances (cut n k) z.
-  by case: dz => a' b'; split=> i h; [apply: a'|apply: b']; apply: leq_trans h c_le.
-have Hp := positive dz1 (stiffness_ge0 links n0) (elastic_before two links) sx F_a c1.
-set s := deflection n L f in fn *; set c := cut n k in c1 c2 c_le dz1 sx Hp *.
-have s0 : s 0%N = 0 by apply: deflection0.
-have sS i : s i.+1 = s i + z i * f i by apply: deflectionS.
-have E1 : least z k s F c <= energy z k f s F c by apply: (energy_least dz1 s0 (fun i _ => sS i) (leqnn c) Hp).
-case: (ltngtP c n.-1) c_le => // [c_lt|cE] _; last first.
-  move: E1; rewrite /energy /least cE nE fn expr0n /= mulr0 subr_ge0.
-  by rewrite !big_mkord.
-have kc : k c = 0 by apply: cut_passive.
-have {}E1 : 0 <= energy z k f s F c by apply: le_trans E1; rewrite /least kc !mul0r.
-have [ys sy] := second_string two links one; rewrite -/c in sy.
-set m := (n.-1 - c)%N in c2 sy; have cm : (c + m)%N = n.-1 by rewrite subnKC // ltnW.
-pose q' i := if i is i'.+1 then f (c + i'.+1)%N else s c.+1 / z c.
-pose s' i := if i is i'.+1 then s (c + i'.+1)%N else 0.
-have dz2 : distances m (from c z) by apply: distances_from => //; rewrite cm.
-have c_n : (c < n)%N by rewrite -nE ltnS ltnW.
-have kp i : (0 < i < m)%N -> 0 < from c k i.
-  by case/andP=> i0 i_m; apply: (elastic_behind two links one c_lt); rewrite i0 ltnW.
-have k0 : 0 <= from c k 0 by rewrite /from addn0 kc.
-have Hp2 := positive dz2 k0 kp sy F_a c2.
-have zc : z c != 0 by rewrite gt_eqF //; case: dz1 => h _; apply: h.
-have sS' i : s' i.+1 = s' i + from c z i * q' i.
-  case: i => [|i]; rewrite /s' /q' /from; first by rewrite addn0 addn1 add0r mulrC divfK.
-  by rewrite [(c + i.+2)%N]addnS sS.
-have E2 : 0 <= energy (from c z) (from c k) q' s' F m.
-  apply: le_trans (energy_least dz2 (erefl : s' 0%N = 0) (fun i _ => sS' i) (leqnn m) Hp2).
-  by rewrite /least /s' addnS cm nE fn expr0n mulr0.
-have A : \sum_(c.+1 <= i < n) k i * f i ^+ 2 = \sum_(i < m.+1) from c k i * q' i ^+ 2.
-  rewrite big_ord_recl {1}/from addn0 kc mul0r add0r -{1}[c.+1]add0n big_addn.
-  have -> : (n - c.+1)%N = m by rewrite /m -subn1 -subnDA add1n.
-  by rewrite big_mkord; apply: eq_bigr => i _; rewrite lift0 /from /= addnC addSnnS.
-have B : \sum_(c <= i < n.-1) bead z i * s i.+1 ^+ 2 = \sum_(i < m) bead (from c z) i * s' i.+1 ^+ 2.
-  rewrite -{1}[c]add0n big_addn -/m big_mkord; apply: eq_bigr => i _.
-  by rewrite /bead /from /s' addnS [(i + c)%N]addnC.
-rewrite -subr_ge0; move: (addr_ge0 E1 E2); rewrite /energy -A -B.
-rewrite (@big_cat_nat _ _ _ c.+1 0 n) //= (@big_cat_nat _ _ _ c 0 n.-1) //= 1?ltnW // !big_mkord.
-move: (\sum_(i < c.+1) _) (\sum_(c.+1 <= i < n) _) (\sum_(i < c) _) (\sum_(c <= i < n.-1) _) => a1 a2 a3 a4.
-by rewrite (_ : a1 - F * a3 + (a2 - F * a4) = a1 + a2 - F * (a3 + a4)) //; ring.
+rewrite -subr_ge0 energy_of_strings //; apply: addr_ge0.
+  have [xs sx] := first_string two links one.
+  have Hp := positive first_distances (stiffness_ge0 links n0) (elastic_before two links) sx F_a c1.
+  by rewrite -(least_first F fn); apply: (energy_least first_distances (deflection0 _ _ _) (fun i _ => deflectionS _ _ _ i)).
+have [ys sy] := second_string two links one.
+have k0 : 0 <= from c k 0 by rewrite /from addn0 (stiffness_ge0 links) // -[X in (_ < X)%N]nE ltnS.
+have kp i : (0 < i < m)%N -> 0 < from c k i by case/andP=> i0 i_m; rewrite second_elastic // i0 ltnW.
+have Hp := positive second_distances k0 kp sy F_a c2.
+by rewrite -(least_second F fn); apply: (energy_least second_distances (erefl _) (deflections_behindS f)).
 Qed.
 
 Lemma as_function (q : 'cV[R]_n) : exists f : nat -> R, q = \col_(i < n) f i.

@@ -1,8 +1,6 @@
-(* What a change of the chain does to its critical forces: theorems "Scaling" and "Monotone in stiffness" of theorems.md. *)
+(* All stiffnesses or all lengths by one factor: theorem "Scaling" of theorems.md. *)
 From mathcomp Require Import all_ssreflect all_algebra.
-From mathcomp Require Import polyrcf.
-From mathcomp Require Import ring.
-Require Import chain determinant string recursion forces definite modes stability.
+Require Import chain.
 
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -48,24 +46,3 @@ by rewrite -addrA e addrA.
 Qed.
 
 End Scaling.
-
-Section Monotone.
-
-Variables (R : rcfType) (n : nat) (L k k' : nat -> R).
-Hypotheses (two : (1 < n)%N) (links : chain_of_links n L k) (one : at_most_one_passive n k).
-Hypotheses (links' : chain_of_links n L k') (one' : at_most_one_passive n k').
-Hypothesis stiffer : forall i, (i < n)%N -> k i <= k' i.
-
-(* The lowest force does not fall when joints become stiffer: some force is at most any of the stiffer chain. *)
-Theorem lowest_monotone fs fs' f' : roots_of (D n L k) fs -> roots_of (D n L k') fs' -> f' \in fs' ->
-  exists2 f, f \in fs & f <= f'.
-Proof.
-move=> rfs rfs' f'_fs'; case: (boolP (all (fun f => f' < f) fs)) => [below|/allPn [f f_fs]]; last first.
-  by rewrite -leNgt => h; exists f.
-have [q [q0 axis e]] := along_mode two links' f' rfs' f'_fs'.
-have := stable_below two links one rfs below q0 axis; rewrite second_variationE subr_gt0 ltNge => /negP [].
-move: e; rewrite second_variationE subrr mul0r => /eqP; rewrite subr_eq0 => /eqP <-.
-by apply: ler_sum => i _; rewrite ler_wpmul2r ?sqr_ge0 // stiffer.
-Qed.
-
-End Monotone.
