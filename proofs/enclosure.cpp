@@ -6,6 +6,7 @@
 
 #include "proofs/decimal.hpp"
 #include "proofs/exact_count.hpp"
+#include "proofs/string_in_lanes.hpp"
 #include "proofs/working_precision.hpp"
 
 namespace plumbline::proofs {
@@ -30,55 +31,91 @@ Bounds bounds(const Real& x, int kept, int guard) {
   return {shifted(low, place), shifted(high, place), rounded(low) == rounded(high)};
 }
 
-/// Bounds on critical force number `index` from a value of so many digits, the last four of which rounding
-/// may have spoilt. Nothing when they do not suffice.
-template <Floating Real>
-std::optional<ForceEnclosure> enclose(const ExactCount& count, std::size_t index, const Real& value,
-                                      int digits, int working_digits) {
-  for (int guard = 3; digits + guard + 4 <= working_digits; guard += 6) {
-    const Bounds at = bounds(value, digits, guard);
-    if (!at.agree && guard < 20) continue;
-    const std::size_t below_low = count.below(at.low), below_high = count.below(at.high);
-    if (below_low < index && index <= below_high) return {{index, at.low, at.high, below_low, below_high}};
-    return std::nullopt;
+/// What is found of the lowest critical forces; nothing where the digits have not sufficed yet.
+using Found = std::vector<std::optional<ForceEnclosure>>;
+
+/// Two forces closer to each other than the digits have the bounds of the first.
+void share_ties(Found& found) {
+  for (std::size_t i = 1; i < found.size(); ++i) {
+    if (!found[i - 1] || found[i - 1]->below_high <= i) continue;
+    found[i] = found[i - 1];
+    found[i]->index = i + 1;
   }
-  return std::nullopt;
 }
 
-/// Adds to the enclosures found so far, from forces in a type of so many digits.
+/// Encloses what is still open from the values of the forces, the last four of whose digits rounding may have
+/// spoilt.
 template <Floating Real>
-void enclose_further(std::vector<ForceEnclosure>& result, const ExactCount& count,
-                     const Chain<Rational>& chain, std::size_t wanted, int digits, int working_digits) {
-  const std::vector<Real> forces = critical_forces(from_rational<Real>(chain), wanted);
-  while (result.size() < wanted) {
-    const std::size_t index = result.size() + 1;
-    if (index > 1 && result.back().below_high >= index) {  // a tie: the same bounds
-      result.push_back(result.back());
-      result.back().index = index;
-      continue;
+void enclose_open(Found& found, const ExactCount& count, const std::vector<Real>& values, int digits,
+                  int working_digits) {
+  std::vector<std::size_t> open;
+  std::vector<Rational> ends;
+  for (std::size_t i = 0; i < std::min(found.size(), values.size()); ++i) {
+    if (found[i]) continue;
+    for (int guard = 3; digits + guard + 4 <= working_digits; guard += 6) {
+      const Bounds at = bounds(values[i], digits, guard);
+      if (!at.agree && guard < 20) continue;
+      open.push_back(i);
+      ends.push_back(at.low);
+      ends.push_back(at.high);
+      break;
     }
-    const auto enclosed = enclose(count, index, forces[index - 1], digits, working_digits);
-    if (!enclosed) return;
-    result.push_back(*enclosed);
   }
+  const std::vector<std::size_t> below = count.below(ends);
+  for (std::size_t o = 0; o < open.size(); ++o) {
+    const std::size_t index = open[o] + 1, below_low = below[2 * o], below_high = below[2 * o + 1];
+    if (below_low < index && index <= below_high)
+      found[open[o]] = {index, ends[2 * o], ends[2 * o + 1], below_low, below_high};
+  }
+  share_ties(found);
 }
 
-/// As many digits as three words of 64 bits hold, kept in place: what fifty certified ones take, mostly.
-constexpr int quick_digits = 57;
-using Quick = mp::number<mp::mpfr_float_backend<quick_digits, mp::allocate_stack>, mp::et_off>;
+bool complete(const Found& found) {
+  return std::all_of(found.begin(), found.end(), [](const auto& one) { return one.has_value(); });
+}
+
+/// The forces to the digits of two doubles, ascending, from those of one. As many as it takes, or nothing.
+std::vector<Wide> forces_in_two_doubles(const Chain<Rational>& chain, std::size_t wanted) {
+  const auto narrow = detail::narrowed<double>(from_rational<Wide>(chain));
+  if (!narrow) return {};
+  const auto near = detail::lowest_roots_in_range(*narrow, wanted);
+  if (!near) return {};
+  const auto wide = from_rational<Wide>(chain);
+  const detail::BeadString<Wide> string(wide);
+  std::vector<Wide> forces;
+  for (std::size_t p = 0; p < near->size(); ++p) {
+    const std::vector<Wide> rough((*near)[p].begin(), (*near)[p].end());
+    const auto runs = StringInLanes(string.pieces()[p]).run(rough);
+    for (std::size_t i = 0; i < rough.size(); ++i) forces.push_back(refined(rough[i], runs[i]));
+  }
+  std::sort(forces.begin(), forces.end());
+  if (forces.size() > wanted) forces.resize(wanted);
+  return forces;
+}
+
+/// Digits that two doubles have left at the end of a long string.
+constexpr int lane_digits = 28;
+/// From so many links on lanes are worth their while.
+constexpr std::size_t long_chain = 16;
 
 }  // namespace
 
 std::vector<ForceEnclosure> enclose_critical_forces(const Chain<Rational>& chain, std::size_t lowest,
                                                     int digits) {
   const ExactCount count(chain);
-  const std::size_t wanted = std::min(lowest, mode_count(chain));
-  std::vector<ForceEnclosure> result;
-  if (digits + 7 <= quick_digits) enclose_further<Quick>(result, count, chain, wanted, digits, quick_digits);
-  for (int working_digits = digits + 12; result.size() < wanted; working_digits += 12) {
+  Found found(std::min(lowest, mode_count(chain)));
+  if (digits + 7 <= lane_digits && chain.size() >= long_chain)
+    enclose_open(found, count, forces_in_two_doubles(chain, found.size()), digits, lane_digits);
+  if (digits + 7 <= wide_digits && !complete(found))
+    enclose_open(found, count, critical_forces(from_rational<Wide>(chain), found.size()), digits,
+                 wide_digits);
+  for (int working_digits = digits + 12; !complete(found); working_digits += 12) {
     const WorkingPrecision precision(working_digits);
-    enclose_further<Mpfr>(result, count, chain, wanted, digits, working_digits);
+    enclose_open(found, count, critical_forces(from_rational<Mpfr>(chain), found.size()), digits,
+                 working_digits);
   }
+  std::vector<ForceEnclosure> result;
+  for (const auto& one : found) result.push_back(*one);
   return result;
 }
 

@@ -1,6 +1,9 @@
 #include "proofs/exact_count.hpp"
 
-#include "proofs/working_precision.hpp"
+#include <algorithm>
+#include <plumbline/base/parallel.hpp>
+
+#include "proofs/rounded_count.hpp"
 
 namespace plumbline::proofs {
 namespace {
@@ -27,14 +30,15 @@ Rational clear_denominators(const std::vector<Rational>& values, std::vector<Int
   return {multiple, divisor};
 }
 
-MpfrInterval interval(const Rational& x) {
-  MpfrInterval result;
-  mpfi_set_q(result.backend().data(), x.backend().data());
-  return result;
-}
+/// From so many joints on rounded numbers are faster than integers, whose length grows along the chain; from
+/// fewer where there are many forces to share what it takes to begin.
+constexpr std::size_t long_part = 64, long_part_of_many = 16, many = 16;
 
-/// From so many joints on intervals are faster than integers, whose length grows along the chain.
-constexpr std::size_t long_part = 100;
+/// Threads for so many steps from link to link.
+unsigned threads_for(std::size_t steps) {
+  constexpr std::size_t worth_a_thread = 1 << 12;
+  return steps < worth_a_thread ? 1 : std::thread::hardware_concurrency();
+}
 
 }  // namespace
 
@@ -55,37 +59,34 @@ ExactCount::ExactCount(const Chain<Rational>& chain) : parts_(plumbline::proofs:
 }
 
 std::size_t ExactCount::below(const Rational& F) const {
-  std::size_t count = 0;
-  for (const ChainPart& part : parts_) count += below(F, part);
-  return count;
+  return below(std::vector{F}).front();
 }
 
 std::size_t ExactCount::below(const Rational& F, const ChainPart& part) const {
-  const Rational scaled = F * per_force_;
-  if (part.last - part.first >= long_part) {
-    if (const auto certain = certainly_below(scaled, part)) return *certain;
-  }
-  return exactly_below(scaled, part);
+  const auto at = std::find(parts_.begin(), parts_.end(), part) - parts_.begin();
+  return below({F}, static_cast<std::size_t>(at)).front();
 }
 
-std::optional<std::size_t> ExactCount::certainly_below(const Rational& scaled, const ChainPart& part) const {
-  const auto digits = static_cast<int>(mp::numerator(scaled).str().size());
-  const WorkingPrecision precision(digits + 30);
-  const MpfrInterval F = interval(scaled);
-  MpfrInterval h = interval(distance_[part.first]), M = interval(stiffness_[part.first]);
-  std::size_t count = 0;
-  bool positive = true;
-  for (std::size_t i = part.first; i < part.last; ++i) {
-    const MpfrInterval z = interval(distance_[i + 1]), L = interval(length_[i]);
-    M = (z * M - F * L * h) / interval(distance_[i]);
-    h = stiffness_[i + 1] == 0 ? M : MpfrInterval(h + z * M / interval(stiffness_[i + 1]));
-    if (mpfi_has_zero(h.backend().data()) != 0) return std::nullopt;
-    if ((mpfi_is_strictly_pos(h.backend().data()) != 0) != positive) {
-      ++count;
-      positive = !positive;
-    }
+std::vector<std::size_t> ExactCount::below(const std::vector<Rational>& forces) const {
+  std::vector<std::size_t> counts(forces.size());
+  for (std::size_t part = 0; part < parts_.size(); ++part) {
+    const std::vector<std::size_t> of_part = below(forces, part);
+    for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += of_part[i];
   }
-  return count;
+  return counts;
+}
+
+std::vector<std::size_t> ExactCount::below(const std::vector<Rational>& forces, std::size_t part) const {
+  std::vector<Rational> scaled;
+  for (const Rational& F : forces) scaled.push_back(F * per_force_);
+  RoundedCount::Counts counts(forces.size());
+  if (parts_[part].last - parts_[part].first >= (forces.size() < many ? long_part : long_part_of_many))
+    counts = RoundedCount(length_, stiffness_, part).below(scaled);
+  std::vector<std::size_t> result(forces.size());
+  in_parallel(forces.size(), threads_for(forces.size() * length_.size()), [&](std::size_t i) {
+    result[i] = counts[i] ? *counts[i] : exactly_below(scaled[i], parts_[part]);
+  });
+  return result;
 }
 
 std::size_t ExactCount::exactly_below(const Rational& scaled, const ChainPart& part) const {

@@ -8,10 +8,10 @@
 ///     t = D z_{i+1} M_i - P L_i h_i;   h_{i+1} = D z_i k_{i+1} h_i + z_{i+1} t,   M_{i+1} = k_{i+1} t.
 ///
 /// No common factor is ever sought, which is what exact fractions spend their time on; still the integers
-/// grow along the chain, and a count costs O(n^2) operations on words. Long chains are therefore tried in
-/// intervals first, which count just as certainly where no interval contains zero.
+/// grow along the chain, and a count costs O(n^2) operations on words. They decide what is left open by
+/// counts in rounded arithmetic on either side of the force, of more and more digits: where these agree,
+/// theorem "Rounded counts" makes them the exact count.
 
-#include <optional>
 #include <plumbline/chain/chain.hpp>
 #include <vector>
 
@@ -38,11 +38,12 @@ class ExactCount {
   [[nodiscard]] std::size_t below(const Rational& F) const;
   /// The number of those of one part.
   [[nodiscard]] std::size_t below(const Rational& F, const ChainPart& part) const;
+  /// Below each of many forces, which costs much less than one by one; on all processors.
+  [[nodiscard]] std::vector<std::size_t> below(const std::vector<Rational>& forces) const;
   [[nodiscard]] const std::vector<ChainPart>& parts() const { return parts_; }
 
  private:
-  [[nodiscard]] std::optional<std::size_t> certainly_below(const Rational& scaled,
-                                                           const ChainPart& part) const;
+  [[nodiscard]] std::vector<std::size_t> below(const std::vector<Rational>& forces, std::size_t part) const;
   [[nodiscard]] std::size_t exactly_below(const Rational& scaled, const ChainPart& part) const;
 
   std::vector<ChainPart> parts_;

@@ -10,6 +10,10 @@ namespace plumbline::proofs {
 /// Intervals at run-time precision; Interval of the core has the 64 digits that 50 certified ones take.
 using MpfrInterval = mp::number<mp::mpfi_float_backend<0>, mp::et_off>;
 
+/// As many digits as three words of 64 bits hold, kept in place: what fifty certified ones take, mostly.
+constexpr int wide_digits = 57;
+using Wide = mp::number<mp::mpfr_float_backend<wide_digits, mp::allocate_stack>, mp::et_off>;
+
 /// Mpfr and MpfrInterval have so many decimal digits while this lives. The precision is one for all threads.
 class WorkingPrecision {
  public:
