@@ -5,6 +5,7 @@
 #   ./setup.sh           what the program is built with
 #   ./setup.sh --tests   and what its tests need
 #   ./setup.sh --python  and what the Python package needs
+#   ./setup.sh --mpi     and what shares work among machines
 #   ./setup.sh --models  and the parsers that read the models of simulators
 #   ./setup.sh --bench   and what the benchmarks compare with
 #   ./setup.sh --docs    and what writes the reference of the library
@@ -30,6 +31,7 @@ program=(
 proofs=(coq libcoq-mathcomp-ssreflect libcoq-mathcomp-algebra libcoq-mathcomp-field libcoq-mathcomp-real-closed
         libcoq-mathcomp-zify libcoq-mathcomp-algebra-tactics ocaml-nox ocaml-findlib libzarith-ocaml-dev
         libyojson-ocaml-dev)
+mpi=(openmpi-bin libopenmpi-dev)
 models=(libmujoco-dev libsdformat-dev)
 python=(
   pybind11-dev python3-dev python3-numpy python3-pip python3-setuptools python3-wheel python3-venv
@@ -40,6 +42,8 @@ tests=(
   ccache doctest-dev librapidcheck-dev python3-jsonschema
   # the simulated bench of the blind trial, and the models of simulators
   "${models[@]}"
+  # many machines
+  "${mpi[@]}"
   # the Python package
   "${python[@]}" python3-pytest mypy
   # pages, in a browser
@@ -60,13 +64,14 @@ case "${1:-}" in
   "") ;;
   --tests) packages+=("${tests[@]}") ;;
   --python) packages+=("${python[@]}") ;;
+  --mpi) packages+=("${mpi[@]}") ;;
   --models) packages+=("${models[@]}") ;;
   --bench) packages+=("${bench[@]}") ;;
   --docs) packages+=("${docs[@]}") ;;
   --fuzz) packages+=("${fuzz[@]}") ;;
   --proofs) packages+=("${proofs[@]}") ;;
   *)
-    echo "setup: found $1, expected nothing, --tests, --python, --models, --bench, --docs, --fuzz or --proofs" >&2
+    echo "setup: found $1, expected nothing, --tests, --python, --mpi, --models, --bench, --docs, --fuzz or --proofs" >&2
     exit 2
     ;;
 esac

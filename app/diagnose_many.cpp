@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <optional>
 #include <plumbline/base/error.hpp>
-#include <thread>
 
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
@@ -16,6 +15,7 @@
 #include "files/output_file.hpp"
 #include "files/temporary_folder.hpp"
 #include "trial/experiment_files.hpp"
+#include "work/ranks.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -30,14 +30,36 @@ std::vector<fs::path> files_read(const ManyExperiments& many, const std::vector<
   return all;
 }
 
-std::vector<campaign::Outcome> diagnosed(const ManyExperiments& many, const std::vector<fs::path>& folders) {
-  std::optional<files::TemporaryFolder> temporary;
-  const fs::path reports = many.reports.empty() ? temporary.emplace().path() : fs::path(many.reports);
-  files::make_folder(reports);
+/// Where the reports go, and what is done of them, or a folder for a while.
+class Reports {
+ public:
+  explicit Reports(const std::string& wanted) : folder_(wanted) {
+    if (wanted.empty()) {
+      if (work::ranks() > 1)
+        throw Error("--reports", "none", "a folder that all ranks of mpirun see, to keep what is done");
+      folder_ = temporary_.emplace().path();
+      return;
+    }
+    files::make_folder(folder_);
+    journal_.emplace(folder_ / "unfinished.jsonl", "plumbline diagnose");
+  }
+  [[nodiscard]] const fs::path& folder() const { return folder_; }
+  [[nodiscard]] work::Journal* journal() { return journal_ ? &*journal_ : nullptr; }
+
+ private:
+  std::optional<files::TemporaryFolder> temporary_;
+  fs::path folder_;
+  std::optional<work::Journal> journal_;
+};
+
+std::vector<campaign::Outcome> diagnosed(const ManyExperiments& many, const std::vector<fs::path>& folders,
+                                         Reports& reports) {
   Progress progress("diagnoses", folders.size());
-  const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
-  const campaign::Work work{fs::read_symlink("/proc/self/exe"), many.words, reports, !many.reports.empty(),
-                            processors};
+  const campaign::Work work{many.words,
+                            {many.inputs.begin(), many.inputs.end()},
+                            reports.folder(),
+                            !many.reports.empty(),
+                            reports.journal()};
   std::vector<campaign::Outcome> outcomes =
       campaign::diagnose_all(folders, work, [&] { progress.advance(); });
   for (std::size_t i = 0; i < folders.size(); ++i) outcomes[i].date = diagnose::date_of(folders[i]);
@@ -61,11 +83,13 @@ void diagnose_many(const ManyExperiments& many) {
   files::OutputFile *const json = outputs.open("--json", many.json), *const html =
                                                                          outputs.open("--html", many.html);
   if (!many.reports.empty()) files::require_folder(many.reports);
-  const std::vector<campaign::Outcome> outcomes = diagnosed(many, folders);
+  Reports reports(many.reports);
+  const std::vector<campaign::Outcome> outcomes = diagnosed(many, folders, reports);
   const campaign::Comparison comparison = campaign::compare(outcomes);
   if (json) json->write(campaign::as_json(outcomes, comparison).dump(2) + "\n");
   if (html) html->write(campaign::as_html(outcomes, comparison));
   outputs.commit();
+  if (reports.journal()) reports.journal()->finish();
   if (many.json != "-" && many.html != "-") {
     fmt::print("{}", campaign::as_text(outcomes, comparison));
     if (!passed_over.empty())

@@ -1,5 +1,11 @@
 #include "app/command.hpp"
+#include "app/tasks.hpp"
+#include "work/ranks.hpp"
 
 int main(int argc, char** argv) {
-  return plumbline::app::run(*plumbline::app::whole_command(), argc, argv);
+  using namespace plumbline;
+  const work::Ranks ranks;
+  if (ranks.first()) return app::run(*app::whole_command(), argc, argv);
+  ranks.work(app::tasks());
+  return 0;
 }

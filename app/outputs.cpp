@@ -1,10 +1,10 @@
 #include "app/outputs.hpp"
 
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <plumbline/base/error.hpp>
 
+#include "app/terminal.hpp"
 #include "files/text_file.hpp"
 
 namespace plumbline::app {
@@ -50,7 +50,7 @@ void Outputs::withdraw(const files::OutputFile* file) {
 void Outputs::commit() {
   for (files::OutputFile& file : files_) file.complete();
   for (files::OutputFile& file : files_) file.commit();
-  if (isatty(STDERR_FILENO) == 0) return;
+  if (terminal_columns(2) == 0) return;
   constexpr std::size_t most = 5;  // by name; of a whole folder the number says enough
   if (written_.size() > most)
     fmt::print(stderr, "plumbline: wrote {} files\n", written_.size());

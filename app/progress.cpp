@@ -1,17 +1,19 @@
 #include "app/progress.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <condition_variable>
 #include <mutex>
 #include <utility>
 
+#include "app/terminal.hpp"
+
 namespace plumbline::app {
 
-Progress::Progress(std::string what, std::size_t total) : what_(std::move(what)), total_(total) {
-  if (isatty(STDERR_FILENO) != 0) shown_ = std::jthread([this](const std::stop_token& end) { show(end); });
+Progress::Progress(std::string what, std::size_t total)
+    : what_(std::move(what)), total_(total), columns_(terminal_columns(2)) {
+  if (columns_ > 0) shown_ = std::jthread([this](const std::stop_token& end) { show(end); });
 }
 
 Progress::~Progress() = default;
@@ -31,12 +33,19 @@ void Progress::show(const std::stop_token& end) {
   std::fflush(stderr);
 }
 
+/// Never wider than the terminal, where it would take two lines.
 std::string Progress::line() const {
+  std::string text = whole_line();
+  if (text.size() >= columns_) text.resize(columns_ - 1);
+  return text;
+}
+
+std::string Progress::whole_line() const {
   using Seconds = std::chrono::duration<double>;
   const double seconds = Seconds(std::chrono::steady_clock::now() - begin_).count();
   const std::size_t done = done_;
   if (total_ == 0) return fmt::format("{}: {:.0f} s", what_, seconds);
-  constexpr std::size_t width = 40;
+  const std::size_t width = columns_ < 80 ? 10 : 40;
   const std::size_t filled = std::min(width, width * done / total_);
   std::string text = fmt::format("{} [{}{}] {}/{}, {:.0f} s", what_, std::string(filled, '#'),
                                  std::string(width - filled, '.'), done, total_, seconds);

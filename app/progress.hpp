@@ -29,9 +29,10 @@ class Progress {
  private:
   void show(const std::stop_token& end);
   [[nodiscard]] std::string line() const;
+  [[nodiscard]] std::string whole_line() const;
 
   std::string what_;
-  std::size_t total_;
+  std::size_t total_, columns_;
   std::atomic<std::size_t> done_ = 0;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::jthread shown_;

@@ -2,10 +2,8 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-#include <mutex>
+#include <nlohmann/json.hpp>
 #include <plumbline/base/error.hpp>
-#include <plumbline/base/parallel.hpp>
 
 #include "files/output_file.hpp"
 #ifdef PLUMBLINE_SIMULATOR
@@ -16,40 +14,63 @@ namespace plumbline::app {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
 
+constexpr const char* word(BlindTrial which) {
+  return which == BlindTrial::first ? "first" : "second";
+}
+
+std::string name_of(std::size_t number) {
+  return fmt::format("trial-{:03}", number);
+}
+
+/// The label, as text, is what is sealed.
 #ifdef PLUMBLINE_SIMULATOR
-SecretExperiments made(BlindTrial which, std::size_t trials, std::uint64_t seed, const fs::path& folder,
-                       unsigned threads, const std::function<void()>& advance) {
-  const auto from = which == BlindTrial::first ? simulator::Trial::first : simulator::Trial::second;
-  SecretExperiments secret;
-  std::mutex writing;
-  in_parallel(trials, threads, [&](std::size_t i) {
-    const std::string name = fmt::format("trial-{:03}", i + 1);
-    const simulator::Experiment experiment = simulator::make_experiment(from, seed, i + 1, name);
-    simulator::write_experiment(experiment, folder / name);
-    const std::scoped_lock lock(writing);
-    secret.envelopes[name] = trial::envelope(experiment.label);
-    if (!std::isnan(experiment.nominal_error)) secret.nominal_errors.push_back(experiment.nominal_error);
-    advance();
-  });
-  return secret;
+std::string make(const std::string& item) {
+  const Json told = Json::parse(item);
+  const auto from =
+      told["trial"] == word(BlindTrial::first) ? simulator::Trial::first : simulator::Trial::second;
+  const std::string name = name_of(told["number"]);
+  const simulator::Experiment experiment =
+      simulator::make_experiment(from, told["seed"], told["number"], name);
+  simulator::write_experiment(experiment, fs::path(std::string(told["folder"])) / name);
+  return Json{{"label", trial::as_json(experiment.label).dump()}, {"nominal_error", experiment.nominal_error}}
+      .dump();
 }
 #else
-SecretExperiments made(BlindTrial, std::size_t, std::uint64_t, const fs::path&, unsigned,
-                       const std::function<void()>&) {
+std::string make(const std::string&) {
   throw Error("trial --trials", "a program built without the rig",
               "one built with -DPLUMBLINE_SIMULATOR=ON, or --experiments DIR");
 }
 #endif
 
+/// Whoever knows the seed can make the experiments and their labels again, and therefore may the salts.
+std::string secret_of(BlindTrial which, std::uint64_t seed) {
+  return fmt::format("plumbline {} trial {}", word(which), seed);
+}
+
 }  // namespace
 
+const work::Task experiment_task{"experiment", make};
+
 SecretExperiments make_experiments(BlindTrial which, std::size_t trials, std::uint64_t seed,
-                                   const fs::path& folder, unsigned threads,
-                                   const std::function<void()>& advance) {
-  SecretExperiments secret = made(which, trials, seed, folder, threads, advance);
+                                   const fs::path& folder, const std::function<void()>& advance) {
+  work::WorkList list{experiment_task, {}};
+  for (std::size_t number = 1; number <= trials; ++number)
+    list.items.push_back(
+        Json{{"trial", word(which)}, {"seed", seed}, {"number", number}, {"folder", folder.string()}}.dump());
+  SecretExperiments secret;
   trial::Seals seals;
-  for (const auto& [name, envelope] : secret.envelopes) seals[name] = trial::seal(envelope);
+  std::size_t number = 0;
+  for (const std::string& result : work::results(list, nullptr, advance)) {
+    const Json made = Json::parse(result);
+    const std::string name = name_of(++number);
+    const trial::Envelope envelope{trial::salt(secret_of(which, seed), name), made["label"]};
+    seals[name] = trial::seal(envelope);
+    secret.envelopes[name] = envelope;
+    if (!made["nominal_error"].is_null())
+      secret.nominal_errors.push_back(made["nominal_error"]);  // NaN is null
+  }
   files::write_text(folder / "seals.json", trial::seals_text(seals));
   return secret;
 }

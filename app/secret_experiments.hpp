@@ -8,6 +8,7 @@
 #include <map>
 
 #include "trial/seal.hpp"
+#include "work/work_list.hpp"
 
 namespace plumbline::app {
 
@@ -20,11 +21,13 @@ struct SecretExperiments {
 /// (trial/README.md).
 enum class BlindTrial { first, second };
 
+/// What another process is told.
+extern const work::Task experiment_task;
+
 /// Writes the experiments trial-001, trial-002, … of this seed into the folder, and seals.json beside them.
 /// \throws Error where the program was built without the rig
 SecretExperiments make_experiments(BlindTrial which, std::size_t trials, std::uint64_t seed,
-                                   const std::filesystem::path& folder, unsigned threads,
-                                   const std::function<void()>& advance);
+                                   const std::filesystem::path& folder, const std::function<void()>& advance);
 
 /// Writes labels/NAME.json for every envelope: the seals are open from then on.
 void publish(const SecretExperiments& secret, const std::filesystem::path& folder);

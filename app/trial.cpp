@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <plumbline/base/error.hpp>
-#include <thread>
 
 #include "app/arguments.hpp"
 #include "app/outputs.hpp"
@@ -18,6 +17,7 @@
 #include "trial/experiment_files.hpp"
 #include "trial/report.hpp"
 #include "trial/run_trial.hpp"
+#include "work/ranks.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -34,36 +34,7 @@ struct Options {
   double patience = usual_patience;
 };
 
-/// Where the trial takes place: the folder that the user names, which must be new or empty, or one for a
-/// while.
-class Place {
- public:
-  explicit Place(const fs::path& wanted) : folder_(wanted) {
-    if (wanted.empty()) {
-      folder_ = temporary_.emplace().path();
-    } else if (fs::exists(wanted) && !fs::is_empty(wanted)) {
-      throw Error(wanted.string(), "something there already", "a new or an empty folder");
-    }
-    files::make_folder(folder_);
-  }
-  [[nodiscard]] const fs::path& folder() const { return folder_; }
-
- private:
-  std::optional<files::TemporaryFolder> temporary_;
-  fs::path folder_;
-};
-
-unsigned processors() {
-  return std::max(1U, std::thread::hardware_concurrency());
-}
-
-SecretExperiments make(const Options& options, const fs::path& folder) {
-  Progress progress("experiments", options.trials);
-  return make_experiments(options.second ? BlindTrial::second : BlindTrial::first, options.trials,
-                          options.seed, folder, processors(), [&] { progress.advance(); });
-}
-
-/// The command that gives the same table again.
+/// The command that gives the same result again.
 std::string command(const Options& options) {
   const std::string patience =
       options.patience == usual_patience ? "" : fmt::format(" --patience {}", options.patience);
@@ -72,11 +43,43 @@ std::string command(const Options& options) {
                      options.trials, options.seed, patience);
 }
 
-trial::AllDiagnosed diagnose_all(const Options& options, const trial::SealedFolder& folder,
-                                 const fs::path& reports) {
+/// Where the trial takes place: the folder that the user names, new, empty or with the same trial unfinished
+/// in it, or one for a while.
+class Place {
+ public:
+  explicit Place(const Options& options) : folder_(options.out) {
+    if (options.out.empty()) {
+      if (work::ranks() > 1)
+        throw Error("--out", "none", "a folder that all ranks of mpirun see, to keep what is done");
+      folder_ = temporary_.emplace().path();
+      return;
+    }
+    const fs::path unfinished = folder_ / "unfinished.jsonl";
+    if (fs::exists(folder_) && !fs::is_empty(folder_) && !fs::exists(unfinished))
+      throw Error(options.out, "something there already",
+                  "a new or an empty folder, or a trial to go on with");
+    files::make_folder(folder_);
+    journal_.emplace(unfinished, command(options));
+  }
+  [[nodiscard]] const fs::path& folder() const { return folder_; }
+  [[nodiscard]] work::Journal* journal() { return journal_ ? &*journal_ : nullptr; }
+
+ private:
+  std::optional<files::TemporaryFolder> temporary_;
+  fs::path folder_;
+  std::optional<work::Journal> journal_;
+};
+
+SecretExperiments make(const Options& options, const fs::path& folder) {
+  Progress progress("experiments", options.trials);
+  return make_experiments(options.second ? BlindTrial::second : BlindTrial::first, options.trials,
+                          options.seed, folder, [&] { progress.advance(); });
+}
+
+std::vector<trial::Diagnosed> diagnose_all(const Options& options, const trial::SealedFolder& folder,
+                                           const fs::path& reports, work::Journal* journal) {
   Progress progress("diagnoses", folder.names().size());
-  return trial::diagnose_all(folder, fs::read_symlink("/proc/self/exe"), reports,
-                             std::chrono::duration<double>(options.patience), processors(),
+  return trial::diagnose_all(folder, reports, std::chrono::duration<double>(options.patience), journal,
                              [&] { progress.advance(); });
 }
 
@@ -104,7 +107,7 @@ void run(const Options& options) {
   files::OutputFile *const json = outputs.open("--json", options.json), *const markdown = outputs.open(
                                                                             "--markdown", options.markdown);
   const bool quiet = options.json == "-" || options.markdown == "-";
-  const Place place(options.out);
+  Place place(options);
   SecretExperiments secret;
   if (options.experiments.empty()) secret = make(options, place.folder());
   const trial::SealedFolder folder(options.experiments.empty() ? place.folder()
@@ -117,13 +120,14 @@ void run(const Options& options) {
     std::fflush(stdout);
   }
   const fs::path reports = place.folder() / "reports";
-  const trial::AllDiagnosed diagnosed = diagnose_all(options, folder, reports);
+  const std::vector<trial::Diagnosed> diagnosed = diagnose_all(options, folder, reports, place.journal());
   publish(secret, place.folder());
   const std::vector<trial::Case> cases = trial::unseal(folder, reports, diagnosed, catalogue());
   const trial::Circumstances about = circumstances(options, folder, secret);
   if (json) json->write(trial::as_json(about, cases).dump(2) + "\n");
   if (markdown) markdown->write(trial::as_text(about, cases, trial::Style::markdown));
   outputs.commit();
+  if (place.journal()) place.journal()->finish();
   if (!quiet) fmt::print("{}", trial::as_text(about, cases, trial::Style::terminal));
   const trial::Score score = trial::score(cases);
   if (score.broken_seals + score.no_report > 0) throw CLI::RuntimeError(1);
@@ -153,7 +157,9 @@ void add_trial(CLI::App& app) {
       ->excludes(trials)
       ->excludes(seed)
       ->excludes(second);
-  verb->add_option("--out", options->out, "Keep experiments, seals, reports and labels in this folder")
+  verb->add_option("--out", options->out,
+                   "Keep experiments, seals, reports and labels in this folder; a trial that was cut off "
+                   "goes on there")
       ->type_name("DIR");
   verb->add_option("--patience", options->patience, "Seconds after which a diagnosis is given up")
       ->check(number(0.001, 1e6))

@@ -1,6 +1,4 @@
 #include <fmt/core.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,6 +9,7 @@
 #include "app/arguments.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
+#include "app/terminal.hpp"
 #include "app/verbs.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/figures/figures.hpp"
@@ -28,15 +27,8 @@ struct Options {
   std::uint64_t seed = 1;
 };
 
-/// 0 where the output is no terminal.
-std::size_t terminal_columns() {
-  winsize size{};
-  if (isatty(STDOUT_FILENO) == 0) return 0;
-  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
-
 bool with_colour() {
-  return isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+  return terminal_columns(1) > 0 && std::getenv("NO_COLOR") == nullptr;
 }
 
 /// The whole paper's, for the page.
@@ -84,7 +76,7 @@ void run(const Options& options) {
   outputs.commit();
   if (!json && !html && !errata)
     fmt::print("{}", one ? verify::as_detail(judged.front(), with_colour())
-                         : verify::as_table(judged, {with_colour(), terminal_columns()}));
+                         : verify::as_table(judged, {with_colour(), terminal_columns(1)}));
   if (std::any_of(judged.begin(), judged.end(), [](const verify::Judged& j) { return !j.judgement; })) {
     throw CLI::RuntimeError(1);
   }

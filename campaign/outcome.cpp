@@ -1,31 +1,25 @@
 #include "campaign/outcome.hpp"
 
 #include <algorithm>
-#include <plumbline/base/parallel.hpp>
 
 #include "files/json_file.hpp"
 #include "files/text_file.hpp"
-#include "trial/diagnosis_process.hpp"
+#include "trial/diagnoses.hpp"
 
 namespace plumbline::campaign {
 namespace {
 
 namespace fs = std::filesystem;
 
-Outcome diagnose(const fs::path& folder, const std::string& name, const Work& work) {
-  Outcome outcome{name, {}, "", {}};
-  const fs::path report = work.reports / (name + ".json");
-  std::vector<std::string> words = work.words;
-  words.insert(words.end(), {"--json", report.string()});
-  if (work.pages) words.insert(words.end(), {"--html", (work.reports / (name + ".html")).string()});
-  outcome.failure = trial::run_diagnosis(work.executable, folder, words).failure;
-  if (!outcome.failure.empty()) return outcome;
+Outcome outcome(const std::string& name, const fs::path& report, const trial::Diagnosed& diagnosed) {
+  Outcome one{name, {}, diagnosed.failure, {}};
+  if (!one.failure.empty()) return one;
   try {
-    outcome.report = trial::report_from(files::parse_json(files::read_text(report), name), name);
+    one.report = trial::report_from(files::parse_json(files::read_text(report), name), name);
   } catch (const std::exception& error) {
-    outcome.failure = error.what();
+    one.failure = error.what();
   }
-  return outcome;
+  return one;
 }
 
 }  // namespace
@@ -59,11 +53,17 @@ std::vector<std::string> names_of(const std::vector<fs::path>& folders) {
 std::vector<Outcome> diagnose_all(const std::vector<fs::path>& folders, const Work& work,
                                   const std::function<void()>& advance) {
   const std::vector<std::string> names = names_of(folders);
-  std::vector<Outcome> all(folders.size());
-  in_parallel(folders.size(), work.processes, [&](std::size_t i) {
-    all[i] = diagnose(folders[i], names[i], work);
-    advance();
-  });
+  std::vector<trial::Assignment> assignments;
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    trial::Assignment one{folders[i], work.reports / (names[i] + ".json"), work.words, work.inputs};
+    if (work.pages)
+      one.words.insert(one.words.end(), {"--html", (work.reports / (names[i] + ".html")).string()});
+    assignments.push_back(std::move(one));
+  }
+  const std::vector<trial::Diagnosed> diagnosed = trial::diagnose_all(assignments, work.journal, advance);
+  std::vector<Outcome> all;
+  for (std::size_t i = 0; i < folders.size(); ++i)
+    all.push_back(outcome(names[i], assignments[i].report, diagnosed[i]));
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "trial/answer.hpp"
+#include "work/journal.hpp"
 
 namespace plumbline::campaign {
 
@@ -25,11 +26,11 @@ struct Outcome {
 /// Diagnoses every folder, several at once, each in a process of its own: what fails, or dies, is named and
 /// ends no other.
 struct Work {
-  std::filesystem::path executable;
-  std::vector<std::string> words;  ///< further arguments of each diagnosis
-  std::filesystem::path reports;   ///< where NAME.json and NAME.html go
-  bool pages = false;              ///< whether pages are wanted too
-  unsigned processes = 1;
+  std::vector<std::string> words;             ///< further arguments of each diagnosis
+  std::vector<std::filesystem::path> inputs;  ///< the files that these name
+  std::filesystem::path reports;              ///< where NAME.json and NAME.html go
+  bool pages = false;                         ///< whether pages are wanted too
+  work::Journal* journal = nullptr;           ///< where something is to be kept of work that is cut off
 };
 std::vector<Outcome> diagnose_all(const std::vector<std::filesystem::path>& folders, const Work& work,
                                   const std::function<void()>& advance);

@@ -156,11 +156,8 @@ std::string numbers(const Circumstances& c, const Score& s) {
       "{:.3f}, "
       "worst {:.2f} (aim: median <= 1.05).\nBrier score of the stated probabilities: {:.3f} (0 is best, 2 "
       "worst).\n"
-      "Without a report (crash, timeout, invalid JSON): {}.\nTime of a diagnosis: median {:.2f} s, nine in "
-      "ten below "
-      "{:.2f} s, longest {:.2f} s.\n",
-      s.shrunk.median, s.shrunk.ninth_decile, s.shrunk.worst, s.brier, s.no_report, s.seconds.median,
-      s.seconds.ninth_decile, s.seconds.worst);
+      "Without a report (crash, timeout, invalid JSON): {}.\n",
+      s.shrunk.median, s.shrunk.ninth_decile, s.shrunk.worst, s.brier, s.no_report);
   if (c.compared > 0)
     text += fmt::format(
         "The rig without any effect against the nominal statics, {} benches: the largest difference of a "
@@ -168,6 +165,12 @@ std::string numbers(const Circumstances& c, const Score& s) {
         "{:.2g} sigma in the median, {:.2g} sigma at worst.\n",
         c.compared, c.median_error, c.worst_error);
   return text;
+}
+
+/// For the terminal alone: files are the same whoever makes them again.
+std::string times(const Spread& seconds) {
+  return fmt::format("Time of a diagnosis: median {:.2f} s, nine in ten below {:.2f} s, longest {:.2f} s.\n",
+                     seconds.median, seconds.ninth_decile, seconds.worst);
 }
 
 nlohmann::ordered_json proportion(const Proportion& p) {
@@ -202,8 +205,7 @@ nlohmann::ordered_json case_json(const Case& one) {
                               {"answer", answer_word(one.judgement.answer)},
                               {"said", one.judgement.said},
                               {"class_size", one.judgement.class_size},
-                              {"seal_holds", one.seal_holds},
-                              {"seconds", one.seconds}};
+                              {"seal_holds", one.seal_holds}};
   if (one.judgement.shrunk) json["shrunk"] = *one.judgement.shrunk;
   if (one.judgement.stated) json["probability"] = one.judgement.stated->first;
   return json;
@@ -232,7 +234,7 @@ std::string as_text(const Circumstances& circumstances, const std::vector<Case>&
   section("By noise", answers("noise", s.by_noise));
   section("Failures", failures(cases, markdown ? wide : narrow));
   section("Against the aims", headline(s));
-  text += "\n" + numbers(circumstances, s);
+  text += "\n" + numbers(circumstances, s) + (markdown ? "" : times(s.seconds));
   section("By strength of the gap", answers("one effect", s.by_strength));
   section("By truth", answers("truth", s.by_truth));
   section("Confusion", confusion(s), "The best explanation, also of a class; joints left out.");
@@ -266,7 +268,6 @@ nlohmann::ordered_json as_json(const Circumstances& c, const std::vector<Case>& 
           {"over_hedged", proportion(s.over_hedged)},
           {"no_report", s.no_report},
           {"heldout_over_noise_floor", spread(s.shrunk)},
-          {"seconds", spread(s.seconds)},
           {"brier", s.brier},
           {"reliability", bins},
           {"by_strength", rows(s.by_strength)},

@@ -18,6 +18,8 @@ struct Circumstances {
   double worst_error = 0;
 };
 
+/// How long the diagnoses took, the terminal alone says: what is written is the same, to the byte, whoever
+/// made it.
 enum class Style { terminal, markdown };
 std::string as_text(const Circumstances& circumstances, const std::vector<Case>& cases, Style style);
 nlohmann::ordered_json as_json(const Circumstances& circumstances, const std::vector<Case>& cases);

@@ -1,7 +1,5 @@
 #include "trial/run_trial.hpp"
 
-#include <plumbline/base/parallel.hpp>
-
 #include "files/json_file.hpp"
 #include "files/text_file.hpp"
 
@@ -23,22 +21,18 @@ Judgement judgement_of(const Label& label, const std::filesystem::path& report, 
 
 }  // namespace
 
-AllDiagnosed diagnose_all(const SealedFolder& folder, const std::filesystem::path& executable,
-                          const std::filesystem::path& reports, std::chrono::duration<double> patience,
-                          unsigned processes, const std::function<void()>& advance) {
+std::vector<Diagnosed> diagnose_all(const SealedFolder& folder, const std::filesystem::path& reports,
+                                    std::chrono::duration<double> patience, work::Journal* journal,
+                                    const std::function<void()>& advance) {
   std::filesystem::create_directories(reports);
-  const std::vector<std::string>& names = folder.names();
-  AllDiagnosed all(names.size());
-  in_parallel(names.size(), processes, [&](std::size_t i) {
-    all[i] =
-        diagnose_alone(executable, folder.experiment(names[i]), reports / (names[i] + ".json"), patience);
-    advance();
-  });
-  return all;
+  std::vector<Assignment> assignments;
+  for (const std::string& name : folder.names())
+    assignments.push_back({folder.experiment(name), reports / (name + ".json"), {}, {}, patience});
+  return diagnose_all(assignments, journal, advance);
 }
 
 std::vector<Case> unseal(const SealedFolder& folder, const std::filesystem::path& reports,
-                         const AllDiagnosed& diagnosed, const Catalogue& catalogue) {
+                         const std::vector<Diagnosed>& diagnosed, const Catalogue& catalogue) {
   std::vector<Case> cases;
   for (std::size_t i = 0; i < diagnosed.size(); ++i) {
     const std::string& name = folder.names()[i];

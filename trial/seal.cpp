@@ -1,11 +1,5 @@
 #include "trial/seal.hpp"
 
-#include <fmt/format.h>
-#include <openssl/rand.h>
-
-#include <array>
-#include <plumbline/base/error.hpp>
-
 #include "files/json_file.hpp"
 #include "files/sha256.hpp"
 
@@ -16,11 +10,9 @@ constexpr const char* format = "experiment-seals/1";
 
 }  // namespace
 
-Envelope envelope(const Label& label) {
-  std::array<unsigned char, 16> bytes{};
-  if (RAND_bytes(bytes.data(), static_cast<int>(bytes.size())) != 1)
-    throw Error("salt", "no random numbers from the system", "some");
-  return {fmt::format("{:02x}", fmt::join(bytes, "")), as_json(label).dump()};
+std::string salt(const std::string& secret, const std::string& name) {
+  constexpr std::size_t digits = 32;
+  return files::sha256(secret + "\n" + name).substr(0, digits);
 }
 
 std::string seal(const Envelope& envelope) {

@@ -11,13 +11,12 @@ namespace plumbline::trial {
 
 /// What is kept elsewhere until the diagnosis is over.
 struct Envelope {
-  std::string salt;   ///< 32 hexadecimal digits that nobody can guess
+  std::string salt;   ///< hexadecimal digits that nobody can guess
   std::string label;  ///< the label's JSON, byte for byte
 };
 
-/// An envelope around a label, with a new salt from the operating system's generator.
-/// \throws Error when that fails
-Envelope envelope(const Label& label);
+/// The salt of an experiment: who knows the secret can make it again, and nobody else.
+std::string salt(const std::string& secret, const std::string& name);
 
 /// The seal of an envelope: SHA-256 of salt, line feed, label, as 64 hexadecimal digits.
 std::string seal(const Envelope& envelope);

@@ -1,0 +1,13 @@
+#pragma once
+/// \file
+/// Every kind of work that the verbs share among processes.
+
+#include <vector>
+
+#include "work/work_list.hpp"
+
+namespace plumbline::app {
+
+std::vector<work::Task> tasks();
+
+}  // namespace plumbline::app
