@@ -52,7 +52,7 @@ Chains read_chains(const std::string& path) {
   Chains chains;
   if (path.empty()) {
     for (const auto& reference :
-         verify::reference_chains(verify::ReferenceSize::full, verify::reference_seed))
+         verify::reference_chains({verify::ReferenceSize::full, verify::reference_seed}))
       chains.emplace(reference.name, reference.chain);
     return chains;
   }

@@ -23,8 +23,8 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// One more step is done.
-  void advance() { ++done_; }
+  /// More steps are done.
+  void advance(std::size_t steps = 1) { done_ += steps; }
 
  private:
   void show(const std::stop_token& end);

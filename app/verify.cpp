@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <plumbline/base/error.hpp>
 
 #include "app/arguments.hpp"
@@ -21,7 +22,7 @@ namespace plumbline::app {
 namespace {
 
 struct Options {
-  std::string section, claim, json, html, errata;
+  std::string section, claim, json, html, errata, unfinished;
   int precision = 50;
   std::size_t chains = 0;
   std::uint64_t seed = 1;
@@ -43,6 +44,15 @@ std::vector<verify::DrawnFigure> draw_figures(const std::vector<verify::Judged>&
   return drawn;
 }
 
+std::vector<verify::Judged> judge_random_chains(const Options& options,
+                                                std::optional<work::Journal>& unfinished) {
+  Progress progress("random chains", options.chains);
+  return verify::judge_sampled(
+      verify::check_random_chains(options.chains, options.seed, unfinished ? &*unfinished : nullptr,
+                                  [&](std::size_t more) { progress.advance(more); }),
+      options.seed);
+}
+
 void run(const Options& options) {
   Outputs outputs({});
   const std::string form = std::filesystem::path(options.errata).extension();
@@ -51,6 +61,10 @@ void run(const Options& options) {
   files::OutputFile* const json = outputs.open("--json", options.json);
   files::OutputFile* const html = outputs.open("--html", options.html);
   files::OutputFile* const errata = outputs.open("--errata", options.errata);
+  std::optional<work::Journal> unfinished;
+  if (!options.unfinished.empty())
+    unfinished.emplace(options.unfinished,
+                       fmt::format("plumbline verify --chains {} --seed {}", options.chains, options.seed));
   const std::vector<verify::Claim> claims = verify::in_section(verify::all_claims(), options.section);
   const bool one = !options.claim.empty();
   const std::vector<verify::Claim> chosen = one ? verify::with_id(claims, options.claim) : claims;
@@ -60,10 +74,7 @@ void run(const Options& options) {
     judged = verify::judge(chosen, options.precision, [&] { progress.advance(); });
   }
   if (options.chains > 0) {
-    Progress progress("random chains", options.chains);
-    const verify::SampledChains sampled =
-        verify::check_random_chains(options.chains, options.seed, [&] { progress.advance(); });
-    const std::vector<verify::Judged> properties = verify::judge_sampled(sampled, options.seed);
+    const std::vector<verify::Judged> properties = judge_random_chains(options, unfinished);
     judged.insert(judged.end(), properties.begin(), properties.end());
   }
   if (json) json->write(as_json(judged).dump(2) + "\n");
@@ -74,6 +85,7 @@ void run(const Options& options) {
   if (errata)
     errata->write(form == ".md" ? verify::errata_as_markdown(judged) : verify::errata_as_latex(judged));
   outputs.commit();
+  if (unfinished) unfinished->finish();
   if (!json && !html && !errata)
     fmt::print("{}", one ? verify::as_detail(judged.front(), with_colour())
                          : verify::as_table(judged, {with_colour(), terminal_columns(1)}));
@@ -97,9 +109,15 @@ void add_verify(CLI::App& app) {
       ->check(whole_number(1, 50));
   verb->add_option("--chains", options->chains,
                    "Check what is proved of every chain on so many random ones as well")
-      ->check(whole_number(0, 10000000))
+      ->check(whole_number(0, 10000000000))
       ->type_name("N")
       ->excludes("--claim");
+  verb->add_option("--unfinished", options->unfinished,
+                   "Keep in FILE what is done of --chains until all is: the same command, begun again after "
+                   "it was cut off, "
+                   "goes on there")
+      ->type_name("FILE")
+      ->needs("--chains");
   verb->add_option("--seed", options->seed, "Which random chains")
       ->check(whole_number(0))
       ->capture_default_str();

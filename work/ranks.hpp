@@ -33,7 +33,7 @@ int ranks();
 /// Where items come from and results go: both called in one thread at a time, results in any order.
 struct Exchange {
   std::function<std::string(std::size_t)> item;
-  std::function<void(std::size_t, std::string)> take;
+  std::function<void(std::size_t, const std::string&)> take;
 };
 
 /// Does a task to items 0 … count - 1, each once, by whoever is free: ranks, an item at a time each, or

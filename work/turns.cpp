@@ -1,7 +1,5 @@
 #include "work/turns.hpp"
 
-#include <utility>
-
 namespace plumbline::work {
 
 std::optional<Turns::Turn> Turns::next() {
@@ -12,10 +10,10 @@ std::optional<Turns::Turn> Turns::next() {
   return Turn{number, exchange_.item(number)};
 }
 
-void Turns::done(std::size_t number, std::string result) {
+void Turns::done(std::size_t number, const std::string& result) {
   try {
     const std::scoped_lock lock(exchanging_);
-    exchange_.take(number, std::move(result));
+    exchange_.take(number, result);
   } catch (...) {
     failed(number, std::current_exception());
   }

@@ -22,7 +22,7 @@ class Turns {
   /// Nothing when all are given out, or one has failed.
   std::optional<Turn> next();
   /// Takes the result; where that throws, the item has failed.
-  void done(std::size_t number, std::string result);
+  void done(std::size_t number, const std::string& result);
   void failed(std::size_t number, const std::exception_ptr& failure);
   /// Takes turns until there are none.
   void work_through(const Task& task);

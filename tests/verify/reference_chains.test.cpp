@@ -15,14 +15,14 @@ using namespace plumbline::verify;
 
 TEST_CASE("the compact set is part of the full one, and names are unique") {
   std::map<std::string, Chain<Rational>> full;
-  for (const auto& c : reference_chains(ReferenceSize::full, reference_seed)) {
+  for (const auto& c : reference_chains({ReferenceSize::full, reference_seed})) {
     INFO(c.name);
     CHECK(full.emplace(c.name, c.chain).second);
     CHECK(c.modes <= c.chain.size() - 1);
     CHECK(c.shapes <= c.modes);
   }
   CHECK(full.size() > 3000);
-  for (const auto& c : reference_chains(ReferenceSize::compact, reference_seed)) {
+  for (const auto& c : reference_chains({ReferenceSize::compact, reference_seed})) {
     INFO(c.name);
     REQUIRE(full.count(c.name) == 1);
     CHECK(full.at(c.name).length() == c.chain.length());
@@ -31,8 +31,8 @@ TEST_CASE("the compact set is part of the full one, and names are unique") {
 }
 
 TEST_CASE("another seed gives other random chains and the same named ones") {
-  const auto ours = reference_chains(ReferenceSize::compact, 1),
-             others = reference_chains(ReferenceSize::compact, 2);
+  const auto ours = reference_chains({ReferenceSize::compact, 1}),
+             others = reference_chains({ReferenceSize::compact, 2});
   REQUIRE(ours.size() == others.size());
   for (std::size_t i = 0; i < ours.size(); ++i) {
     INFO(ours[i].name);
@@ -44,7 +44,7 @@ TEST_CASE("another seed gives other random chains and the same named ones") {
 }
 
 TEST_CASE("uniform chains with a passive base have the closed form 4 sin^2(m pi / 2n)") {
-  for (const auto& c : reference_chains(ReferenceSize::compact, reference_seed)) {
+  for (const auto& c : reference_chains({ReferenceSize::compact, reference_seed})) {
     if (!c.name.starts_with("uniform-pinned")) continue;
     INFO(c.name);
     const WorkingPrecision precision(90);
@@ -60,7 +60,7 @@ TEST_CASE("uniform chains with a passive base have the closed form 4 sin^2(m pi 
 }
 
 TEST_CASE("ties tie exactly and near-ties do not") {
-  for (const auto& c : reference_chains(ReferenceSize::compact, reference_seed)) {
+  for (const auto& c : reference_chains({ReferenceSize::compact, reference_seed})) {
     const bool near = c.name.starts_with("near-tie"), tie = c.name.starts_with("tie");
     if (!near && !tie) continue;
     INFO(c.name);

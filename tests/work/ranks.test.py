@@ -58,18 +58,22 @@ class Ranks(unittest.TestCase):
             self.assertEqual(alone, (out, contents(folder)), f"on {ranks} ranks")
         return alone
 
-    def killed_and_begun_again(self, words, journal, prepare=lambda folder: None):
-        whole, cut = self.here("whole"), self.here("cut")
-        prepare(whole), prepare(cut)
-        self.assertEqual(self.run_in(whole, words).returncode, 0)
-        with subprocess.Popen([*MPIRUN, "-n", "3", PLUMBLINE, *words], cwd=cut, stdout=subprocess.DEVNULL,
+    def cut_off(self, folder, words, journal):
+        """A rank is killed when something is done, but not all."""
+        with subprocess.Popen([*MPIRUN, "-n", "3", PLUMBLINE, *words], cwd=folder, stdout=subprocess.DEVNULL,
                               stderr=subprocess.DEVNULL) as mpirun:
-            while done_so_far(cut / journal) < 1 and mpirun.poll() is None:
+            while done_so_far(folder / journal) < 1 and mpirun.poll() is None:
                 time.sleep(0.01)
             os.kill(ranks_of(mpirun.pid)[-1], signal.SIGKILL)
             self.assertNotEqual(mpirun.wait(60), 0)
-        done = done_so_far(cut / journal)
-        self.assertGreaterEqual(done, 1)
+        self.assertGreaterEqual(done_so_far(folder / journal), 1)
+
+    def killed_and_begun_again(self, words, journal, prepare=lambda folder: None):
+        """Returns the files that were not written again."""
+        whole, cut = self.here("whole"), self.here("cut")
+        prepare(whole), prepare(cut)
+        self.assertEqual(self.run_in(whole, words).returncode, 0)
+        self.cut_off(cut, words, journal)
         kept = {name: (cut / name).stat().st_mtime_ns for name in contents(cut)}
         again = self.run_in(cut, words, 2)
         self.assertEqual(again.returncode, 0, again.stderr)
@@ -97,6 +101,26 @@ class Ranks(unittest.TestCase):
 
     def test_a_fleet_of_which_a_rank_is_killed(self):
         self.assertTrue(self.killed_and_begun_again(self.FLEET, "reports/unfinished.jsonl", self.fleet))
+
+    CHAINS = ["verify", "--section", "2", "--chains", "300", "--json", "a.json", "--unfinished", "chains.jsonl"]
+
+    def test_random_chains(self):
+        _, files = self.same_bytes(self.CHAINS)
+        self.assertEqual(list(files), ["a.json"])
+
+    def test_random_chains_of_which_a_rank_is_killed(self):
+        self.killed_and_begun_again(self.CHAINS, "chains.jsonl")
+
+    REFERENCE = ["reference", "--compact", "--out", "."]
+
+    def test_reference_values_of_which_a_rank_is_killed(self):
+        """Of the whole set that is published."""
+        folder = self.here("reference")
+        self.cut_off(folder, self.REFERENCE, "unfinished.jsonl")
+        done = self.run_in(folder, self.REFERENCE, 4)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for name, text in contents(folder).items():
+            self.assertEqual(text, (SOURCE / "reference" / name).read_bytes(), name)
 
     def test_an_experiment_that_has_changed_since_is_diagnosed_again(self):
         folder = self.here("changed")

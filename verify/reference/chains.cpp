@@ -25,9 +25,9 @@ class Collection {
   /// `count` chains named family-0001 …, of `low` to `high` links, entries by `entry(draw)`; with a passive
   /// joint somewhere between `passive_from` and the end, unless that is 0.
   template <class Entry>
-  void add_random(const std::string& family, int count, std::size_t low, std::size_t high, Entry entry,
-                  std::size_t passive_from = 0, std::size_t passive_to = 0) {
-    for (int i = 1; i <= count; ++i) {
+  void add_random(const std::string& family, std::size_t count, std::size_t low, std::size_t high,
+                  Entry entry, std::size_t passive_from = 0, std::size_t passive_to = 0) {
+    for (std::size_t i = 1; i <= count; ++i) {
       const std::string name = fmt::format("{}-{:04}", family, i);
       Draw draw(name, seed_);
       const std::size_t n = draw.count(low, high);
@@ -113,10 +113,10 @@ void add_tie(Collection& set, const std::string& name, int kind, const Rational&
 
 }  // namespace
 
-std::vector<ReferenceChain> reference_chains(ReferenceSize size, std::uint64_t seed) {
-  const bool full = size == ReferenceSize::full;
+std::vector<ReferenceChain> reference_chains(const ReferenceWish& wish) {
+  const bool full = wish.size == ReferenceSize::full;
   const auto moderate = [](Draw& draw) { return draw.decimal(-1, 1); };
-  Collection set(size, seed);
+  Collection set(wish.size, wish.seed);
   set.add("paper-two-link", {1, 1}, {0, 1});
   set.add("paper-three-link", {1, 1, 1}, {0, 1, 1});
   set.add("paper-four-link", {1, 1, 1, 1}, {1, 1, 1, 1});
@@ -129,7 +129,7 @@ std::vector<ReferenceChain> reference_chains(ReferenceSize size, std::uint64_t s
     sizes.erase(std::unique(sizes.begin(), sizes.end()), sizes.end());
   }
   add_uniform(set, sizes);
-  set.add_random("random", full ? 900 : 12, 2, 12, moderate);
+  set.add_random("random", wish.random > 0 ? wish.random : full ? 900 : 12, 2, 12, moderate);
   set.add_random("binary", full ? 500 : 6, 2, 12, [](Draw& draw) { return draw.binary(); });
   set.add_random("graded", full ? 900 : 12, 2, 30, [](Draw& draw) { return draw.decimal(-8, 8); });
   add_geometric(set, full ? std::vector<std::size_t>{4, 8, 16} : std::vector<std::size_t>{4});

@@ -22,6 +22,18 @@ enum class ReferenceSize {
   full,     ///< a few thousand; holds all of the compact ones
 };
 
+/// The seed of the published set.
+inline constexpr std::uint64_t reference_seed = 2022;
+
+/// Which set.
+struct ReferenceWish {
+  ReferenceSize size = ReferenceSize::full;
+  std::uint64_t seed = reference_seed;
+  std::size_t random = 0;  ///< chains of the family random; 0 for what the size has
+
+  bool operator==(const ReferenceWish&) const = default;
+};
+
 /// | family           | chains                                                                            |
 /// |------------------|-----------------------------------------------------------------------------------|
 /// | paper            | the straight two-link, three-link (passive base) and four-link chains of the paper |
@@ -38,9 +50,6 @@ enum class ReferenceSize {
 /// | long             | like random, 100 to 1000 links                                                    |
 ///
 /// A chain depends on its name and the seed alone, so that sets of different sizes agree.
-std::vector<ReferenceChain> reference_chains(ReferenceSize size, std::uint64_t seed);
-
-/// The seed of the published set.
-inline constexpr std::uint64_t reference_seed = 2022;
+std::vector<ReferenceChain> reference_chains(const ReferenceWish& wish);
 
 }  // namespace plumbline::verify

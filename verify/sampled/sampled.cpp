@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
+#include <nlohmann/json.hpp>
 #include <numeric>
-#include <plumbline/base/parallel.hpp>
 #include <random>
 
 #include "verify/sampled/chain_properties.hpp"
@@ -76,6 +76,58 @@ Findings check(std::uint64_t seed, std::size_t index) {
   return found;
 }
 
+/// Infinity, which JSON does not know, is null.
+nlohmann::json as_json(const Tally& tally) {
+  return {tally.chains, tally.failures, tally.worst_margin, tally.first_failure};
+}
+
+Tally tally_from(const nlohmann::json& json) {
+  const double margin = json[2].is_null() ? std::numeric_limits<double>::infinity() : json[2].get<double>();
+  return {json[0], json[1], margin, json[3]};
+}
+
+Findings findings_from(const std::string& result) {
+  const nlohmann::json json = nlohmann::json::parse(result);
+  Findings found;
+  std::transform(json["tallies"].begin(), json["tallies"].end(), found.tallies.begin(), tally_from);
+  found.agreement = {json["unresolved"], json["digits"]};
+  return found;
+}
+
+/// Chains begin … end - 1 of a seed: an item of work.
+struct Block {
+  std::uint64_t seed;
+  std::size_t begin, end;
+};
+
+std::string as_item(const Block& block) {
+  return nlohmann::json{block.seed, block.begin, block.end}.dump();
+}
+
+std::string result_of(const std::string& item) {
+  const nlohmann::json block = nlohmann::json::parse(item);
+  Findings found;
+  for (std::size_t index = block[1]; index < block[2]; ++index) found.merge(check(block[0], index));
+  nlohmann::json tallies = nlohmann::json::array();
+  for (const Tally& tally : found.tallies) tallies.push_back(as_json(tally));
+  return nlohmann::json{
+      {"tallies", tallies}, {"unresolved", found.agreement.unresolved}, {"digits", found.agreement.digits}}
+      .dump();
+}
+
+/// About a thousand items, that many may share them to the end; of a billion chains more, for none may take
+/// long.
+std::size_t usual_block(std::size_t chains) {
+  return std::clamp<std::size_t>(chains / 1000, 1, 10000);
+}
+
+std::vector<Block> blocks_of(std::size_t chains, std::uint64_t seed, std::size_t size) {
+  std::vector<Block> blocks;
+  for (std::size_t begin = 0; begin < chains; begin += size)
+    blocks.push_back({seed, begin, std::min(begin + size, chains)});
+  return blocks;
+}
+
 std::string as_chain_file(const Chain<double>& chain) {
   return fmt::format("lengths = [{}]\nstiffness = [{}]\n", fmt::join(chain.length(), ", "),
                      fmt::join(chain.stiffness(), ", "));
@@ -117,15 +169,17 @@ std::string summary(const DoubleAgreement& agreement) {
       resolved, resolved + agreement.unresolved, digits_of(0.5), digits_of(0.99), digits_of(1));
 }
 
-SampledChains check_random_chains(std::size_t chains, std::uint64_t seed,
-                                  const std::function<void()>& advance, unsigned threads) {
+const work::Task chains_task{"chains", result_of};
+
+SampledChains check_random_chains(std::size_t chains, std::uint64_t seed, work::Journal* journal,
+                                  const std::function<void(std::size_t)>& advance, std::size_t block) {
+  const std::vector<Block> blocks = blocks_of(chains, seed, block == 0 ? usual_block(chains) : block);
+  work::WorkList list{chains_task, {}};
+  for (const Block& one : blocks) list.items.push_back(as_item(one));
   Findings total;
-  std::mutex mutex;
-  in_parallel(chains, threads, [&](std::size_t index) {
-    const Findings found = check(seed, index);
-    const std::scoped_lock lock(mutex);
-    total.merge(found);
-    advance();
+  work::do_all(list, journal, [&](std::size_t i, const std::string& result) {
+    total.merge(findings_from(result));
+    advance(blocks[i].end - blocks[i].begin);
   });
   SampledChains result{{}, total.agreement};
   for (std::size_t p = 0; p < total.tallies.size(); ++p) {

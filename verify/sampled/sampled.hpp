@@ -7,8 +7,10 @@
 #include <functional>
 #include <plumbline/chain/chain.hpp>
 #include <string>
-#include <thread>
 #include <vector>
+
+#include "work/journal.hpp"
+#include "work/work_list.hpp"
 
 namespace plumbline::verify {
 
@@ -39,10 +41,14 @@ struct SampledChains {
 /// enough digits to be the same in double and in rationals.
 Chain<double> random_chain(std::uint64_t seed, std::uint64_t index);
 
-/// Checks every property on the first `chains` chains of a seed. The result does not depend on `threads`.
-/// \param advance  called, from any thread, after each chain
-SampledChains check_random_chains(
-    std::size_t chains, std::uint64_t seed, const std::function<void()>& advance = [] {},
-    unsigned threads = std::thread::hardware_concurrency());
+/// What another process is told: to check some of the chains.
+extern const work::Task chains_task;
+
+/// Checks every property on the first `chains` chains of a seed.
+/// \param journal  nothing where nothing is to be kept of work that is cut off
+/// \param advance  called with how many chains more are checked
+/// \param block    chains of an item of work, which make no difference; 0 for what suits their number
+SampledChains check_random_chains(std::size_t chains, std::uint64_t seed, work::Journal* journal,
+                                  const std::function<void(std::size_t)>& advance, std::size_t block = 0);
 
 }  // namespace plumbline::verify
