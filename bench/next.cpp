@@ -142,7 +142,7 @@ Experiment everything(const Experiment& experiment, const Instance& truth) {
 /// not even all runs that could be made next would together tell apart from it.
 bool certain(const Cause& cause, const Experiment& experiment, const Instance& truth) {
   if (cause.verdict != CauseVerdict::identified && cause.verdict != CauseVerdict::ambiguous) return false;
-  if (cause.or_unknown) return false;
+  if (cause.reservation != Reservation::none) return false;
   std::vector<std::size_t> named = cause.equivalent;
   named.push_back(cause.best);
   const auto candidate = [&](std::size_t place) { return cause.ranking[place].hypothesis.fit.candidate; };

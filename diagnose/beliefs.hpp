@@ -63,6 +63,10 @@ inline constexpr double told_apart = 3.0;
 /// beside it: what is then left to the refinement is less than a tenth of the residual.
 inline constexpr double closes_alike = 0.99;
 
+/// A gap that is so many times the noise shows more of a device than any model of it holds: what leaves less
+/// than that share of it is an explanation.
+inline constexpr double far_beyond = 50, tolerated_share = 0.15;
+
 // ---- What held-out readings say of an explanation ----
 
 /// They do not carry the gap where noise alone is more than this share of what is read there: not tested.

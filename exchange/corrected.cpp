@@ -120,13 +120,15 @@ std::vector<Corrected> corrected_models(const Study& study, const Diagnosis& dia
       models.add("", "as it is, for the cause is unknown and no torque law closes the gap", {});
     }
   } else {
-    const bool alone = cause.equivalent.empty() && !(cause.or_unknown && diagnosis.law);
+    const bool alone =
+        cause.equivalent.empty() && !(cause.reservation != diagnose::Reservation::none && diagnosis.law);
     models.add(cause.ranking[cause.best].hypothesis.fit.candidate, reported(diagnosis), alone);
     for (const std::size_t place : cause.equivalent) {
       const diagnose::Fit& fit = cause.ranking[place].hypothesis.fit;
       models.add(fit.candidate, in_catalogue_units(study, fit.candidate, fit.parameters), false);
     }
-    if (cause.or_unknown && diagnosis.law) models.add_law(*diagnosis.law, false);
+    if (cause.reservation != diagnose::Reservation::none && diagnosis.law)
+      models.add_law(*diagnosis.law, false);
   }
   std::vector<Corrected> all = models.result();
   for (Corrected& one : all) one.model.source = source;

@@ -1,6 +1,7 @@
 #include "diagnose/answers/diagnosis.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <plumbline/base/error.hpp>
 
@@ -58,6 +59,7 @@ Findings confirmed(const Study& study, const Findings& found) {
   // More readings cannot lift what fell behind by so much.
   constexpr double hopeless = 50;
   Findings all;
+  all.tolerance = found.tolerance;
   FitSettings settings;
   settings.noise = found.noise;
   std::size_t standing = 0;
@@ -159,20 +161,66 @@ void accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause)
   }
 }
 
+/// What an explanation may leave of the readings though they scatter less: what was declared, for readings
+/// may repeat better than they are true; and of a gap that is far beyond the noise a share, for no model of a
+/// device reaches what such readings show. Nothing where this is no more than the noise.
+std::optional<NoiseModel> tolerance(const Study& study, const NoiseModel& noise) {
+  std::array<double, channel_names> squares{}, count{};
+  const std::vector<double> gap = without_outliers(study.measurements(), study.nominal_residual());
+  for (const Series& series : study.measurements().series()) {
+    const auto c = static_cast<std::size_t>(series.channel.name);
+    for (std::size_t i = 0; i < series.readings.size(); ++i) squares[c] += std::pow(gap[series.first + i], 2);
+    count[c] += static_cast<double>(series.readings.size());
+  }
+  NoiseModel tolerated{noise.scale, 0};
+  for (std::size_t c = 0; c < channel_names; ++c) {
+    if (count[c] == 0) continue;
+    const double rms = std::sqrt(squares[c] / count[c]);
+    if (std::log(noise.scale[c]) < -2 * beliefs::scale_spread) tolerated.scale[c] = 1;
+    if (rms > beliefs::far_beyond * noise.scale[c])
+      tolerated.scale[c] = std::max(tolerated.scale[c], beliefs::tolerated_share * rms);
+  }
+  return tolerated.scale == noise.scale ? std::nullopt : std::optional(tolerated);
+}
+
+/// Where nothing explains the readings to their noise, what leaves no more of them than is tolerated is as
+/// good an explanation as can be had. So much freedom is left to it that a cause outside the catalogue might
+/// do as well. \param seen    the study without the readings held out \param chosen  what the search found
+/// there
+void accept_tolerable(const Study& study, const Study& seen, Findings chosen, Findings& findings,
+                      Cause& cause) {
+  if (cause.verdict != CauseVerdict::unknown) return;
+  chosen.tolerance = tolerance(study, findings.noise);
+  if (!chosen.tolerance) return;
+  weigh(seen, chosen);
+  Findings tolerable = confirmed(study, chosen);
+  Cause within = judge(study, tolerable);
+  if (within.verdict == CauseVerdict::unknown) return;
+  if (within.ranking[within.best].hypothesis.fit.candidate.count() > 2) return;
+  within.reservation = Reservation::beyond_noise;
+  cause = std::move(within);
+  findings = std::move(tolerable);
+}
+
 /// What does not predict is not identified: it may be one of the causes that nobody has listed. Three effects
-/// at once explain much that they are not, and are then no explanation at all.
-/// \param blind  nothing where no readings could test it
+/// at once explain much that they are not: they are none where they do not predict, and doubtful where they
+/// do. \param blind  nothing where no readings could test it
 void demand_prediction(const std::optional<Shrink>& blind, Cause& cause) {
   if (cause.verdict == CauseVerdict::unknown) return;
-  const std::size_t effects = cause.ranking[cause.best].hypothesis.fit.candidate.count();
-  if (!blind && effects < 3) return;
-  if (predicts(blind, beliefs::predicts)) return;
-  const double refuted = effects < 3 ? beliefs::wrong_unpredicted : beliefs::wrong_unpredicted_three;
-  cause.verdict = effects < 3 ? CauseVerdict::ambiguous : CauseVerdict::unknown;
-  cause.or_unknown = effects < 3;
-  if (cause.verdict == CauseVerdict::unknown) cause.equivalent.clear();
-  for (Ranked& one : cause.ranking) one.probability *= (1 - refuted) / (1 - cause.unknown);
-  cause.unknown = refuted;
+  const bool three = cause.ranking[cause.best].hypothesis.fit.candidate.count() >= 3;
+  const bool predicted = blind ? predicts(blind, beliefs::predicts) : !three;
+  if (predicted && !three && cause.reservation == Reservation::none) return;
+  if (cause.reservation == Reservation::none)
+    cause.reservation = predicted ? Reservation::three_effects : Reservation::not_predicted;
+  const bool refuted = three && !predicted;
+  const double unknown = refuted ? beliefs::wrong_unpredicted_three : beliefs::wrong_unpredicted;
+  cause.verdict = refuted ? CauseVerdict::unknown : CauseVerdict::ambiguous;
+  if (refuted) {
+    cause.equivalent.clear();
+    cause.reservation = Reservation::none;
+  }
+  for (Ranked& one : cause.ranking) one.probability *= (1 - unknown) / (1 - cause.unknown);
+  cause.unknown = unknown;
 }
 
 /// Whether the choice that is made without a part falls on the best explanation, or among those that are then
@@ -190,9 +238,10 @@ bool chosen_without(const Study& study, const HeldOut& part, const Findings& fin
 
 /// How far the best explanation shrinks the residual where its fit, and a choice like that which fell on it,
 /// have not seen it.
-std::optional<Shrink> shrink_of(const Study& study, const Findings& findings, const Cause& cause) {
+std::optional<Shrink> shrink_of(const Study& study, const Findings& findings, const NoiseModel& noise,
+                                const Cause& cause) {
   if (cause.ranking.empty()) return std::nullopt;
-  std::optional<Rotated> blind = rotated(study, cause.ranking[cause.best].hypothesis.fit, findings.noise);
+  std::optional<Rotated> blind = rotated(study, cause.ranking[cause.best].hypothesis.fit, noise);
   if (!blind) return std::nullopt;
   blind->shrink.chosen_blind =
       std::all_of(blind->parts.begin(), blind->parts.end(),
@@ -233,10 +282,11 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
     diagnosis.cause = judge(study, findings);
   }
   accept_remainder(study, findings.noise, diagnosis.cause);
-  diagnosis.shrink = shrink_of(study, findings, diagnosis.cause);
-  demand_prediction(diagnosis.shrink, diagnosis.cause);
   diagnosis.noise = findings.noise;
-  if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.or_unknown)
+  accept_tolerable(study, seen, chosen, findings, diagnosis.cause);
+  diagnosis.shrink = shrink_of(study, findings, diagnosis.noise, diagnosis.cause);
+  demand_prediction(diagnosis.shrink, diagnosis.cause);
+  if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.reservation != Reservation::none)
     offer_law_to(study, heldout, chosen, diagnosis);
   diagnosis.not_exercised = never_exercised(study, chosen);
   if (!diagnosis.cause.ranking.empty()) {

@@ -49,21 +49,37 @@ Energy slow_energy(const Measurements& measurements, const std::vector<double>& 
   return energy;
 }
 
-std::vector<double> simulate(const Measurements& measurements, const NoiseModel& noise,
-                             std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  std::vector<double> residual(measurements.size());
-  const double phi = noise.correlation;
-  const double innovation = std::sqrt(1 - phi * phi);
-  for (const Series& series : measurements.series()) {
-    double state = normal(random);
-    for (std::size_t i = 0; i < series.readings.size(); ++i) {
-      if (i > 0) state = phi * state + innovation * normal(random);
-      residual[series.first + i] = noise.of(series.channel) * state;
+/// Noise for every series, each from random numbers of its own: what is drawn does not depend on the order of
+/// the runs.
+class Simulation {
+ public:
+  explicit Simulation(const Measurements& measurements) : measurements_(measurements) {
+    for (const Series& series : measurements.series()) {
+      std::seed_seq seed(series.seed.begin(), series.seed.end());
+      random_.emplace_back(seed);
     }
   }
-  return residual;
-}
+
+  std::vector<double> draw(const NoiseModel& noise) {
+    std::vector<double> residual(measurements_.size());
+    const double phi = noise.correlation;
+    const double innovation = std::sqrt(1 - phi * phi);
+    for (std::size_t s = 0; s < random_.size(); ++s) {
+      const Series& series = measurements_.series()[s];
+      std::normal_distribution<double> normal;
+      double state = normal(random_[s]);
+      for (std::size_t i = 0; i < series.readings.size(); ++i) {
+        if (i > 0) state = phi * state + innovation * normal(random_[s]);
+        residual[series.first + i] = noise.of(series.channel) * state;
+      }
+    }
+    return residual;
+  }
+
+ private:
+  const Measurements& measurements_;
+  std::vector<std::mt19937_64> random_;
+};
 
 /// Mean and variance of the statistics when the residual is noise.
 struct Null {
@@ -73,14 +89,14 @@ struct Null {
 
 Null null_distribution(const Measurements& measurements, const NoiseModel& noise) {
   constexpr int draws = 150;  // the spread is then known to 6 %
-  std::mt19937_64 random(20221);
+  Simulation simulation(measurements);
   const std::size_t count = measurements.series().size();
   Null null;
   null.mean.assign(count, 0.0);
   null.variance.assign(count, 0.0);
   double square_total = 0, square_whole = 0;
   for (int draw = 0; draw < draws; ++draw) {
-    const std::vector<double> residual = simulate(measurements, noise, random);
+    const std::vector<double> residual = simulation.draw(noise);
     const Energy energy = slow_energy(measurements, residual, estimate_noise(measurements, residual));
     null.mean_total += energy.total() / draws;
     square_total += energy.total() * energy.total() / draws;

@@ -104,9 +104,11 @@ void keep_what_leads_on(const Series& series, const std::vector<double>& residua
 }
 
 /// Combines a measured scale with its prior: log-normal about one, as wide as is believed, or as the readings
-/// themselves ask for.
+/// themselves ask for, where there are enough of them: the differences of a few are steps of a gap as well.
 double with_prior(double scale, double values) {
-  const double spread = std::max(beliefs::scale_spread, std::abs(std::log(scale)));
+  constexpr double few = 6;  // from a dozen differences
+  const double asked = values < few ? 0 : std::abs(std::log(scale));
+  const double spread = std::max(beliefs::scale_spread, asked);
   const double information = values;  // the variance of ln s from m differences is about 1/m
   return std::exp(std::log(scale) * information / (information + 1 / (spread * spread)));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "diagnose/beliefs.hpp"
+#include "diagnose/inference/rival.hpp"
 #include "diagnose/inference/screen.hpp"
 
 namespace plumbline::diagnose {
@@ -34,6 +35,9 @@ void add(std::vector<Fit>& fits, std::vector<Fit> more) {
 /// one is among them unless both hide behind more than a score that mimic their sum. A third is looked for
 /// beside the ten best pairs. The two dozen that promise most are fitted.
 constexpr std::size_t single_seeds = 20, pair_seeds = 10, finalists = 24;
+
+/// So many of the best combinations are examined for simpler ones.
+constexpr std::size_t examined = 3;
 
 /// Effects that might act together, and where their fit should start.
 struct Combination {
@@ -91,11 +95,30 @@ class Searcher {
   /// The best combinations with one effect left out, started where the combination stands: a search that went
   /// astray alone may have found its place in company.
   [[nodiscard]] std::vector<Fit> parts(const std::vector<Fit>& combinations) const {
-    constexpr std::size_t examined = 3;
     std::vector<Fit> fits;
     for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c)
       for (const EffectAt& left_out : combinations[c].candidate.effects)
         keep(fits, without(combinations[c], left_out));
+    return fits;
+  }
+
+  /// The best combinations with one effect made a special case of it: a tare of each run that is alike in
+  /// all, say, is one tare.
+  [[nodiscard]] std::vector<Fit> plainer(const std::vector<Fit>& combinations) const {
+    std::vector<Fit> fits;
+    for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c) {
+      const Candidate& whole = combinations[c].candidate;
+      for (std::size_t e = 0; e < whole.effects.size(); ++e) {
+        if (whole.machined() && whole.effects[e].effect->of_machining) continue;
+        for (const EffectAt& plain : possible_effects(study_)) {
+          const auto& known = whole.effects;
+          if (!covers(known[e], plain) || std::find(known.begin(), known.end(), plain) != known.end()) continue;
+          Candidate candidate = whole;
+          candidate.effects[e] = plain;
+          keep(fits, fit(study_, candidate, settings_));
+        }
+      }
+    }
     return fits;
   }
 
@@ -154,8 +177,8 @@ void weigh(const Study& study, Findings& findings) {
   if (hypotheses.empty()) return;
   const auto best = std::min_element(hypotheses.begin(), hypotheses.end(),
                                      [](const auto& a, const auto& b) { return better(a.fit, b.fit); });
-  findings.noise =
-      estimate_noise(study.measurements(), without_outliers(study.measurements(), best->fit.residual));
+  findings.noise = findings.tolerance.value_or(
+      estimate_noise(study.measurements(), without_outliers(study.measurements(), best->fit.residual)));
   for (Hypothesis& hypothesis : hypotheses) {
     hypothesis.log_likelihood = log_likelihood(study.measurements(), hypothesis.fit.residual, findings.noise);
     hypothesis.log_evidence = log_evidence(study, hypothesis.fit, findings.noise);
@@ -177,6 +200,7 @@ Findings search(const Study& study, const std::function<void(double)>& progress)
     std::vector<Fit> pairs = searcher.extended(fits, single_seeds);
     add(fits, pairs);
     add(fits, searcher.parts(pairs));
+    add(fits, searcher.plainer(pairs));
     report(0.4);
     const std::vector<Fit> machined = searcher.machined();
     add(pairs, searcher.extended(machined, 1));
@@ -187,6 +211,7 @@ Findings search(const Study& study, const std::function<void(double)>& progress)
       const std::vector<Fit> threes = searcher.extended(pairs, pair_seeds);
       add(fits, threes);
       add(fits, searcher.parts(threes));
+      add(fits, searcher.plainer(threes));
     }
   }
   Findings findings;

@@ -23,6 +23,8 @@ struct Hypothesis {
 struct Findings {
   std::vector<Hypothesis> hypotheses;
   NoiseModel noise;
+  /// What an explanation may leave, where that is more than the readings scatter: it stands for the noise.
+  std::optional<NoiseModel> tolerance = std::nullopt;
 };
 
 /// Fits every possible effect; where the best still leaves structure, combinations of two, then of three.
@@ -30,7 +32,7 @@ struct Findings {
 Findings search(const Study& study, const std::function<void(double)>& progress = {});
 
 /// Weighs fitted hypotheses against each other, best evidence first, in the noise that the best of them
-/// leaves.
+/// leaves, or in what is tolerated.
 void weigh(const Study& study, Findings& findings);
 
 }  // namespace plumbline::diagnose

@@ -1,6 +1,7 @@
 #include "diagnose/inference/verdict.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -14,12 +15,17 @@ bool zero_is_nominal(const ParameterRange& range) {
   return range.coordinate == Coordinate::plain && range.low <= 0;
 }
 
+/// Degrees of freedom that a fit leaves to the readings.
+double freedom(const Measurements& measurements, const Fit& fit) {
+  const std::size_t values = measurements.size(), parameters = fit.parameters.size();
+  return static_cast<double>(values > parameters ? values - parameters : 1);
+}
+
 double chi2_per_dof(const Measurements& measurements, const Fit& fit, const NoiseModel& noise) {
   double sum = 0;
   for (const double z : whiten(measurements, without_outliers(measurements, fit.residual), noise))
     sum += huber(z, FitSettings().outlier_bound);
-  const std::size_t values = measurements.size(), parameters = fit.parameters.size();
-  return sum / static_cast<double>(values > parameters ? values - parameters : 1);
+  return sum / freedom(measurements, fit);
 }
 
 /// Whether the readings tell a parameter, were it the only one, to a third of its value: where a stop begins
@@ -62,6 +68,20 @@ std::string verdict_word(CauseVerdict verdict) {
   return "unknown";
 }
 
+std::string reservation_words(Reservation reservation) {
+  switch (reservation) {
+    case Reservation::none:
+      break;
+    case Reservation::not_predicted:
+      return "fitted without the held-out readings, it does not predict them";
+    case Reservation::beyond_noise:
+      return "it leaves more than the readings scatter, though no more than is tolerated";
+    case Reservation::three_effects:
+      return "three effects at once explain much that they are not";
+  }
+  return "";
+}
+
 bool genuine(const Study& study, const Fit& fit) {
   std::size_t p = 0;
   for (const EffectAt& at : fit.candidate.effects) {
@@ -93,23 +113,30 @@ std::size_t first_of(const std::vector<Ranked>& ranking, std::size_t effects) {
   return static_cast<std::size_t>(place - ranking.begin());
 }
 
-/// The absolute test of a fit: for structure in what it leaves.
-double fit_p_value(const Measurements& measurements, const Fit& fit) {
+/// The absolute test of a fit: for structure in what it leaves; where more is tolerated, for more than
+/// that.
+double fit_p_value(const Measurements& measurements, const Findings& findings, const Fit& fit) {
   if (fit.parameters.size() >= measurements.size()) return 0;
-  return test_gap(measurements, fit.residual).p_value;
+  if (!findings.tolerance) return test_gap(measurements, fit.residual).p_value;
+  const double dof = freedom(measurements, fit);
+  return boost::math::cdf(boost::math::complement(boost::math::chi_squared_distribution<double>(dof),
+                                                  dof * chi2_per_dof(measurements, fit, findings.noise)));
 }
 
-/// Log-likelihood that a fit gains over a simpler one, in the noise that the simpler one leaves: in its own,
-/// what it has fitted of correlated noise would count for it.
-double gain(const Measurements& measurements, const Fit& simpler, const Fit& fuller) {
-  const NoiseModel noise = estimate_noise(measurements, without_outliers(measurements, simpler.residual));
+/// Log-likelihood that a fit gains over a simpler one, in the noise that the simpler one leaves, or in what
+/// is tolerated: in its own, what it has fitted of correlated noise would count for it.
+double gain(const Measurements& measurements, const Findings& findings, const Fit& simpler,
+            const Fit& fuller) {
+  const NoiseModel noise =
+      findings.tolerance ? findings.noise
+                         : estimate_noise(measurements, without_outliers(measurements, simpler.residual));
   return log_likelihood(measurements, fuller.residual, noise) -
          log_likelihood(measurements, simpler.residual, noise);
 }
 
 /// The simplest explanation that leaves no structure, unless one more effect is significant at all the places
 /// where it could have been found; the end of the ranking when none suffices.
-std::size_t choose(const Study& study, std::vector<Ranked>& ranking) {
+std::size_t choose(const Study& study, const Findings& findings, std::vector<Ranked>& ranking) {
   const double significant =
       beliefs::told_apart + std::log(static_cast<double>(possible_effects(study).size()));
   std::size_t chosen = ranking.size();
@@ -118,7 +145,7 @@ std::size_t choose(const Study& study, std::vector<Ranked>& ranking) {
     if (place == ranking.size()) continue;
     Hypothesis& one = ranking[place].hypothesis;
     if (!genuine(study, one.fit)) continue;
-    one.p_value = fit_p_value(study.measurements(), one.fit);
+    one.p_value = fit_p_value(study.measurements(), findings, one.fit);
     if (*one.p_value < beliefs::fit_level) continue;
     if (chosen == ranking.size()) {
       chosen = place;
@@ -126,7 +153,7 @@ std::size_t choose(const Study& study, std::vector<Ranked>& ranking) {
     }
     const Fit& simpler = ranking[chosen].hypothesis.fit;
     const auto more = static_cast<double>(effects - simpler.candidate.count());
-    if (gain(study.measurements(), simpler, one.fit) > more * significant) chosen = place;
+    if (gain(study.measurements(), findings, simpler, one.fit) > more * significant) chosen = place;
   }
   return chosen;
 }
@@ -228,7 +255,7 @@ Cause judge(const Study& study, const Findings& findings) {
   Cause cause;
   cause.ranking = ranked(study, findings);
   cause.verdict = CauseVerdict::unknown;
-  const std::size_t chosen = choose(study, cause.ranking);
+  const std::size_t chosen = choose(study, findings, cause.ranking);
   double p_value = 0;
   for (const Ranked& one : cause.ranking) p_value = std::max(p_value, one.hypothesis.p_value.value_or(0));
   cause.unknown = probability_of_unknown(p_value);

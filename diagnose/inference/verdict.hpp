@@ -11,6 +11,17 @@ enum class CauseVerdict { none, identified, ambiguous, unknown };
 /// The word of the report.
 std::string verdict_word(CauseVerdict verdict);
 
+/// Why an explanation that stands out may not be the cause.
+enum class Reservation {
+  none,
+  not_predicted,  ///< it does not predict the readings that were held out
+  beyond_noise,   ///< it leaves more than the readings scatter, though no more than is tolerated
+  three_effects   ///< it takes three effects, which explain much that they are not
+};
+
+/// Why, in words of which "it" is the explanation; empty for none.
+std::string reservation_words(Reservation reservation);
+
 /// A hypothesis with what was concluded of it.
 struct Ranked {
   Hypothesis hypothesis;
@@ -20,9 +31,9 @@ struct Ranked {
 
 struct Cause {
   CauseVerdict verdict = CauseVerdict::none;
-  std::vector<Ranked> ranking;          ///< most probable first
-  bool or_unknown = false;              ///< the best did not predict: the cause may be outside the catalogue
-  double unknown = 0;                   ///< probability that the cause is none of the ranking
+  std::vector<Ranked> ranking;                  ///< most probable first
+  Reservation reservation = Reservation::none;  ///< why the cause may be outside the catalogue nevertheless
+  double unknown = 0;                           ///< probability that the cause is none of the ranking
   double remainder = 0;                 ///< share of the gap that a cause leaves beyond noise, held out
   std::size_t best = 0;                 ///< place of the best, for `unknown` of the best partial one
   std::vector<std::size_t> equivalent;  ///< places in the ranking that cannot be told apart from the best

@@ -1,6 +1,7 @@
 #include "diagnose/model/measurement.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -27,6 +28,17 @@ double rounding_step(std::vector<double> values) {
   return 4 * repeated >= values.size() ? smallest : 0;
 }
 
+/// What random numbers for the values of a channel begin with.
+std::vector<std::uint32_t> seed_of(const Channel& channel, const std::vector<double>& values) {
+  std::vector<std::uint32_t> bits{static_cast<std::uint32_t>(channel.name)};
+  for (const double value : values) {
+    const auto both = std::bit_cast<std::uint64_t>(value);
+    bits.push_back(static_cast<std::uint32_t>(both));
+    bits.push_back(static_cast<std::uint32_t>(both >> 32));
+  }
+  return bits;
+}
+
 /// Standard deviation of independent noise whose third differences are in the middle as large as those of the
 /// values, which a smooth curve hardly has; infinite where there are too few to say, or most of them repeat.
 double roughness(const std::vector<double>& values) {
@@ -47,13 +59,14 @@ Measurements::Measurements(const Experiment& experiment) {
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     for (const Channel& channel : run.measured()) {
-      Series series{r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, 0, 0};
+      Series series{r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, 0, 0, {}};
       for (std::size_t i = 0; i < run.readings.size(); ++i)
         if (!std::isnan(channel.of(run.readings[i]))) series.readings.push_back(i);
       if (series.readings.empty()) continue;
       std::vector<double> values;
       for (const std::size_t i : series.readings) values.push_back(channel.of(run.readings[i]));
       series.roughness = roughness(values) / series.sigma;
+      series.seed = seed_of(channel, values);
       series.step = rounding_step(std::move(values)) / series.sigma;
       size_ += series.readings.size();
       series_.push_back(std::move(series));

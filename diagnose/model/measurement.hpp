@@ -3,6 +3,7 @@
 /// The measured values of an experiment as one flat list, and the series that they form.
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "diagnose/model/history.hpp"
@@ -18,6 +19,8 @@ struct Series {
   std::vector<std::size_t> readings;  ///< index of each value's reading in the run
   double step;       ///< that coarse readings are rounded to, declared sigmas; 0 where none shows
   double roughness;  ///< of the readings themselves, declared sigmas: their noise is hardly larger
+  /// Its own, made of its readings: begins random numbers that do not depend on the order of the runs.
+  std::vector<std::uint32_t> seed;
 };
 
 /// Where each measured value of an experiment stands. The flat list holds the series one after the other;

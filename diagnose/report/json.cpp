@@ -83,7 +83,7 @@ Json cause(const Diagnosis& diagnosis) {
   Json equivalent = Json::array(), ranking = Json::array(), idle = Json::array();
   for (const std::size_t place : found.equivalent)
     equivalent.push_back(effect_names(found.ranking[place].hypothesis.fit.candidate));
-  if (found.or_unknown) equivalent.push_back({"unknown"});
+  if (found.reservation != Reservation::none) equivalent.push_back({"unknown"});
   constexpr std::size_t shown = 10;
   for (std::size_t i = 0; i < std::min(shown, found.ranking.size()); ++i) {
     const Ranked& one = found.ranking[i];

@@ -133,8 +133,8 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
       add(cause.ranking[i].hypothesis.fit.candidate.label(),
           "less probable, yet keeps " + ranking[i]["probability"].get<std::string>());
   }
-  if (cause.or_unknown) {
-    add("unknown", "fitted without the held-out readings, the explanation does not predict them");
+  if (cause.reservation != Reservation::none) {
+    add("unknown", reservation_words(cause.reservation));
   } else if (cause.verdict != CauseVerdict::unknown && cause.unknown >= 0.01) {
     add("unknown", "a cause outside the catalogue keeps " + ranking.back()["probability"].get<std::string>());
   }
@@ -161,7 +161,7 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   std::vector<std::string> alternatives;
   for (const std::size_t place : cause.equivalent)
     alternatives.push_back(words(cause.ranking[place].hypothesis.fit.candidate));
-  if (cause.or_unknown) alternatives.emplace_back("a cause outside the catalogue");
+  if (cause.reservation != Reservation::none) alternatives.emplace_back("a cause outside the catalogue");
   view["alternatives"] = joined(alternatives, ", ", " or ");
   Json& ranking = view["cause"]["ranking"];
   for (Json& one : ranking) {

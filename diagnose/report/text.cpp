@@ -143,10 +143,8 @@ std::string what(const Diagnosis& diagnosis) {
   text += fmt::format("  outside the catalogue with probability {:.2g}\n", cause.unknown);
   for (const std::size_t place : cause.equivalent)
     text += "  cannot be told apart from " + cause.ranking[place].hypothesis.fit.candidate.label() + "\n";
-  if (cause.or_unknown)
-    text +=
-        "  or a cause outside the catalogue: fitted without the held-out readings, it does not predict "
-        "them\n";
+  if (cause.reservation != Reservation::none)
+    text += "  or a cause outside the catalogue: " + reservation_words(cause.reservation) + "\n";
   if (diagnosis.law) text += law_as_text(*diagnosis.law);
   std::string idle;
   for (const EffectAt& at : diagnosis.not_exercised) idle += (idle.empty() ? "" : ", ") + at.label();

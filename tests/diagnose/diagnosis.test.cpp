@@ -65,6 +65,24 @@ Experiment measured(Experiment experiment, const Candidate& cause, const std::ve
   return experiment;
 }
 
+/// The spring of joint 2 loses torque beyond a deflection, and regains it: a ripple of its own, N m.
+Experiment rippled(Experiment experiment, double amplitude) {
+  const Prediction nominal = predict(Study(experiment), {}, {});
+  const Prediction bent = predict(Study(experiment), {{{"rest_angle", 2}}}, {0.0}, true);
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i) {
+      Reading& reading = experiment.runs[r].readings[i];
+      const auto row = static_cast<Eigen::Index>(i);
+      const double ripple = amplitude * std::sin(15 * nominal.runs[r](row, column_q + 1));
+      reading.Fx += ripple * bent.sensitivity[0][r](row, column_Fx);
+      reading.Fy += ripple * bent.sensitivity[0][r](row, column_Fy);
+      for (std::size_t j = 0; j < 3; ++j)
+        reading.q[j] += ripple * bent.sensitivity[0][r](row, column_q + static_cast<Eigen::Index>(j));
+    }
+  }
+  return experiment;
+}
+
 std::vector<std::string> said(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
   for (const EffectAt& at : diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate.effects)
@@ -158,23 +176,7 @@ TEST_CASE("the next run is proposed on request where the cause is clear") {
 }
 
 TEST_CASE("a joint whose spring does what no effect does is unknown, and the joint is named") {
-  // The spring of joint 2 loses a tenth of its torque beyond a deflection, and regains it: a ripple of its
-  // own.
-  Experiment experiment = bench();
-  const Prediction nominal = predict(Study(experiment), {}, {});
-  const Prediction bent = predict(Study(experiment), {{{"rest_angle", 2}}}, {0.0}, true);
-  experiment = measured(experiment, {}, {}, 5);
-  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
-    for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i) {
-      Reading& reading = experiment.runs[r].readings[i];
-      const auto row = static_cast<Eigen::Index>(i);
-      const double ripple = 0.05 * std::sin(15 * nominal.runs[r](row, column_q + 1));
-      reading.Fx += ripple * bent.sensitivity[0][r](row, column_Fx);
-      reading.Fy += ripple * bent.sensitivity[0][r](row, column_Fy);
-      for (std::size_t j = 0; j < 3; ++j)
-        reading.q[j] += ripple * bent.sensitivity[0][r](row, column_q + static_cast<Eigen::Index>(j));
-    }
-  }
+  const Experiment experiment = rippled(measured(bench(), {}, {}, 5), 0.05);
   const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(experiment));
   CHECK(diagnosis.cause.verdict == CauseVerdict::unknown);
   CHECK(diagnosis.where.joints.front().joint == 2);
@@ -183,6 +185,33 @@ TEST_CASE("a joint whose spring does what no effect does is unknown, and the joi
   // A function of the angle alone, but for the noise and the width of the bins.
   CHECK(diagnosis.missing->by_position > 0.5);
   CHECK(diagnosis.missing->by_direction < diagnosis.missing->by_position + 0.2);
+}
+
+TEST_CASE(
+    "what leaves more than the readings scatter but no more than is tolerated is named, beside the unknown") {
+  struct Lab {
+    const char* what;
+    Experiment experiment;
+    double stiffness, ripple, noise_scale, tolerated;
+  };
+  Experiment fine = bench();
+  fine.noise = {0, 0, 0.0005, 0.0005, 0.00002};
+  // A ripple of half a declared sigma where readings repeat to a tenth of it; and one of some twenty sigmas
+  // beside a gap that is beyond fifty, of which 0.15, or 7.5 sigmas, and more are tolerated.
+  const std::vector<Lab> labs{{"declared", bench(), 0.2, 0.0007, 0.1, 1},
+                              {"a clear gap", fine, 0.5, 0.002, 1, 7.5}};
+  for (const Lab& lab : labs) {
+    CAPTURE(lab.what);
+    const Experiment experiment =
+        rippled(measured(lab.experiment, {{{"joint_stiffness", 1}}}, {lab.stiffness}, 9, lab.noise_scale),
+                lab.ripple);
+    const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(experiment));
+    CHECK(diagnosis.cause.verdict == CauseVerdict::ambiguous);
+    CHECK(diagnosis.cause.reservation == Reservation::beyond_noise);
+    CHECK(said(diagnosis) == std::vector<std::string>{"joint_stiffness(1)"});
+    // What the readings scatter is still what they scatter, not what is tolerated of them.
+    CHECK(diagnosis.noise.scale[static_cast<std::size_t>(Channel::Name::Fx)] < lab.tolerated / 2);
+  }
 }
 
 TEST_CASE("the report as JSON holds what its format asks for") {
