@@ -41,6 +41,11 @@ std::size_t wanted(const Options& options) {
   return options.table ? 1 : 20;
 }
 
+/// Rows of numbers alone have the forces alone.
+bool needs_shapes(const Options& options) {
+  return options.csv.empty() || !options.json.empty();
+}
+
 ChainTable read(Options& options) {
   const std::string& path = options.input;
   if (path.empty())
@@ -78,8 +83,9 @@ Results compute(ChainTable& table, const Options& options) {
   for (const NamedChain& entry : table.chains) {
     try {
       require_straight(entry.chain);
+      const auto modes = needs_shapes(options) ? proofs::modes_in_decimals : proofs::forces_in_decimals;
       results.chains.push_back(
-          {entry.name, entry.chain, proofs::modes_in_decimals(entry.chain, wanted(options), options.digits)});
+          {entry.name, entry.chain, modes(entry.chain, wanted(options), options.digits)});
       if (!options.certify.empty()) {
         const std::size_t shapes = options.digits > 1 ? wanted(options) : 0;
         results.certificates.push_back(proofs::certificate(

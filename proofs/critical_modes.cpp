@@ -1,12 +1,14 @@
 #include "proofs/critical_modes.hpp"
 
 #include <algorithm>
+#include <plumbline/base/parallel.hpp>
 #include <plumbline/straight/buckling_mode.hpp>
 
 #include "proofs/decimal.hpp"
 #include "proofs/enclosure.hpp"
 #include "proofs/exact_count.hpp"
 #include "proofs/exactly.hpp"
+#include "proofs/shapes_in_lanes.hpp"
 #include "proofs/tie.hpp"
 #include "proofs/working_precision.hpp"
 
@@ -70,36 +72,105 @@ Mpfr largest_angle(const std::vector<Mpfr>& q) {
   return *first < 0 ? Mpfr(-largest) : largest;
 }
 
+/// A shape in numbers of two precisions, the first with so many digits.
+ShapeInLanes shape_in_digits(const Mode<Mpfr>& mode, const Mode<Mpfr>& with_more_digits) {
+  std::vector<Mpfr> q = mode.q;
+  clear_noise(q, with_more_digits.q);
+  const Mpfr scale = largest_angle(q);
+  ShapeInLanes shape{{}, {}, exactly(mode.fy / scale)};
+  for (Mpfr& angle : q) {
+    if (angle != 0) angle /= scale;
+    shape.q.push_back(angle == 0 ? 0.0 : static_cast<double>(angle));
+  }
+  shape.signs = sign_pattern(q);
+  return shape;
+}
+
+/// The shapes of the lowest modes, all in numbers of as many digits as tell their order.
+std::vector<ShapeInLanes> shapes_in_digits(const Chain<Rational>& chain, std::size_t lowest, int digits) {
+  for (int working_digits = digits + 30;; working_digits *= 2) {
+    const auto modes = modes_with(working_digits, chain, lowest);
+    const auto again = modes_with(working_digits + 20, chain, lowest);
+    if (!modes || !again) continue;
+    const WorkingPrecision precision(working_digits);
+    std::vector<ShapeInLanes> shapes;
+    for (std::size_t m = 0; m < modes->size(); ++m)
+      shapes.push_back(shape_in_digits((*modes)[m], (*again)[m]));
+    return shapes;
+  }
+}
+
+/// One of them from where its force is known to be; nothing where that does not lead there.
+std::optional<Mode<Mpfr>> mode_near(const ForceInLanes& force, const Chain<Mpfr>& chain,
+                                    const detail::BeadString<Mpfr>& string) {
+  const auto pieces = string.pieces();
+  const auto root = detail::refined(pieces[force.part], force.index, Mpfr(force.value));
+  if (!root) return std::nullopt;
+  return detail::mode_of(chain, pieces[force.part], *root);
+}
+
+/// Whether no two of them are so close that more digits are needed to tell them apart.
+bool apart(const std::vector<ForceInLanes>& forces) {
+  const auto close = [](const ForceInLanes& a, const ForceInLanes& b) {
+    return b.value - a.value < a.value * 1e-18;
+  };
+  return std::adjacent_find(forces.begin(), forces.end(), close) == forces.end();
+}
+
+/// Shapes in lanes, and in more digits where two doubles leave something open; nothing where they leave the
+/// order of the modes open, or a mode is not where they say.
+std::optional<std::vector<ShapeInLanes>> shapes_mostly_in_lanes(const Chain<Rational>& chain,
+                                                                std::size_t lowest, int digits) {
+  std::vector<ForceInLanes> forces = forces_in_lanes(chain, std::min(lowest, mode_count(chain)) + 1);
+  if (forces.empty() || !apart(forces)) return std::nullopt;
+  if (forces.size() > lowest) forces.resize(lowest);
+  auto shapes = shapes_in_lanes(chain, forces);
+  std::vector<std::size_t> open;
+  for (std::size_t m = 0; m < shapes.size(); ++m) {
+    if (!shapes[m]) open.push_back(m);
+  }
+  std::vector<std::optional<Mode<Mpfr>>> modes(open.size()), again(open.size());
+  const auto compute = [&](auto& result, int working_digits) {
+    const WorkingPrecision precision(working_digits);
+    const auto exact = from_rational<Mpfr>(chain);
+    const detail::BeadString<Mpfr> string(exact);
+    in_parallel(open.size(), threads_for(open.size(), chain.size()),
+                [&](std::size_t o) { result[o] = mode_near(forces[open[o]], exact, string); });
+  };
+  if (!open.empty()) {
+    compute(again, digits + 50);
+    compute(modes, digits + 30);
+  }
+  const WorkingPrecision precision(digits + 30);
+  for (std::size_t o = 0; o < open.size(); ++o) {
+    if (!modes[o] || !again[o]) return std::nullopt;
+    shapes[open[o]] = shape_in_digits(*modes[o], *again[o]);
+  }
+  std::vector<ShapeInLanes> result;
+  for (auto& shape : shapes) result.push_back(*std::move(shape));
+  return result;
+}
+
 }  // namespace
 
 std::vector<CriticalMode> modes_in_decimals(const Chain<Rational>& chain, std::size_t lowest, int digits) {
-  const std::vector<ForceEnclosure> forces = enclose_critical_forces(chain, lowest, digits);
-  const int factor_digits = std::min(digits, 15);
-  int working_digits = digits + 30;
-  auto found = modes_with(working_digits, chain, lowest);
-  auto again = modes_with(working_digits + 20, chain, lowest);
-  while (!found || !again) {
-    working_digits *= 2;
-    found = modes_with(working_digits, chain, lowest);
-    again = modes_with(working_digits + 20, chain, lowest);
-  }
-  std::vector<Mode<Mpfr>>& modes = *found;
-  const WorkingPrecision precision(working_digits);
-  std::vector<CriticalMode> result;
+  std::vector<CriticalMode> modes = forces_in_decimals(chain, lowest, digits);
+  std::optional<std::vector<ShapeInLanes>> shapes;
+  if (chain.size() >= long_chain) shapes = shapes_mostly_in_lanes(chain, lowest, digits);
+  if (!shapes) shapes = shapes_in_digits(chain, lowest, digits);
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    std::vector<Mpfr>& q = modes[m].q;
-    clear_noise(q, (*again)[m].q);
-    const Mpfr scale = largest_angle(q);
-    result.push_back({rounded(forces[m], chain, digits),
-                      rounded(forces[m], chain, factor_digits),
-                      {},
-                      exactly(modes[m].fy / scale),
-                      {}});
-    for (Mpfr& angle : q)
-      result.back().q.push_back(static_cast<double>(angle == 0 ? angle = 0 : angle /= scale));
-    result.back().signs = sign_pattern(q);
+    modes[m].signs = std::move((*shapes)[m].signs);
+    modes[m].q = std::move((*shapes)[m].q);
+    modes[m].fy = std::move((*shapes)[m].fy);
   }
-  return result;
+  return modes;
+}
+
+std::vector<CriticalMode> forces_in_decimals(const Chain<Rational>& chain, std::size_t lowest, int digits) {
+  std::vector<CriticalMode> modes;
+  for (const ForceEnclosure& force : enclose_critical_forces(chain, lowest, digits))
+    modes.push_back({rounded(force, chain, digits), rounded(force, chain, std::min(digits, 15)), {}, 0, {}});
+  return modes;
 }
 
 }  // namespace plumbline::proofs

@@ -21,4 +21,7 @@ struct CriticalMode {
 /// more. \throws Error for n = 1 or a mechanism
 std::vector<CriticalMode> modes_in_decimals(const Chain<Rational>& chain, std::size_t lowest, int digits);
 
+/// The same without the shapes: q and signs are empty.
+std::vector<CriticalMode> forces_in_decimals(const Chain<Rational>& chain, std::size_t lowest, int digits);
+
 }  // namespace plumbline::proofs

@@ -6,7 +6,7 @@
 
 #include "proofs/decimal.hpp"
 #include "proofs/exact_count.hpp"
-#include "proofs/string_in_lanes.hpp"
+#include "proofs/forces_in_lanes.hpp"
 #include "proofs/working_precision.hpp"
 
 namespace plumbline::proofs {
@@ -74,38 +74,17 @@ bool complete(const Found& found) {
   return std::all_of(found.begin(), found.end(), [](const auto& one) { return one.has_value(); });
 }
 
-/// The forces to the digits of two doubles, ascending, from those of one. As many as it takes, or nothing.
-std::vector<Wide> forces_in_two_doubles(const Chain<Rational>& chain, std::size_t wanted) {
-  const auto narrow = detail::narrowed<double>(from_rational<Wide>(chain));
-  if (!narrow) return {};
-  const auto near = detail::lowest_roots_in_range(*narrow, wanted);
-  if (!near) return {};
-  const auto wide = from_rational<Wide>(chain);
-  const detail::BeadString<Wide> string(wide);
-  std::vector<Wide> forces;
-  for (std::size_t p = 0; p < near->size(); ++p) {
-    const std::vector<Wide> rough((*near)[p].begin(), (*near)[p].end());
-    const auto runs = StringInLanes(string.pieces()[p]).run(rough);
-    for (std::size_t i = 0; i < rough.size(); ++i) forces.push_back(refined(rough[i], runs[i]));
-  }
-  std::sort(forces.begin(), forces.end());
-  if (forces.size() > wanted) forces.resize(wanted);
-  return forces;
-}
-
-/// Digits that two doubles have left at the end of a long string.
-constexpr int lane_digits = 28;
-/// From so many links on lanes are worth their while.
-constexpr std::size_t long_chain = 16;
-
 }  // namespace
 
 std::vector<ForceEnclosure> enclose_critical_forces(const Chain<Rational>& chain, std::size_t lowest,
                                                     int digits) {
   const ExactCount count(chain);
   Found found(std::min(lowest, mode_count(chain)));
-  if (digits + 7 <= lane_digits && chain.size() >= long_chain)
-    enclose_open(found, count, forces_in_two_doubles(chain, found.size()), digits, lane_digits);
+  if (digits + 7 <= lane_digits && chain.size() >= long_chain) {
+    std::vector<Wide> values;
+    for (const ForceInLanes& force : forces_in_lanes(chain, found.size())) values.push_back(force.value);
+    enclose_open(found, count, values, digits, lane_digits);
+  }
   if (digits + 7 <= wide_digits && !complete(found))
     enclose_open(found, count, critical_forces(from_rational<Wide>(chain), found.size()), digits,
                  wide_digits);

@@ -4,6 +4,7 @@
 #include <plumbline/base/parallel.hpp>
 
 #include "proofs/rounded_count.hpp"
+#include "proofs/string_in_lanes.hpp"
 
 namespace plumbline::proofs {
 namespace {
@@ -33,12 +34,6 @@ Rational clear_denominators(const std::vector<Rational>& values, std::vector<Int
 /// From so many joints on rounded numbers are faster than integers, whose length grows along the chain; from
 /// fewer where there are many forces to share what it takes to begin.
 constexpr std::size_t long_part = 64, long_part_of_many = 16, many = 16;
-
-/// Threads for so many steps from link to link.
-unsigned threads_for(std::size_t steps) {
-  constexpr std::size_t worth_a_thread = 1 << 12;
-  return steps < worth_a_thread ? 1 : std::thread::hardware_concurrency();
-}
 
 }  // namespace
 
@@ -83,7 +78,7 @@ std::vector<std::size_t> ExactCount::below(const std::vector<Rational>& forces, 
   if (parts_[part].last - parts_[part].first >= (forces.size() < many ? long_part : long_part_of_many))
     counts = RoundedCount(length_, stiffness_, part).below(scaled);
   std::vector<std::size_t> result(forces.size());
-  in_parallel(forces.size(), threads_for(forces.size() * length_.size()), [&](std::size_t i) {
+  in_parallel(forces.size(), threads_for(forces.size(), length_.size()), [&](std::size_t i) {
     result[i] = counts[i] ? *counts[i] : exactly_below(scaled[i], parts_[part]);
   });
   return result;

@@ -69,9 +69,9 @@ void RoundedCount::in_lanes(const std::vector<Rational>& forces, Counts& counts)
     beside.push_back(low);
     beside.push_back(high);
   }
-  const auto runs = StringInLanes(string.pieces()[part_]).run(beside);
+  const auto runs = run_in_lanes(StringInWords(string.pieces()[part_]), beside);
   for (std::size_t i = 0; i < forces.size(); ++i) {
-    const StringInLanes::Run &low = runs[2 * i], &high = runs[2 * i + 1];
+    const RunInLanes &low = runs[2 * i], &high = runs[2 * i + 1];
     if (low.sound && high.sound && low.below == high.below) counts[i] = low.below;
   }
 }

@@ -1,0 +1,64 @@
+#include "proofs/shapes_in_lanes.hpp"
+
+#include <plumbline/straight/buckling_mode.hpp>
+
+#include "proofs/exactly.hpp"
+#include "proofs/working_precision.hpp"
+#include "tests/proofs/random_chain.hpp"
+
+using namespace plumbline;
+using namespace plumbline::proofs;
+
+namespace {
+
+/// The angles of a mode in a hundred digits as ShapeInLanes has them: the largest 1, the first one positive.
+std::vector<double> in_doubles(const Mode<Mpfr>& mode) {
+  Mpfr largest = 0;
+  for (const Mpfr& angle : mode.q) largest = std::max(largest, Mpfr(abs(angle)));
+  std::vector<double> q;
+  for (const Mpfr& angle : mode.q) q.push_back(static_cast<double>(Mpfr(angle / largest)));
+  return q;
+}
+
+/// How many shapes lanes leave open; the others are the nearest doubles.
+std::size_t left_open(const Chain<Rational>& chain) {
+  const auto forces = forces_in_lanes(chain, chain.size());
+  const auto shapes = shapes_in_lanes(chain, forces);
+  const WorkingPrecision precision(100);
+  const auto modes = critical_modes(from_rational<Mpfr>(chain), chain.size());
+  std::size_t open = 0;
+  for (std::size_t m = 0; m < shapes.size(); ++m) {
+    open += shapes[m] ? 0 : 1;
+    if (!shapes[m]) continue;
+    CHECK(shapes[m]->q == in_doubles(modes[m]));
+    CHECK(shapes[m]->signs == sign_pattern(modes[m].q));
+  }
+  return open;
+}
+
+}  // namespace
+
+TEST_CASE("shapes in two doubles are the nearest doubles, for any grading and any passive joint") {
+  check_property("twenty to thirty links over eight decades",
+                 [] { RC_ASSERT(left_open(random_chain(Passive::any_one, 20, 30)) < 20); });
+}
+
+TEST_CASE(
+    "shapes of an ordinary long chain are not left open, nor where they decay beyond the range of double") {
+  std::vector<Rational> length, stiffness;
+  for (int i = 0; i < 200; ++i) {
+    length.emplace_back(100 + i * 7919 % 300, 100);
+    stiffness.emplace_back(100 + i * 104729 % 307, 100);
+  }
+  CHECK(left_open(Chain<Rational>(length, stiffness)) == 0);
+  stiffness[3] =
+      100000;  // a stiff joint among soft ones: its mode falls by about its ratio from link to link
+  CHECK(left_open(Chain<Rational>(length, stiffness)) == 0);
+}
+
+TEST_CASE("a joint that does not turn is left to more digits") {
+  // ten equal links on a passive base, mirrored: joint 6 stays straight in every other mode
+  std::vector<Rational> ones(10, 1), stiffness = ones;
+  stiffness[0] = 0;
+  CHECK(left_open(Chain<Rational>(ones, stiffness)) >= 4);
+}
