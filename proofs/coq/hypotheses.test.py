@@ -219,6 +219,11 @@ def no_angle():
     return D(numbers(1, 1), numbers(0, 1), 0) != 0  # the imaginary part of 1 is 0
 
 
+def one_change():
+    L, k, q = numbers(1, 1, 1), numbers(6, 0, 3), [Fraction(0), Fraction(1, 2), Fraction(-1)]
+    return D(L, k, 4) == 0 and is_mode(L, k, Fraction(6), q, Fraction(0))  # the second mode
+
+
 # theorem, hypothesis as README.md words it, theory, what stands there, what is put in its place, counterexample
 LINKS = "links : chain_of_links n L k"
 ONE = "one : at_most_one_passive n k"
@@ -275,6 +280,8 @@ CASES = [
      "(base : k 0%N = k 0%N).\n\nTheorem mode_backwards", elastic_base_reversed),
     ("equal_links.critical_equal", "F not zero", "equal_links", "(F0 : F != 0)", "(F0 : F == F)", equal_at_zero),
     ("equal_links.equal_on_passive_base", "s not zero", "equal_links", "(s0 : s != 0)", "(s0 : s == s)", no_angle),
+    ("nodes.nodes", "no interior passive joint", "nodes",
+     "Theorem nodes fs m (f : nat -> R) Fy : no_interior_passive n k ->", "Theorem nodes fs m (f : nat -> R) Fy : True ->", one_change),
 ]
 
 
