@@ -2,8 +2,8 @@
 
 usage: check.py COQC FOLDER THEORY...     in FOLDER the theories lie compiled; what is written there:
 
-    assumptions.v    the question
-    assumptions.txt  a line a theorem: its name, and what it rests on, in Coq's words
+    assumptions.v    the question, of all theorems together
+    assumptions.txt  a line a theorem: its name, and Coq's word that it rests on no axiom
     checked.inc      the names and the version of Coq as C++, for `plumbline verify`
 
 A theorem that rests on an axiom is an error, and nothing is written.
@@ -22,34 +22,25 @@ def theorems(folder, theories):
             for name in THEOREM.findall((folder / f"{theory}.v").read_text(encoding="utf-8"))]
 
 
-def question(theories, names):
-    lines = [f"Require {' '.join(theories)}."]
-    for name in names:
-        lines += [f'Goal True. idtac "theorem {name}". Abort.', f"Print Assumptions {name}."]
-    return "\n".join(lines) + "\n"
-
-
-def answers(text, names):
-    """Pairs of a theorem and what it rests on."""
-    parts = re.split(r"^theorem (\S+)\n", text, flags=re.MULTILINE)[1:]
-    pairs = [(name, " ".join(rest.split())) for name, rest in zip(parts[::2], parts[1::2])]
-    if [name for name, _ in pairs] != names:
-        sys.exit("check: Coq answered about other theorems than it was asked about")
-    return pairs
+def rests_on(coqc, folder, theories, names):
+    """What these theorems rest on together, in Coq's words: one question for all takes a tenth of the time of one each."""
+    together = ", ".join(f"@{name}" for name in names)
+    (folder / "assumptions.v").write_text(
+        f"Require {' '.join(theories)}.\nDefinition together := ({together}).\nPrint Assumptions together.\n", encoding="utf-8")
+    said = subprocess.run([coqc, "-q", "-w", "none", "assumptions.v"], cwd=folder, capture_output=True, text=True)
+    if said.returncode:
+        sys.exit(said.stderr)
+    return " ".join(said.stdout.split())
 
 
 def main(coqc, folder, theories):
     names = theorems(folder, theories)
-    (folder / "assumptions.v").write_text(question(theories, names), encoding="utf-8")
-    said = subprocess.run([coqc, "-q", "-w", "none", "assumptions.v"], cwd=folder, capture_output=True, text=True)
-    if said.returncode:
-        sys.exit(said.stderr)
-    pairs = answers(said.stdout, names)
-    for name, rest in pairs:
-        if rest != NO_AXIOM:
-            sys.exit(f"check: {name} rests on {rest}, expected no axiom")
+    axioms = rests_on(coqc, folder, theories, names)
+    if axioms != NO_AXIOM:
+        guilty = [name for name in names if rests_on(coqc, folder, theories, [name]) != NO_AXIOM]
+        sys.exit(f"check: {', '.join(guilty)} rests on {axioms}, expected no axiom")
     version = subprocess.run([coqc, "-print-version"], capture_output=True, text=True, check=True).stdout.split()[0]
-    (folder / "assumptions.txt").write_text("".join(f"{name}: {rest}\n" for name, rest in pairs), encoding="utf-8")
+    (folder / "assumptions.txt").write_text("".join(f"{name}: {NO_AXIOM}\n" for name in names), encoding="utf-8")
     (folder / "checked.inc").write_text(
         f'constexpr std::string_view version = "{version}";\n'
         f"constexpr std::array<std::string_view, {len(names)}> theorems{{\n"

@@ -196,6 +196,34 @@ def elastic_base_cut():
     return all(value > 0 for value in whole) and D(numbers(1, 1), numbers(8, 1), 6) == 0  # none up to 6; 6 without link 3
 
 
+def turns_as_a_whole():
+    L, k, t = numbers(1, 1), numbers(0, 1), numbers(1, 1)
+    return k[1] * (t[1] - t[0]) == 0 and sum(a * b for a, b in zip(L, t)) != 0  # in balance at F = 0, off the axis
+
+
+def lateral_force():
+    return is_mode(numbers(1, 1), numbers(1, 1), Fraction(5, 2), numbers(1, -2), Fraction(-1, 2))
+
+
+def elastic_base_reversed():
+    F = Fraction(13, 6)
+    return D(numbers(1, 2), numbers(1, 1), F) == 0 and D(numbers(2, 1), numbers(0, 1), F) != 0
+
+
+def equal_at_zero():
+    n, U, V = 2, 2, 1  # at x = 1
+    return n * V - U == 0 and D(numbers(1, 1), numbers(1, 1), 0) != 0
+
+
+def no_angle():
+    return D(numbers(1, 1), numbers(0, 1), 0) != 0  # the imaginary part of 1 is 0
+
+
+def one_change():
+    L, k, q = numbers(1, 1, 1), numbers(6, 0, 3), [Fraction(0), Fraction(1, 2), Fraction(-1)]
+    return D(L, k, 4) == 0 and is_mode(L, k, Fraction(6), q, Fraction(0))  # the second mode
+
+
 # theorem, hypothesis as README.md words it, theory, what stands there, what is put in its place, counterexample
 LINKS = "links : chain_of_links n L k"
 ONE = "one : at_most_one_passive n k"
@@ -246,6 +274,14 @@ CASES = [
      "j != i -> k' j = k j)", "j != i -> k j <= k' j)", all_raised),
     ("interlacing.cut_passive_base", "the base passive", "interlacing",
      "Theorem cut_passive_base fs cs m : k 0%N = 0 ->", "Theorem cut_passive_base fs cs m : True ->", elastic_base_cut),
+    ("orientations.free_row", "F not zero", "orientations", "k 0%N = 0 -> F != 0 ->", "k 0%N = 0 -> True ->", turns_as_a_whole),
+    ("orientations.free_row", "the base passive", "orientations", "k 0%N = 0 -> F != 0 ->", "True -> F != 0 ->", lateral_force),
+    ("reversal.mode_backwards", "the base passive", "reversal", "(base : k 0%N = 0).\n\nTheorem mode_backwards",
+     "(base : k 0%N = k 0%N).\n\nTheorem mode_backwards", elastic_base_reversed),
+    ("equal_links.critical_equal", "F not zero", "equal_links", "(F0 : F != 0)", "(F0 : F == F)", equal_at_zero),
+    ("equal_links.equal_on_passive_base", "s not zero", "equal_links", "(s0 : s != 0)", "(s0 : s == s)", no_angle),
+    ("nodes.nodes", "no interior passive joint", "nodes",
+     "Theorem nodes fs m (f : nat -> R) Fy : no_interior_passive n k ->", "Theorem nodes fs m (f : nat -> R) Fy : True ->", one_change),
 ]
 
 
