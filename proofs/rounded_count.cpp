@@ -44,11 +44,12 @@ int digits_of(const Rational& x) {
 
 RoundedCount::Counts RoundedCount::below(const std::vector<Rational>& forces) const {
   Counts counts(forces.size());
-  // A decimal that is no critical force is mostly as far from the next one as its digits show.
   int most = 0;
   for (const Rational& F : forces) most = std::max(most, digits_of(F));
+  constexpr int too_many_for_lanes = 40;  // some of them come with the units
+  if (most <= too_many_for_lanes) in_lanes(forces, counts);
+  // A decimal that is no critical force is mostly as far from the next one as its digits show.
   most += 8 + static_cast<int>(std::log10(length_.size()));
-  if (most <= 40) in_lanes(forces, counts);
   for (const int digits : {most, 2 * most}) {
     if (digits <= wide_digits) {
       in_turn<Wide>(forces, counts);
