@@ -2,7 +2,8 @@
 
 usage: agreement.test.py PROVED_CHECKER PROOFS TAMPERING_TEST CERTIFICATES
 
-Forgeries are sealed with a fresh digest first: the digest guards names, which no arithmetic can, and is left to Python.
+Forgeries are sealed with a fresh digest first, as the forger would: the digest guards names, which no arithmetic can, and is
+left to Python.
 """
 import importlib.util
 import json
@@ -60,6 +61,18 @@ def named(published):
     yield "refused", "lengths twice", whole.replace('"lengths"', '"lengths": ["5", "5"], "lengths"')
 
 
+def texts(tampering, published):
+    """The rest of the tampering set, with what is right of each: misspelt documents, and pairs by hand."""
+    def of_one(entry):
+        return tampering.sealed({**published, "certificates": [entry]})
+
+    for text, what in tampering.misspelt(of_one(tampering.kinds(published["certificates"])[-1])):
+        yield "refused", what, text
+    for name, true, false in tampering.by_hand():
+        yield "holds", f"beside: {name}", json.dumps(of_one(true))
+        yield "refused", name, json.dumps(of_one(false))
+
+
 def main():
     proved, proofs, tampering_path, certificates = sys.argv[1:5]
     tampering = load(tampering_path, [proofs])
@@ -77,8 +90,10 @@ def main():
             count += 1
             if (verdict == "holds") != python.holds(document) or (verdict == "holds") != (what == "untouched"):
                 wrong.append((verdict, what))
-    cases = list(named(published))
-    for verdict, (expected, what, _) in zip(judged(proved, [text for *_, text in cases]), cases):
+    cases = [*named(published), *texts(tampering, published)]
+    verdicts = judged(proved, [text for *_, text in cases])
+    assert len(verdicts) == len(cases)
+    for verdict, (expected, what, _) in zip(verdicts, cases):
         count += 1
         if verdict != expected:
             wrong.append((verdict, what))

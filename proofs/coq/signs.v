@@ -56,7 +56,7 @@ case: (x + d == 0) / eqP => [->|/eqP xd]; case: (d == 0) / eqP => [d0|/eqP d0];
   rewrite ?eqxx ?d0 ?(negPf d0) ?(negPf xd) ?mul_lt0 ?mul_gt0 /= ?(negPf d0) ?(negPf xd) /= ?addr0 ?ltxx ?addbb /=;
   move: (last _ _ == 0) (changes_after _ (scanl _ _ _)) (changes_after _ ds) => z m l;
   move: (x == 0) (b == 0) (e == 0) (x < 0) (b < 0) (e < 0) (d < 0) (x + d < 0);
-  do 8! [case] => //=; lia.
+  do 8! [case => //=]; lia.
 Qed.
 
 (* Of what stands before a sequence only the sign matters; it brings at most one change. *)
