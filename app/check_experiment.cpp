@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <plumbline/base/error.hpp>
 
 #include "app/complaints.hpp"
+#include "app/experiment_input.hpp"
 #include "app/verbs.hpp"
-#include "diagnose/bench/condense.hpp"
 #include "diagnose/bench/oddities.hpp"
-#include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/inference/conventions.hpp"
-#include "exchange/read_model.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -98,19 +95,13 @@ std::string what_was_read(const Experiment& experiment) {
   return text;
 }
 
-struct Options {
-  std::string experiment, model;
-};
-
-void run(const Options& options) {
-  std::optional<diagnose::NominalChain> model;
-  if (!options.model.empty()) model = exchange::read_model(options.model).chain;
-  const Experiment experiment = diagnose::read_experiment(options.experiment, model ? &*model : nullptr);
+void run(const ExperimentInput& input) {
+  const Experiment experiment = experiment_of(input);
   fmt::print("{}\n", what_was_read(experiment));
   const std::vector<std::string> odd = diagnose::oddities(experiment);
   if (!odd.empty()) fmt::print("Odd\n  {}\n\n", fmt::join(odd, "\n  "));
   try {
-    diagnose::require_conventions(diagnose::Study(diagnose::condensed(experiment)));
+    diagnose::require_conventions(study_of(input, experiment));
   } catch (const Error& question) {
     fmt::print("Asked\n  {}\n", question.what());
     throw CLI::RuntimeError(1);
@@ -124,13 +115,15 @@ void add_check_experiment(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "check-experiment",
       "What is read from an experiment, in which units, and what looks odd; nothing is fitted");
-  const auto options = std::make_shared<Options>();
-  verb->add_option("experiment", options->experiment, "A folder with experiment.toml and its sample files")
+  const auto input = std::make_shared<ExperimentInput>();
+  verb->add_option("experiment", input->folder, "A folder with experiment.toml and its sample files")
       ->type_name("FOLDER")
       ->required();
-  verb->add_option("--model", options->model, "The nominal model, as for diagnose")->type_name("FILE");
+  verb->add_option("--model", input->model, "The nominal model, as for diagnose")->type_name("FILE");
+  verb->add_option("--effects", input->effects, "Effects of your own that this model has, as for diagnose")
+      ->type_name("FILE");
   verb->footer("Exit status 1 where numbers look like another unit, sign, axis or order.");
-  verb->callback([options] { run(*options); });
+  verb->callback([input] { run(*input); });
 }
 
 }  // namespace plumbline::app

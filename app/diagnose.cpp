@@ -5,18 +5,13 @@
 
 #include "app/corrected_files.hpp"
 #include "app/diagnose_many.hpp"
-#include "app/example_experiment.hpp"
+#include "app/experiment_input.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "diagnose/bench/condense.hpp"
-#include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/inference/conventions.hpp"
 #include "diagnose/report/plan.hpp"
 #include "diagnose/report/report.hpp"
-#include "diagnose/stated/read_effects.hpp"
-#include "exchange/read_model.hpp"
-#include "trial/experiment_files.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -26,7 +21,9 @@ struct Options {
   std::string effects, model, corrected, json, html, reports;
   bool next = false, as_is = false, plan = false;
 
-  [[nodiscard]] std::string experiment() const { return experiments.empty() ? "" : experiments.front(); }
+  [[nodiscard]] ExperimentInput input() const {
+    return {experiments.empty() ? "" : experiments.front(), model, effects};
+  }
 };
 
 /// \param work  is given what to call with the share that is done
@@ -39,28 +36,13 @@ auto with_progress(const std::string& name, auto work) {
   });
 }
 
-/// What the experiment is compared with, where a file names it.
-std::optional<diagnose::NominalChain> model_of(const Options& options) {
-  if (options.model.empty()) return std::nullopt;
-  return exchange::read_model(options.model).chain;
-}
-
-std::vector<std::filesystem::path> inputs_of(const Options& options) {
-  std::vector<std::filesystem::path> inputs = trial::files_read(options.experiment());
-  inputs.insert(inputs.end(), {options.model, options.effects});
-  return inputs;
-}
-
 void run_plan(const Options& options) {
   if (options.experiments.size() > 1) throw Error("--plan", "several experiments", "one bench");
-  const std::optional<diagnose::NominalChain> model = model_of(options);
-  const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
-  diagnose::Experiment bench = options.experiments.empty()
-                                   ? example_bench(nominal)
-                                   : diagnose::read_plan(options.experiment(), nominal);
-  Outputs outputs(inputs_of(options));
+  const ExperimentInput input = options.input();
+  const diagnose::Experiment read = bench_of(input);
+  Outputs outputs(input.files());
   files::OutputFile* const json = outputs.open("--json", options.json);
-  bench = condensed(std::move(bench));
+  const diagnose::Experiment bench = study_of(input, read).experiment();
   const diagnose::Plan plan =
       with_progress("plan", [&](const auto& show) { return diagnose::plan(bench, show); });
   if (json) json->write(as_json(plan).dump(2) + "\n");
@@ -90,21 +72,14 @@ const char* nothing_next(const diagnose::Diagnosis& diagnosis) {
 }
 
 void run_diagnosis(const Options& options) {
-  const std::optional<diagnose::NominalChain> model = model_of(options);
-  const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
-  diagnose::Experiment experiment = options.experiments.empty()
-                                        ? example_experiment(nominal)
-                                        : diagnose::read_experiment(options.experiment(), nominal);
-  Outputs outputs(inputs_of(options));
+  const ExperimentInput input = options.input();
+  const diagnose::Experiment experiment = experiment_of(input);
+  Outputs outputs(input.files());
   files::OutputFile *const json = outputs.open("--json", options.json), *const html = outputs.open(
                                                                             "--html", options.html);
   CorrectedFiles corrected(outputs, options.corrected);
-  const diagnose::Study plain(condensed(std::move(experiment)));
-  if (!options.as_is) require_conventions(plain);
-  const diagnose::Study study =
-      options.effects.empty()
-          ? plain
-          : diagnose::Study(plain.experiment(), diagnose::read_effects(options.effects, plain));
+  const diagnose::Study study = study_of(input, experiment);
+  if (!options.as_is) require_conventions(study);
   const diagnose::Diagnosis diagnosis = with_progress(
       "diagnosis", [&](const auto& show) { return diagnose::diagnose(study, show, options.next); });
   if (corrected.wanted()) corrected.write(exchange::corrected_models(study, diagnosis, options.model));
@@ -137,11 +112,9 @@ void add_diagnose(CLI::App& app) {
           "several, each is diagnosed, and a report for all says whether the cause is the same, how its "
           "parameter scatters and whether it drifts")
       ->type_name("FOLDER");
-  auto* effects =
-      verb->add_option(
-              "--effects", options->effects,
-              "A TOML file with effects of your own, as expressions, to look for beside the catalogue")
-          ->type_name("FILE");
+  verb->add_option("--effects", options->effects,
+                   "A TOML file with effects of your own, as expressions, to look for beside the catalogue")
+      ->type_name("FILE");
   verb->add_option(
           "--model", options->model,
           "The nominal model, instead of the experiment's own: .toml, as --corrected writes it, or a "
@@ -151,8 +124,7 @@ void add_diagnose(CLI::App& app) {
                                      "Write the nominal model with what was found: .toml (ours), .xml "
                                      "(MJCF), .urdf or .sdf. One file a "
                                      "candidate where the cause is ambiguous")
-                        ->type_name("FILE")
-                        ->excludes(effects);
+                        ->type_name("FILE");
   verb->add_option("--json", options->json,
                    "Write the report as JSON too (without FILE: to standard output alone)")
       ->type_name("[FILE]")
@@ -179,7 +151,7 @@ void add_diagnose(CLI::App& app) {
       "Before any data, from experiment.toml, whose runs may be without samples or hold commands "
       "alone: which effects the bench can never see, which it can never tell apart, and the fewest "
       "runs that separate the rest");
-  for (CLI::Option* other : {effects, corrected, html, reports, next, as_is}) plan->excludes(other);
+  for (CLI::Option* other : {corrected, html, reports, next, as_is}) plan->excludes(other);
   verb->footer(
       "Exit status 1 when one of several experiments could not be diagnosed; the others are reported.");
   verb->callback([options] { run(*options); });

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "page/markup.hpp"
 #include "trial/table.hpp"
 
 namespace plumbline::campaign {
@@ -106,8 +107,8 @@ std::string words(const Parameter& parameter, bool by_date) {
   std::string text = with_bounds(parameter.mean) + "; from session to session ";
   constexpr double level = 0.01;
   text += parameter.alike < level
-              ? fmt::format("+- {:.2g} beyond these bounds (p = {:.1g})", parameter.spread, parameter.alike)
-              : fmt::format("no more than each one's bounds say (p = {:.2g})", parameter.alike);
+              ? fmt::format("+- {:.2g} beyond these bounds ({})", parameter.spread, page::p_value(parameter.alike))
+              : fmt::format("no more than each one's bounds say ({})", page::p_value(parameter.alike));
   if (!parameter.drift) return text;
   const char* step = by_date ? "by day" : "from one to the next";
   const bool drifts = parameter.drift->low > 0 || parameter.drift->high < 0;

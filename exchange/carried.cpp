@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "diagnose/model/effect.hpp"
 #include "diagnose/model/nominal.hpp"
 #include "exchange/ways.hpp"
 
@@ -72,10 +73,21 @@ Carried law_carried(const Model& model, Format format) {
 
 }  // namespace
 
+bool of_catalogue(const NominalEffect& effect) {
+  const auto& rows = diagnose::catalogue();
+  return std::any_of(rows.begin(), rows.end(),
+                     [&](const diagnose::Effect& row) { return row.id == effect.id; });
+}
+
 std::vector<Carried> what_is_carried(const Model& model, Format format) {
   std::vector<Carried> all;
   std::vector<NominalEffect> so_far;
   for (const NominalEffect& effect : model.experiment.effects) {
+    if (!of_catalogue(effect)) {
+      all.push_back(
+          {effect.label(), false, "an effect of your own, which this format has no expressions for"});
+      continue;
+    }
     const Way way = way_of(format, effect.id);
     Carried one{effect.label(), way.carried, std::string(way.how)};
     if (way.carried) {

@@ -8,6 +8,9 @@
 
 namespace plumbline::exchange {
 
+/// Whether it is an effect of the catalogue, not one that the user stated.
+bool of_catalogue(const diagnose::NominalEffect& effect);
+
 /// Of every effect of the model, whether the format carries it and as what, or why not; then of its law.
 std::vector<Carried> what_is_carried(const Model& model, Format format);
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "exchange/carried.hpp"
+
 namespace plumbline::exchange {
 namespace {
 
@@ -30,7 +32,9 @@ Written to_toml(const Model& model) {
   const diagnose::NominalChain& chain = model.experiment;
   Written file;
   for (const diagnose::NominalEffect& effect : chain.effects)
-    file.effects.push_back({effect.label(), true, "as [[nominal.effect]]"});
+    file.effects.push_back({effect.label(), true,
+                            of_catalogue(effect) ? "as [[nominal.effect]]"
+                                                 : "as [[nominal.effect]], to be read with --effects again"});
   if (!model.laws.empty())
     file.effects.push_back({"torque_law", false, "a nominal chain has no free torque law: the table below"});
   for (const std::string& line : head_lines(model, file.effects)) file.text += "# " + line + "\n";

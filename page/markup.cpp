@@ -39,6 +39,9 @@ std::string odds(double logarithm) {
   return typeset(fmt::format("{:.3g}", std::exp(logarithm))) + " to 1";
 }
 
+/// Of a smaller one the digits say how far a distribution's tail was followed, not how sure anything is.
+constexpr double least_chance = 1e-12;
+
 mustache::data converted(const Json& value) {
   if (value.is_object()) {
     mustache::data object(mustache::data::type::object);
@@ -74,11 +77,15 @@ std::string written(double value, NumberStyle style) {
     case NumberStyle::share:
       return value < 0.01 ? "< 1 %" : fmt::format("{:.{}f} %", 100 * value, value < 0.0995 ? 1 : 0);
     case NumberStyle::chance:
-      return value < 1e-16 ? "< 10⁻¹⁶" : typeset(fmt::format("{:.3g}", value));
+      return value < least_chance ? "< 10⁻¹²" : typeset(fmt::format("{:.3g}", value));
     case NumberStyle::odds:
       return odds(value);
   }
   return typeset(fmt::format("{:.3g}", value));
+}
+
+std::string p_value(double chance) {
+  return chance < least_chance ? fmt::format("p < {:.0e}", least_chance) : fmt::format("p = {:.2g}", chance);
 }
 
 std::string marked(double value, const std::string& key, NumberStyle style) {

@@ -19,10 +19,12 @@ enum class NumberStyle {
   count,    ///< all digits of an integer
   percent,  ///< of a ratio: 10.5 %
   share,    ///< of a whole: 81 %, 3.2 %, < 1 %
-  chance,   ///< a p-value: three figures, but nothing below 10⁻¹⁶
+  chance,   ///< a p-value: three figures, but nothing below 10⁻¹²
   odds      ///< of a natural logarithm: 340 to 1
 };
 std::string written(double value, NumberStyle style);
+/// Of a p-value in plain text: "p = 0.042", "p < 1e-12".
+std::string p_value(double chance);
 
 /// The number as a reader sees it, which also says exactly what it is and where it stands in the report:
 /// <data value="0.03501" data-key="/cause/effects/0/...">0.0350</data>.

@@ -104,7 +104,10 @@ Noise with_angles(Noise sigma) {
 class Planner {
  public:
   Planner(const Study& study, const std::vector<Fit>& rivals, const NoiseModel& noise)
-      : experiment_(study.experiment()), noise_(noise), so_far_(extent(study)) {
+      : experiment_(study.experiment()),
+        noise_(noise),
+        so_far_(extent(study)),
+        reads_angles_(study.sizes().measures(Channel::Name::q)) {
     FitSettings settings;
     settings.noise = noise;
     for (const Fit& rival : rivals)
@@ -147,13 +150,14 @@ class Planner {
       const auto all = predictions(Study(bench_for(experiment_, run, out_of_gravity)), rivals_, so_far_);
       if (!all) continue;
       for (const bool angles : {false, true}) {
+        if (reads_angles_ && !angles) continue;
         const std::vector<Forecast> rivals = forecasts(*all, run, angles);
         if (rivals.front().read.size() == 0) continue;
         const double after = expected_log_odds(rivals.size(), [&](std::size_t a, std::size_t b) {
           return stacked(known(a, b), rows_of(rivals[a], rivals[b]));
         });
         proposals_.push_back({what + (out_of_gravity ? ", the rig turned out of gravity" : "") +
-                                  (angles ? ", joint angles measured" : ""),
+                                  (angles && !reads_angles_ ? ", joint angles measured" : ""),
                               run, angles, out_of_gravity, expected_information(rivals), after, before_});
       }
     }
@@ -172,6 +176,7 @@ class Planner {
   const Experiment& experiment_;
   const NoiseModel& noise_;
   Extent so_far_;
+  bool reads_angles_;  ///< as it is
   std::vector<Fit> rivals_;
   std::vector<Eigen::MatrixXd> open_;  ///< covariance of their parameters
   std::vector<Imitation> known_;       ///< [truth][imitator]

@@ -44,7 +44,8 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
 /// What the rig would give with this law.
 Prediction predict_with_law(const Study& study, const TorqueLaw& law);
 
-/// What one joint carries along one run, law and nominal spring together.
+/// What one joint carries along one run: the law and its spring, with what the base and the nominal model
+/// know of that.
 struct LawTrace {
   std::size_t joint, run;              ///< joint from 1
   Eigen::VectorXd deflection, torque;  ///< by reading, rad and N m

@@ -5,12 +5,16 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace plumbline::diagnose {
 
-/// An effect of the catalogue that the nominal model includes, at these values in the catalogue's units.
+struct Effect;
+
+/// An effect, of the catalogue or stated by the user, that the nominal model includes, at these values in its
+/// units.
 struct NominalEffect {
   std::string id;
   std::size_t joint = 0;  ///< from 1; 0 where the effect is not at one joint
@@ -27,6 +31,7 @@ struct NominalChain {
   std::array<double, 2> gravity{0, 0};  ///< the in-plane acceleration that it includes
   std::vector<double> rest;             ///< angles of the unloaded joints where a run names none; or empty
   std::vector<NominalEffect> effects;
+  std::shared_ptr<const std::vector<Effect>> stated = nullptr;  ///< rows of the user's own, or none
 };
 
 }  // namespace plumbline::diagnose

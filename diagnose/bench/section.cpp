@@ -34,6 +34,16 @@ std::string Section::place(const std::string& key) const {
   return source_ + line + ": " + path_ + files::shown(key);
 }
 
+std::string Section::where() const {
+  return source_ + ":" + std::to_string(table_->source().begin.line);
+}
+
+std::vector<std::string> Section::keys() const {
+  std::vector<std::string> all;
+  for (const auto& [key, value] : *table_) all.emplace_back(key.str());
+  return all;
+}
+
 void Section::allow_only(const std::set<std::string>& keys, const std::set<std::string>& synonyms) const {
   for (const auto& [key, value] : *table_) {
     const std::string name(key.str());

@@ -25,6 +25,9 @@ class Section {
 
   /// "file:line: path.key"; the line of the table where the key is missing.
   [[nodiscard]] std::string place(const std::string& key) const;
+  /// "file:line", of the table.
+  [[nodiscard]] std::string where() const;
+  [[nodiscard]] std::vector<std::string> keys() const;
   /// \param synonyms  that are read too, though nothing names them
   void allow_only(const std::set<std::string>& keys, const std::set<std::string>& synonyms = {}) const;
   [[nodiscard]] bool has(const std::string& key) const { return table_->contains(key); }

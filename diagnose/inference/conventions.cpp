@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 #include <plumbline/base/error.hpp>
+#include <utility>
 
 #include "diagnose/bench/conversion.hpp"
 #include "diagnose/model/nominal.hpp"
@@ -189,11 +190,27 @@ double relative_rms(const std::array<Column, 3>& sensors) {
   return std::sqrt(left / measured);
 }
 
+/// Decades by which a number lies outside of what benches have.
+double decades_beyond(double value, double low, double high) {
+  return value > 0 ? std::max({0.0, std::log10(low / value), std::log10(value / high)}) : 0;
+}
+
+/// How far the size of the forces and of the chain are from those of a bench on a table: what tells readings
+/// in kN from stiffnesses in N mm/rad, of which the nominal model predicts the same but for the unit.
+double unusual(const Experiment& experiment) {
+  double force = 0;
+  for (const Run& run : experiment.runs)
+    for (const Reading& r : run.readings) force = std::fmax(force, std::fmax(std::abs(r.Fx), std::abs(r.Fy)));
+  const double length = std::accumulate(experiment.link_length.begin(), experiment.link_length.end(), 0.0);
+  return decades_beyond(force, 0.1, 100) + decades_beyond(length, 0.05, 5);
+}
+
 /// A conversion that was tried.
 struct Trial {
   Conversion conversion;
-  std::vector<std::size_t> runs;  ///< that it mends
-  double misfit = 0;              ///< left in all runs
+  std::vector<std::size_t> runs = {};  ///< that it mends
+  double misfit = 0;                   ///< left in all runs
+  double unusual = 0;                  ///< how far from the usual sizes it leaves the bench
   double left_as_is = 0, left = 0;
 };
 
@@ -230,13 +247,15 @@ class Check {
       predicted = simulate(experiment, nominal_rig(experiment), {});
     }
     if (!predicted.reached) return {};
-    return judge(conversion, compare(experiment, study_.measurements(), predicted));
+    std::optional<Trial> trial = judge(conversion, compare(experiment, study_.measurements(), predicted));
+    if (trial) trial->unusual = unusual(experiment);
+    return trial;
   }
 
   /// The columns that the conversion changes, in the runs that it mends, must agree.
   [[nodiscard]] std::optional<Trial> judge(const Conversion& conversion,
                                            const std::vector<Columns>& now) const {
-    Trial trial{conversion, {}, 0, 0, 0};
+    Trial trial{conversion};
     Change whole;
     bool refuted = false;
     for (std::size_t r = 0; r < now.size(); ++r) {
@@ -286,6 +305,14 @@ std::optional<Doubt> doubtful_convention(const Study& study) {
     const bool units = one.conversion.factor != 0 && least.conversion.factor != 0;
     return one.misfit > std::max((units ? alike_units : alike) * least.misfit, least.misfit + anyway);
   });
+  // What mends best is asked first; of what mends alike, what leaves the sizes that benches have; of these,
+  // what is the most common.
+  const double as_well = std::max(alike * least.misfit, least.misfit + anyway);
+  const auto order = [&](const Trial& one) {
+    return std::pair(one.misfit > as_well ? one.misfit : 0.0, one.unusual);
+  };
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const Trial& a, const Trial& b) { return order(a) < order(b); });
   const Trial& best = found.front();
   const Conversion& conversion = best.conversion;
   Doubt doubt{{},

@@ -157,7 +157,7 @@ double rounding(const Measurements& measurements, Name name) {
 /// What no scale of a channel's noise exceeds: readings that go smoothly have no more noise than they are
 /// rough, whatever a model leaves of them. Noise that most of a run has less of, in proportion to small
 /// readings, say, or that changes slowly, shows a part of itself alone in the middle of third differences.
-double largest_scale(const Measurements& measurements, Name name) {
+double scale_bound(const Measurements& measurements, Name name) {
   constexpr double hidden = 3;
   double rough = 0;
   for (const Series& series : measurements.series())
@@ -278,7 +278,7 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
     noise.scale[c] = raw.values[c] > 0 && scale > 0 ? with_prior(scale, raw.values[c] / 2) : 1.0;
     // Large and slow at once is a gap, not noise.
     if (noise.correlation > 0.5) noise.scale[c] = std::min(noise.scale[c], 1.5);
-    noise.scale[c] = std::min(noise.scale[c], largest_scale(measurements, names[c]));
+    noise.scale[c] = std::min(noise.scale[c], scale_bound(measurements, names[c]));
   }
   return noise;
 }

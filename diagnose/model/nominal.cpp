@@ -41,18 +41,28 @@ std::string place_of(const Experiment& experiment, std::size_t number, const std
   return fmt::format("experiment \"{}\": nominal.effect[{}].{}", experiment.name, number + 1, key);
 }
 
-/// The row that the effect names. \throws Error for a word or joint that is not in the catalogue
+/// The rows that a nominal model may have: the catalogue's, and those that the user states.
+std::vector<const Effect*> rows_of(const Experiment& experiment) {
+  std::vector<const Effect*> rows;
+  for (const Effect& row : catalogue()) rows.push_back(&row);
+  if (experiment.stated)
+    for (const Effect& row : *experiment.stated) rows.push_back(&row);
+  return rows;
+}
+
+/// The row that the effect names. \throws Error for a word or joint that no row has
 const Effect& row_of(const Experiment& experiment, std::size_t number) {
   const NominalEffect& own = experiment.effects[number];
   const std::size_t n = experiment.link_length.size();
   bool known = false;
-  for (const Effect& row : catalogue()) {
-    if (row.id != own.id) continue;
-    if (row.at_joint == (own.joint > 0) && own.joint <= n) return row;
+  for (const Effect* row : rows_of(experiment)) {
+    if (row->id != own.id) continue;
+    if (row->at_joint == (own.joint > 0) && own.joint <= n) return *row;
     known = true;
   }
   if (!known)
-    throw Error(place_of(experiment, number, "id"), files::shown(own.id), "an id of the effect catalogue");
+    throw Error(place_of(experiment, number, "id"), files::shown(own.id),
+                "an id of the effect catalogue, or of the file that --effects names");
   throw Error(place_of(experiment, number, "joint"), own.joint > 0 ? std::to_string(own.joint) : "none",
               own.joint > n   ? fmt::format("a joint or link from 1 to {}", n)
               : own.joint > 0 ? "none: " + own.id + " is not at one joint"

@@ -32,6 +32,11 @@ Experiment numbered(Experiment experiment) {
   return experiment;
 }
 
+Experiment with_rows(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated) {
+  experiment.stated = std::move(stated);
+  return experiment;
+}
+
 std::vector<const Effect*> all_rows(const std::vector<Effect>* stated) {
   std::vector<const Effect*> rows;
   for (const Effect& row : catalogue()) rows.push_back(&row);
@@ -42,13 +47,19 @@ std::vector<const Effect*> all_rows(const std::vector<Effect>* stated) {
 
 }  // namespace
 
-Study::Study(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated)
+Study::Study(Experiment experiment)
     : experiment_(numbered(std::move(experiment))),
-      stated_(std::move(stated)),
-      effects_(all_rows(stated_.get())),
+      effects_(all_rows(experiment_.stated.get())),
       measurements_(experiment_),
       sizes_(sizes_of(experiment_)),
       nominal_rig_(diagnose::nominal_rig(experiment_)) {}
+
+Study::Study(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated)
+    : Study(with_rows(std::move(experiment), std::move(stated))) {}
+
+Study Study::of(Experiment other) const {
+  return Study(std::move(other), experiment_.stated);
+}
 
 const Prediction& Study::nominal() const {
   if (!nominal_) nominal_ = simulate(experiment_, nominal_rig_, {});

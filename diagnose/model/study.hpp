@@ -13,11 +13,13 @@ namespace plumbline::diagnose {
 
 class Study {
  public:
-  /// \param stated  effects that are looked for beside those of the catalogue
-  /// \throws Error where the nominal model has an effect that is none
-  explicit Study(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated = nullptr);
+  /// The effects that the experiment's nominal chain knows of the user's are looked for beside the
+  /// catalogue's. \throws Error where the nominal model has an effect that is none
+  explicit Study(Experiment experiment);
+  /// The same, with these effects of the user's.
+  Study(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated);
   /// Other readings of the same bench, in which the same effects are looked for.
-  [[nodiscard]] Study of(Experiment other) const { return Study(std::move(other), stated_); }
+  [[nodiscard]] Study of(Experiment other) const;
 
   [[nodiscard]] const Experiment& experiment() const { return experiment_; }
   [[nodiscard]] const Measurements& measurements() const { return measurements_; }
@@ -41,7 +43,6 @@ class Study {
 
  private:
   Experiment experiment_;
-  std::shared_ptr<const std::vector<Effect>> stated_;
   std::vector<const Effect*> effects_;
   Measurements measurements_;
   Sizes sizes_;

@@ -6,16 +6,13 @@
 #include "diagnose/report/law.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/report/sketch.hpp"
+#include "page/markup.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
 std::string percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
-}
-
-std::string chance(double p) {
-  return p < 1e-300 ? "p < 1e-300" : fmt::format("p = {:.2g}", p);
 }
 
 std::string by_channel(const std::map<Channel, double>& values) {
@@ -48,7 +45,7 @@ std::string gap(const Diagnosis& diagnosis) {
   std::string text =
       fmt::format("Is there a gap?  {} ({}; chi-square per value {:.3g}; rms {})\n",
                   answer.present ? "Yes" : "No, the nominal model explains the readings to the noise",
-                  chance(answer.test.p_value), answer.chi2_per_value, by_channel(answer.rms));
+                  page::p_value(answer.test.p_value), answer.chi2_per_value, by_channel(answer.rms));
   text += scatter(noise, answer.rms);
   if (answer.present) return text;
   for (const HummingChannel& one : answer.hum)

@@ -107,4 +107,12 @@ void require_defined(const StatedEffect& stated, const Study& study) {
   }
 }
 
+Study study_with(Experiment experiment, const std::vector<StatedEffect>& stated) {
+  std::vector<Effect> rows;
+  for (const StatedEffect& one : stated) rows.push_back(row_of(std::make_shared<StatedEffect>(one)));
+  Study study(std::move(experiment), std::make_shared<const std::vector<Effect>>(std::move(rows)));
+  for (const StatedEffect& one : stated) require_defined(one, study);
+  return study;
+}
+
 }  // namespace plumbline::diagnose

@@ -3,79 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <plumbline/base/error.hpp>
 #include <regex>
 
+#include "diagnose/bench/section.hpp"
 #include "files/printable.hpp"
 #include "files/text_file.hpp"
-#include "files/toml_file.hpp"
 
 namespace plumbline::diagnose {
 namespace {
-
-/// A table of the file, and how errors name its keys.
-class Table {
- public:
-  Table(const toml::table& table, std::string source, std::string path)
-      : table_(table), source_(std::move(source)), path_(std::move(path)) {}
-
-  void allow_only(const std::vector<std::string_view>& keys) const {
-    files::refuse_unknown_keys(table_, keys, source_);
-  }
-  [[nodiscard]] bool has(const std::string& key) const { return table_.contains(key); }
-  [[nodiscard]] const toml::table& entries() const { return table_; }
-  [[nodiscard]] std::string line() const { return files::place(table_, source_); }
-
-  [[nodiscard]] std::string place(const std::string& key) const {
-    const toml::node* node = table_.get(key);
-    return files::place(node != nullptr ? *node : table_, source_) + ": " + path_ + files::shown(key);
-  }
-
-  [[nodiscard]] std::string text(const std::string& key, const std::string& expected) const {
-    const toml::node& node = required(key, expected);
-    if (!node.is_string() || node.as_string()->get().empty())
-      throw Error(place(key), node.is_string() ? "an empty text" : "no text", expected);
-    files::require_printable(node.as_string()->get(), place(key));
-    return node.as_string()->get();
-  }
-
-  [[nodiscard]] double number(const std::string& key, const std::string& expected) const {
-    const toml::node& node = required(key, expected);
-    const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
-    if (!value || !std::isfinite(*value)) throw Error(place(key), "no finite number", expected);
-    return *value;
-  }
-
-  [[nodiscard]] Table table(const std::string& key) const {
-    const std::string expected = "a table [effect." + key + "]";
-    const toml::node& node = required(key, expected);
-    if (!node.is_table() || node.as_table()->empty())
-      throw Error(place(key), node.is_table() ? "an empty table" : "no table", expected);
-    return {*node.as_table(), source_, path_ + key + "."};
-  }
-
- private:
-  [[nodiscard]] const toml::node& required(const std::string& key, const std::string& expected) const {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) throw Error(place(key), "no such key", expected);
-    return *node;
-  }
-
-  const toml::table& table_;
-  std::string source_, path_;
-};
 
 bool is_variable(const std::string& name) {
   const auto among = [&](const auto& all) { return std::find(all.begin(), all.end(), name) != all.end(); };
   return among(torque_variables) || among(reading_variables);
 }
 
-StatedParameter read_parameter(const Table& parameters, const std::string& name) {
+StatedParameter read_parameter(const Section& parameters, const std::string& name) {
   if (!can_be_named(name) || is_variable(name))
     throw Error(parameters.place(name), "a parameter of that name",
                 "letters, digits and _, no variable and no function of expressions");
-  const Table section = parameters.table(name);
+  const Section section = parameters.table(name);
   section.allow_only({"unit", "scale", "low", "high", "tolerance"});
   StatedParameter one{name,
                       section.text("unit", "a unit such as \"N m\", or \"ratio\""),
@@ -95,11 +42,12 @@ StatedParameter read_parameter(const Table& parameters, const std::string& name)
   return one;
 }
 
-std::vector<StatedParameter> read_parameters(const Table& effect) {
-  const Table section = effect.table("parameters");
+std::vector<StatedParameter> read_parameters(const Section& effect) {
+  const Section section = effect.table("parameters");
+  if (section.keys().empty())
+    throw Error(effect.place("parameters"), "an empty table", "a parameter or more");
   std::vector<StatedParameter> all;
-  for (const auto& [key, value] : section.entries())
-    all.push_back(read_parameter(section, std::string(key.str())));
+  for (const std::string& key : section.keys()) all.push_back(read_parameter(section, key));
   constexpr std::size_t most = 8;
   if (all.size() > most)
     throw Error(effect.place("parameters"), fmt::format("{} parameters", all.size()),
@@ -110,13 +58,13 @@ std::vector<StatedParameter> read_parameters(const Table& effect) {
   return all;
 }
 
-std::shared_ptr<const Formula> read_formula(const Table& section, const std::string& key,
+std::shared_ptr<const Formula> read_formula(const Section& section, const std::string& key,
                                             std::vector<std::string> variables, const StatedEffect& effect) {
   for (const StatedParameter& one : effect.parameters) variables.push_back(one.name);
   return std::make_shared<Formula>(section.text(key, "an expression"), variables, section.place(key));
 }
 
-StatedReading read_reading(const Table& section, const std::string& key, const StatedEffect& effect) {
+StatedReading read_reading(const Section& section, const std::string& key, const StatedEffect& effect) {
   static const std::regex angle("q([1-9][0-9]{0,6})?");
   static const std::vector<std::string> others{"x", "y", "Fx", "Fy"};
   std::vector<std::string> variables(reading_variables.begin(), reading_variables.end());
@@ -133,7 +81,7 @@ StatedReading read_reading(const Table& section, const std::string& key, const S
 }
 
 /// Reports put the joint where the braces are.
-std::string read_words(const Table& section, bool at_joint) {
+std::string read_words(const Section& section, bool at_joint) {
   const std::string words = section.text("words", "what can stand after \"caused by\"");
   const std::size_t braces = words.find("{}");
   const std::string rest =
@@ -144,14 +92,14 @@ std::string read_words(const Table& section, bool at_joint) {
   return words;
 }
 
-bool read_where(const Table& section) {
+bool read_where(const Section& section) {
   const std::string expected = "\"every joint\" or \"one joint\"", word = section.text("where", expected);
   if (word != "every joint" && word != "one joint")
     throw Error(section.place("where"), "\"" + files::shown(word) + "\"", expected);
   return word == "one joint";
 }
 
-std::string read_id(const Table& section) {
+std::string read_id(const Section& section) {
   static const std::regex form("[a-z][a-z0-9_]{0,59}");
   const std::string id = section.text("id", "a name of the effect");
   if (!std::regex_match(id, form) || id == "unknown")
@@ -162,17 +110,17 @@ std::string read_id(const Table& section) {
   return id;
 }
 
-void require_all_used(const Table& section, const StatedEffect& effect) {
+void require_all_used(const Section& section, const StatedEffect& effect) {
   for (const StatedParameter& one : effect.parameters)
     if (!effect.uses(one.name))
       throw Error(section.place("parameters"), "the parameter " + one.name + ", which no expression uses",
                   "parameters of the expressions alone");
 }
 
-StatedEffect read_effect(const Table& section) {
+StatedEffect read_effect(const Section& section) {
   section.allow_only({"id", "words", "where", "torque", "reading", "parameters"});
   StatedEffect effect;
-  effect.place = section.line();
+  effect.place = section.where();
   effect.id = read_id(section);
   effect.parameters = read_parameters(section);
   if (section.has("torque") == section.has("reading"))
@@ -185,9 +133,10 @@ StatedEffect read_effect(const Table& section) {
   } else {
     if (section.has("where"))
       throw Error(section.place("where"), "a place", "none for a correction of readings");
-    const Table readings = section.table("reading");
-    for (const auto& [key, value] : readings.entries())
-      effect.readings.push_back(read_reading(readings, std::string(key.str()), effect));
+    const Section readings = section.table("reading");
+    if (readings.keys().empty()) throw Error(section.place("reading"), "an empty table", "a reading or more");
+    for (const std::string& key : readings.keys())
+      effect.readings.push_back(read_reading(readings, key, effect));
   }
   effect.words = read_words(section, effect.at_joint);
   require_all_used(section, effect);
@@ -198,16 +147,14 @@ StatedEffect read_effect(const Table& section) {
 
 std::vector<StatedEffect> parse_effects(const std::string& text, const std::string& source) {
   const toml::table table = files::parse_toml(text, source);
-  const Table root(table, source, "");
+  const Section root(table, source);
   root.allow_only({"format", "effect"});
   if (const std::string format = root.text("format", "\"user-effects/1\""); format != "user-effects/1")
     throw Error(root.place("format"), "\"" + files::shown(format) + "\"", "\"user-effects/1\"");
-  const toml::array* list = table.get_as<toml::array>("effect");
-  if (list == nullptr || list->empty() || !list->is_homogeneous<toml::table>())
-    throw Error(root.place("effect"), "no [[effect]]", "at least one");
+  const std::vector<Section> sections = root.tables("effect");
+  if (sections.empty()) throw Error(root.place("effect"), "no [[effect]]", "at least one");
   std::vector<StatedEffect> effects;
-  for (const toml::node& node : *list) {
-    const Table section(*node.as_table(), source, fmt::format("effect[{}].", effects.size() + 1));
+  for (const Section& section : sections) {
     StatedEffect one = read_effect(section);
     for (const StatedEffect& other : effects)
       if (other.id == one.id)
@@ -217,14 +164,8 @@ std::vector<StatedEffect> parse_effects(const std::string& text, const std::stri
   return effects;
 }
 
-std::shared_ptr<const std::vector<Effect>> read_effects(const std::filesystem::path& file,
-                                                        const Study& study) {
-  std::vector<Effect> rows;
-  for (const StatedEffect& one : parse_effects(files::read_text(file), files::source_name(file))) {
-    require_defined(one, study);
-    rows.push_back(row_of(std::make_shared<StatedEffect>(one)));
-  }
-  return std::make_shared<const std::vector<Effect>>(std::move(rows));
+std::vector<StatedEffect> read_effects(const std::filesystem::path& file) {
+  return parse_effects(files::read_text(file), files::source_name(file));
 }
 
 }  // namespace plumbline::diagnose

@@ -12,9 +12,7 @@ namespace plumbline::diagnose {
 /// \throws Error that names line and key
 std::vector<StatedEffect> parse_effects(const std::string& text, const std::string& source);
 
-/// The rows of a file, each of them defined on what a study looks at.
-/// \throws Error for what is no such file, and as require_defined() does
-std::shared_ptr<const std::vector<Effect>> read_effects(const std::filesystem::path& file,
-                                                        const Study& study);
+/// \throws Error for what is no such file
+std::vector<StatedEffect> read_effects(const std::filesystem::path& file);
 
 }  // namespace plumbline::diagnose

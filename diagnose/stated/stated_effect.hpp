@@ -43,4 +43,8 @@ Effect row_of(std::shared_ptr<const StatedEffect> stated);
 ///         that grows is, or names a joint that the chain does not have
 void require_defined(const StatedEffect& stated, const Study& study);
 
+/// A study in which these are looked for beside the effects of the catalogue, and which the nominal chain may
+/// have among its own. \throws Error as require_defined() does
+Study study_with(Experiment experiment, const std::vector<StatedEffect>& stated);
+
 }  // namespace plumbline::diagnose

@@ -75,10 +75,14 @@ diagnose::SampleTable table_of_columns(const Columns& columns) {
   return table;
 }
 
+std::optional<NominalChain> model_of(const std::string& file) {
+  if (file.empty()) return std::nullopt;
+  return exchange::read_model(file).chain;
+}
+
 Experiment experiment_of(const py::dict& settings, const std::vector<Columns>& samples,
                          const std::string& model) {
-  std::optional<NominalChain> nominal;
-  if (!model.empty()) nominal = exchange::read_model(model).chain;
+  const std::optional<NominalChain> nominal = model_of(model);
   const toml::table table = as_toml(settings);
   std::size_t run = 0;
   const diagnose::ReadTable read = [&](const diagnose::Section& section, const diagnose::SampleFormat&) {
@@ -142,10 +146,11 @@ class Diagnosed {
  private:
   static std::unique_ptr<Study> study_of(Experiment experiment, const Wish& wish) {
     const py::gil_scoped_release released;
-    auto study = std::make_unique<Study>(condensed(std::move(experiment)));
+    const auto stated =
+        wish.effects.empty() ? std::vector<diagnose::StatedEffect>{} : diagnose::read_effects(wish.effects);
+    auto study = std::make_unique<Study>(diagnose::study_with(condensed(std::move(experiment)), stated));
     if (!wish.as_is) require_conventions(*study);
-    if (wish.effects.empty()) return study;
-    return std::make_unique<Study>(study->experiment(), diagnose::read_effects(wish.effects, *study));
+    return study;
   }
 
   std::unique_ptr<const Study> study_;
@@ -153,8 +158,7 @@ class Diagnosed {
 };
 
 Experiment experiment_in(const std::string& folder, const std::string& model) {
-  std::optional<NominalChain> nominal;
-  if (!model.empty()) nominal = exchange::read_model(model).chain;
+  const std::optional<NominalChain> nominal = model_of(model);
   return diagnose::read_experiment(folder, nominal ? &*nominal : nullptr);
 }
 

@@ -262,6 +262,11 @@ TEST_CASE("a fault of a lab's file is named with line and key") {
              {"press.csv:1", "no column 'x'", "columns.x"});
   check_says(fault("", "t;x;y;Fx;Fy\n0;0.45;0.02;-1;0.5\n"), {"press.csv:1", "csv.delimiter = \";\""});
   check_says(fault("", "Time,Pos,y,Fx,Fy\n0,0.45,0.02,-1,0.5\n"), {"press.csv:1", "[columns]"});
+  // Decimal commas cut the lines of a file that semicolons cut, and titles stand above the header.
+  check_says(fault("", "t;x;y;Fx;Fy\n0;0,45;0,02;-1;0,5\n"),
+             {"press.csv:2", "4 fields", "1, as in the header", "csv.delimiter = \";\""});
+  check_says(fault("", "bench 3\nt,x,y,Fx,Fy\n0,0.45,0.02,-1,0.5\n"),
+             {"press.csv:2", "5 fields", "if the header is line 2: csv.skip_lines = 1"});
   check_says(fault("csv = { delimiter = \";\" }", "t;x;y;Fx;Fy\n0;0,45;0,02;-1;0,5\n"),
              {"press.csv:2, x", "'0,45'", "csv.decimal"});
   check_says(fault("csv = { decimal = \",\", delimiter = \";\" }", "t;x;y;Fx;Fy\n0;0,45;0,02;-1.000,5;0,5\n"),

@@ -85,3 +85,24 @@ TEST_CASE("nothing is proposed that asks too much of the rig") {
   CHECK(needed > 0);
   CHECK(needed < 2.2 * force);
 }
+
+TEST_CASE("joint angles are an extra only where the bench does not read them") {
+  for (const bool reads : {true, false}) {
+    CAPTURE(reads);
+    Experiment experiment = along_x();
+    if (!reads)
+      for (Run& run : experiment.runs)
+        for (Reading& reading : run.readings) reading.q.clear();
+    const Study study(measured(experiment, only("force_gain"), {0.05}, 43));
+    const std::vector<Fit> rivals{fit(study, only("force_gain"), {}),
+                                  fit(study, only("joint_stiffness", 1), {})};
+    std::size_t extras = 0;
+    const std::vector<Proposal> proposals = next_runs(study, rivals, {}, 1000);
+    REQUIRE_FALSE(proposals.empty());
+    for (const Proposal& one : proposals) {
+      if (reads) CHECK(one.angles);
+      extras += one.description.find("joint angles measured") != std::string::npos;
+    }
+    CHECK((extras > 0) == !reads);
+  }
+}

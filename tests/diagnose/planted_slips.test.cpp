@@ -47,8 +47,13 @@ bool names(const std::string& question, const std::string& slip) {
                      [&](const std::string& one) { return question.find(one) != std::string::npos; });
 }
 
+/// Whether it names the slip before anything else.
+bool names_first(const std::string& question, const std::string& slip) {
+  return names(question.substr(0, question.find(", or ")), slip);
+}
+
 struct Tally {
-  int planted = 0, asked = 0, right = 0;
+  int planted = 0, asked = 0, right = 0, first = 0;
 };
 
 Tally plant(const Slip& slip, const std::vector<Experiment>& experiments, double& slowest) {
@@ -66,6 +71,7 @@ Tally plant(const Slip& slip, const std::vector<Experiment>& experiments, double
         std::max(slowest, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     tally.asked += !said.empty();
     tally.right += names(said, slip.expected);
+    tally.first += names_first(said, slip.expected);
   }
   return tally;
 }
@@ -76,8 +82,10 @@ Tally plant_all(const std::vector<Slip>& slips) {
   double slowest = 0;
   for (const Slip& slip : slips) {
     const Tally tally = plant(slip, experiments, slowest);
-    MESSAGE(fmt::format("| {} | {} | {} | {} |", slip.expected, tally.planted, tally.asked, tally.right));
-    sum.planted += tally.planted, sum.asked += tally.asked, sum.right += tally.right;
+    MESSAGE(fmt::format("| {} | {} | {} | {} | {} |", slip.expected, tally.planted, tally.asked, tally.right,
+                        tally.first));
+    sum.planted += tally.planted, sum.asked += tally.asked, sum.right += tally.right,
+        sum.first += tally.first;
   }
   MESSAGE(fmt::format("slowest question: {:.2f} s", slowest));
   return sum;
@@ -89,6 +97,7 @@ TEST_CASE("planted slips of units are asked about, and what is asked is right") 
   const Tally sum = plant_all(slips_of_units());
   CHECK(sum.asked > 0.85 * sum.planted);
   CHECK(sum.right > 0.95 * sum.asked);
+  CHECK(sum.first > 0.9 * sum.right);
 }
 
 TEST_CASE("planted slips of axes are asked about, and what is asked is right") {

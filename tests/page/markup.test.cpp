@@ -20,7 +20,10 @@ TEST_CASE("numbers are written for readers") {
   CHECK(written(0.814, NumberStyle::share) == "81 %");
   CHECK(written(0.0994, NumberStyle::share) == "9.9 %");
   CHECK(written(0.0996, NumberStyle::share) == "10 %");
-  CHECK(written(0, NumberStyle::chance) == "< 10⁻¹⁶");
+  CHECK(written(0, NumberStyle::chance) == "< 10⁻¹²");
+  CHECK(p_value(0) == "p < 1e-12");
+  CHECK(p_value(1e-141) == "p < 1e-12");
+  CHECK(p_value(0.04237) == "p = 0.042");
   CHECK(written(std::log(340), NumberStyle::odds) == "340 to 1");
   CHECK(written(800, NumberStyle::odds) == "over a million to 1");
 }

@@ -1,0 +1,57 @@
+#include "app/experiment_input.hpp"
+
+#include <map>
+#include <optional>
+
+#include "app/example_files.hpp"
+#include "diagnose/bench/condense.hpp"
+#include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/stated/read_effects.hpp"
+#include "exchange/read_model.hpp"
+#include "trial/experiment_files.hpp"
+
+namespace plumbline::app {
+namespace {
+
+std::string example_file(const std::string& name, const std::string&) {
+  std::map<std::string, std::string> files;
+  for (const auto& [known, text] : example_files) files.emplace(known, text);
+  return files.at(name);
+}
+
+constexpr const char* example_folder = "examples/experiment";
+
+std::optional<diagnose::NominalChain> model_of(const ExperimentInput& input) {
+  if (input.model.empty()) return std::nullopt;
+  return exchange::read_model(input.model).chain;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> ExperimentInput::files() const {
+  std::vector<std::filesystem::path> all = trial::files_read(folder);
+  all.insert(all.end(), {model, effects});
+  return all;
+}
+
+diagnose::Experiment experiment_of(const ExperimentInput& input) {
+  const std::optional<diagnose::NominalChain> model = model_of(input);
+  const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
+  return input.folder.empty() ? diagnose::read_experiment(example_folder, example_file, nominal)
+                              : diagnose::read_experiment(input.folder, nominal);
+}
+
+diagnose::Experiment bench_of(const ExperimentInput& input) {
+  const std::optional<diagnose::NominalChain> model = model_of(input);
+  const diagnose::NominalChain* const nominal = model ? &*model : nullptr;
+  return input.folder.empty() ? diagnose::read_plan(example_folder, example_file, nominal)
+                              : diagnose::read_plan(input.folder, nominal);
+}
+
+diagnose::Study study_of(const ExperimentInput& input, const diagnose::Experiment& experiment) {
+  return diagnose::study_with(condensed(experiment), input.effects.empty()
+                                                         ? std::vector<diagnose::StatedEffect>{}
+                                                         : diagnose::read_effects(input.effects));
+}
+
+}  // namespace plumbline::app
