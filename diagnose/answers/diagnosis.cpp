@@ -183,23 +183,17 @@ std::optional<NoiseModel> tolerance(const Study& study, const NoiseModel& noise)
   return tolerated.scale == noise.scale ? std::nullopt : std::optional(tolerated);
 }
 
-/// Where nothing explains the readings to their noise, what leaves no more of them than is tolerated is as
-/// good an explanation as can be had. So much freedom is left to it that a cause outside the catalogue might
-/// do as well. \param seen    the study without the readings held out \param chosen  what the search found
-/// there
-void accept_tolerable(const Study& study, const Study& seen, Findings chosen, Findings& findings,
-                      Cause& cause) {
-  if (cause.verdict != CauseVerdict::unknown) return;
-  chosen.tolerance = tolerance(study, findings.noise);
-  if (!chosen.tolerance) return;
-  weigh(seen, chosen);
-  Findings tolerable = confirmed(study, chosen);
-  Cause within = judge(study, tolerable);
-  if (within.verdict == CauseVerdict::unknown) return;
-  if (within.ranking[within.best].hypothesis.fit.candidate.count() > 2) return;
-  within.reservation = Reservation::beyond_noise;
-  cause = std::move(within);
-  findings = std::move(tolerable);
+/// Gives the chance of a cause outside the catalogue, and the rest to what is ranked.
+void leave_to_unknown(Cause& cause, double unknown) {
+  for (Ranked& one : cause.ranking) one.probability *= (1 - unknown) / (1 - cause.unknown);
+  cause.unknown = unknown;
+}
+
+/// Names the best only beside a cause outside the catalogue.
+void hedge(Cause& cause, Reservation why) {
+  cause.verdict = CauseVerdict::ambiguous;
+  cause.reservation = why;
+  leave_to_unknown(cause, beliefs::wrong_unpredicted);
 }
 
 /// What does not predict is not identified: it may be one of the causes that nobody has listed. Three effects
@@ -209,18 +203,33 @@ void demand_prediction(const std::optional<Shrink>& blind, Cause& cause) {
   if (cause.verdict == CauseVerdict::unknown) return;
   const bool three = cause.ranking[cause.best].hypothesis.fit.candidate.count() >= 3;
   const bool predicted = blind ? predicts(blind, beliefs::predicts) : !three;
-  if (predicted && !three && cause.reservation == Reservation::none) return;
-  if (cause.reservation == Reservation::none)
-    cause.reservation = predicted ? Reservation::three_effects : Reservation::not_predicted;
-  const bool refuted = three && !predicted;
-  const double unknown = refuted ? beliefs::wrong_unpredicted_three : beliefs::wrong_unpredicted;
-  cause.verdict = refuted ? CauseVerdict::unknown : CauseVerdict::ambiguous;
-  if (refuted) {
-    cause.equivalent.clear();
-    cause.reservation = Reservation::none;
-  }
-  for (Ranked& one : cause.ranking) one.probability *= (1 - unknown) / (1 - cause.unknown);
-  cause.unknown = unknown;
+  if (!three && !predicted) hedge(cause, Reservation::not_predicted);
+  if (three && predicted) hedge(cause, Reservation::three_effects);
+  if (!three || predicted) return;
+  cause.verdict = CauseVerdict::unknown;
+  cause.equivalent.clear();
+  leave_to_unknown(cause, beliefs::wrong_unpredicted_three);
+}
+
+/// Where nothing explains the readings to their noise, what leaves no more of them than is tolerated is as
+/// good an explanation as can be had. So much freedom is left to it that a cause outside the catalogue might
+/// do as well. Answers whether there is one.
+/// \param seen    the study without the readings held out
+/// \param chosen  what the search found there
+bool accept_tolerable(const Study& study, const Study& seen, Findings chosen, Findings& findings,
+                      Cause& cause) {
+  if (cause.verdict != CauseVerdict::unknown) return false;
+  chosen.tolerance = tolerance(study, findings.noise);
+  if (!chosen.tolerance) return false;
+  weigh(seen, chosen);
+  Findings tolerable = confirmed(study, chosen);
+  Cause within = judge(study, tolerable);
+  if (within.verdict == CauseVerdict::unknown) return false;
+  if (within.ranking[within.best].hypothesis.fit.candidate.count() > 2) return false;
+  hedge(within, Reservation::beyond_noise);
+  cause = std::move(within);
+  findings = std::move(tolerable);
+  return true;
 }
 
 /// Whether the choice that is made without a part falls on the best explanation, or among those that are then
@@ -283,9 +292,10 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
   }
   accept_remainder(study, findings.noise, diagnosis.cause);
   diagnosis.noise = findings.noise;
-  accept_tolerable(study, seen, chosen, findings, diagnosis.cause);
   diagnosis.shrink = shrink_of(study, findings, diagnosis.noise, diagnosis.cause);
   demand_prediction(diagnosis.shrink, diagnosis.cause);
+  if (accept_tolerable(study, seen, chosen, findings, diagnosis.cause))
+    diagnosis.shrink = shrink_of(study, findings, diagnosis.noise, diagnosis.cause);
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.reservation != Reservation::none)
     offer_law_to(study, heldout, chosen, diagnosis);
   diagnosis.not_exercised = never_exercised(study, chosen);
