@@ -15,7 +15,7 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# to draw figures; to compile against the headers
+# to draw figures; to share work among processes, to compile against the headers
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev, libboost-dev, libgmp-dev, libmpfr-dev, libmpfi-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "openmpi-bin, libeigen3-dev, libboost-dev, libgmp-dev, libmpfr-dev, libmpfi-dev")
 include(CPack)

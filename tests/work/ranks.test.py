@@ -16,10 +16,10 @@ import time
 import unittest
 
 PLUMBLINE, SOURCE = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).resolve()
-TRIALS = sys.argv[3] if len(sys.argv) > 3 else "4"
+TRIALS = sys.argv[3] if len(sys.argv) > 3 else "3"
 # more ranks than processors, as root in a container, and nothing bound to a processor that another has
 MPIRUN = ["mpirun", "--oversubscribe", "--allow-run-as-root", "--bind-to", "none"]
-TRIAL = ["trial", "--trials", TRIALS, "--seed", "12", "--patience", "300", "--out", "kept", "--json", "a.json",
+TRIAL = ["trial", "--trials", TRIALS, "--seed", "3", "--patience", "300", "--out", "kept", "--json", "a.json",
          "--markdown", "a.md"]
 
 
