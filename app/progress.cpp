@@ -45,7 +45,7 @@ std::string Progress::whole_line() const {
   const double seconds = Seconds(std::chrono::steady_clock::now() - begin_).count();
   const std::size_t done = done_;
   if (total_ == 0) return fmt::format("{}: {:.0f} s", what_, seconds);
-  const std::size_t width = columns_ < 80 ? 10 : 40;
+  const std::size_t width = std::clamp<std::size_t>(columns_ / 4, 10, 40);
   const std::size_t filled = std::min(width, width * done / total_);
   std::string text = fmt::format("{} [{}{}] {}/{}, {:.0f} s", what_, std::string(filled, '#'),
                                  std::string(width - filled, '.'), done, total_, seconds);
