@@ -5,6 +5,8 @@
 #include <plumbline/base/error.hpp>
 
 #include "exchange/edit_mjcf.hpp"
+#include "exchange/edit_sdf.hpp"
+#include "exchange/edit_urdf.hpp"
 #include "exchange/mjcf.hpp"
 #include "exchange/sdf.hpp"
 #include "exchange/toml.hpp"
@@ -137,36 +139,47 @@ std::vector<Corrected> corrected_models(const Study& study, const Diagnosis& dia
 
 namespace {
 
-/// The user's own file where it can be edited, else a chain of its own.
-Written mjcf(const Model& model) {
+using Writer = Written (*)(const Model&);
+
+/// What writes the user's own file with the correction in it; none of a format that this program cannot read.
+Writer editor([[maybe_unused]] Format format) {
 #ifdef PLUMBLINE_MUJOCO
-  if (!model.source.empty() && format_of(model.source) == Format::mjcf) {
-    try {
-      return edit_mjcf(model);
-    } catch (const Error& error) {
-      Written file = to_mjcf(model);
-      file.note = std::string("a chain of its own, for the model's file cannot be edited: ") + error.what();
-      return file;
-    }
-  }
+  if (format == Format::mjcf) return edit_mjcf;
 #endif
-  return to_mjcf(model);
+#ifdef PLUMBLINE_SDFORMAT
+  if (format == Format::sdf) return edit_sdf;
+  if (format == Format::urdf) return edit_urdf;
+#endif
+  return nullptr;
+}
+
+Writer writer(Format format) {
+  switch (format) {
+    case Format::mjcf:
+      return to_mjcf;
+    case Format::urdf:
+      return to_urdf;
+    case Format::sdf:
+      return to_sdf;
+    case Format::toml:
+      break;
+  }
+  return to_toml;
 }
 
 }  // namespace
 
 Written written(const Model& model, Format format) {
-  switch (format) {
-    case Format::mjcf:
-      return mjcf(model);
-    case Format::urdf:
-      return to_urdf(model);
-    case Format::sdf:
-      return to_sdf(model);
-    case Format::toml:
-      break;
+  const bool from_such = !model.source.empty() && format_of(model.source) == format;
+  const Writer edit = from_such ? editor(format) : nullptr;
+  if (edit == nullptr) return writer(format)(model);
+  try {
+    return edit(model);
+  } catch (const Error& error) {
+    Written file = writer(format)(model);
+    file.note = std::string("a chain of its own, for the model's file cannot be edited: ") + error.what();
+    return file;
   }
-  return to_toml(model);
 }
 
 }  // namespace plumbline::exchange

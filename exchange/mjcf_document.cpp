@@ -3,23 +3,15 @@
 #include <map>
 #include <numbers>
 #include <plumbline/base/error.hpp>
-#include <sstream>
 #include <utility>
 
 #include "exchange/mjcf_parts.hpp"
-#include "files/text_file.hpp"
 
 namespace plumbline::exchange {
 namespace {
 
 using pugi::xml_node;
 using Attributes = std::vector<std::pair<const char*, std::string>>;
-
-void parse(const std::filesystem::path& file, pugi::xml_document& document) {
-  const std::string text = files::read_text(file);
-  const auto read = document.load_string(text.c_str(), pugi::parse_full);
-  if (!read) throw Error(file.string(), read.description(), "XML");
-}
 
 /// Replaces every <include> by what its file's root holds.
 void include(xml_node parent, const std::filesystem::path& folder) {
@@ -80,11 +72,6 @@ void add_what_is_silent(xml_node element) {
 
 }  // namespace
 
-void set(xml_node element, const char* attribute, const std::string& value) {
-  if (!element.attribute(attribute)) element.append_attribute(attribute);
-  element.attribute(attribute) = value.c_str();
-}
-
 MjcfDocument::MjcfDocument(const std::filesystem::path& file) : file_(file.string()) {
   parse(file, document_);
   include(document_.document_element(), file.parent_path());
@@ -126,9 +113,7 @@ double MjcfDocument::angle(double radians) const {
 }
 
 xml_node MjcfDocument::append(xml_node parent, const Xml& element) {
-  const std::string text = element.text(0);
-  parent.append_buffer(text.c_str(), text.size());
-  const xml_node added = parent.last_child();
+  const xml_node added = exchange::append(parent, element);
   add_what_is_silent(added);
   return added;
 }
@@ -136,13 +121,6 @@ xml_node MjcfDocument::append(xml_node parent, const Xml& element) {
 xml_node MjcfDocument::insert_before(xml_node sibling, const Xml& element) {
   const xml_node added = append(sibling.parent(), element);
   return sibling.parent().insert_move_before(added, sibling);
-}
-
-std::string MjcfDocument::text(const std::vector<std::string>& lines) {
-  document_.insert_child_before(pugi::node_comment, root()).set_value(comment(lines).c_str());
-  std::ostringstream text;
-  document_.save(text, "  ");
-  return text.str();
 }
 
 }  // namespace plumbline::exchange

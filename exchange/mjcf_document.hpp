@@ -3,11 +3,10 @@
 /// A user's own MJCF, to be edited: what is not touched stays as it stands.
 
 #include <filesystem>
-#include <pugixml.hpp>
 #include <string>
 #include <vector>
 
-#include "exchange/xml.hpp"
+#include "exchange/xml_document.hpp"
 
 namespace plumbline::exchange {
 
@@ -30,7 +29,7 @@ class MjcfDocument {
   pugi::xml_node insert_before(pugi::xml_node sibling, const Xml& element);
 
   /// The file, with these lines as a comment before the root.
-  [[nodiscard]] std::string text(const std::vector<std::string>& lines);
+  [[nodiscard]] std::string text(const std::vector<std::string>& lines) { return text_of(document_, lines); }
 
  private:
   void number(pugi::xml_node body);
@@ -39,8 +38,5 @@ class MjcfDocument {
   pugi::xml_document document_;
   bool degrees_ = true;
 };
-
-/// Sets an attribute, there already or not.
-void set(pugi::xml_node element, const char* attribute, const std::string& value);
 
 }  // namespace plumbline::exchange

@@ -79,6 +79,10 @@ Vector3d end_of(const ReadModel& model, const ReadJoint& last, const std::string
 
 }  // namespace
 
+bool names_an_end(const std::string& name) {
+  return name.find("end") != std::string::npos || name.find("tip") != std::string::npos;
+}
+
 Vector3d Plane::normal() const {
   return x.cross(y);
 }

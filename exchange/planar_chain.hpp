@@ -33,6 +33,9 @@ struct ReadModel {
   std::vector<std::string> left_out;  ///< what else the model has: "frictionloss of q1"
 };
 
+/// Whether a site, frame or link of this name is an end point.
+bool names_an_end(const std::string& name);
+
 /// The plane of a chain: x and y such that angles count about x × y. In a vertical plane y is upward.
 struct Plane {
   Eigen::Vector3d x{1, 0, 0}, y{0, 1, 0}, origin{0, 0, 0};

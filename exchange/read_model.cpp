@@ -4,7 +4,6 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/read_nominal.hpp"
-#include "exchange/format.hpp"
 #include "exchange/read_mujoco.hpp"
 #include "exchange/read_sdf.hpp"
 #include "files/text_file.hpp"
@@ -30,23 +29,24 @@ Parser sdformat() {
 #endif
 }
 
-/// URDF has its springs in elements that sdformat alone knows.
-ReadModel parsed(const std::string& file, Format format) {
+}  // namespace
+
+ReadModel parsed(const std::filesystem::path& file, Format format) {
   Parser parser = format == Format::mjcf ? mujoco() : sdformat();
+  // URDF has its springs in elements that sdformat alone knows.
   if (parser == nullptr && format == Format::urdf) parser = mujoco();
   if (parser == nullptr)
-    throw Error(file, format == Format::sdf ? "SDF, and no sdformat12" : "a simulator's model, and no MuJoCo",
+    throw Error(file.string(),
+                format == Format::sdf ? "SDF, and no sdformat12" : "a simulator's model, and no MuJoCo",
                 "a program that was built with it: ./setup.sh --models, then build again");
-  return parser(file);
+  return parser(file.string());
 }
-
-}  // namespace
 
 PlanarChain read_model(const std::filesystem::path& file) {
   const Format format = format_of(file);
   const std::string text = files::read_text(file);
   if (format == Format::toml) return {diagnose::parse_nominal(text, file.string()), {}};
-  return planar_chain(parsed(file.string(), format), file.string());
+  return planar_chain(parsed(file, format), file.string());
 }
 
 }  // namespace plumbline::exchange

@@ -4,9 +4,14 @@
 
 #include <filesystem>
 
+#include "exchange/format.hpp"
 #include "exchange/planar_chain.hpp"
 
 namespace plumbline::exchange {
+
+/// A simulator's model as its own parser has it.
+/// \throws Error for a file that the parser refuses, and of a program that was built without it
+ReadModel parsed(const std::filesystem::path& file, Format format);
 
 /// \throws Error, one line: for an ending of no format, a file that its parser refuses, a parser that this
 ///         program was built without, and what is no planar serial chain of hinges

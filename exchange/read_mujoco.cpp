@@ -66,7 +66,7 @@ class Reader {
       if (last_joint(model_->site_bodyid[s]) != last) continue;
       const Vector3d at = vector_of(data_->site_xpos, s);
       const std::string own = name(mjOBJ_SITE, s, "site ");
-      const bool is_end = own.find("end") != std::string::npos || own.find("tip") != std::string::npos;
+      const bool is_end = names_an_end(own);
       if (named && !is_end) continue;
       if (result_.end && named == is_end && (*result_.end - anchor).norm() >= (at - anchor).norm()) continue;
       named = is_end;

@@ -1,10 +1,13 @@
 #include "exchange/read_sdf.hpp"
 
+#include <Eigen/Geometry>
 #include <map>
 #include <plumbline/base/error.hpp>
 #include <sdf/sdf.hh>
 
+#include "exchange/urdf_end.hpp"
 #include "files/printable.hpp"
+#include "files/text_file.hpp"
 
 namespace plumbline::exchange {
 namespace {
@@ -20,11 +23,20 @@ class Reader {
  public:
   explicit Reader(const std::string& file) : file_(file) {
     sdf::Console::Instance()->SetQuiet(true);
-    demand(root_.Load(file));
+    // The parser sees a URDF's end only where it is told to keep it.
+    demand(file.ends_with(".urdf") ? root_.LoadSdfString(with_end_kept(files::read_text(file)))
+                                   : root_.Load(file));
     world_ = root_.WorldCount() > 0 ? root_.WorldByIndex(0) : nullptr;
     model_ = root_.Model();
     if (model_ == nullptr && world_ != nullptr && world_->ModelCount() == 1) model_ = world_->ModelByIndex(0);
     if (model_ == nullptr) throw Error(file, "no model, or several", "one model");
+  }
+
+  std::map<std::string, Eigen::Matrix3d> rotations() {
+    for (std::uint64_t l = 0; l < model_->LinkCount(); ++l) turn(*model_->LinkByIndex(l));
+    for (std::uint64_t j = 0; j < model_->JointCount(); ++j) turn(*model_->JointByIndex(j));
+    for (std::uint64_t f = 0; f < model_->FrameCount(); ++f) turn(*model_->FrameByIndex(f));
+    return std::move(turned_);
   }
 
   ReadModel read() {
@@ -48,6 +60,12 @@ class Reader {
     Pose3d in_model;
     demand(part.SemanticPose().Resolve(in_model, "__model__"));
     return in_model;
+  }
+
+  template <class Part>
+  void turn(const Part& part) {
+    const auto rot = pose(part).Rot();
+    turned_[part.Name()] = Eigen::Quaterniond(rot.W(), rot.X(), rot.Y(), rot.Z()).toRotationMatrix();
   }
 
   /// How a link hangs on another.
@@ -113,7 +131,7 @@ class Reader {
   template <class Part>
   void consider_end(const char* kind, const Part& part) {
     const std::string& name = part.Name();
-    if (name.find("end") == std::string::npos && name.find("tip") == std::string::npos) return;
+    if (!names_an_end(name)) return;
     result_.end = vector(pose(part).Pos());
     result_.end_name = kind + files::shown(name);
   }
@@ -124,12 +142,17 @@ class Reader {
   const sdf::Model* model_ = nullptr;
   std::map<std::string, Hold> held_;
   ReadModel result_;
+  std::map<std::string, Eigen::Matrix3d> turned_;
 };
 
 }  // namespace
 
 ReadModel read_sdf(const std::string& file) {
   return Reader(file).read();
+}
+
+std::map<std::string, Eigen::Matrix3d> sdf_rotations(const std::string& file) {
+  return Reader(file).rotations();
 }
 
 }  // namespace plumbline::exchange

@@ -91,6 +91,9 @@ class Builder {
 
   void add(const std::string& name, Pair place, std::optional<Hinge> joint) {
     tree_.bodies.push_back({name, here_, place, speck, 0, 0, std::move(joint)});
+    // Of the size of a joint's, that of what is stiffer too, for it is turned by all joints before it.
+    if (const auto& own = tree_.bodies.back().joint; own && own->along == 'z')
+      tree_.bodies.back().turning = std::min(own->armature, typical_ * response_time * response_time);
     here_ = name;
     at_ = 0;
   }
@@ -140,7 +143,7 @@ class Builder {
     for (std::size_t g = 0; g < 3; ++g) {
       here().length = (gauss_place[g] - behind) * length;
       const std::string name = fmt::format("bend{}_{}", j + 1, g + 1);
-      add(name, {(gauss_place[g] - behind) * length, 0},
+      add(name + "_part", {(gauss_place[g] - behind) * length, 0},
           hinge(name, 1 / (rig_.flexibility * gauss_weight[g] * length)));
       if (g == 1) weight(j, 0);
       turning_.push_back(name);

@@ -2,6 +2,7 @@
 /// \file
 /// A chain as simulators of bodies have it: a tree of bodies and hinges in the plane, and what couples them.
 
+#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <string>
@@ -32,7 +33,14 @@ struct Body {
   double mass = 0, middle = 0;  ///< centre of mass, along x
   double length = 0;            ///< to be drawn; 0 where it is a point
   std::optional<Hinge> joint = {};
+  double turning = 1e-6;  ///< moment of inertia, kg m², in formats whose joints have no armature
 };
+
+/// Along or about which it moves, in its own frame.
+inline Eigen::Vector3d direction_of(const Body& one) {
+  const char along = one.joint ? one.joint->along : 'z';
+  return {along == 'x' ? 1.0 : 0.0, along == 'y' ? 1.0 : 0.0, along == 'z' ? 1.0 : 0.0};
+}
 
 /// A spring on a weighted sum of joints, at ease in the unloaded shape.
 struct Tendon {

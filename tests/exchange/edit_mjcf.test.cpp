@@ -4,90 +4,15 @@
 
 #include <plumbline/base/error.hpp>
 
-#include "exchange/read_model.hpp"
 #include "exchange/ways.hpp"
-#include "tests/exchange/proof.hpp"
-#include "tests/folder.hpp"
+#include "tests/exchange/lab.hpp"
 
 namespace plumbline::exchange {
 namespace {
 
 using diagnose::EffectAt, diagnose::Experiment, diagnose::Prediction, diagnose::Study;
 
-/// A robot of somebody's: in degrees, with classes, a joint that turns the other way, bodies and actuators of
-/// its own, a part in another file, a keyframe. At rest it has the angles 0.3, -0.5, 0.4.
-const char* const robot = R"(<mujoco model="leg">
-  <!-- drawn by hand -->
-  <option gravity="0 0 0"/>
-  <default>
-    <joint damping="0.1" armature="0.01" limited="true" range="-170 170" frictionloss="0"/>
-    <general ctrllimited="true" ctrlrange="-1 1"/>
-    <default class="bone"><geom type="capsule" size="0.01" mass="0.01" rgba="0.8 0.8 0.7 1" contype="0" conaffinity="0"/></default>
-  </default>
-  <include file="floor.xml"/>
-  <worldbody>
-    <body name="thigh" childclass="bone">
-      <joint name="hip" axis="0 0 1" stiffness="2" springref="17.188733853924695"/>
-      <geom name="femur" fromto="0 0 0 0.2 0 0"/>
-      <body name="shin" pos="0.2 0 0">
-        <geom name="tibia" fromto="0 0 0 0.25 0 0"/>
-        <joint name="knee" axis="0 0 -1" stiffness="1.5" springref="28.64788975654116"/>
-        <body name="foot" pos="0.25 0 0" quat="0.7071067811865476 0.7071067811865475 0 0">
-          <joint name="ankle" axis="0 1 0" stiffness="1" springref="22.918311805232928"/>
-          <geom name="sole" fromto="0 0 0 0.15 0 0"/>
-          <site name="toe_tip" pos="0.15 0 0"/>
-        </body>
-      </body>
-    </body>
-  </worldbody>
-  <actuator><motor name="push" joint="knee"/></actuator>
-  <keyframe><key name="bent" qpos="0.1 0.2 0.3" ctrl="0.5"/></keyframe>
-</mujoco>
-)";
-const char* const room =
-    R"(<mujocoinclude><worldbody><light name="lamp" pos="0 0 3"/><geom name="floor" type="plane" size="2 2 0.1" pos="0 0 -1" contype="0" conaffinity="0"/></worldbody></mujocoinclude>)";
-
-/// The robot in a folder, and a bench on which it rests as it is drawn.
-struct Lab {
-  explicit Lab(int steps = 20) {
-    folder.write("robot.xml", robot);
-    folder.write("floor.xml", room);
-    static_cast<diagnose::NominalChain&>(experiment) = read_model(folder / "robot.xml").chain;
-    const std::vector<double> rest{0.3, -0.5, 0.4};
-    experiment.runs.clear();
-    diagnose::test::press(experiment, rest, {-0.06, 0}, steps, true);
-    diagnose::test::press(experiment, rest, {-0.05, 0.03}, 3 * steps / 4, false, 2.5);
-    diagnose::test::load(experiment, rest, {0, 0}, {-2.0, 1.0}, 3 * steps / 4);
-  }
-  Folder folder;
-  Experiment experiment = diagnose::test::full_bench();
-};
-
-/// The foot's axis, +y of its own frame, is +z of the world's; the knee's is -z.
-test::Names names() {
-  return {"toe_tip", "load", {{"hip", 1}, {"knee", -1}, {"ankle", 1}}};
-}
-
-Prediction in_mujoco(const std::string& text, const Experiment& experiment, test::Pace pace) {
-  Prediction all;
-  for (const diagnose::Run& run : experiment.runs)
-    all.runs.push_back(test::MujocoBench(text, pace, names()).run(run));
-  return all;
-}
-
-/// Root mean square of what two predictions differ by, in standard deviations of the noise.
-double apart(const Study& study, const Prediction& a, const Prediction& b) {
-  std::vector<double> one = study.residual(a);
-  const std::vector<double> other = study.residual(b);
-  for (std::size_t i = 0; i < one.size(); ++i) one[i] -= other[i];
-  return test::rms(one);
-}
-
-std::string file_without_floor() {
-  std::string text = robot;
-  const std::string include = "<include file=\"floor.xml\"/>";
-  return text.erase(text.find(include), include.size());
-}
+using test::Lab, test::robot, test::in_mujoco, test::apart;
 
 using Compiled = std::unique_ptr<mjModel, decltype(&mj_deleteModel)>;
 
@@ -109,12 +34,7 @@ TEST_CASE("a robot's own file is edited: every effect that MJCF carries does in 
   for (const EffectAt& at : possible_effects(Study(lab.experiment))) {
     if (!way_of(Format::mjcf, at.effect->id).carried || at.joint == 1 || at.joint == 3) continue;
     CAPTURE(at.label());
-    Experiment experiment = at.effect->id == "sensor_lag" ? fine.experiment : lab.experiment;
-    const bool timed = test::takes_time(at);
-    if (timed || at.effect->id == "guide_friction") experiment.runs.pop_back();
-    if (timed)
-      for (diagnose::Run& run : experiment.runs)
-        for (diagnose::Reading& reading : run.readings) reading.t *= test::slowness;
+    const Experiment experiment = test::bench_in(at.effect->id == "sensor_lag" ? fine : lab, at);
     const Study bare(experiment);
     const std::vector<double> amount = test::amount_of(bare, at);
     Model model =
@@ -135,7 +55,7 @@ TEST_CASE("a robot's own file is edited: every effect that MJCF carries does in 
     CAPTURE(gap);
     const double drag =
         pace == test::Pace::on_the_way
-            ? 0.06 * gap + apart(bare, in_mujoco(file_without_floor(), experiment, pace), bare.nominal())
+            ? 0.06 * gap + apart(bare, in_mujoco(test::robot_alone(), experiment, pace), bare.nominal())
             : 0;
     CHECK(left < 0.5 + drag);
   }

@@ -47,6 +47,7 @@ class MujocoBench {
     std::copy_n(model_->qpos_spring, model_->nq, data_->qpos);
     mj_forward(model_.get(), data_.get());
     if (driven_ && !held) let_go();
+    if (driven_ && pace_ == Pace::on_the_way && !slides()) pace_ = Pace::at_rest;
     target_ = !held ? Eigen::Vector2d(0, 0) : driven_ ? drive() : end();
     diagnose::Trace trace(static_cast<Eigen::Index>(run.readings.size()),
                           diagnose::column_q + static_cast<Eigen::Index>(run.rest.size()));
@@ -159,6 +160,12 @@ class MujocoBench {
       model_->dof_damping[dof(name)] *= light;
       model_->dof_armature[dof(name)] *= light;
     }
+  }
+
+  [[nodiscard]] bool slides() const {
+    const auto dry = [](mjtNum friction) { return friction > 0; };
+    return std::any_of(model_->dof_frictionloss, model_->dof_frictionloss + model_->nv, dry) ||
+           std::any_of(model_->tendon_frictionloss, model_->tendon_frictionloss + model_->ntendon, dry);
   }
 
   /// Moves at a steady rate; waits for rest only where readings are taken at rest.

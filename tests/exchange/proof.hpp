@@ -43,9 +43,8 @@ inline constexpr double slowness = 5;
 
 inline Experiment bench_for(const EffectAt& at) {
   Experiment experiment = diagnose::test::full_bench();
-  // An imposed force is beside the guide, and what is read on the way needs one that something holds.
-  if (takes_time(at) || at.effect->id == "guide_friction") experiment.runs.pop_back();
   if (!takes_time(at)) return experiment;
+  experiment.runs.pop_back();
   for (diagnose::Run& run : experiment.runs)
     for (diagnose::Reading& reading : run.readings) reading.t *= slowness;
   return experiment;
@@ -102,29 +101,6 @@ inline Experiment read_with_noise(Experiment experiment, const Prediction& true_
             true_runs.runs[r](static_cast<Eigen::Index>(i), column_of(channel)) +
             channel.sigma(experiment.noise) * normal(engine);
   return experiment;
-}
-
-/// From MuJoCo's readings to the corrected MJCF and back to MuJoCo.
-struct RoundTrip {
-  diagnose::Diagnosis diagnosis;
-  /// What is left of the residual on the readings held out, as the report says, and in MuJoCo: of several
-  /// candidates' files with the best. 1 without any.
-  double reported, mujoco;
-};
-
-/// \param true_runs  what MuJoCo makes of the chain with its effect
-inline RoundTrip round_trip(const Experiment& bench, const Prediction& true_runs, Pace pace, unsigned seed) {
-  const Study study(read_with_noise(bench, true_runs, seed));
-  RoundTrip trip{diagnose::diagnose(study), 1, 1};
-  if (!trip.diagnosis.shrink) return trip;
-  trip.reported = trip.diagnosis.shrink->ratio;
-  for (const Corrected& one : corrected_models(study, trip.diagnosis)) {
-    const diagnose::Shrink in_file = measure_shrink(
-        study.measurements(), diagnose::named(study.experiment(), trip.diagnosis.shrink->heldout),
-        study.nominal_residual(), study.residual(in_mujoco(one.model, pace)), trip.diagnosis.noise);
-    trip.mujoco = std::min(trip.mujoco, in_file.ratio);
-  }
-  return trip;
 }
 
 }  // namespace plumbline::exchange::test
