@@ -107,7 +107,8 @@ std::string words(const Parameter& parameter, bool by_date) {
   std::string text = with_bounds(parameter.mean) + "; from session to session ";
   constexpr double level = 0.01;
   text += parameter.alike < level
-              ? fmt::format("+- {:.2g} beyond these bounds ({})", parameter.spread, page::p_value(parameter.alike))
+              ? fmt::format("+- {:.2g} beyond these bounds ({})", parameter.spread,
+                            page::p_value(parameter.alike))
               : fmt::format("no more than each one's bounds say ({})", page::p_value(parameter.alike));
   if (!parameter.drift) return text;
   const char* step = by_date ? "by day" : "from one to the next";

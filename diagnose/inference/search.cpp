@@ -112,7 +112,8 @@ class Searcher {
         if (whole.machined() && whole.effects[e].effect->of_machining) continue;
         for (const EffectAt& plain : possible_effects(study_)) {
           const auto& known = whole.effects;
-          if (!covers(known[e], plain) || std::find(known.begin(), known.end(), plain) != known.end()) continue;
+          if (!covers(known[e], plain) || std::find(known.begin(), known.end(), plain) != known.end())
+            continue;
           Candidate candidate = whole;
           candidate.effects[e] = plain;
           keep(fits, fit(study_, candidate, settings_));
