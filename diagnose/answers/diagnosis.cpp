@@ -145,9 +145,9 @@ std::optional<std::size_t> best_partial_of(const Study& study, const Cause& caus
 
 /// With thousands of readings every model fails a test for exactness. The best partial explanation, of one
 /// effect or else of two, that predicts held-out readings nearly to the noise, where these show the gap
-/// clearly, is what was looked for, with a remainder.
-void accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause) {
-  if (cause.verdict != CauseVerdict::unknown) return;
+/// clearly, is what was looked for, with a remainder. Answers whether there is one.
+bool accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause) {
+  if (cause.verdict != CauseVerdict::unknown) return false;
   for (const std::size_t effects : {std::size_t{1}, std::size_t{2}}) {
     const std::optional<std::size_t> place = best_partial_of(study, cause, effects);
     if (!place) continue;
@@ -157,8 +157,9 @@ void accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause)
     if (!predicts(blind->shrink, beliefs::nearly) || floor > beliefs::clear) continue;
     settle_on(cause, *place, beliefs::other_than_nearly);
     cause.remainder = std::sqrt(std::max(0.0, left * left - floor * floor));
-    return;
+    return true;
   }
+  return false;
 }
 
 /// What an explanation may leave of the readings though they scatter less: what was declared, for readings
@@ -196,12 +197,32 @@ void hedge(Cause& cause, Reservation why) {
   leave_to_unknown(cause, beliefs::wrong_unpredicted);
 }
 
+/// Whether an explanation takes so many effects that it explains much that it is not.
+bool takes_three(const Ranked& one) {
+  return one.hypothesis.fit.candidate.count() >= 3;
+}
+
+/// Makes the best explanation of fewer effects that leaves no structure the one that stands out, where the
+/// best takes three and does not predict. Answers whether there is one.
+bool step_down(const std::optional<Shrink>& blind, Cause& cause) {
+  if (cause.verdict == CauseVerdict::unknown || !takes_three(cause.ranking[cause.best])) return false;
+  if (predicts(blind, beliefs::predicts)) return false;
+  const auto adequate = [](const Ranked& one) {
+    return !takes_three(one) && one.hypothesis.p_value.value_or(0) >= beliefs::fit_level;
+  };
+  if (std::none_of(cause.ranking.begin(), cause.ranking.end(), adequate)) return false;
+  std::erase_if(cause.ranking, takes_three);
+  const auto plainer = std::find_if(cause.ranking.begin(), cause.ranking.end(), adequate);
+  settle_on(cause, static_cast<std::size_t>(plainer - cause.ranking.begin()), cause.unknown);
+  return true;
+}
+
 /// What does not predict is not identified: it may be one of the causes that nobody has listed. Three effects
 /// at once explain much that they are not: they are none where they do not predict, and doubtful where they
 /// do. \param blind  nothing where no readings could test it
 void demand_prediction(const std::optional<Shrink>& blind, Cause& cause) {
   if (cause.verdict == CauseVerdict::unknown) return;
-  const bool three = cause.ranking[cause.best].hypothesis.fit.candidate.count() >= 3;
+  const bool three = takes_three(cause.ranking[cause.best]);
   const bool predicted = blind ? predicts(blind, beliefs::predicts) : !three;
   if (!three && !predicted) hedge(cause, Reservation::not_predicted);
   if (three && predicted) hedge(cause, Reservation::three_effects);
@@ -290,11 +311,13 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
     findings = search(study, [&](double share) { progress(0.5 + 0.4 * share); });
     diagnosis.cause = judge(study, findings);
   }
-  accept_remainder(study, findings.noise, diagnosis.cause);
   diagnosis.noise = findings.noise;
   diagnosis.shrink = shrink_of(study, findings, diagnosis.noise, diagnosis.cause);
+  if (step_down(diagnosis.shrink, diagnosis.cause))
+    diagnosis.shrink = shrink_of(study, findings, diagnosis.noise, diagnosis.cause);
   demand_prediction(diagnosis.shrink, diagnosis.cause);
-  if (accept_tolerable(study, seen, chosen, findings, diagnosis.cause))
+  if (accept_remainder(study, findings.noise, diagnosis.cause) ||
+      accept_tolerable(study, seen, chosen, findings, diagnosis.cause))
     diagnosis.shrink = shrink_of(study, findings, diagnosis.noise, diagnosis.cause);
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.reservation != Reservation::none)
     offer_law_to(study, heldout, chosen, diagnosis);

@@ -297,8 +297,9 @@ std::optional<Doubt> doubtful_convention(const Study& study) {
   std::vector<Trial> found = check.suspected();
   if (found.empty()) return {};
   // Squares of residuals: what leaves half as much again, or differs by a thousandth, cannot be told apart;
-  // nor can two units, whose factors a gap may bring nearer or farther.
-  constexpr double alike = 2.25, alike_units = 10, anyway = 1e-3;
+  // nor can two units, whose factors a gap may bring nearer or farther: of those that leave up to twice as
+  // much, the more common is asked about first.
+  constexpr double alike = 2.25, alike_units = 10, as_well_units = 4, anyway = 1e-3;
   const auto less = [](const Trial& a, const Trial& b) { return a.misfit < b.misfit; };
   const Trial least = *std::min_element(found.begin(), found.end(), less);
   std::erase_if(found, [&](const Trial& one) {
@@ -307,7 +308,8 @@ std::optional<Doubt> doubtful_convention(const Study& study) {
   });
   // What mends best is asked first; of what mends alike, what leaves the sizes that benches have; of these,
   // what is the most common.
-  const double as_well = std::max(alike * least.misfit, least.misfit + anyway);
+  const double as_well =
+      std::max((least.conversion.factor != 0 ? as_well_units : alike) * least.misfit, least.misfit + anyway);
   const auto order = [&](const Trial& one) {
     return std::pair(one.misfit > as_well ? one.misfit : 0.0, one.unusual);
   };
