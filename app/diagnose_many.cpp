@@ -5,17 +5,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <optional>
 #include <plumbline/base/error.hpp>
 
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
+#include "app/results_folder.hpp"
 #include "campaign/report.hpp"
 #include "diagnose/bench/read_date.hpp"
 #include "files/output_file.hpp"
-#include "files/temporary_folder.hpp"
 #include "trial/experiment_files.hpp"
-#include "work/ranks.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -30,34 +28,12 @@ std::vector<fs::path> files_read(const ManyExperiments& many, const std::vector<
   return all;
 }
 
-/// Where the reports go, and what is done of them, or a folder for a while.
-class Reports {
- public:
-  explicit Reports(const std::string& wanted) : folder_(wanted) {
-    if (wanted.empty()) {
-      if (work::ranks() > 1)
-        throw Error("--reports", "none", "a folder that all ranks of mpirun see, to keep what is done");
-      folder_ = temporary_.emplace().path();
-      return;
-    }
-    files::make_folder(folder_);
-    journal_.emplace(folder_ / "unfinished.jsonl", "plumbline diagnose");
-  }
-  [[nodiscard]] const fs::path& folder() const { return folder_; }
-  [[nodiscard]] work::Journal* journal() { return journal_ ? &*journal_ : nullptr; }
-
- private:
-  std::optional<files::TemporaryFolder> temporary_;
-  fs::path folder_;
-  std::optional<work::Journal> journal_;
-};
-
 std::vector<campaign::Outcome> diagnosed(const ManyExperiments& many, const std::vector<fs::path>& folders,
-                                         Reports& reports) {
+                                         ResultsFolder& reports) {
   Progress progress("diagnoses", folders.size());
   const campaign::Work work{many.words,
                             {many.inputs.begin(), many.inputs.end()},
-                            reports.folder(),
+                            reports.path(),
                             !many.reports.empty(),
                             reports.journal()};
   std::vector<campaign::Outcome> outcomes =
@@ -83,7 +59,7 @@ void diagnose_many(const ManyExperiments& many) {
   files::OutputFile *const json = outputs.open("--json", many.json), *const html =
                                                                          outputs.open("--html", many.html);
   if (!many.reports.empty()) files::require_folder(many.reports);
-  Reports reports(many.reports);
+  ResultsFolder reports("--reports", many.reports, "plumbline diagnose");
   const std::vector<campaign::Outcome> outcomes = diagnosed(many, folders, reports);
   const campaign::Comparison comparison = campaign::compare(outcomes);
   if (json) json->write(campaign::as_json(outcomes, comparison).dump(2) + "\n");

@@ -39,7 +39,7 @@ std::vector<std::string> compute(const Options& options, work::Journal& unfinish
 void run(const Options& options) {
   files::require_folder(options.out);
   files::make_folder(options.out);
-  work::Journal unfinished(options.out / "unfinished.jsonl", options.command());
+  work::Journal unfinished(options.out / work::unfinished_name, options.command());
   const verify::ReferenceValues values =
       verify::reference_values(options.wish(), compute(options, unfinished));
   const auto texts = verify::reference_files(

@@ -9,15 +9,14 @@
 #include "app/arguments.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
+#include "app/results_folder.hpp"
 #include "app/secret_experiments.hpp"
 #include "app/verbs.hpp"
 #include "diagnose/model/effect.hpp"
 #include "files/output_file.hpp"
-#include "files/temporary_folder.hpp"
 #include "trial/experiment_files.hpp"
 #include "trial/report.hpp"
 #include "trial/run_trial.hpp"
-#include "work/ranks.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -45,30 +44,12 @@ std::string command(const Options& options) {
 
 /// Where the trial takes place: the folder that the user names, new, empty or with the same trial unfinished
 /// in it, or one for a while.
-class Place {
- public:
-  explicit Place(const Options& options) : folder_(options.out) {
-    if (options.out.empty()) {
-      if (work::ranks() > 1)
-        throw Error("--out", "none", "a folder that all ranks of mpirun see, to keep what is done");
-      folder_ = temporary_.emplace().path();
-      return;
-    }
-    const fs::path unfinished = folder_ / "unfinished.jsonl";
-    if (fs::exists(folder_) && !fs::is_empty(folder_) && !fs::exists(unfinished))
-      throw Error(options.out, "something there already",
-                  "a new or an empty folder, or a trial to go on with");
-    files::make_folder(folder_);
-    journal_.emplace(unfinished, command(options));
-  }
-  [[nodiscard]] const fs::path& folder() const { return folder_; }
-  [[nodiscard]] work::Journal* journal() { return journal_ ? &*journal_ : nullptr; }
-
- private:
-  std::optional<files::TemporaryFolder> temporary_;
-  fs::path folder_;
-  std::optional<work::Journal> journal_;
-};
+ResultsFolder place_of(const Options& options) {
+  const fs::path folder = options.out;
+  if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / work::unfinished_name))
+    throw Error(options.out, "something there already", "a new or an empty folder, or a trial to go on with");
+  return {"--out", options.out, command(options)};
+}
 
 SecretExperiments make(const Options& options, const fs::path& folder) {
   Progress progress("experiments", options.trials);
@@ -107,10 +88,10 @@ void run(const Options& options) {
   files::OutputFile *const json = outputs.open("--json", options.json), *const markdown = outputs.open(
                                                                             "--markdown", options.markdown);
   const bool quiet = options.json == "-" || options.markdown == "-";
-  Place place(options);
+  ResultsFolder place = place_of(options);
   SecretExperiments secret;
-  if (options.experiments.empty()) secret = make(options, place.folder());
-  const trial::SealedFolder folder(options.experiments.empty() ? place.folder()
+  if (options.experiments.empty()) secret = make(options, place.path());
+  const trial::SealedFolder folder(options.experiments.empty() ? place.path()
                                                                : fs::path(options.experiments));
   if (!options.experiments.empty())
     for (const std::string& name : folder.names()) static_cast<void>(folder.open(name));
@@ -119,9 +100,9 @@ void run(const Options& options) {
                folder.digest());
     std::fflush(stdout);
   }
-  const fs::path reports = place.folder() / "reports";
+  const fs::path reports = place.path() / "reports";
   const std::vector<trial::Diagnosed> diagnosed = diagnose_all(options, folder, reports, place.journal());
-  publish(secret, place.folder());
+  publish(secret, place.path());
   const std::vector<trial::Case> cases = trial::unseal(folder, reports, diagnosed, catalogue());
   const trial::Circumstances about = circumstances(options, folder, secret);
   if (json) json->write(trial::as_json(about, cases).dump(2) + "\n");

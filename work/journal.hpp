@@ -8,6 +8,9 @@
 
 namespace plumbline::work {
 
+/// The name that it has in a folder of results.
+inline constexpr const char* unfinished_name = "unfinished.jsonl";
+
 /// A file with the result of every item that is done, written as they come, so that the same command, begun
 /// again after it was cut off, goes on where it was. It is there as long as the work is unfinished. Lines of
 /// JSON: first {"format": "plumbline-unfinished/1", "program": SHA-256 of the executable, "work": …}, then

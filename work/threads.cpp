@@ -1,8 +1,8 @@
 #include "work/threads.hpp"
 
 #include <algorithm>
+#include <plumbline/base/parallel.hpp>
 #include <thread>
-#include <vector>
 
 #include "work/turns.hpp"
 
@@ -10,13 +10,8 @@ namespace plumbline::work {
 
 void share_among_threads(const Task& task, std::size_t count, const Exchange& exchange) {
   Turns turns(count, exchange);
-  {
-    const std::size_t processors = task.by_threads ? std::thread::hardware_concurrency() : 1;
-    std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < std::min(processors, count); ++t)
-      others.emplace_back([&] { turns.work_through(task); });
-    turns.work_through(task);
-  }
+  const unsigned workers = task.by_threads ? std::max(1U, std::thread::hardware_concurrency()) : 1;
+  in_parallel(std::min<std::size_t>(workers, count), workers, [&](std::size_t) { turns.work_through(task); });
   turns.end();
 }
 

@@ -218,8 +218,8 @@ bool step_down(const std::optional<Shrink>& blind, Cause& cause) {
 }
 
 /// What does not predict is not identified: it may be one of the causes that nobody has listed. Three effects
-/// at once explain much that they are not: they are none where they do not predict, and doubtful where they
-/// do. \param blind  nothing where no readings could test it
+/// explain much that they are not: they are none where they do not predict, and doubtful where they do.
+/// \param blind  nothing where no readings could test it
 void demand_prediction(const std::optional<Shrink>& blind, Cause& cause) {
   if (cause.verdict == CauseVerdict::unknown) return;
   const bool three = takes_three(cause.ranking[cause.best]);
@@ -246,7 +246,7 @@ bool accept_tolerable(const Study& study, const Study& seen, Findings chosen, Fi
   Findings tolerable = confirmed(study, chosen);
   Cause within = judge(study, tolerable);
   if (within.verdict == CauseVerdict::unknown) return false;
-  if (within.ranking[within.best].hypothesis.fit.candidate.count() > 2) return false;
+  if (takes_three(within.ranking[within.best])) return false;
   hedge(within, Reservation::beyond_noise);
   cause = std::move(within);
   findings = std::move(tolerable);
@@ -312,13 +312,15 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
     diagnosis.cause = judge(study, findings);
   }
   diagnosis.noise = findings.noise;
-  diagnosis.shrink = shrink_of(study, findings, diagnosis.noise, diagnosis.cause);
-  if (step_down(diagnosis.shrink, diagnosis.cause))
+  const auto test_best = [&] {
     diagnosis.shrink = shrink_of(study, findings, diagnosis.noise, diagnosis.cause);
+  };
+  test_best();
+  if (step_down(diagnosis.shrink, diagnosis.cause)) test_best();
   demand_prediction(diagnosis.shrink, diagnosis.cause);
   if (accept_remainder(study, findings.noise, diagnosis.cause) ||
       accept_tolerable(study, seen, chosen, findings, diagnosis.cause))
-    diagnosis.shrink = shrink_of(study, findings, diagnosis.noise, diagnosis.cause);
+    test_best();
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.reservation != Reservation::none)
     offer_law_to(study, heldout, chosen, diagnosis);
   diagnosis.not_exercised = never_exercised(study, chosen);
