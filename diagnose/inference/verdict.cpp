@@ -103,6 +103,26 @@ bool genuine(const Study& study, const Fit& fit) {
   return true;
 }
 
+Findings confirmed(const Study& study, const Findings& found) {
+  // More readings cannot lift what fell behind by so much.
+  constexpr double hopeless = 50;
+  Findings all;
+  all.tolerance = found.tolerance;
+  FitSettings settings;
+  settings.noise = found.noise;
+  std::size_t standing = 0;
+  for (const Hypothesis& hypothesis : found.hypotheses) {
+    const bool behind = hypothesis.log_evidence < found.hypotheses.front().log_evidence - hopeless;
+    if (behind && standing >= 2) break;
+    Fit one = fit_from(study, hypothesis.fit.candidate, settings, hypothesis.fit.parameters);
+    if (!one.converged) continue;
+    standing += genuine(study, one);
+    all.hypotheses.push_back({std::move(one), 0, 0, {}});
+  }
+  weigh(study, all);
+  return all;
+}
+
 namespace {
 
 /// The first of the ranking with so many effects, or the end.

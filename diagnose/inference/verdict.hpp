@@ -44,6 +44,9 @@ struct Cause {
 /// joint, a relaxation slower than the experiment a stiffer spring).
 bool genuine(const Study& study, const Fit& fit);
 
+/// The hypotheses that a search on fewer readings left standing, two at least, fitted to all of them.
+Findings confirmed(const Study& study, const Findings& found);
+
 /// Place of the explanation that is worth most where none is right: what it leaves is then taken as noise
 /// that eight neighbouring readings share, and parameters are charged by Schwarz's criterion.
 std::size_t best_partial(const Measurements& measurements, const std::vector<const Fit*>& fits);

@@ -1,0 +1,131 @@
+#include "diagnose/answers/acceptance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "diagnose/answers/rotation.hpp"
+#include "diagnose/beliefs.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// Whether it leaves of held-out readings at most so many times the noise.
+bool predicts(const std::optional<Shrink>& blind, double times) {
+  return blind && blind->chi2_per_value_after < times * times;
+}
+
+/// Place of the best partial explanation with so many effects.
+std::optional<std::size_t> best_partial_of(const Study& study, const Cause& cause, std::size_t effects) {
+  std::vector<const Fit*> fits;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
+    const Fit& one = cause.ranking[i].hypothesis.fit;
+    if (one.candidate.count() != effects || !genuine(study, one)) continue;
+    fits.push_back(&one);
+    places.push_back(i);
+  }
+  if (fits.empty()) return std::nullopt;
+  return places[best_partial(study.measurements(), fits)];
+}
+
+/// What an explanation may leave of the readings though they scatter less: what was declared, for readings
+/// may repeat better than they are true; and of a gap that is far beyond the noise a share, for no model of a
+/// device reaches what such readings show. Nothing where this is no more than the noise.
+std::optional<NoiseModel> tolerance(const Study& study, const NoiseModel& noise) {
+  std::array<double, channel_names> squares{}, count{};
+  const std::vector<double> gap = without_outliers(study.measurements(), study.nominal_residual());
+  for (const Series& series : study.measurements().series()) {
+    const auto c = static_cast<std::size_t>(series.channel.name);
+    for (std::size_t i = 0; i < series.readings.size(); ++i) squares[c] += std::pow(gap[series.first + i], 2);
+    count[c] += static_cast<double>(series.readings.size());
+  }
+  NoiseModel tolerated{noise.scale, 0};
+  for (std::size_t c = 0; c < channel_names; ++c) {
+    if (count[c] == 0) continue;
+    const double rms = std::sqrt(squares[c] / count[c]);
+    if (std::log(noise.scale[c]) < -2 * beliefs::scale_spread) tolerated.scale[c] = 1;
+    if (rms > beliefs::far_beyond * noise.scale[c])
+      tolerated.scale[c] = std::max(tolerated.scale[c], beliefs::tolerated_share * rms);
+  }
+  return tolerated.scale == noise.scale ? std::nullopt : std::optional(tolerated);
+}
+
+/// Gives the chance of a cause outside the catalogue, and the rest to what is ranked.
+void leave_to_unknown(Cause& cause, double unknown) {
+  for (Ranked& one : cause.ranking) one.probability *= (1 - unknown) / (1 - cause.unknown);
+  cause.unknown = unknown;
+}
+
+/// Names the best only beside a cause outside the catalogue.
+void hedge(Cause& cause, Reservation why) {
+  cause.verdict = CauseVerdict::ambiguous;
+  cause.reservation = why;
+  leave_to_unknown(cause, beliefs::wrong_unpredicted);
+}
+
+/// Whether an explanation takes so many effects that it explains much that it is not.
+bool takes_three(const Ranked& one) {
+  return one.hypothesis.fit.candidate.count() >= 3;
+}
+
+}  // namespace
+
+bool accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause) {
+  if (cause.verdict != CauseVerdict::unknown) return false;
+  for (const std::size_t effects : {std::size_t{1}, std::size_t{2}}) {
+    const std::optional<std::size_t> place = best_partial_of(study, cause, effects);
+    if (!place) continue;
+    const std::optional<Rotated> blind = rotated(study, cause.ranking[*place].hypothesis.fit, noise);
+    if (!blind) continue;
+    const double left = blind->shrink.ratio, floor = blind->shrink.noise_floor_ratio;
+    if (!predicts(blind->shrink, beliefs::nearly) || floor > beliefs::clear) continue;
+    settle_on(cause, *place, beliefs::other_than_nearly);
+    cause.remainder = std::sqrt(std::max(0.0, left * left - floor * floor));
+    return true;
+  }
+  return false;
+}
+
+bool step_down(const std::optional<Shrink>& blind, Cause& cause) {
+  if (cause.verdict == CauseVerdict::unknown || !takes_three(cause.ranking[cause.best])) return false;
+  if (predicts(blind, beliefs::predicts)) return false;
+  const auto adequate = [](const Ranked& one) {
+    return !takes_three(one) && one.hypothesis.p_value.value_or(0) >= beliefs::fit_level;
+  };
+  if (std::none_of(cause.ranking.begin(), cause.ranking.end(), adequate)) return false;
+  std::erase_if(cause.ranking, takes_three);
+  const auto plainer = std::find_if(cause.ranking.begin(), cause.ranking.end(), adequate);
+  settle_on(cause, static_cast<std::size_t>(plainer - cause.ranking.begin()), cause.unknown);
+  return true;
+}
+
+void demand_prediction(const std::optional<Shrink>& blind, Cause& cause) {
+  if (cause.verdict == CauseVerdict::unknown) return;
+  const bool three = takes_three(cause.ranking[cause.best]);
+  const bool predicted = blind ? predicts(blind, beliefs::predicts) : !three;
+  if (!three && !predicted) hedge(cause, Reservation::not_predicted);
+  if (three && predicted) hedge(cause, Reservation::three_effects);
+  if (!three || predicted) return;
+  cause.verdict = CauseVerdict::unknown;
+  cause.equivalent.clear();
+  leave_to_unknown(cause, beliefs::wrong_unpredicted_three);
+}
+
+bool accept_tolerable(const Study& study, const Study& seen, Findings chosen, Findings& findings,
+                      Cause& cause) {
+  if (cause.verdict != CauseVerdict::unknown) return false;
+  chosen.tolerance = tolerance(study, findings.noise);
+  if (!chosen.tolerance) return false;
+  weigh(seen, chosen);
+  Findings tolerable = confirmed(study, chosen);
+  Cause within = judge(study, tolerable);
+  if (within.verdict == CauseVerdict::unknown) return false;
+  if (takes_three(within.ranking[within.best])) return false;
+  hedge(within, Reservation::beyond_noise);
+  cause = std::move(within);
+  findings = std::move(tolerable);
+  return true;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// What is accepted as an explanation after the first verdict: which doubts are laid on one that stands out,
+/// and which is taken though it leaves more than the noise.
+
+#include <optional>
+
+#include "diagnose/answers/shrink.hpp"
+#include "diagnose/inference/verdict.hpp"
+
+namespace plumbline::diagnose {
+
+/// With thousands of readings every model fails a test for exactness. The best partial explanation, of one
+/// effect or else of two, that predicts held-out readings nearly to the noise, where these show the gap
+/// clearly, is what was looked for, with a remainder. Answers whether there is one.
+bool accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause);
+
+/// Makes the best explanation of fewer effects that leaves no structure the one that stands out, where the
+/// best takes three and does not predict. Answers whether there is one.
+bool step_down(const std::optional<Shrink>& blind, Cause& cause);
+
+/// What does not predict is not identified: it may be one of the causes that nobody has listed. Three effects
+/// explain much that they are not: they are none where they do not predict, and doubtful where they do.
+/// \param blind  nothing where no readings could test it
+void demand_prediction(const std::optional<Shrink>& blind, Cause& cause);
+
+/// Where nothing explains the readings to their noise, what leaves no more of them than is tolerated is as
+/// good an explanation as can be had. So much freedom is left to it that a cause outside the catalogue might
+/// do as well. Answers whether there is one.
+/// \param seen    the study without the readings held out
+/// \param chosen  what the search found there
+bool accept_tolerable(const Study& study, const Study& seen, Findings chosen, Findings& findings,
+                      Cause& cause);
+
+}  // namespace plumbline::diagnose
