@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 
 #include "diagnose/answers/rotation.hpp"
 #include "diagnose/beliefs.hpp"
+#include "diagnose/inference/rival.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -64,6 +66,20 @@ void hedge(Cause& cause, Reservation why) {
   leave_to_unknown(cause, beliefs::wrong_unpredicted);
 }
 
+/// Whether the values that tolerances hold are larger than their priors let them be.
+bool beyond_tolerance(const Study& study, const Fit& fit) {
+  const std::vector<ParameterRange> ranges = study.ranges(fit.candidate);
+  double sum = 0, held = 0;
+  for (std::size_t p = 0; p < ranges.size(); ++p) {
+    if (!(ranges[p].tolerance > 0)) continue;
+    sum += std::pow(fit.parameters[p] / ranges[p].tolerance, 2);
+    held += 1;
+  }
+  if (held == 0) return false;
+  const boost::math::chi_squared_distribution<double> expected(held);
+  return boost::math::cdf(boost::math::complement(expected, sum)) < beliefs::gap_level;
+}
+
 /// Whether an explanation takes so many effects that it explains much that it is not.
 bool takes_three(const Ranked& one) {
   return one.hypothesis.fit.candidate.count() >= 3;
@@ -100,16 +116,24 @@ bool step_down(const std::optional<Shrink>& blind, Cause& cause) {
   return true;
 }
 
-void demand_prediction(const std::optional<Shrink>& blind, Cause& cause) {
+void demand_prediction(const Study& study, const std::optional<Shrink>& blind, Cause& cause) {
   if (cause.verdict == CauseVerdict::unknown) return;
+  const Fit& best = cause.ranking[cause.best].hypothesis.fit;
   const bool three = takes_three(cause.ranking[cause.best]);
   const bool predicted = blind ? predicts(blind, beliefs::predicts) : !three;
-  if (!three && !predicted) hedge(cause, Reservation::not_predicted);
-  if (three && predicted) hedge(cause, Reservation::three_effects);
-  if (!three || predicted) return;
-  cause.verdict = CauseVerdict::unknown;
-  cause.equivalent.clear();
-  leave_to_unknown(cause, beliefs::wrong_unpredicted_three);
+  if (three && !predicted) {
+    cause.verdict = CauseVerdict::unknown;
+    cause.equivalent.clear();
+    leave_to_unknown(cause, beliefs::wrong_unpredicted_three);
+  } else if (three) {
+    hedge(cause, Reservation::three_effects);
+  } else if (!predicted) {
+    hedge(cause, Reservation::not_predicted);
+  } else if (best.candidate.count() > 1 && many_valued(study, best.candidate) > 0) {
+    hedge(cause, Reservation::many_values);
+  } else if (beyond_tolerance(study, best)) {
+    hedge(cause, Reservation::beyond_tolerance);
+  }
 }
 
 bool accept_tolerable(const Study& study, const Study& seen, Findings chosen, Findings& findings,

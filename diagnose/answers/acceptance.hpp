@@ -20,9 +20,10 @@ bool accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause)
 bool step_down(const std::optional<Shrink>& blind, Cause& cause);
 
 /// What does not predict is not identified: it may be one of the causes that nobody has listed. Three effects
-/// explain much that they are not: they are none where they do not predict, and doubtful where they do.
-/// \param blind  nothing where no readings could test it
-void demand_prediction(const std::optional<Shrink>& blind, Cause& cause);
+/// explain much that they are not: they are none where they do not predict, and doubtful where they do. So
+/// are two of which one has many values, and tolerances that are wider than machining leaves. \param blind
+/// nothing where no readings could test it
+void demand_prediction(const Study& study, const std::optional<Shrink>& blind, Cause& cause);
 
 /// Where nothing explains the readings to their noise, what leaves no more of them than is tolerated is as
 /// good an explanation as can be had. So much freedom is left to it that a cause outside the catalogue might

@@ -99,6 +99,15 @@ std::vector<EffectAt> never_exercised(const Study& study, const Findings& findin
   return result;
 }
 
+/// Whether what led on fewer readings falls behind on all of them.
+bool overturned(const Findings& on_fewer, const Findings& on_all) {
+  const Candidate& led = on_fewer.hypotheses.front().fit.candidate;
+  const auto place = std::find_if(on_all.hypotheses.begin(), on_all.hypotheses.end(),
+                                  [&](const Hypothesis& one) { return one.fit.candidate == led; });
+  return place == on_all.hypotheses.end() ||
+         place->log_evidence < on_all.hypotheses.front().log_evidence - beliefs::told_apart;
+}
+
 bool leaves_structure(const Measurements& measurements, const Findings& findings) {
   return test_gap(measurements, findings.hypotheses.front().fit.residual).p_value < beliefs::fit_level;
 }
@@ -156,7 +165,7 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
   const bool structured = leaves_structure(seen.measurements(), chosen);
   Findings findings = confirmed(study, chosen);
   diagnosis.cause = judge(study, findings);
-  if (diagnosis.cause.verdict == CauseVerdict::unknown && !structured) {
+  if ((diagnosis.cause.verdict == CauseVerdict::unknown && !structured) || overturned(chosen, findings)) {
     // What was held out holds the trace of a further cause.
     findings = search(study, [&](double share) { progress(0.5 + 0.4 * share); });
     diagnosis.cause = judge(study, findings);
@@ -167,7 +176,7 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
   };
   test_best();
   if (step_down(diagnosis.shrink, diagnosis.cause)) test_best();
-  demand_prediction(diagnosis.shrink, diagnosis.cause);
+  demand_prediction(study, diagnosis.shrink, diagnosis.cause);
   if (accept_remainder(study, findings.noise, diagnosis.cause) ||
       accept_tolerable(study, seen, chosen, findings, diagnosis.cause))
     test_best();

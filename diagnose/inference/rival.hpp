@@ -4,12 +4,16 @@
 
 #include <cstddef>
 
-#include "diagnose/model/effect.hpp"
+#include "diagnose/model/study.hpp"
 
 namespace plumbline::diagnose {
 
 /// Whether an effect is the other one, or that is a special case of it.
 bool covers(const EffectAt& whole, const EffectAt& part);
+
+/// How many of the effects have a value a joint, a link or a run, with which they follow much that they are
+/// not. Machining does not count: together its values are held by narrow tolerances.
+std::size_t many_valued(const Study& study, const Candidate& candidate);
 
 /// With so many parameters more an explanation comes near another by likelihood alone; with more of them any
 /// comes as near as one likes.

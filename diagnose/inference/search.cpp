@@ -67,7 +67,8 @@ class Searcher {
     std::vector<Combination> combinations;
     for (std::size_t s = 0; s < std::min(seeds, from.size()); ++s) {
       for (const Prospect& prospect : screen(study_, from[s], settings_))
-        if (Combination both = joined(from[s], prospect); !too_free(both.candidate))
+        // Two effects with many values follow anything.
+        if (Combination both = joined(from[s], prospect); many_valued(study_, both.candidate) <= 1)
           offer(combinations, std::move(both));
     }
     std::sort(combinations.begin(), combinations.end(),
@@ -130,15 +131,6 @@ class Searcher {
     return fit_from(study_, rest.candidate, settings_, rest.parameters);
   }
 
-  /// Whether more than one of its effects has a value a joint, a link or a run: two of them follow anything.
-  /// Machining has its own: together they are held by narrow tolerances.
-  [[nodiscard]] bool too_free(const Candidate& candidate) const {
-    constexpr std::size_t few = 4;
-    return std::count_if(candidate.effects.begin(), candidate.effects.end(), [&](const EffectAt& at) {
-             return !(candidate.machined() && at.effect->of_machining) && study_.ranges(at).size() > few;
-           }) > 1;
-  }
-
   /// Keeps what converged, unless its parameters are too many for so few readings: three for each. Those
   /// that are held by tolerances count as one.
   void keep(std::vector<Fit>& fits, Fit one) const {
@@ -188,6 +180,17 @@ void weigh(const Study& study, Findings& findings) {
             [](const Hypothesis& a, const Hypothesis& b) { return a.log_evidence > b.log_evidence; });
 }
 
+namespace {
+
+Findings weighed(const Study& study, std::vector<Fit> fits) {
+  Findings findings;
+  for (Fit& one : fits) findings.hypotheses.push_back({std::move(one), 0, 0, {}});
+  weigh(study, findings);
+  return findings;
+}
+
+}  // namespace
+
 Findings search(const Study& study, const std::function<void(double)>& progress) {
   const auto report = [&](double share) {
     if (progress) progress(share);
@@ -197,7 +200,8 @@ Findings search(const Study& study, const std::function<void(double)>& progress)
   const auto p_value = [&] { return test_gap(study.measurements(), fits.front().residual).p_value; };
   report(0.1);
   constexpr double look_further = 0.05;  // a search more costs time alone
-  if (!fits.empty() && p_value() < look_further) {
+  if (!fits.empty() && (p_value() < look_further ||
+                        many_valued(study, weighed(study, fits).hypotheses.front().fit.candidate) > 0)) {
     std::vector<Fit> pairs = searcher.extended(fits, single_seeds);
     add(fits, pairs);
     add(fits, searcher.parts(pairs));
@@ -215,11 +219,8 @@ Findings search(const Study& study, const std::function<void(double)>& progress)
       add(fits, searcher.plainer(threes));
     }
   }
-  Findings findings;
-  for (Fit& one : fits) findings.hypotheses.push_back({std::move(one), 0, 0, {}});
-  weigh(study, findings);
   report(1);
-  return findings;
+  return weighed(study, std::move(fits));
 }
 
 }  // namespace plumbline::diagnose

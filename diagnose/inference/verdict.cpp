@@ -76,6 +76,10 @@ std::string reservation_words(Reservation reservation) {
       return "fitted without the held-out readings, it does not predict them";
     case Reservation::beyond_noise:
       return "it leaves more than the readings scatter, though no more than is tolerated";
+    case Reservation::many_values:
+      return "beside another an effect with a value at every joint, link or run explains much that it is not";
+    case Reservation::beyond_tolerance:
+      return "its tolerances are wider than machining leaves";
     case Reservation::three_effects:
       return "three effects at once explain much that they are not";
   }
@@ -200,11 +204,14 @@ bool contains(const Candidate& whole, const Candidate& part) {
 }
 
 /// Whether an explanation, not the best one with something added, comes near the best: in evidence; or, of no
-/// more effects and parameters, in likelihood. More parameters always come as near as one likes.
+/// more effects and parameters, and no refinement, in likelihood. More parameters always come as near as one
+/// likes.
 bool near(const Hypothesis& best, const Hypothesis& other) {
-  if (contains(other.fit.candidate, best.fit.candidate)) return false;
-  const bool simpler = other.fit.candidate.count() == best.fit.candidate.count() &&
-                       other.fit.parameters.size() <= best.fit.parameters.size() + spare_parameters;
+  const bool as_many = other.fit.candidate.count() == best.fit.candidate.count(),
+             more_of_it = contains(other.fit.candidate, best.fit.candidate);
+  if (more_of_it && !as_many) return false;
+  const bool simpler =
+      as_many && !more_of_it && other.fit.parameters.size() <= best.fit.parameters.size() + spare_parameters;
   return other.log_evidence > best.log_evidence - beliefs::told_apart ||
          (simpler && other.log_likelihood > best.log_likelihood - beliefs::told_apart);
 }

@@ -121,6 +121,32 @@ TEST_CASE("two causes at once are both named") {
   CHECK(said(diagnosis) == std::vector<std::string>{"joint_friction", "joint_stiffness(1)"});
 }
 
+TEST_CASE("values of their own in each run do not stand for what machining leaves") {
+  Experiment two_runs = bench();
+  two_runs.runs.resize(2);
+  const Candidate machined{{{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}}};
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  for (int chain = 0; chain < 8; ++chain) {
+    std::vector<double> parameters;
+    for (const double tolerance : {0.03, 0.003, 0.006})
+      for (int joint = 0; joint < 3; ++joint) parameters.push_back(tolerance * normal(random));
+    Experiment experiment = measured(two_runs, machined, parameters, 5);
+    for (Run& run : experiment.runs)
+      for (Reading& reading : run.readings) reading.q.clear();
+    const Diagnosis answer = diagnose::diagnose(Study(experiment));
+    CAPTURE(answer.cause.ranking[answer.cause.best].hypothesis.fit.candidate.label());
+    std::vector<Fit> named{answer.cause.ranking[answer.cause.best].hypothesis.fit};
+    for (const std::size_t place : answer.cause.equivalent)
+      named.push_back(answer.cause.ranking[place].hypothesis.fit);
+    CHECK(std::any_of(named.begin(), named.end(), [](const Fit& one) {
+      const auto& effects = one.candidate.effects;
+      return std::none_of(effects.begin(), effects.end(),
+                          [](const EffectAt& at) { return at.effect->id.starts_with("run_"); });
+    }));
+  }
+}
+
 TEST_CASE("what no run can separate is one class") {
   const Diagnosis diagnosis =
       plumbline::diagnose::diagnose(Study(measured(bench(), {{{"train_compliance", 0}}}, {0.002}, 4)));

@@ -12,7 +12,6 @@
 inline plumbline::diagnose::Experiment blank_experiment(const std::vector<std::size_t>& readings) {
   using namespace plumbline;
   using namespace plumbline::diagnose;
-  using namespace plumbline::diagnose;
   Experiment experiment{{{0.2, 0.2}, {1, 1}, {0, 0}, {0, 0}, {}, {}},
                         "blank",
                         {Bench::Plane::unknown, {0, 0}, false},

@@ -1,0 +1,113 @@
+#include "diagnose/answers/acceptance.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "tests/diagnose/simulated_noise.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+
+namespace {
+
+/// A verdict that names these effects alone, at probability 0.9, with parameters of so many scales each, or
+/// tolerances.
+Cause named(const Study& study, const Candidate& candidate, double scales = 1) {
+  Fit fit;
+  fit.candidate = candidate;
+  for (const ParameterRange& range : study.ranges(candidate))
+    fit.parameters.push_back(scales * (range.tolerance > 0 ? range.tolerance : range.scale));
+  Cause cause;
+  cause.verdict = CauseVerdict::identified;
+  cause.ranking = {{{fit, 0, 0, 0.5}, 0.9, 1}};
+  cause.unknown = 0.1;
+  return cause;
+}
+
+/// What explanations leave of held-out readings, in times the noise.
+Shrink leaving(double times_noise) {
+  Shrink shrink;
+  shrink.chi2_per_value_after = times_noise * times_noise;
+  return shrink;
+}
+
+Cause demanded(const Study& study, Cause cause, const std::optional<Shrink>& blind) {
+  demand_prediction(study, blind, cause);
+  return cause;
+}
+
+/// Three runs of two joints: an effect with a value a run and a joint has six.
+Study three_runs() {
+  return Study(blank_experiment({20, 20, 20}));
+}
+
+}  // namespace
+
+TEST_CASE("what predicts held-out readings to one and a half times the noise stays identified") {
+  const Study study = three_runs();
+  const Cause one = named(study, {{{"force_gain"}}}),
+              two = named(study, {{{"force_gain"}, {"sensor_drift"}}});
+  CHECK(demanded(study, one, leaving(1.49)).verdict == CauseVerdict::identified);
+  CHECK(demanded(study, one, leaving(1.49)).unknown == 0.1);
+  CHECK(demanded(study, two, leaving(1.49)).verdict == CauseVerdict::identified);
+  CHECK(demanded(study, one, std::nullopt).verdict == CauseVerdict::identified);  // no readings tested it
+}
+
+TEST_CASE("what does not predict stands beside a cause outside of the catalogue, at one in four") {
+  const Study study = three_runs();
+  const Cause doubted = demanded(study, named(study, {{{"force_gain"}}}), leaving(1.51));
+  CHECK(doubted.verdict == CauseVerdict::ambiguous);
+  CHECK(doubted.reservation == Reservation::not_predicted);
+  CHECK(doubted.unknown == 0.25);
+  CHECK(doubted.ranking[0].probability == doctest::Approx(0.75));  // of 0.9 + 0.1
+}
+
+TEST_CASE("three effects are doubted where they predict, and none where they do not") {
+  const Study study = three_runs();
+  const Cause three = named(study, {{{"force_gain"}, {"sensor_drift"}, {"cross_talk"}}});
+  const Cause doubted = demanded(study, three, leaving(1)), refused = demanded(study, three, leaving(2));
+  CHECK(doubted.verdict == CauseVerdict::ambiguous);
+  CHECK(doubted.reservation == Reservation::three_effects);
+  CHECK(refused.verdict == CauseVerdict::unknown);
+  CHECK(refused.unknown == 0.8);
+  CHECK(demanded(study, three, std::nullopt).verdict == CauseVerdict::unknown);
+}
+
+TEST_CASE("an effect with a value a joint and a run is doubted beside another, not alone") {
+  const Study study = three_runs();
+  CHECK(demanded(study, named(study, {{{"run_rest"}}}), leaving(1)).verdict == CauseVerdict::identified);
+  const Cause beside = demanded(study, named(study, {{{"run_rest"}, {"force_gain"}}}), leaving(1));
+  CHECK(beside.verdict == CauseVerdict::ambiguous);
+  CHECK(beside.reservation == Reservation::many_values);
+}
+
+TEST_CASE(
+    "tolerances are doubted where their squares are beyond what their prior leaves one time in a hundred") {
+  const Study study = three_runs();
+  const Candidate spread{{{"stiffness_spread"}}};
+  // two joints: the chi-square of two degrees of freedom is above -2 ln 0.01 one time in a hundred
+  const double edge = std::sqrt(-std::log(0.01));
+  CHECK(demanded(study, named(study, spread, 0.999 * edge), leaving(1)).verdict == CauseVerdict::identified);
+  const Cause wide = demanded(study, named(study, spread, 1.001 * edge), leaving(1));
+  CHECK(wide.verdict == CauseVerdict::ambiguous);
+  CHECK(wide.reservation == Reservation::beyond_tolerance);
+  // what no tolerance holds is as large as it is
+  CHECK(demanded(study, named(study, {{{"force_gain"}}}, 5), leaving(1)).verdict == CauseVerdict::identified);
+}
+
+TEST_CASE("three effects that do not predict give way to fewer that leave no structure") {
+  const Study study = three_runs();
+  Cause cause = named(study, {{{"force_gain"}, {"sensor_drift"}, {"cross_talk"}}});
+  CHECK_FALSE(step_down(leaving(2), cause));  // there are none
+  Cause fewer = named(study, {{{"force_gain"}, {"sensor_drift"}}});
+  cause.ranking.push_back(fewer.ranking[0]);
+  cause.ranking.back().hypothesis.log_evidence = -10;
+  Cause predicting = cause, structured = cause;
+  CHECK_FALSE(step_down(leaving(1), predicting));
+  structured.ranking.back().hypothesis.p_value = 0.0005;  // below one in a thousand
+  CHECK_FALSE(step_down(leaving(2), structured));
+  REQUIRE(step_down(leaving(2), cause));
+  CHECK(cause.ranking[cause.best].hypothesis.fit.candidate.count() == 2);
+  CHECK(cause.ranking.size() == 1);
+}
