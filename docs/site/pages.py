@@ -46,9 +46,12 @@ def outside_fences(text, change):
 def code(match):
     """A span of code as Doxygen leaves it alone: in backquotes it looks for quotes of its own."""
     text = html.escape(match[2], quote=False)
-    for sign in ("\\", "@", "[", "]", "*", "_", "~", "|"):
+    for sign in "\\@[]*_~|-":
         text = text.replace(sign, f"&#{ord(sign)};")
     return f"<code>{text}</code>"
+
+
+bare_dashes = "\\--"  # else Doxygen makes one long dash of them
 
 
 def headings(path):
@@ -83,7 +86,7 @@ def page(path):
         nonlocal depth
         name = label(path, match[2]) if depth else label(path)
         depth = min(len(match[1]), depth + 1)
-        return f"{'#' * depth} {match[2].replace('`', '')} {{#{name}}}"
+        return f"{'#' * depth} {match[2].replace('`', '').replace('--', bare_dashes)} {{#{name}}}"
 
     def change(text):
         text = re.sub(r"^(#+) (.*)$", heading, text, flags=re.M)
