@@ -70,7 +70,7 @@ def copied(target):
 def linked(path, words, target):
     """A link as Doxygen has it; of a folder, which no site shows, the words."""
     name, _, anchor = target.partition("#")
-    if "://" in name or name.startswith("gallery/"):
+    if "://" in name:
         return f'<a href="{target}">{words}</a>'
     file = (path.parent / name).resolve() if name else path
     if file in PAGES:
