@@ -8,7 +8,7 @@
 #   ./setup.sh --mpi     and what shares work among machines
 #   ./setup.sh --models  and the parsers that read the models of simulators
 #   ./setup.sh --bench   and what the benchmarks compare with
-#   ./setup.sh --docs    and what writes the reference of the library
+#   ./setup.sh --docs    and what writes the documents as a site
 #   ./setup.sh --fuzz    and the compiler of the fuzz targets
 #   ./setup.sh --proofs  and what the proofs in proofs/coq are checked with
 set -euo pipefail
@@ -38,6 +38,8 @@ python=(
   # what it uses where it finds it, and its notebooks
   python3-pandas python3-matplotlib python3-mpmath jupyter-nbconvert python3-ipykernel
 )
+# the site: the reference, and the drawings of the gallery
+docs=(doxygen gnuplot-nox)
 tests=(
   ccache doctest-dev librapidcheck-dev python3-jsonschema
   # the simulated bench of the blind trial, and the models of simulators
@@ -47,15 +49,15 @@ tests=(
   # the Python package
   "${python[@]}" python3-pytest mypy
   # pages, in a browser
-  chromium chromium-driver python3-selenium
+  chromium chromium-driver python3-selenium poppler-utils
   # the proofs
   "${proofs[@]}"
   # drawings, at run time
   gnuplot-nox
   # packages and what is installed, as a user meets them
   dpkg-dev man-db zsh
+  "${docs[@]}"
 )
-docs=(doxygen)
 fuzz=(clang)
 bench=(liblapack-dev libopenblas-dev libspectra-dev python3-scipy auto-07p gfortran)
 

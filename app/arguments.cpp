@@ -1,8 +1,10 @@
 #include "app/arguments.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -36,6 +38,20 @@ std::string behind(const std::string& message, const std::string& words) {
   return at == std::string::npos ? "" : message.substr(at + words.size());
 }
 
+constexpr const char* output_group = "Output";
+
+/// A word as a shell takes it.
+std::string in_shell(const std::string& word) {
+  const auto plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || c >= 0x80 ||
+           std::string_view("_@%+=:,./-").find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+  std::string quoted;
+  for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return "'" + quoted + "'";
+}
+
 }  // namespace
 
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
@@ -66,6 +82,35 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
             return std::find(words.begin(), words.end(), text) != words.end() ? "" : refusal(text, list);
           },
           list};
+}
+
+CLI::Option* add_output(CLI::App& verb, const std::string& name, std::string& path, const std::string& what,
+                        const std::string& type) {
+  return verb.add_option(name, path, what)->type_name(type)->group(output_group);
+}
+
+CLI::Option* add_printed_output(CLI::App& verb, const std::string& name, std::string& path,
+                                const std::string& what) {
+  return add_output(verb, name, path, what, "[FILE]")->expected(0, 1)->default_str("-");
+}
+
+std::string asked(const CLI::App& verb, const std::vector<std::filesystem::path>& inputs) {
+  std::string command = "plumbline " + verb.get_name();
+  std::vector<const CLI::Option*> told;
+  for (const CLI::Option* option : verb.parse_order()) {
+    if (std::find(told.begin(), told.end(), option) != told.end()) continue;
+    told.push_back(option);
+    const std::vector<std::string>& values = option->results();
+    const bool is_input = std::find(inputs.begin(), inputs.end(), values.front()) != inputs.end();
+    if (option->get_group() == output_group && !is_input) continue;
+    if (!option->get_positional()) command += " " + option->get_name();
+    if (option->get_items_expected_max() == 0) continue;  // a flag
+    if (option->get_delimiter() != '\0')
+      command += " " + fmt::format("{}", fmt::join(values, std::string(1, option->get_delimiter())));
+    else
+      for (const std::string& value : values) command += " " + in_shell(value);
+  }
+  return command;
 }
 
 std::string in_our_words(const CLI::ParseError& error) {

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -16,6 +17,17 @@ CLI::Validator whole_number(std::uint64_t low,
 CLI::Validator number(double low = std::numeric_limits<double>::lowest(),
                       double high = std::numeric_limits<double>::max());
 CLI::Validator one_of(const std::vector<std::string>& words);
+
+/// An option that names a file or a folder to write.
+CLI::Option* add_output(CLI::App& verb, const std::string& name, std::string& path, const std::string& what,
+                        const std::string& type = "FILE");
+/// The same of a file that goes to standard output where no name is given.
+CLI::Option* add_printed_output(CLI::App& verb, const std::string& name, std::string& path,
+                                const std::string& what);
+
+/// What the user asked of the verb, as it would be typed again: but for what is to be written, on which no
+/// result depends. \param inputs  the files that are read, whichever option names them
+std::string asked(const CLI::App& verb, const std::vector<std::filesystem::path>& inputs);
 
 /// The error in our words.
 std::string in_our_words(const CLI::ParseError& error);

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "exchange/read_model.hpp"
 #include "exchange/toml.hpp"
@@ -9,8 +10,13 @@
 namespace plumbline::app {
 namespace {
 
+exchange::PlanarChain chain_in(const std::string& file) {
+  const Progress progress("chain", 0);
+  return exchange::read_model(file);
+}
+
 void run(const std::string& file) {
-  const exchange::PlanarChain read = exchange::read_model(file);
+  const exchange::PlanarChain read = chain_in(file);
   exchange::Model model{
       "The planar elastic chain of " + std::filesystem::path(file).filename().string(), {}, {}, {}};
   static_cast<diagnose::NominalChain&>(model.experiment) = read.chain;

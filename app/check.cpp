@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/arguments.hpp"
 #include "app/chain_file.hpp"
 #include "app/complaints.hpp"
 #include "app/outputs.hpp"
@@ -123,8 +124,8 @@ nlohmann::json as_json(const std::vector<verify::ForceAgreement>& values, std::s
           {"values", std::move(list)}};
 }
 
-void run(const Options& options) {
-  Outputs outputs({options.values, options.chains});
+void run(const Options& options, const CLI::App& verb) {
+  Outputs outputs(verb, {options.values, options.chains});
   files::OutputFile* const json = outputs.open("--json", options.json);
   const std::string text = files::read_text(options.values);
   refuse_certificates(text, files::source_name(options.values));
@@ -134,7 +135,7 @@ void run(const Options& options) {
   const Submitted& submitted = read.values;
   const auto values = compare_all(submitted, chains);
   if (json) {
-    json->write(as_json(values, submitted.size()).dump(2) + "\n");
+    json->write(page::json_text(as_json(values, submitted.size()), outputs.provenance()));
     outputs.commit();
   } else {
     fmt::print("{}", as_text(values, submitted.size()));
@@ -158,14 +159,12 @@ void add_check(CLI::App& app) {
                    "The chains that the values are about, chain,lengths,stiffness; without it those of "
                    "`plumbline reference`")
       ->type_name("CHAINS.csv");
-  verb->add_option("--json", options->json, "Write everything as JSON (without FILE: to standard output)")
-      ->type_name("[FILE]")
-      ->expected(0, 1)
-      ->default_str("-");
+  add_printed_output(*verb, "--json", options->json,
+                     "Write everything as JSON (without FILE: to standard output)");
   verb->footer(
       "Exit status 1 when a value agrees to fewer digits than double precision permits. Certificates are "
       "checked without this program: proofs/check_*.py need Python alone.");
-  verb->callback([options] { run(*options); });
+  verb->callback([options, verb] { run(*options, *verb); });
 }
 
 }  // namespace plumbline::app

@@ -8,6 +8,7 @@
 
 #include "app/complaints.hpp"
 #include "app/experiment_input.hpp"
+#include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "diagnose/bench/oddities.hpp"
 #include "diagnose/inference/conventions.hpp"
@@ -95,15 +96,31 @@ std::string what_was_read(const Experiment& experiment) {
   return text;
 }
 
-void run(const ExperimentInput& input) {
-  const Experiment experiment = experiment_of(input);
-  fmt::print("{}\n", what_was_read(experiment));
-  const std::vector<std::string> odd = diagnose::oddities(experiment);
-  if (!odd.empty()) fmt::print("Odd\n  {}\n\n", fmt::join(odd, "\n  "));
+struct Seen {
+  Experiment experiment;
+  std::vector<std::string> odd;
+  std::string question;  ///< empty where nothing is to be asked
+};
+
+Seen looked_at(const ExperimentInput& input) {
+  const Progress progress("experiment", 0);
+  Seen seen{experiment_of(input), {}, ""};
+  seen.odd = diagnose::oddities(seen.experiment);
+  const diagnose::Study study = study_of(input, seen.experiment);
   try {
-    diagnose::require_conventions(study_of(input, experiment));
+    diagnose::require_conventions(study);
   } catch (const Error& question) {
-    fmt::print("Asked\n  {}\n", question.what());
+    seen.question = question.what();
+  }
+  return seen;
+}
+
+void run(const ExperimentInput& input) {
+  const Seen seen = looked_at(input);
+  fmt::print("{}\n", what_was_read(seen.experiment));
+  if (!seen.odd.empty()) fmt::print("Odd\n  {}\n\n", fmt::join(seen.odd, "\n  "));
+  if (!seen.question.empty()) {
+    fmt::print("Asked\n  {}\n", seen.question);
     throw CLI::RuntimeError(1);
   }
   fmt::print("Nothing looks like another unit, sign, axis or order.\n");

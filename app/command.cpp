@@ -40,11 +40,15 @@ std::string what_went_wrong() {
 
 }  // namespace
 
+std::string program_name() {
+  const std::string built = *commit == '\0' ? "" : " (" + std::string(commit) + ")";
+  return "plumbline " PLUMBLINE_VERSION + built;
+}
+
 std::unique_ptr<CLI::App> bare_command() {
   auto command = std::make_unique<CLI::App>("What is true of elastic serial chains under load.", "plumbline");
   command->require_subcommand(0, 1);
-  const std::string built = *commit == '\0' ? "" : " (" + std::string(commit) + ")";
-  command->set_version_flag("--version", "plumbline " PLUMBLINE_VERSION + built);
+  command->set_version_flag("--version", program_name());
   command->footer("Exit status: 0 done, 1 a claim or a check failed, 2 bad input.");
   return command;
 }

@@ -4,8 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <string>
 
 namespace plumbline::app {
+
+/// Name, version and, where it is known, the commit.
+std::string program_name();
 
 /// `plumbline`, yet without a verb.
 std::unique_ptr<CLI::App> bare_command();

@@ -99,13 +99,8 @@ Results compute(ChainTable& table, const Options& options) {
   return results;
 }
 
-std::string certificates(const Results& results, const Options& options) {
-  const proofs::Provenance provenance{
-      .command = fmt::format("plumbline critical{} --digits {}{} --certify {}",
-                             options.input.empty() ? "" : " " + options.input, options.digits,
-                             options.all ? " --all" : "", options.certify),
-      .program = "plumbline " PLUMBLINE_VERSION,
-      .seed = ""};
+std::string certificates(const Results& results, const page::Provenance& from) {
+  const proofs::Provenance provenance{from.command + " --certify FILE", from.program, ""};
   return proofs::certificate_file(proofs::critical_certificates, provenance, results.certificates)
              .dump(1, ' ', true) +
          "\n";
@@ -128,9 +123,9 @@ void sort_out_files(Options& options) {
   }
 }
 
-void run(Options options) {
+void run(Options options, const CLI::App& verb) {
   sort_out_files(options);
-  Outputs outputs({options.input});
+  Outputs outputs(verb, {options.input});
   files::OutputFile *const csv = outputs.open("--csv", options.csv),
                            *const json = outputs.open("--json", options.json),
                            *const certify = outputs.open("--certify", options.certify);
@@ -140,8 +135,9 @@ void run(Options options) {
   complain(table.errors);
   if (!results.chains.empty()) {
     if (csv) csv->write(as_csv(results.chains));
-    if (json) json->write(as_json(results.chains, table.errors, options.digits).dump(2) + "\n");
-    if (certify) certify->write(certificates(results, options));
+    const page::Provenance& from = outputs.provenance();
+    if (json) json->write(page::json_text(as_json(results.chains, table.errors, options.digits), from));
+    if (certify) certify->write(certificates(results, from));
     outputs.commit();
     if (!csv && !json) fmt::print("{}", options.table ? as_text(results.chains) : as_text(results.chains[0]));
   }
@@ -169,20 +165,15 @@ void add_critical(CLI::App& app) {
   verb->add_flag("--all", options->all,
                  "Every mode (else, at most the 20 lowest of a chain,\n"
                  "and the lowest alone of each in a table)");
-  const auto file_option = [&](const char* name, std::string& value, const char* description) {
-    verb->add_option(name, value, description)->type_name("[FILE]")->expected(0, 1)->default_str("-");
-  };
-  file_option("--csv", options->csv, "Write chain,mode,force, a row a mode, ascending");
-  file_option("--json", options->json, "Write forces, shapes and joint angles as JSON");
-  verb->add_option("--certify", options->certify,
-                   "Write certificates that proofs/check_certificates.py\n"
-                   "checks with integers alone")
-      ->type_name("FILE");
+  add_printed_output(*verb, "--csv", options->csv, "Write chain,mode,force, a row a mode, ascending");
+  add_printed_output(*verb, "--json", options->json, "Write forces, shapes and joint angles as JSON");
+  add_output(*verb, "--certify", options->certify,
+             "Write certificates that proofs/check_certificates.py\nchecks with integers alone");
   verb->footer(
       "Without FILE, or with -, --csv and --json write to standard output.\n"
       "A wrong chain in a table (a repeated name is wrong too) is one line on standard\n"
       "error and has no rows; the others are computed, and the exit status is 2.");
-  verb->callback([options] { run(*options); });
+  verb->callback([options, verb] { run(*options, *verb); });
 }
 
 }  // namespace plumbline::app

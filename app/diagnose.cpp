@@ -3,6 +3,7 @@
 #include <memory>
 #include <plumbline/base/error.hpp>
 
+#include "app/arguments.hpp"
 #include "app/corrected_files.hpp"
 #include "app/diagnose_many.hpp"
 #include "app/experiment_input.hpp"
@@ -36,21 +37,21 @@ auto with_progress(const std::string& name, auto work) {
   });
 }
 
-void run_plan(const Options& options) {
+void run_plan(const Options& options, const CLI::App& verb) {
   if (options.experiments.size() > 1) throw Error("--plan", "several experiments", "one bench");
   const ExperimentInput input = options.input();
   const diagnose::Experiment read = bench_of(input);
-  Outputs outputs(input.files());
+  Outputs outputs(verb, input.files());
   files::OutputFile* const json = outputs.open("--json", options.json);
   const diagnose::Experiment bench = study_of(input, read).experiment();
   const diagnose::Plan plan =
       with_progress("plan", [&](const auto& show) { return diagnose::plan(bench, show); });
-  if (json) json->write(as_json(plan).dump(2) + "\n");
+  if (json) json->write(page::json_text(as_json(plan), outputs.provenance()));
   outputs.commit();
   if (options.json != "-") fmt::print("{}", as_text(plan));
 }
 
-void run_many(const Options& options) {
+void run_many(const Options& options, const CLI::App& verb) {
   if (!options.corrected.empty())
     throw Error("--corrected", "several experiments, or --reports",
                 "one experiment, whose model is corrected");
@@ -60,7 +61,7 @@ void run_many(const Options& options) {
   if (!options.effects.empty()) many.words.insert(many.words.end(), {"--effects", options.effects});
   if (options.next) many.words.emplace_back("--next");
   if (options.as_is) many.words.emplace_back("--as-is");
-  diagnose_many(many);
+  diagnose_many(many, verb);
 }
 
 /// Why --next has no answer.
@@ -71,10 +72,10 @@ const char* nothing_next(const diagnose::Diagnosis& diagnosis) {
   return "What next?  No press or load that the explanations could follow would tell them apart\n";
 }
 
-void run_diagnosis(const Options& options) {
+void run_diagnosis(const Options& options, const CLI::App& verb) {
   const ExperimentInput input = options.input();
   const diagnose::Experiment experiment = experiment_of(input);
-  Outputs outputs(input.files());
+  Outputs outputs(verb, input.files());
   files::OutputFile *const json = outputs.open("--json", options.json), *const html = outputs.open(
                                                                             "--html", options.html);
   CorrectedFiles corrected(outputs, options.corrected);
@@ -85,18 +86,19 @@ void run_diagnosis(const Options& options) {
   if (corrected.wanted()) corrected.write(exchange::corrected_models(study, diagnosis, options.model));
   nlohmann::ordered_json report = as_json(diagnosis);
   if (corrected.wanted()) report["corrected"] = corrected.as_json();
-  if (json) json->write(report.dump(2) + "\n");
-  if (html) html->write(diagnose::as_html(study, diagnosis));
+  const page::Provenance& from = outputs.provenance();
+  if (json) json->write(page::json_text(std::move(report), from));
+  if (html) html->write(page::on_page(diagnose::as_html(study, diagnosis), from));
   outputs.commit();
   if (options.json == "-" || options.html == "-") return;
   fmt::print("{}{}", as_text(diagnosis), corrected.as_text());
   if (options.next && diagnosis.proposals.empty()) fmt::print("\n{}", nothing_next(diagnosis));
 }
 
-void run(const Options& options) {
-  if (options.plan) return run_plan(options);
-  return options.experiments.size() > 1 || !options.reports.empty() ? run_many(options)
-                                                                    : run_diagnosis(options);
+void run(const Options& options, const CLI::App& verb) {
+  if (options.plan) return run_plan(options, verb);
+  return options.experiments.size() > 1 || !options.reports.empty() ? run_many(options, verb)
+                                                                    : run_diagnosis(options, verb);
 }
 
 }  // namespace
@@ -120,26 +122,18 @@ void add_diagnose(CLI::App& app) {
           "The nominal model, instead of the experiment's own: .toml, as --corrected writes it, or a "
           "simulator's: .xml (MJCF), .urdf, .sdf")
       ->type_name("FILE");
-  auto* corrected = verb->add_option("--corrected", options->corrected,
-                                     "Write the nominal model with what was found: .toml (ours), .xml "
-                                     "(MJCF), .urdf or .sdf. One file a "
-                                     "candidate where the cause is ambiguous")
-                        ->type_name("FILE");
-  verb->add_option("--json", options->json,
-                   "Write the report as JSON too (without FILE: to standard output alone)")
-      ->type_name("[FILE]")
-      ->expected(0, 1)
-      ->default_str("-");
-  auto* html =
-      verb->add_option(
-              "--html", options->html,
-              "Write a page with the curves, the residuals and the chain drawn: one file, to print or send")
-          ->type_name("FILE");
-  auto* reports =
-      verb->add_option(
-              "--reports", options->reports,
-              "Keep the report of each of several experiments in this folder, as NAME.json and NAME.html")
-          ->type_name("DIR");
+  auto* corrected =
+      add_output(*verb, "--corrected", options->corrected,
+                 "Write the nominal model with what was found: .toml (ours), .xml (MJCF), .urdf "
+                 "or .sdf. One file a candidate where the cause is ambiguous");
+  add_printed_output(*verb, "--json", options->json,
+                     "Write the report as JSON too (without FILE: to standard output alone)");
+  auto* html = add_output(
+      *verb, "--html", options->html,
+      "Write a page with the curves, the residuals and the chain drawn: one file, to print or send");
+  auto* reports = add_output(
+      *verb, "--reports", options->reports,
+      "Keep the report of each of several experiments in this folder, as NAME.json and NAME.html", "DIR");
   auto* next =
       verb->add_flag("--next", options->next,
                      "Say which run to make next even where the cause is clear: to tell the best two apart");
@@ -154,7 +148,7 @@ void add_diagnose(CLI::App& app) {
   for (CLI::Option* other : {corrected, html, reports, next, as_is}) plan->excludes(other);
   verb->footer(
       "Exit status 1 when one of several experiments could not be diagnosed; the others are reported.");
-  verb->callback([options] { run(*options); });
+  verb->callback([options, verb] { run(*options, *verb); });
 }
 
 }  // namespace plumbline::app

@@ -12,8 +12,8 @@
 #include "app/results_folder.hpp"
 #include "campaign/report.hpp"
 #include "diagnose/bench/read_date.hpp"
+#include "files/experiment_files.hpp"
 #include "files/output_file.hpp"
-#include "trial/experiment_files.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> files_read(const ManyExperiments& many, const std::vector<fs::path>& folders) {
   std::vector<fs::path> all(many.inputs.begin(), many.inputs.end());
   for (const fs::path& folder : folders)
-    for (const fs::path& file : trial::files_read(folder)) all.push_back(file);
+    for (const fs::path& file : files::files_read(folder)) all.push_back(file);
   return all;
 }
 
@@ -44,7 +44,7 @@ std::vector<campaign::Outcome> diagnosed(const ManyExperiments& many, const std:
 
 }  // namespace
 
-void diagnose_many(const ManyExperiments& many) {
+void diagnose_many(const ManyExperiments& many, const CLI::App& verb) {
   std::vector<fs::path> folders;
   std::vector<std::string> passed_over;
   for (const std::string& path : many.folders) {
@@ -55,15 +55,16 @@ void diagnose_many(const ManyExperiments& many) {
     }
   }
   if (folders.empty()) throw Error(many.folders.front(), "no folder", "folders of experiments");
-  Outputs outputs(files_read(many, folders));
+  Outputs outputs(verb, files_read(many, folders));
   files::OutputFile *const json = outputs.open("--json", many.json), *const html =
                                                                          outputs.open("--html", many.html);
   if (!many.reports.empty()) files::require_folder(many.reports);
   ResultsFolder reports("--reports", many.reports, "plumbline diagnose");
   const std::vector<campaign::Outcome> outcomes = diagnosed(many, folders, reports);
   const campaign::Comparison comparison = campaign::compare(outcomes);
-  if (json) json->write(campaign::as_json(outcomes, comparison).dump(2) + "\n");
-  if (html) html->write(campaign::as_html(outcomes, comparison));
+  const page::Provenance& from = outputs.provenance();
+  if (json) json->write(page::json_text(campaign::as_json(outcomes, comparison), from));
+  if (html) html->write(page::on_page(campaign::as_html(outcomes, comparison), from));
   outputs.commit();
   if (reports.journal()) reports.journal()->finish();
   if (many.json != "-" && many.html != "-") {

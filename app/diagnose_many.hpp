@@ -2,6 +2,7 @@
 /// \file
 /// Many experiments, diagnosed at once and compared.
 
+#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,6 @@ struct ManyExperiments {
 };
 
 /// Ends by `throw CLI::RuntimeError(1)` where an experiment could not be diagnosed; the others are reported.
-void diagnose_many(const ManyExperiments& many);
+void diagnose_many(const ManyExperiments& many, const CLI::App& verb);
 
 }  // namespace plumbline::app

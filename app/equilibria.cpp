@@ -41,7 +41,7 @@ struct Answer {
   std::string note;                                 ///< what is known of completeness
   proofs::Window window;                            ///< of the joint angles counted; empty: all
   std::string zero;                                 ///< "0" stands for less than this, where it does
-  std::string certificate;                          ///< the file, where one is wanted
+  nlohmann::json certificate;                       ///< where one is wanted
   bool complete = false, balanced = false;
 };
 
@@ -71,22 +71,9 @@ proofs::CensusTask task_of(const Options& options) {
   return task;
 }
 
-/// The options that ask for a task again.
-std::string command_of(const Options& options, const proofs::CensusTask& task) {
-  const char* const given = task.given == proofs::Given::force       ? "--force"
-                            : task.given == proofs::Given::end_point ? "--end-point"
-                                                                     : "--at";
-  return fmt::format("plumbline equilibria{} {} {},{}{} --certificate FILE",
-                     options.chain.path.empty() ? "" : " " + options.chain.path, given,
-                     proofs::to_exact(task.load.x), proofs::to_exact(task.load.y),
-                     task.turns > 0 ? fmt::format(" --turns {}", task.turns) : "");
-}
-
-std::string certificate_of(const Options& options, const proofs::CensusTask& task,
-                           const proofs::Census& census) {
-  const proofs::Provenance provenance{command_of(options, task), "plumbline " PLUMBLINE_VERSION, ""};
-  return proofs::certificate_file(proofs::equilibria_certificates, provenance,
-                                  {proofs::equilibria_certificate(task, census, certificate_digits)})
+std::string certificate_of(const Answer& answer, const page::Provenance& from) {
+  const proofs::Provenance provenance{from.command + " --certificate FILE", from.program, ""};
+  return proofs::certificate_file(proofs::equilibria_certificates, provenance, {answer.certificate})
              .dump(1, ' ', true) +
          "\n";
 }
@@ -140,7 +127,8 @@ Answer certified(const Options& options, const proofs::CensusTask& task) {
     for (const Interval& angle : box) q.push_back(angle.text(8));
     answer.undecided.push_back(std::move(q));
   }
-  if (!options.certificate.empty()) answer.certificate = certificate_of(options, task, census);
+  if (!options.certificate.empty())
+    answer.certificate = proofs::equilibria_certificate(task, census, certificate_digits);
   answer.complete = census.complete();
   answer.balanced = census.balanced;
   answer.window = census.window;
@@ -242,8 +230,8 @@ nlohmann::ordered_json as_json(const Answer& answer, const Options& options, con
       {"equilibria", list},           {"undecided", answer.undecided}};
 }
 
-void run(Options options) {
-  Outputs outputs({options.chain.path});
+void run(Options options, const CLI::App& verb) {
+  Outputs outputs(verb, {options.chain.path});
   files::OutputFile *const json = outputs.open("--json", options.json), *const certificate =
                                                                             outputs.open("--certificate",
                                                                                          options.certificate);
@@ -251,8 +239,8 @@ void run(Options options) {
   options.chain.read();
   const proofs::CensusTask task = task_of(options);
   const Answer answer = answer_of(options, task);
-  if (json) json->write(as_json(answer, options, task).dump(2) + "\n");
-  if (certificate) certificate->write(answer.certificate);
+  if (json) json->write(page::json_text(as_json(answer, options, task), outputs.provenance()));
+  if (certificate) certificate->write(certificate_of(answer, outputs.provenance()));
   outputs.commit();
   if (!json) fmt::print("{}", as_text(answer, options, task));
   if (options.certify && !answer.complete) throw CLI::RuntimeError(1);
@@ -281,9 +269,8 @@ void add_equilibria(CLI::App& app) {
                  "angles, with the "
                  "end point held among those in the window that is printed. Exit status 1 where something "
                  "stays undecided");
-  verb->add_option("--certificate", options->certificate,
-                   "Write that proof so that proofs/check_equilibria.py checks it with integers alone")
-      ->type_name("FILE");
+  add_output(*verb, "--certificate", options->certificate,
+             "Write that proof so that proofs/check_equilibria.py checks it with integers alone");
   verb->add_option(
           "--turns", options->turns,
           "With the end point held: count also shapes whose joints are wound up by so many full turns "
@@ -294,15 +281,13 @@ void add_equilibria(CLI::App& app) {
   verb->add_option("--digits", options->digits, "Significant digits")
       ->check(whole_number(1, 35))
       ->capture_default_str();
-  verb->add_option("--json", options->json, "Write everything as JSON (without FILE: to standard output)")
-      ->type_name("[FILE]")
-      ->expected(0, 1)
-      ->default_str("-");
+  add_printed_output(*verb, "--json", options->json,
+                     "Write everything as JSON (without FILE: to standard output)");
   verb->footer(
       "Type: the number in brackets counts the directions in which the energy falls, with the end point held "
       "or "
       "under the dead force.");
-  verb->callback([options] { run(*options); });
+  verb->callback([options, verb] { run(*options, *verb); });
 }
 
 }  // namespace plumbline::app

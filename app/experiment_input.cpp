@@ -8,7 +8,7 @@
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/stated/read_effects.hpp"
 #include "exchange/read_model.hpp"
-#include "trial/experiment_files.hpp"
+#include "files/experiment_files.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -29,7 +29,7 @@ std::optional<diagnose::NominalChain> model_of(const ExperimentInput& input) {
 }  // namespace
 
 std::vector<std::filesystem::path> ExperimentInput::files() const {
-  std::vector<std::filesystem::path> all = trial::files_read(folder);
+  std::vector<std::filesystem::path> all = files::files_read(folder);
   all.insert(all.end(), {model, effects});
   return all;
 }

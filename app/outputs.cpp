@@ -4,7 +4,10 @@
 
 #include <plumbline/base/error.hpp>
 
+#include "app/arguments.hpp"
+#include "app/command.hpp"
 #include "app/terminal.hpp"
+#include "files/sha256.hpp"
 #include "files/text_file.hpp"
 
 namespace plumbline::app {
@@ -20,10 +23,11 @@ bool is_device(const fs::path& path) {
 
 }  // namespace
 
-Outputs::Outputs(const std::vector<fs::path>& inputs) {
-  for (const fs::path& input : inputs)
-    if (!input.empty() && !files::is_standard_input(input))
-      taken_.emplace(files::identity(input), "the input itself");
+Outputs::Outputs(const CLI::App& verb, std::vector<fs::path> inputs) : inputs_(std::move(inputs)) {
+  std::erase(inputs_, fs::path());
+  provenance_ = {program_name(), asked(verb, inputs_), ""};
+  for (const fs::path& input : inputs_)
+    if (!files::is_standard_input(input)) taken_.emplace(files::identity(input), "the input itself");
 }
 
 files::OutputFile* Outputs::open(const std::string& option, const fs::path& path) {
@@ -38,6 +42,7 @@ files::OutputFile* Outputs::open(const std::string& option, const fs::path& path
     if (printed) take({0, 0, "-"});
     if (!printed || !is_device("/dev/stdout")) take(files::identity(printed ? "-" : path));
   }
+  if (files_.empty() && !inputs_.empty()) provenance_.inputs = files::sha256(inputs_);
   if (!printed) written_.push_back(path.string());
   return &files_.emplace_back(path);
 }

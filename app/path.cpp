@@ -53,25 +53,19 @@ Followed follow(const Options& options, const proofs::PathTask& task) {
   return all;
 }
 
-std::string certificate_of(const Options& options, const proofs::JoinedBranches& certified) {
+std::string certificate_of(const Options& options, const proofs::JoinedBranches& certified,
+                           const page::Provenance& from) {
   const proofs::PathLoad way = load_of(options);
   const proofs::PathGiven given{options.chain.name, options.chain.exact, false, way.control, way.direction()};
-  const std::string load = options.force.empty()
-                               ? fmt::format("--to {} --dy {}", options.to, options.dy)
-                               : fmt::format("--force {},{}", options.force[0], options.force[1]);
-  const proofs::Provenance provenance{
-      fmt::format("plumbline path{} {} --branches {} --side {} --step {} --certificate FILE",
-                  options.chain.path.empty() ? "" : " " + options.chain.path, load, options.branches,
-                  options.side, options.step),
-      "plumbline " PLUMBLINE_VERSION, ""};
+  const proofs::Provenance provenance{from.command + " --certificate FILE", from.program, ""};
   return proofs::certificate_file(proofs::path_certificates, provenance,
                                   {proofs::path_certificate(given, certified)})
              .dump(1, ' ', true) +
          "\n";
 }
 
-void run(Options options) {
-  Outputs outputs({options.chain.path});
+void run(Options options, const CLI::App& verb) {
+  Outputs outputs(verb, {options.chain.path});
   files::OutputFile *const csv = outputs.open("--csv", options.csv),
                            *const json = outputs.open("--json", options.json),
                            *const svg = outputs.open("--svg", options.svg),
@@ -82,15 +76,16 @@ void run(Options options) {
       proofs::path_task(options.chain.exact, load_of(options), options.step, options.side);
   const auto [report, located, certified] = follow(options, task);
   for (const std::string& warning : report.warnings) complain("warning: " + warning);
-  if (svg) svg->write(page::as_svg(as_drawing(report, task.chain), 2));
+  const page::Provenance& from = outputs.provenance();
+  if (svg) svg->write(page::in_drawing(page::as_svg(as_drawing(report, task.chain), 2), from));
   if (csv) csv->write(as_csv(report));
   if (json) {
     auto all = as_json(report);
     if (options.digits > 0) all["events"] = as_json(located, options.digits);
     if (options.certify) all["certificates"] = as_json(certified);
-    json->write(all.dump(2) + "\n");
+    json->write(page::json_text(std::move(all), from));
   }
-  if (certificate) certificate->write(certificate_of(options, certified));
+  if (certificate) certificate->write(certificate_of(options, certified, from));
   outputs.commit();
   if (!csv && !json && !svg)
     fmt::print("{}{}{}", as_text(report), options.digits > 0 ? as_text(located, options.digits) : "",
@@ -144,19 +139,17 @@ void add_path(CLI::App& app) {
       "the pitchforks of a chain that is exactly symmetric. Around any other bifurcation, where "
       "equilibria are not regular, a small gap is left out and listed (text and JSON). Exit status 1 where "
       "anything else stays open");
-  verb->add_option("--certificate", options->certificate,
-                   "Write that proof so that proofs/check_paths.py checks it with integers alone")
-      ->type_name("FILE");
-  const auto output = [&](const char* flag, std::string& target, const char* what) {
-    verb->add_option(flag, target, what)->type_name("[FILE]")->expected(0, 1)->default_str("-");
-  };
-  output("--csv", options->csv, "Write every point as CSV (without FILE: to standard output)");
-  output("--json", options->json, "Write everything as JSON (without FILE: to standard output)");
-  output("--svg", options->svg,
-         "Draw force over deflection and the shapes as SVG (without FILE: to standard output)");
-  verb->callback([options, to] {
+  add_output(*verb, "--certificate", options->certificate,
+             "Write that proof so that proofs/check_paths.py checks it with integers alone");
+  add_printed_output(*verb, "--csv", options->csv,
+                     "Write every point as CSV (without FILE: to standard output)");
+  add_printed_output(*verb, "--json", options->json,
+                     "Write everything as JSON (without FILE: to standard output)");
+  add_printed_output(*verb, "--svg", options->svg,
+                     "Draw force over deflection and the shapes as SVG (without FILE: to standard output)");
+  verb->callback([options, to, verb] {
     if (options->force.empty() && to->count() == 0) options->to = 0.5;
-    run(*options);
+    run(*options, *verb);
   });
 }
 

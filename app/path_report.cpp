@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <plumbline/branch/straight_start.hpp>
 
 #include "files/csv_file.hpp"
@@ -143,9 +144,19 @@ void add_straight_part(page::Panel& curve, double critical) {
   curve.marks.push_back({0, critical, "buckling"});
 }
 
+/// The joint farthest from the line between the ends, where no two shapes meet; the end of a straight one.
+std::pair<double, double> where_to_write(const std::vector<std::pair<double, double>>& outline) {
+  const auto [dx, dy] = outline.back();
+  const auto aside = [&](const auto& joint) { return std::abs(dx * joint.second - dy * joint.first); };
+  const auto far = std::max_element(outline.begin(), outline.end(),
+                                    [&](const auto& a, const auto& b) { return aside(a) < aside(b); });
+  return aside(*far) > 0.01 * (dx * dx + dy * dy) ? *far : outline.back();
+}
+
 /// Near a singularity, where all links come into one line, forces grow beyond bounds: what most points stay
 /// within is shown. Nothing where that is all.
-std::string range_of_most(const std::vector<page::Curve>& curves) {
+/// \param kept  a force that is shown in any case
+std::string range_of_most(const std::vector<page::Curve>& curves, double kept) {
   std::vector<double> forces;
   for (const page::Curve& curve : curves)
     for (const auto& [x, y] : curve.points) forces.push_back(y);
@@ -153,7 +164,7 @@ std::string range_of_most(const std::vector<page::Curve>& curves) {
   const auto at = [&](double share) {
     return forces[static_cast<std::size_t>(share * static_cast<double>(forces.size() - 1))];
   };
-  const double low = at(0.02), high = at(0.98), air = (high - low) / 2;
+  const double low = std::min(at(0.02), kept), high = std::max(at(0.98), kept), air = (high - low) / 2;
   if (forces.front() >= low - air && forces.back() <= high + air) return "";
   return fmt::format("set yrange [{:.6g}:{:.6g}]\n", std::max(forces.front(), low - air),
                      std::min(forces.back(), high + air));
@@ -169,7 +180,7 @@ std::vector<page::Panel> as_drawing(const proofs::PathReport& report, const Chai
                     "force along the load [force]",
                     {},
                     {},
-                    "",
+                    "set key below\n",
                     false};
   page::Panel shapes{"shapes, each with its load", "x [length]", "y [length]", {}, {}, "set key off", true};
   const auto deflection = [&](const BranchPoint<double>& p) {
@@ -188,15 +199,18 @@ std::vector<page::Panel> as_drawing(const proofs::PathReport& report, const Chai
     for (const auto& event : branch.events)
       curve.marks.push_back({deflection(event.point), force(event.point), std::string(name(event.kind))});
     for (const std::size_t i : {std::size_t{0}, branch.points.size() / 2, branch.points.size() - 1}) {
+      if (i == 0 && b > 0 && !report.history) continue;  // as the first branch begins
       const BranchPoint<double>& point = branch.points[i];
       const auto outline = verify::outline(chain, point.theta);
+      const auto [x, y] = where_to_write(outline);
+      const bool unloaded = std::abs(point.load) < 1e-3 * std::abs(report.last);
       shapes.curves.push_back({outline, colour, point.negative_directions > 0, "", 2.2});
-      shapes.marks.push_back(
-          {outline.back().first, outline.back().second, fmt::format("{:.3g}", point.load), dot});
+      shapes.marks.push_back({x, y, unloaded ? "0" : fmt::format("{:.3g}", point.load), dot});
     }
   }
   if (held && is_straight(chain)) add_straight_part(curve, force(report.branches[0].points[0]));
-  curve.extra += range_of_most(curve.curves);
+  const BranchPoint<double>& first = report.branches[0].points[0];
+  curve.extra += range_of_most(curve.curves, held && is_straight(chain) ? 0 : force(first));
   return {curve, shapes};
 }
 

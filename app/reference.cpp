@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  fs::path out;
+  std::string out;
   bool compact = false;
   std::uint64_t seed = verify::reference_seed;
   std::size_t random = 0;
@@ -36,18 +36,18 @@ std::vector<std::string> compute(const Options& options, work::Journal& unfinish
   return work::results(list, &unfinished, [&] { progress.advance(); });
 }
 
-void run(const Options& options) {
+void run(const Options& options, const CLI::App& verb) {
   files::require_folder(options.out);
   files::make_folder(options.out);
-  work::Journal unfinished(options.out / work::unfinished_name, options.command());
+  work::Journal unfinished(fs::path(options.out) / work::unfinished_name, options.command());
   const verify::ReferenceValues values =
       verify::reference_values(options.wish(), compute(options, unfinished));
   const auto texts = verify::reference_files(
       values.entries, values.loaded,
       {options.command(), "plumbline " PLUMBLINE_VERSION, std::to_string(options.seed)});
-  Outputs outputs({});
+  Outputs outputs(verb, {});
   for (const verify::NamedText& text : texts)
-    outputs.open("--out", options.out / text.name)->write(text.text);
+    outputs.open("--out", fs::path(options.out) / text.name)->write(text.text);
   outputs.commit();
   unfinished.finish();
 }
@@ -58,8 +58,7 @@ void add_reference(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("reference", "Write the reference values for other implementations, certified");
   const auto options = std::make_shared<Options>();
-  verb->add_option("--out", options->out, "Directory to write into; what was cut off goes on there")
-      ->type_name("DIR")
+  add_output(*verb, "--out", options->out, "Directory to write into; what was cut off goes on there", "DIR")
       ->required();
   verb->add_flag("--compact", options->compact, "About a hundred chains instead of a few thousand");
   verb->add_option("--seed", options->seed, "Of the random chains")
@@ -69,7 +68,7 @@ void add_reference(CLI::App& app) {
       ->check(whole_number(1, 100000000))
       ->type_name("N");
   verb->footer("README.md in DIR says what the files hold.");
-  verb->callback([options] { run(*options); });
+  verb->callback([options, verb] { run(*options, *verb); });
 }
 
 }  // namespace plumbline::app

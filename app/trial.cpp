@@ -13,8 +13,8 @@
 #include "app/secret_experiments.hpp"
 #include "app/verbs.hpp"
 #include "diagnose/model/effect.hpp"
+#include "files/experiment_files.hpp"
 #include "files/output_file.hpp"
-#include "trial/experiment_files.hpp"
 #include "trial/report.hpp"
 #include "trial/run_trial.hpp"
 
@@ -83,8 +83,8 @@ trial::Circumstances circumstances(const Options& options, const trial::SealedFo
   return all;
 }
 
-void run(const Options& options) {
-  Outputs outputs(trial::files_of(options.experiments));
+void run(const Options& options, const CLI::App& verb) {
+  Outputs outputs(verb, files::files_of(options.experiments));
   files::OutputFile *const json = outputs.open("--json", options.json), *const markdown = outputs.open(
                                                                             "--markdown", options.markdown);
   const bool quiet = options.json == "-" || options.markdown == "-";
@@ -105,8 +105,10 @@ void run(const Options& options) {
   publish(secret, place.path());
   const std::vector<trial::Case> cases = trial::unseal(folder, reports, diagnosed, catalogue());
   const trial::Circumstances about = circumstances(options, folder, secret);
-  if (json) json->write(trial::as_json(about, cases).dump(2) + "\n");
-  if (markdown) markdown->write(trial::as_text(about, cases, trial::Style::markdown));
+  const page::Provenance& from = outputs.provenance();
+  if (json) json->write(page::json_text(trial::as_json(about, cases), from));
+  if (markdown)
+    markdown->write(page::in_markdown(trial::as_text(about, cases, trial::Style::markdown), from));
   outputs.commit();
   if (place.journal()) place.journal()->finish();
   if (!quiet) fmt::print("{}", trial::as_text(about, cases, trial::Style::terminal));
@@ -138,21 +140,18 @@ void add_trial(CLI::App& app) {
       ->excludes(trials)
       ->excludes(seed)
       ->excludes(second);
-  verb->add_option("--out", options->out,
-                   "Keep experiments, seals, reports and labels in this folder; a trial that was cut off "
-                   "goes on there")
-      ->type_name("DIR");
+  add_output(
+      *verb, "--out", options->out,
+      "Keep experiments, seals, reports and labels in this folder; a trial that was cut off goes on there",
+      "DIR");
   verb->add_option("--patience", options->patience, "Seconds after which a diagnosis is given up")
       ->check(number(0.001, 1e6))
       ->capture_default_str();
-  verb->add_option("--json", options->json,
-                   "Write the result as JSON too (without FILE: to standard output alone)")
-      ->type_name("[FILE]")
-      ->expected(0, 1)
-      ->default_str("-");
-  verb->add_option("--markdown", options->markdown, "Write the result as Markdown too")->type_name("FILE");
+  add_printed_output(*verb, "--json", options->json,
+                     "Write the result as JSON too (without FILE: to standard output alone)");
+  add_output(*verb, "--markdown", options->markdown, "Write the result as Markdown too");
   verb->footer("Exit status 1 when a seal is broken or a diagnosis leaves no report.");
-  verb->callback([options] { run(*options); });
+  verb->callback([options, verb] { run(*options, *verb); });
 }
 
 }  // namespace plumbline::app

@@ -53,8 +53,8 @@ std::vector<verify::Judged> judge_random_chains(const Options& options,
       options.seed);
 }
 
-void run(const Options& options) {
-  Outputs outputs({});
+void run(const Options& options, const CLI::App& verb) {
+  Outputs outputs(verb, {});
   const std::string form = std::filesystem::path(options.errata).extension();
   if (!options.errata.empty() && form != ".md" && form != ".tex")
     throw Error("--errata", options.errata, "a file that ends in .md or .tex");
@@ -77,13 +77,16 @@ void run(const Options& options) {
     const std::vector<verify::Judged> properties = judge_random_chains(options, unfinished);
     judged.insert(judged.end(), properties.begin(), properties.end());
   }
-  if (json) json->write(as_json(judged).dump(2) + "\n");
+  const page::Provenance& from = outputs.provenance();
+  if (json) json->write(page::json_text({{"claims", as_json(judged)}}, from));
   if (html) {
     const bool whole = !one && options.section.empty();
-    html->write(verify::as_html(judged, whole ? draw_figures(judged) : std::vector<verify::DrawnFigure>{}));
+    const auto figures = whole ? draw_figures(judged) : std::vector<verify::DrawnFigure>{};
+    html->write(page::on_page(verify::as_html(judged, figures), from));
   }
   if (errata)
-    errata->write(form == ".md" ? verify::errata_as_markdown(judged) : verify::errata_as_latex(judged));
+    errata->write(form == ".md" ? page::in_markdown(verify::errata_as_markdown(judged), from)
+                                : page::in_latex(verify::errata_as_latex(judged), from));
   outputs.commit();
   if (unfinished) unfinished->finish();
   if (!json && !html && !errata)
@@ -112,30 +115,24 @@ void add_verify(CLI::App& app) {
       ->check(whole_number(0, 10000000000))
       ->type_name("N")
       ->excludes("--claim");
-  verb->add_option("--unfinished", options->unfinished,
-                   "Keep in FILE what is done of --chains until all is: the same command, begun again after "
-                   "it was cut off, "
-                   "goes on there")
-      ->type_name("FILE")
+  add_output(*verb, "--unfinished", options->unfinished,
+             "Keep in FILE what is done of --chains until all is: the same command, begun again after it was "
+             "cut off, goes on there")
       ->needs("--chains");
   verb->add_option("--seed", options->seed, "Which random chains")
       ->check(whole_number(0))
       ->capture_default_str();
-  verb->add_option("--json", options->json, "Write the claims as JSON (without FILE: to standard output)")
-      ->type_name("[FILE]")
-      ->expected(0, 1)
-      ->default_str("-");
-  verb->add_option("--html", options->html,
-                   "Write the claims as a page, of the whole paper with its figures redrawn")
-      ->type_name("FILE");
-  verb->add_option("--errata", options->errata,
-                   "Write what is to be corrected as a document to send, in Markdown or in LaTeX")
-      ->type_name("FILE.md|.tex");
+  add_printed_output(*verb, "--json", options->json,
+                     "Write the claims as JSON (without FILE: to standard output)");
+  add_output(*verb, "--html", options->html,
+             "Write the claims as a page, of the whole paper with its figures redrawn");
+  add_output(*verb, "--errata", options->errata,
+             "Write what is to be corrected as a document to send, in Markdown or in LaTeX", "FILE.md|.tex");
   verb->footer(
       "A refuted claim of the paper is a finding, not a failure: the exit status is 1 only when a claim "
       "could not "
       "be judged, two number types disagree, or a random chain contradicts a theorem.");
-  verb->callback([options] { run(*options); });
+  verb->callback([options, verb] { run(*options, *verb); });
 }
 
 }  // namespace plumbline::app

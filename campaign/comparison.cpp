@@ -111,7 +111,7 @@ std::map<std::string, Parameter> parameters_of(const std::vector<Outcome>& outco
       if (!(bounds.high > bounds.low)) continue;
       const std::size_t slash = key.find('/');
       Parameter& one = all[key];
-      one.effect = key.substr(0, slash), one.name = key.substr(slash + 1);
+      one.effect = key.substr(0, slash), one.name = key.substr(slash + 1), one.unit = bounds.unit;
       one.outcomes.push_back(i);
       one.estimates.push_back({bounds.value, bounds.low, bounds.high});
     }

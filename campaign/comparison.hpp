@@ -14,7 +14,7 @@ struct Estimate {
 
 /// One parameter of one cause, in the experiments that identified it.
 struct Parameter {
-  std::string effect, name;           ///< "joint_friction", "tau_c"
+  std::string effect, name, unit;     ///< "joint_friction", "tau_c", "N m"; "ratio" for one
   std::vector<std::size_t> outcomes;  ///< which, in the order listed
   std::vector<Estimate> estimates;    ///< of each of them
   Estimate mean;                      ///< over sessions, which scatter by `spread`

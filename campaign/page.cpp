@@ -18,8 +18,9 @@ page::Chart chart(const Parameter& parameter, const std::vector<Outcome>& outcom
   drawing.title = parameter.effect + " " + parameter.name;
   drawing.description = "The parameter in each experiment with its 95 % bounds, and their mean";
   drawing.x_label = by_date ? "day" : "experiment, as listed";
-  drawing.y_label = parameter.name;
+  drawing.y_label = parameter.unit == "ratio" ? parameter.name : parameter.name + ", " + parameter.unit;
   page::Layer dots{page::Layer::Kind::dots, "measured", {}, 2.4};
+  dots.told = true;
   page::Layer bars{page::Layer::Kind::line, "measured", {}};
   page::Layer mean{page::Layer::Kind::line, "corrected", {}};
   for (std::size_t i = 0; i < parameter.estimates.size(); ++i) {

@@ -24,9 +24,10 @@ std::string effects(const std::vector<std::string>& all) {
   return fmt::format("{}", fmt::join(all, " + "));
 }
 
-/// "0.035 (95 %: 0.034 to 0.036)".
-std::string with_bounds(const Estimate& one) {
-  return fmt::format("{:.4g} (95 %: {:.4g} to {:.4g})", one.value, one.low, one.high);
+/// "0.035 N m (95 %: 0.034 to 0.036)".
+std::string with_bounds(const Estimate& one, const std::string& unit) {
+  return fmt::format("{:.4g}{}{} (95 %: {:.4g} to {:.4g})", one.value, unit == "ratio" ? "" : " ",
+                     unit == "ratio" ? "" : unit, one.low, one.high);
 }
 
 Json as_json(const Estimate& one) {
@@ -54,7 +55,10 @@ Json as_json(const Outcome& outcome) {
 }
 
 Json as_json(const Parameter& parameter, const std::vector<Outcome>& outcomes) {
-  Json one{{"effect", parameter.effect}, {"name", parameter.name}, {"estimates", Json::array()}};
+  Json one{{"effect", parameter.effect},
+           {"name", parameter.name},
+           {"unit", parameter.unit},
+           {"estimates", Json::array()}};
   for (std::size_t i = 0; i < parameter.estimates.size(); ++i) {
     Json estimate = as_json(parameter.estimates[i]);
     estimate["experiment"] = outcomes[parameter.outcomes[i]].name;
@@ -104,7 +108,7 @@ std::string same_cause(const std::vector<Outcome>& outcomes, const Comparison& c
 }
 
 std::string words(const Parameter& parameter, bool by_date) {
-  std::string text = with_bounds(parameter.mean) + "; from session to session ";
+  std::string text = with_bounds(parameter.mean, parameter.unit) + "; from session to session ";
   constexpr double level = 0.01;
   text += parameter.alike < level
               ? fmt::format("+- {:.2g} beyond these bounds ({})", parameter.spread,
@@ -114,7 +118,7 @@ std::string words(const Parameter& parameter, bool by_date) {
   const char* step = by_date ? "by day" : "from one to the next";
   const bool drifts = parameter.drift->low > 0 || parameter.drift->high < 0;
   return text + fmt::format("; {} {} {}", drifts ? "drifts by" : "no drift seen,",
-                            with_bounds(*parameter.drift), step);
+                            with_bounds(*parameter.drift, parameter.unit), step);
 }
 
 std::string as_text(const std::vector<Outcome>& outcomes, const Comparison& comparison) {

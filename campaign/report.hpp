@@ -18,7 +18,7 @@ std::string as_html(const std::vector<Outcome>& outcomes, const Comparison& comp
 std::string same_cause(const std::vector<Outcome>& outcomes, const Comparison& comparison);
 /// "identified joint_friction", "ambiguous a | b", or what went wrong.
 std::string said(const Outcome& outcome);
-/// What a parameter does: "0.035 (95 %: …); from session to session ± 0.002 …; drift …".
+/// What a parameter does: "0.035 N m (95 %: …); from session to session ± 0.002 …; drift …".
 std::string words(const Parameter& parameter, bool by_date);
 std::string date_text(const Outcome& outcome);
 

@@ -65,7 +65,7 @@ def claims():
     """By equation: the claims about it and those around it."""
     about, around = defaultdict(list), defaultdict(list)
     done = subprocess.run([Path(sys.argv[1]).resolve(), "verify", "--json"], check=True, text=True, capture_output=True)
-    for claim in json.loads(done.stdout):
+    for claim in json.loads(done.stdout)["claims"]:
         verdict = "" if claim["verdict"] == "confirmed" else f" {claim['verdict']}"
         where = claim["where"].split(",", 1)[1]
         target = around if re.search(r"\b(before|after)\b", where) else about

@@ -57,10 +57,12 @@ class MemoryFile {
 };
 
 /// In the new process: becomes the program, or says by its status why it cannot.
-[[noreturn]] void become(char* const* words, int in, int out, int err, int complain, pid_t parent) {
+[[noreturn]] void become(char* const* words, const char* folder, int in, int out, int err, int complain,
+                         pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);  // it died before that
-  if (dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0 && dup2(err, STDERR_FILENO) >= 0)
+  if (dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0 && dup2(err, STDERR_FILENO) >= 0 &&
+      chdir(folder) == 0)
     execvp(words[0], words);
   const int failure = errno;
   static_cast<void>(!write(complain, &failure, sizeof failure));
@@ -91,7 +93,8 @@ std::string wait_for(pid_t process, std::optional<std::chrono::duration<double>>
 }  // namespace
 
 Ended run_program(const std::vector<std::string>& words, const std::string& input,
-                  std::optional<std::chrono::duration<double>> patience) {
+                  std::optional<std::chrono::duration<double>> patience,
+                  const std::filesystem::path& folder) {
   const MemoryFile in("input"), out("output"), err("complaints");
   in.fill(input);
   std::vector<std::string> copy = words;
@@ -102,7 +105,8 @@ Ended run_program(const std::vector<std::string>& words, const std::string& inpu
   if (pipe2(complaint.data(), O_CLOEXEC) != 0) throw Error(words[0], std::strerror(errno), "a pipe");
   const pid_t parent = getpid();
   const pid_t process = fork();
-  if (process == 0) become(arguments.data(), in.number(), out.number(), err.number(), complaint[1], parent);
+  if (process == 0)
+    become(arguments.data(), folder.c_str(), in.number(), out.number(), err.number(), complaint[1], parent);
   int failure = process < 0 ? errno : 0;
   close(complaint[1]);
   if (process > 0 && read(complaint[0], &failure, sizeof failure) > 0) waitpid(process, nullptr, 0);

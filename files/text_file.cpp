@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <map>
+#include <mutex>
 #include <plumbline/base/error.hpp>
+#include <utility>
 #include <vector>
 
 #include "files/printable.hpp"
@@ -44,15 +47,27 @@ std::string all_of(int file, const std::string& name) {
   }
 }
 
+/// What can be read but once, kept for whoever reads it again.
+const std::string& kept(int file, const std::string& name) {
+  static std::mutex one_at_a_time;
+  static std::map<std::pair<dev_t, ino_t>, std::string> texts;
+  const std::lock_guard lock(one_at_a_time);
+  struct stat found = {};
+  fstat(file, &found);
+  const std::pair which{found.st_dev, found.st_ino};
+  const auto known = texts.find(which);
+  return known != texts.end() ? known->second : texts.emplace(which, all_of(file, name)).first->second;
+}
+
 }  // namespace
 
 std::string read_text(const std::filesystem::path& path) {
+  const std::string name = source_name(path);
   if (is_standard_input(path)) {
-    std::string text = all_of(STDIN_FILENO, source_name(path));
-    require_text(text, source_name(path));
+    const std::string& text = kept(STDIN_FILENO, name);
+    require_text(text, name);
     return text;
   }
-  const std::string name = path.string();
   const Descriptor file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));  // no waiting for a writer
   struct stat found = {};
   if (file.number() < 0 || fstat(file.number(), &found) != 0)
@@ -60,7 +75,7 @@ std::string read_text(const std::filesystem::path& path) {
   if (S_ISDIR(found.st_mode)) throw Error(name, "a directory", "a file");
   if (!S_ISREG(found.st_mode) && !S_ISFIFO(found.st_mode)) throw Error(name, "a device", "a file");
   fcntl(file.number(), F_SETFL, 0);
-  std::string text = all_of(file.number(), name);
+  std::string text = S_ISFIFO(found.st_mode) ? kept(file.number(), name) : all_of(file.number(), name);
   require_text(text, name);
   return text;
 }

@@ -16,7 +16,8 @@ bool is_standard_input(const std::filesystem::path& path);
 /// What errors call it: "-" is "standard input".
 std::string source_name(const std::filesystem::path& path);
 
-/// The content of a file or a pipe, as UTF-8; of "-" what standard input holds.
+/// The content of a file or a pipe, as UTF-8; of "-" what standard input holds. What a pipe held is the same
+/// when it is read again.
 /// \throws Error that names the file: missing, a directory, a device, not readable, larger than
 ///         `largest_file`, empty, or not UTF-8 (with the line)
 std::string read_text(const std::filesystem::path& path);

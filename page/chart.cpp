@@ -45,10 +45,13 @@ Frame linear_frame(const Chart& chart, const Range& x, const Range& y) {
 
 /// One scale for both axes: the drawing gets the height that it needs, between a quarter and all of its
 /// width.
-Frame equal_frame(const Range& x, const Range& y) {
-  const Range across = x.with_air(0.1), up = y.with_air(0.12);
+/// \param room  in pixels, above and below: for words
+Frame equal_frame(const Range& x, const Range& y, double room) {
+  const Range across = x.with_air(0.1);
+  Range up = y.with_air(0.12);
   const double wide = right - left;
   double scale = wide / std::max(across.high - across.low, 1e-12);
+  up = {up.low - room / scale, up.high + room / scale};
   const double tall = std::clamp(scale * (up.high - up.low), wide / 4, wide);
   scale = std::min(scale, tall / std::max(up.high - up.low, 1e-12));
   const double middle_x = (across.low + across.high) / 2, middle_y = (up.low + up.high) / 2;
@@ -68,7 +71,9 @@ Frame frame_of(const Chart& chart) {
     }
   }
   if (chart.y_range) y.include(chart.y_range->x), y.include(chart.y_range->y);
-  return chart.equal_axes ? equal_frame(x, y) : linear_frame(chart, x, y);
+  constexpr double line_of_text = 14;
+  if (chart.equal_axes) return equal_frame(x, y, chart.labels.empty() ? 0 : line_of_text);
+  return linear_frame(chart, x, y);
 }
 
 /// Of thousands of points the lowest and the highest of each short stretch, in their order.

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cctype>
 #include <map>
 #include <stdexcept>
@@ -38,7 +39,9 @@ std::string name_in_mathml(const std::string& name) {
   }
   if ((name == "dx" || name == "dy" || name == "Dx") && index.size() == 1)
     letter = name[0] == 'd' ? "δ" : "Δ";
-  if (index.size() > 3) throw NoFormula();  // a word
+  const auto letters_in_index =
+      std::count_if(index.begin(), index.end(), [](unsigned char c) { return std::isalpha(c) != 0; });
+  if (index.size() > 3 || letters_in_index > 1) throw NoFormula();  // a word
   if (index.empty()) return fmt::format("<mi>{}</mi>", letter);
   const char* const tag = std::isdigit(static_cast<unsigned char>(index[0])) != 0 ? "mn" : "mi";
   return fmt::format("<msub><mi>{}</mi><{}>{}</{}></msub>", letter, tag, index, tag);

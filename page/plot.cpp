@@ -1,8 +1,10 @@
 #include "page/plot.hpp"
 
 #include <fmt/core.h>
-#include <cstdlib>
 
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
 #include <plumbline/base/error.hpp>
 
 #include "files/child_process.hpp"
@@ -29,6 +31,14 @@ const char* const palette[] = {"#000000", "#0072b2", "#d55e00", "#009e73",
 
 std::string colour(int index) {
   return palette[static_cast<std::size_t>(index) % std::size(palette)];
+}
+
+/// Where words no longer fit to the right of a point.
+double right_part(const std::vector<Curve>& curves) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Curve& curve : curves)
+    for (const auto& [x, y] : curve.points) low = std::min(low, x), high = std::max(high, x);
+  return low + 0.75 * (high - low);
 }
 
 /// Contour lines, which gnuplot computes from the grid.
@@ -62,13 +72,15 @@ void add_panel(std::string& script, const Panel& panel) {
     for (const auto& [x, y] : curve.points) data += fmt::format("{:.9g} {:.9g}\n", x, y);
     data += "e\n";
   }
+  const double most_of_width = right_part(panel.curves);
   for (const Mark& mark : panel.marks) {
     plots += fmt::format("{}'-' with points pt {} ps 0.6 lc rgb '#d00000' notitle",
                          plots.empty() ? "plot " : ", ", mark.symbol);
     data += fmt::format("{:.9g} {:.9g}\ne\n", mark.x, mark.y);
-    if (!mark.label.empty())
-      script += fmt::format("set label {} at {:.9g},{:.9g} offset 0.7,-0.7 font ',11' front\n",
-                            quoted(mark.label), mark.x, mark.y);
+    if (mark.label.empty()) continue;
+    const bool before = mark.x > most_of_width;
+    script += fmt::format("set label {} at {:.9g},{:.9g} {} offset {},-0.7 font ',11' front\n",
+                          quoted(mark.label), mark.x, mark.y, before ? "right" : "left", before ? -0.7 : 0.7);
   }
   script += plots + "\n" + data;
 }

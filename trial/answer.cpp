@@ -69,7 +69,8 @@ void read_bounds(const JsonValue& effect, const std::string& key, Report& report
   for (const auto& [name, value] : at(effect, "parameters").members(expected)) {
     if (!at(value, "low").json().is_number() || !at(value, "high").json().is_number()) continue;
     const auto [low, high] = std::minmax({number(value, "low"), number(value, "high")});
-    report.bounds[parameter_key(key, name)] = {low, high, number(value, "value")};
+    report.bounds[parameter_key(key, name)] = {low, high, number(value, "value"),
+                                               value.text_or("unit", "ratio")};
   }
 }
 

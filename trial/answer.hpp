@@ -13,7 +13,8 @@ namespace plumbline::trial {
 struct Report {
   struct Bounds {
     double low, high;
-    double value = 0;  ///< the estimate itself
+    double value = 0;       ///< the estimate itself
+    std::string unit = "";  ///< "ratio" for one
   };
   struct Ranked {
     std::vector<std::string> effects;

@@ -4,10 +4,9 @@
 #include <plumbline/base/parallel.hpp>
 #include <thread>
 
+#include "files/experiment_files.hpp"
 #include "files/json_file.hpp"
 #include "files/sha256.hpp"
-#include "files/text_file.hpp"
-#include "trial/experiment_files.hpp"
 
 namespace plumbline::trial {
 namespace {
@@ -15,19 +14,11 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Of everything that a diagnosis reads; what cannot be read, it will say itself.
+/// Of everything that a diagnosis reads.
 std::string digest_of_inputs(const Assignment& one) {
-  std::vector<fs::path> files = files_read(one.experiment);
+  std::vector<fs::path> files = files::files_read(one.experiment);
   files.insert(files.end(), one.inputs.begin(), one.inputs.end());
-  std::string text;
-  for (const fs::path& file : files) {
-    try {
-      text += file.string() + " " + files::sha256(files::read_text(file)) + "\n";
-    } catch (const std::exception& error) {
-      text += std::string(error.what()) + "\n";
-    }
-  }
-  return files::sha256(text);
+  return files::sha256(files);
 }
 
 std::string as_item(const Assignment& one, const std::string& digest) {

@@ -1,9 +1,9 @@
 #include "trial/diagnosis_process.hpp"
 
 #include "files/child_process.hpp"
+#include "files/experiment_files.hpp"
 #include "files/printable.hpp"
 #include "files/temporary_folder.hpp"
-#include "trial/experiment_files.hpp"
 
 namespace plumbline::trial {
 namespace {
@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 void copy_experiment(const fs::path& from, const fs::path& to) {
   fs::create_directory(to);
-  for (const fs::path& file : experiment_files(from)) {
+  for (const fs::path& file : files::experiment_files(from)) {
     fs::create_directories((to / file).parent_path());
     fs::copy_file(from / file, to / file, fs::copy_options::overwrite_existing);
   }
@@ -22,11 +22,11 @@ void copy_experiment(const fs::path& from, const fs::path& to) {
 
 Diagnosed run_diagnosis(const fs::path& executable, const fs::path& folder,
                         const std::vector<std::string>& words,
-                        std::optional<std::chrono::duration<double>> patience) {
+                        std::optional<std::chrono::duration<double>> patience, const fs::path& here) {
   std::vector<std::string> command{executable.string(), "diagnose", folder.string()};
   command.insert(command.end(), words.begin(), words.end());
   const auto begin = std::chrono::steady_clock::now();
-  const files::Ended diagnosis = files::run_program(command, "", patience);
+  const files::Ended diagnosis = files::run_program(command, "", patience, here);
   Diagnosed result;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   result.failure = diagnosis.failure;
@@ -45,7 +45,8 @@ Diagnosed diagnose_alone(const fs::path& executable, const fs::path& experiment,
     result.failure = error.path1().string() + ": " + error.code().message();
     return result;
   }
-  return run_diagnosis(executable, chamber / "experiment", {"--json", report.string()}, patience);
+  return run_diagnosis(executable, "experiment", {"--json", fs::absolute(report).string()}, patience,
+                       chamber.path());
 }
 
 }  // namespace plumbline::trial

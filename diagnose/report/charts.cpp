@@ -102,7 +102,7 @@ std::vector<PageChart> curve_charts(const Explained& explained) {
     page::Chart chart{
         panel_id("curve", series.run, series.channel),
         series.channel.label() + " in run " + run.id,
-        "Measured values as dots, the nominal model as a dashed and the corrected one as a solid line.",
+        "Measured values as dots, the nominal model as a thin and the corrected one as a bold line.",
         command.label,
         with_unit(series.channel),
         {{Kind::line, "nominal", curve(explained.nominal.runs[series.run], series.channel, command)}}};

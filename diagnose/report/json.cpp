@@ -69,8 +69,11 @@ Json effects(const Candidate& candidate, const std::vector<std::vector<Estimate>
     const EffectAt& at = candidate.effects[e];
     Json parameters = Json::object();
     for (const Estimate& one : estimates[e])
-      parameters[one.name] = {
-          {"value", one.value}, {"low", one.low}, {"high", one.high}, {"at_bound", one.at_bound}};
+      parameters[one.name] = {{"value", one.value},
+                              {"low", one.low},
+                              {"high", one.high},
+                              {"at_bound", one.at_bound},
+                              {"unit", one.unit}};
     list.push_back({{"id", at.effect->id},
                     {"joint", at.joint > 0 ? Json(at.joint) : Json(nullptr)},
                     {"parameters", parameters}});

@@ -153,7 +153,11 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   view["best"] = false;
   if (explained.best != nullptr) {
     const Candidate& best = explained.best->candidate;
-    view["best"] = {{"names", best.label()}, {"words", words(best)}, {"model", explained.model}};
+    view["best"] = {{"names", best.label()},
+                    {"words", words(best)},
+                    {"model", explained.model},
+                    {"drawn", explained.diagnosis.offers_law() ? explained.model
+                                                               : explained.model + ": " + best.label()}};
     Json rows = parameters(view["cause"]["effects"], best, explained.diagnosis.estimates);
     const bool any = !rows.empty();
     view["explained"] = {{"any", any}, {"parameters", std::move(rows)}};
@@ -196,6 +200,7 @@ void add_where(Json& view, const Json& report, const Explained& explained) {
 void add_charts(Json& view, const Explained& explained) {
   const std::vector<PageChart> curves = curve_charts(explained), residuals = residual_charts(explained);
   view["curves"] = charts(curves, false);
+  view["some_heldout"] = !heldout_of(explained).empty();
   view["angle_curves"] = section(charts(curves, true));
   view["residuals"] = charts(residuals, false);
   view["angle_residuals"] = section(charts(residuals, true));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumbline::diagnose {
@@ -54,7 +55,11 @@ Explained::Explained(const Study& studied, const Diagnosis& diagnosed)
 
 HeldOut heldout_of(const Explained& explained) {
   if (!explained.diagnosis.shrink) return {};
-  return named(explained.experiment, explained.diagnosis.shrink->heldout);
+  HeldOut held = named(explained.experiment, explained.diagnosis.shrink->heldout);
+  const bool all = std::all_of(held.reading.begin(), held.reading.end(), [](const std::vector<bool>& run) {
+    return std::all_of(run.begin(), run.end(), [](bool one) { return one; });
+  });
+  return all ? HeldOut{} : held;
 }
 
 Command command_of(const Run& run) {

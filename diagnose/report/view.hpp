@@ -22,7 +22,7 @@ struct Explained {
   [[nodiscard]] const Series& series(std::size_t place) const { return measurements.series()[place]; }
 };
 
-/// The readings that were set aside; empty where none were.
+/// The readings that were set aside, in rotation; empty where none were, or every one in its turn.
 HeldOut heldout_of(const Explained& explained);
 
 /// How far along its path each reading of a run was commanded: its distance from the first reading, in the

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <sstream>
 
 #include "diagnose/bench/condense.hpp"
 #include "diagnose/bench/read_experiment.hpp"
@@ -10,6 +11,9 @@
 #include "diagnose/report/view.hpp"
 #include "diagnose/stated/read_effects.hpp"
 #include "exchange/read_model.hpp"
+#include "files/experiment_files.hpp"
+#include "files/sha256.hpp"
+#include "page/provenance.hpp"
 #include "python/engine/engine.hpp"
 
 namespace plumbline::python {
@@ -17,6 +21,8 @@ namespace {
 
 using diagnose::Experiment, diagnose::NominalChain, diagnose::Study;
 using Column = py::array_t<double, py::array::c_style | py::array::forcecast>;
+constexpr const char* program = "plumbline " PLUMBLINE_VERSION " for Python";
+
 /// By name of the column, of one run.
 using Columns = std::vector<std::pair<std::string, Column>>;
 
@@ -102,7 +108,8 @@ struct Wish {
 /// A diagnosis and what it is about.
 class Diagnosed {
  public:
-  Diagnosed(Experiment experiment, const Wish& wish) : study_(study_of(std::move(experiment), wish)) {
+  Diagnosed(Experiment experiment, const Wish& wish, page::Provenance from)
+      : from_(std::move(from)), study_(study_of(std::move(experiment), wish)) {
     const auto report = [&](double share) {
       const py::gil_scoped_acquire locked;
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -112,10 +119,10 @@ class Diagnosed {
     diagnosis_ = diagnose::diagnose(*study_, report, wish.next);
   }
 
-  [[nodiscard]] std::string json() const { return as_json(*diagnosis_).dump(2) + "\n"; }
+  [[nodiscard]] std::string json() const { return page::json_text(as_json(*diagnosis_), from_); }
   [[nodiscard]] std::string text() const { return as_text(*diagnosis_); }
   [[nodiscard]] std::string html() const {
-    return unlocked([&] { return as_html(*study_, *diagnosis_); });
+    return unlocked([&] { return page::on_page(as_html(*study_, *diagnosis_), from_); });
   }
   /// Every measured series beside what the nominal and the corrected model say.
   [[nodiscard]] py::list curves() const {
@@ -153,9 +160,33 @@ class Diagnosed {
     return study;
   }
 
+  page::Provenance from_;
   std::unique_ptr<const Study> study_;
   std::optional<diagnose::Diagnosis> diagnosis_;
 };
+
+/// Of arrays the digest is that of their decimals.
+page::Provenance provenance(const py::dict& settings, const std::vector<Columns>& samples,
+                            const std::string& model, const std::string& effects) {
+  std::ostringstream text;
+  text << as_toml(settings);
+  for (const Columns& run : samples)
+    for (const auto& [name, values] : run) {
+      text << "\n" << name;
+      for (py::ssize_t row = 0; row < values.size(); ++row)
+        text << "," << fmt::format("{}", values.data()[row]);
+    }
+  for (const std::string& file : {model, effects})
+    if (!file.empty()) text << "\n" << files::sha256(std::vector<std::filesystem::path>{file});
+  return {program, "plumbline.diagnose(…)", files::sha256(text.str())};
+}
+
+page::Provenance provenance(const std::string& folder, const std::string& model, const std::string& effects) {
+  std::vector<std::filesystem::path> files = files::files_read(folder);
+  for (const std::string& file : {model, effects})
+    if (!file.empty()) files.emplace_back(file);
+  return {program, fmt::format("plumbline.diagnose_folder('{}')", folder), files::sha256(files)};
+}
 
 Experiment experiment_in(const std::string& folder, const std::string& model) {
   const std::optional<NominalChain> nominal = model_of(model);
@@ -175,16 +206,20 @@ void add_diagnosis(py::module_& module) {
       "diagnose",
       [](const py::dict& settings, const std::vector<Columns>& samples, const std::string& model,
          std::string effects, bool next, bool as_is, py::object progress) {
+        page::Provenance from = provenance(settings, samples, model, effects);
         return std::make_unique<Diagnosed>(experiment_of(settings, samples, model),
-                                           Wish{std::move(effects), next, as_is, std::move(progress)});
+                                           Wish{std::move(effects), next, as_is, std::move(progress)},
+                                           std::move(from));
       },
       "settings"_a, "samples"_a, py::kw_only(), "model"_a, "effects"_a, "next"_a, "as_is"_a, "progress"_a);
   module.def(
       "diagnose_folder",
       [](const std::string& folder, const std::string& model, std::string effects, bool next, bool as_is,
          py::object progress) {
+        page::Provenance from = provenance(folder, model, effects);
         return std::make_unique<Diagnosed>(experiment_in(folder, model),
-                                           Wish{std::move(effects), next, as_is, std::move(progress)});
+                                           Wish{std::move(effects), next, as_is, std::move(progress)},
+                                           std::move(from));
       },
       "folder"_a, py::kw_only(), "model"_a, "effects"_a, "next"_a, "as_is"_a, "progress"_a);
 }

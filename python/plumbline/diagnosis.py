@@ -43,7 +43,7 @@ class Diagnosis:
         self._json = found.json()
 
     def to_json(self) -> str:
-        """The report as `plumbline diagnose --json` writes it, byte for byte: docs/report-format.md."""
+        """The report as `plumbline diagnose --json` writes it: docs/report-format.md."""
         return self._json
 
     @property

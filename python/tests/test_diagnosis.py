@@ -1,4 +1,5 @@
 """The diagnosis from arrays is the diagnosis from files."""
+import json
 import os
 import pathlib
 import subprocess
@@ -36,8 +37,11 @@ def diagnosis():
 
 def test_the_json_is_that_of_the_command_line(diagnosis):
     command = subprocess.run([os.environ["PLUMBLINE"], "diagnose", FOLDER, "--json", "-"], capture_output=True, check=True)
-    assert diagnosis.to_json().encode() == command.stdout
-    assert plumbline.diagnose_folder(FOLDER).to_json() == diagnosis.to_json()
+    reports = [json.loads(text) for text in (command.stdout, diagnosis.to_json(), plumbline.diagnose_folder(FOLDER).to_json())]
+    came_from = [report.pop("provenance") for report in reports]
+    assert reports[0] == reports[1] == reports[2]
+    assert came_from[0]["inputs_sha256"] == came_from[2]["inputs_sha256"]  # of the same files
+    assert came_from[2]["command"] == f"plumbline.diagnose_folder('{FOLDER}')"
 
 
 def test_the_report_names_the_cause(diagnosis):

@@ -68,7 +68,8 @@ def answer(case, executable):
         place.mkdir()
         home.mkdir()
         lay_out(case, place)
-        environment = {"PATH": os.environ["PATH"], "LC_ALL": "C.UTF-8", "TZ": "UTC", "HOME": str(home), "TMPDIR": str(home)}
+        environment = {"PATH": os.environ["PATH"], "LC_ALL": "C.UTF-8", "TZ": "UTC", "HOME": str(home), "TMPDIR": str(home),
+                       "SOURCE_DATE_EPOCH": "0"}
         try:
             done = subprocess.run([executable, *case.arguments], cwd=place, env=environment, stdin=subprocess.DEVNULL,
                                   capture_output=True, timeout=PATIENCE, check=False)

@@ -20,6 +20,8 @@ import re
 # not a part of a word such as q1 or dev-001
 NUMBER = re.compile(r"(?<![\w.])(?<![\w.][-+])[-+\u2212]?(?:\d+\.\d*|\.\d+|\d+(?=[eE]))(?:[eE][-+]?\d+)?(?![\w.])")
 
+COMMIT = re.compile(rb"(plumbline \d+\.\d+\.\d+) \([0-9a-f]{7,}(?:-dirty)?\)")
+
 
 def value(text):
     return float(text.replace("\u2212", "-"))
@@ -136,7 +138,8 @@ def is_csv(text):
 
 
 def difference(name, one, other, tolerance):
-    """None, or what differs first between two files of one name."""
+    """None, or what differs first between two files of one name; not the commit that they were written by."""
+    one, other = (COMMIT.sub(rb"\1", text) for text in (one, other))
     if one == other:
         return None
     exact = bytes_difference(one, other)

@@ -2,6 +2,7 @@
 # -DBINARY=<its build tree> -DCOMPILER=<C++ compiler> -DGENERATOR=<CMake generator> -P build.cmake, where the way is
 #   install     the whole project, installed into an empty folder: the program runs, the package is found
 #   core-only   the library alone, configured where no other package can be found, then installed
+#   port        by the port for vcpkg, whose commands port.cmake stands in for
 #   subproject, fetch   by add_subdirectory, by FetchContent
 set(place ${BINARY}/tests/consumer/${WAY})
 set(prefix ${place}/prefix)
@@ -34,6 +35,8 @@ if(WAY STREQUAL install)
 elseif(WAY STREQUAL core-only)
   configure(${SOURCE} ${place}/library -DPLUMBLINE_CORE_ONLY=ON ${absent})
   run(${CMAKE_COMMAND} --install ${place}/library --prefix ${prefix})
+elseif(WAY STREQUAL port)
+  include(${CMAKE_CURRENT_LIST_DIR}/port.cmake)
 else()
   set(way ${WAY})
 endif()

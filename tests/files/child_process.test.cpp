@@ -77,6 +77,13 @@ TEST_CASE("what a killed process has begun goes with it: its program and its tem
   }));
 }
 
+TEST_CASE("a program works in the folder that it is given") {
+  const Folder here;
+  here.write("file", "content\n");
+  CHECK(run_program({"cat", "file"}, "", std::nullopt, here.path()).out == "content\n");
+  CHECK_THROWS_AS(run_program({"cat", "file"}, "", std::nullopt, here / "nowhere"), Error);
+}
+
 TEST_CASE("without a folder for temporary files the error says so") {
   const char* before = std::getenv("TMPDIR");
   const std::string kept = before ? before : "";

@@ -2,12 +2,14 @@
 
 #include <doctest/doctest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <plumbline/base/error.hpp>
 
 #include "files/csv_file.hpp"
 #include "files/json_file.hpp"
 #include "files/printable.hpp"
+#include "files/sha256.hpp"
 #include "files/toml_file.hpp"
 #include "tests/folder.hpp"
 #include "tests/property.hpp"
@@ -80,4 +82,20 @@ TEST_CASE("errors in TOML and JSON name the line and show it, in our words") {
                        doctest::Contains("t.json:3: found text that is not JSON: \"b\": x"), Error);
   CHECK_THROWS_WITH_AS(parse_json("{\"a\": 1", "t.json"), doctest::Contains("an end in the middle"), Error);
   CHECK_THROWS_WITH_AS(parse_json("1e999", "t.json"), doctest::Contains("beyond double"), Error);
+}
+
+TEST_CASE("a pipe can be read again, and its digest is that of a file") {
+  const Folder here;
+  here.write("file", "some text\n");
+  int ends[2];
+  REQUIRE(pipe(ends) == 0);
+  REQUIRE(write(ends[1], "some text\n", 10) == 10);
+  close(ends[1]);
+  const fs::path through = "/dev/fd/" + std::to_string(ends[0]);
+  const std::vector<fs::path> piped{through}, file{here / "file"}, twice{here / "file", here / "file"};
+  CHECK(sha256(piped) == sha256(file));
+  CHECK(read_text(through) == "some text\n");
+  close(ends[0]);
+  CHECK(sha256(twice) == sha256("some text\nsome text\n"));
+  CHECK(sha256(std::vector<fs::path>{here / "nowhere"}) == sha256(""));
 }

@@ -1,4 +1,4 @@
-#include "trial/experiment_files.hpp"
+#include "files/experiment_files.hpp"
 
 #include <doctest/doctest.h>
 #include <sys/stat.h>
@@ -12,6 +12,7 @@
 #include "trial/label.hpp"
 
 namespace fs = std::filesystem;
+using namespace plumbline::files;
 using namespace plumbline::trial;
 
 namespace {

@@ -62,7 +62,7 @@ std::vector<Point<Real>> joint_places(const Chain<Real>& chain, const std::vecto
 /// Smallest and largest distance of the end point from the base.
 template <Number Real>
 struct Reach {
-  Real smallest, largest;
+  Real smallest /** when folded */, largest /** when stretched */;
 };
 
 /// Largest for the stretched chain; smallest for the folded one, zero unless one link is longer than all

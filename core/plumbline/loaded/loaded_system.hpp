@@ -18,9 +18,9 @@ namespace plumbline {
 template <LoadedModel Model>
 class LoadedSystem {
  public:
-  using Real = typename Model::Real;
-  static constexpr int bandwidth = Model::bandwidth;
-
+  using Real = typename Model::Real;                  ///< kind of number
+  static constexpr int bandwidth = Model::bandwidth;  ///< of the Hessian
+  /// Of a model that outlives this.
   explicit LoadedSystem(const Model& model) : model_(&model) {}
   /// \param smallest_pivot  see BorderedBand
   LoadedSystem(const Model& model, const Real& smallest_pivot) : model_(&model), matrix_(smallest_pivot) {}
@@ -29,7 +29,7 @@ class LoadedSystem {
   void expand(const Vector<Real>& theta, const Point<Real>& force) { model_->expand(theta, force, at_); }
   /// Residual and end point alone, where a model can give them by themselves; the factors stay: a chord step.
   void balance(const Vector<Real>& theta, const Point<Real>& force) { model_->balance(theta, force, at_); }
-  [[nodiscard]] const Expansion<Real, bandwidth>& at() const { return at_; }
+  [[nodiscard]] const Expansion<Real, bandwidth>& at() const { return at_; }  ///< as last expanded
 
   /// Factors the equations. `damping`: of equal viscous dampers between the angles, added to H.
   /// \return whether they are regular
@@ -81,8 +81,8 @@ class LoadedSystem {
     }
     return longest;
   }
-  [[nodiscard]] const Vector<Real>& turn() const { return turn_; }
-  [[nodiscard]] const Point<Real>& push() const { return push_; }
+  [[nodiscard]] const Vector<Real>& turn() const { return turn_; }  ///< of that step, by link
+  [[nodiscard]] const Point<Real>& push() const { return push_; }   ///< of that step: the force
 
   /// Goes a part of that step.
   void move(const Real& part, Vector<Real>& theta, Point<Real>& force) const {

@@ -12,8 +12,8 @@ namespace plumbline {
 template <Analytic Number_>
 class NominalModel {
  public:
-  using Real = Number_;
-  static constexpr int bandwidth = 1;
+  using Real = Number_;                ///< kind of number
+  static constexpr int bandwidth = 1;  ///< of the Hessian: each link has a spring to its neighbours alone
 
   /// \param weight  force of gravity on each link; none where it is left out
   /// \throws Error where the weights are not one a link
@@ -30,9 +30,9 @@ class NominalModel {
     }
   }
 
-  [[nodiscard]] const Chain<Real>& chain() const { return chain_; }
-  [[nodiscard]] std::size_t size() const { return chain_.size(); }
-
+  [[nodiscard]] const Chain<Real>& chain() const { return chain_; }  ///< as given
+  [[nodiscard]] std::size_t size() const { return chain_.size(); }   ///< links
+  /// Energy, residual and derivatives at absolute link angles: see LoadedModel.
   void expand(const Vector<Real>& theta, const Point<Real>& force, Expansion<Real, 1>& at) const {
     using std::cos, std::sin;
     const auto n = static_cast<Eigen::Index>(size());
@@ -71,7 +71,7 @@ class NominalModel {
     at.force_gradient = at.end_point_gradient;
     at.compliance.setConstant(Real(0));
   }
-
+  /// Of residual and end point along two variations: see LoadedModel.
   void second_derivative(const Expansion<Real, 1>& at, const Point<Real>& force, const Variation<Real>& v,
                          const Variation<Real>& w, Vector<Real>& moment, Point<Real>& place) const {
     const Eigen::Index n = v.theta.size();

@@ -11,7 +11,7 @@ namespace plumbline {
 template <Number Real>
 struct FlowLimits {
   Real longest_turn;  ///< of one step, rad
-  int most_steps;
+  int most_steps;     ///< after which it is given up
 };
 
 /// Lets shape and force flow downhill in linearly implicit steps, (H + c D) dtheta = -residual on the

@@ -1,11 +1,12 @@
-#include "trial/experiment_files.hpp"
+#include "files/experiment_files.hpp"
 
+#include <algorithm>
 #include <plumbline/base/error.hpp>
 
 #include "files/text_file.hpp"
 #include "files/toml_file.hpp"
 
-namespace plumbline::trial {
+namespace plumbline::files {
 namespace {
 
 namespace fs = std::filesystem;
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> sample_names(const fs::path& settings) {
   std::vector<std::string> names;
   try {
-    const toml::table table = files::parse_toml(files::read_text(settings), settings.string());
+    const toml::table table = parse_toml(read_text(settings), settings.string());
     const toml::array* runs = table["run"].as_array();
     for (std::size_t i = 0; runs != nullptr && i < runs->size(); ++i)
       if (const toml::table* run = runs->get(i)->as_table())
@@ -67,7 +68,8 @@ std::vector<fs::path> files_of(const fs::path& folder) {
   }
   files.push_back(folder / "seals.json");
   for (const auto& entry : fs::directory_iterator(folder / "labels", error)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
   return folder.empty() ? std::vector<fs::path>() : files;
 }
 
-}  // namespace plumbline::trial
+}  // namespace plumbline::files

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace plumbline::trial {
+namespace plumbline::files {
 
 /// What a diagnosis may see of an experiment, as paths inside its folder: experiment.toml and the samples
 /// that it names. Not what lies outside the folder (behind a link, too), is no plain file, or is the label.
@@ -14,7 +14,7 @@ std::vector<std::filesystem::path> experiment_files(const std::filesystem::path&
 /// The same with the folder before each; none of no folder.
 std::vector<std::filesystem::path> files_read(const std::filesystem::path& folder);
 
-/// Every file that a trial of this folder reads: experiments, labels, seals. None of no folder.
+/// Every file that a trial of this folder reads, by name: experiments, labels, seals. None of no folder.
 std::vector<std::filesystem::path> files_of(const std::filesystem::path& folder);
 
-}  // namespace plumbline::trial
+}  // namespace plumbline::files
