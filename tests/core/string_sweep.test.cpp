@@ -22,7 +22,8 @@ const Chain<double> four({1, 1, 1, 1}, {1, 1, 1, 1});
 
 }  // namespace
 
-TEST_CASE("between critical forces every run counts those below, from one end, from both, and of many at once") {
+TEST_CASE(
+    "between critical forces every run counts those below, from one end, from both, and of many at once") {
   std::mt19937 random(7);
   int counted = 0;
   for (const std::size_t n : {3U, 8U, 16U, 17U, 33U, 35U, 48U, 80U}) {
@@ -32,7 +33,7 @@ TEST_CASE("between critical forces every run counts those below, from one end, f
       const BeadString<double> string(chain);
       REQUIRE(string.in_range());
       REQUIRE(string.pieces().size() == 1);
-      const auto& piece = string.pieces()[0];
+      const auto piece = string.pieces()[0];
       for (std::size_t below = 0; below < n; ++below) {
         const double low = below > 0 ? forces[below - 1] : forces[0] / 100,
                      high = below + 1 < n ? forces[below] : 100 * forces[n - 2];
@@ -55,7 +56,7 @@ TEST_CASE("both ends give the function that one end gives, but for a factor") {
   for (const std::size_t n : {5U, 6U, 33U, 34U}) {
     const auto chain = graded(n, 2, random);
     const BeadString<double> string(chain);
-    const auto& piece = string.pieces()[0];
+    const auto piece = string.pieces()[0];
     const double F = 0.9 * critical_forces(chain, 1)[0];
     const auto one = sweep<4>(piece, F), both = sweep_from_both_ends<4>(piece, F);
     // Taylor coefficients in the relative change of F; 2 n roundings, some of them cancelling near a root
@@ -86,7 +87,7 @@ TEST_CASE("the lowest root is found from beside it, and no other one from beside
     const auto chain = graded(n, 1, random);
     const auto forces = critical_forces(chain, n);
     const BeadString<double> string(chain);
-    const auto& piece = string.pieces()[0];
+    const auto piece = string.pieces()[0];
     const auto run = [&](double F) { return sweep<3>(piece, F); };
     const auto degree = static_cast<double>(piece.size());
     CHECK(lowest_root(run, 0.999 * forces[0], degree, 1e-16) == doctest::Approx(forces[0]).epsilon(1e-13));
@@ -102,7 +103,7 @@ TEST_CASE("where the quick way to the lowest force does not settle, the bracket 
   for (const std::size_t n : {2U, 3U, 12U, 33U, 90U}) {
     const auto chain = graded(n, 3, random);
     const BeadString<double> string(chain);
-    const auto& piece = string.pieces()[0];
+    const auto piece = string.pieces()[0];
     // nothing is exact enough for no error at all
     CHECK(lowest_force(piece, 0.0) == doctest::Approx(lowest_force(piece)).epsilon(1e-13));
   }
@@ -125,7 +126,7 @@ TEST_CASE("a root is refined from near it; from near another one nothing comes o
   const auto forces = critical_forces(four, 3);
   const auto exact = convert<Mpfr50>(four, [](double x) { return Mpfr50(x); });
   const BeadString<Mpfr50> string(exact);
-  const auto& piece = string.pieces()[0];
+  const auto piece = string.pieces()[0];
   const auto expected = critical_forces(exact, 3);
   for (std::size_t m = 0; m < 3; ++m) {
     const auto root = refined(piece, m, Mpfr50(forces[m]));
@@ -149,5 +150,6 @@ TEST_CASE("what a type with fewer digits cannot hold is not rounded to nothing o
   CHECK_FALSE(narrow("1e400", "1"));
   CHECK_FALSE(narrow("1", "1e400"));
   CHECK(force_in_double(2.5L) == 2.5);
-  for (const long double outside : {1e-400L, 1e-310L, 1e400L, 0.0L}) CHECK_THROWS_AS(force_in_double(outside), Error);
+  for (const long double outside : {1e-400L, 1e-310L, 1e400L, 0.0L})
+    CHECK_THROWS_AS(force_in_double(outside), Error);
 }

@@ -1,6 +1,6 @@
 /// \file
-/// The readers without libFuzzer, for every run of the tests: each is offered its corpus, and so many inputs that are
-/// made from it by the same random changes every time.
+/// The readers without libFuzzer, for every run of the tests: each is offered its corpus, and so many inputs
+/// that are made from it by the same random changes every time.
 ///
 ///     small CORPUS INPUTS
 
@@ -17,8 +17,8 @@ using Reader = int(const std::uint8_t*, std::size_t);
 
 // what the fuzz targets are called here: CMakeLists.txt
 extern "C" {
-Reader fuzz_chain, fuzz_experiment, fuzz_table, fuzz_samples, fuzz_values, fuzz_label, fuzz_seals, fuzz_report,
-    fuzz_unfinished, fuzz_effects;
+Reader fuzz_chain, fuzz_experiment, fuzz_table, fuzz_samples, fuzz_values, fuzz_label, fuzz_seals,
+    fuzz_report, fuzz_unfinished, fuzz_effects;
 }
 
 namespace {
@@ -56,8 +56,10 @@ class Changer {
 
   void change(Text& text) {
     static const std::string marks = "\"'[]{}<>=,;:#/\\+-.0123456789eE \n\t\r";
-    const std::size_t place = below(text.size() + 1), length = below(std::min<std::size_t>(text.size() - place, 40) + 1);
-    const auto mark = static_cast<std::uint8_t>(below(8) == 0 ? below(256) : static_cast<std::size_t>(marks[below(marks.size())]));
+    const std::size_t place = below(text.size() + 1),
+                      length = below(std::min<std::size_t>(text.size() - place, 40) + 1);
+    const auto mark = static_cast<std::uint8_t>(
+        below(8) == 0 ? below(256) : static_cast<std::size_t>(marks[below(marks.size())]));
     switch (below(5)) {
       case 0:
         if (place < text.size()) text[place] = mark;

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Which planted fault a process runs with, and which ones it came by. The tool puts this in front of every file.
+/// Which planted fault a process runs with, and which ones it came by. The tool puts this in front of every
+/// file.
 
 #include <array>
 #include <cstdlib>

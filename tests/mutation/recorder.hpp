@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// For a suite that runs with PLUMBLINE_REACHED: writes to that file, for every test case, its name, its time and the
-/// faults whose places it came by, separated by tabs. The tool puts this behind the suites' main.
+/// For a suite that runs with PLUMBLINE_REACHED: writes to that file, for every test case, its name, its time
+/// and the faults whose places it came by, separated by tabs. The tool puts this behind the suites' main.
 
 #include <doctest/doctest.h>
 
