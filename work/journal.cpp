@@ -8,10 +8,12 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <plumbline/base/error.hpp>
 #include <sstream>
 #include <utility>
 
+#include "files/printable.hpp"
 #include "files/sha256.hpp"
 
 namespace plumbline::work {
@@ -32,7 +34,37 @@ std::string header_of(const std::string& work) {
       .dump();
 }
 
+/// The text that a line of JSON holds under a key; nothing where it is no such line.
+std::optional<std::string> text_in(const Json& line, const char* key) {
+  if (!line.is_object() || !line.contains(key) || !line[key].is_string()) return std::nullopt;
+  return line[key].get<std::string>();
+}
+
 }  // namespace
+
+std::map<std::string, std::string> unfinished_results(const std::string& text, const std::string& header,
+                                                      const std::string& source) {
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  const Json begun = Json::parse(line, nullptr, false);
+  if (text_in(begun, "format") != format) throw Error(source, "no unfinished work", "some, or no such file");
+  if (line != header) {
+    const auto work = text_in(begun, "work");
+    const bool same = work == text_in(Json::parse(header), "work");
+    throw Error(source,
+                "the unfinished work of " +
+                    (same ? "another build of this program" : files::shown(work.value_or(""))),
+                "the same work to go on with; remove the file to begin anew");
+  }
+  std::map<std::string, std::string> results;
+  while (std::getline(lines, line)) {
+    const Json one = Json::parse(line, nullptr, false);
+    const auto item = text_in(one, "item"), result = text_in(one, "result");
+    if (item && result) results[*item] = *result;
+  }
+  return results;
+}
 
 Journal::Journal(std::filesystem::path file, const std::string& work) : path_(std::move(file)) {
   const std::string header = header_of(work);
@@ -58,22 +90,7 @@ void Journal::read(const std::string& header) {
   if (whole < text.size() && ftruncate(file_, static_cast<off_t>(whole)) != 0)
     refuse(std::strerror(errno), "a file that can be written");
   if (whole == 0) return write_line(header);
-  std::istringstream lines(text.substr(0, whole));
-  std::string line;
-  std::getline(lines, line);
-  const Json begun = Json::parse(line, nullptr, false);
-  if (!begun.is_object() || begun.value("format", "") != format)
-    refuse("no unfinished work", "some, or no such file");
-  if (line != header)
-    refuse("the unfinished work of " + (begun["work"] != Json::parse(header)["work"]
-                                            ? begun["work"].dump()
-                                            : std::string("another build of this program")),
-           "the same work to go on with; remove the file to begin anew");
-  while (std::getline(lines, line)) {
-    const Json one = Json::parse(line, nullptr, false);
-    if (one.is_object() && one.contains("item") && one.contains("result"))
-      results_[one["item"].get<std::string>()] = one["result"].get<std::string>();
-  }
+  results_ = unfinished_results(text.substr(0, whole), header, path_.string());
 }
 
 const std::string* Journal::find(const std::string& item) const {

@@ -11,6 +11,13 @@ namespace plumbline::work {
 /// The name that it has in a folder of results.
 inline constexpr const char* unfinished_name = "unfinished.jsonl";
 
+/// The results that the text of a journal holds, by the digest of the item.
+/// \param header  the first line of a journal of the work that is to go on
+/// \param source  names the text in errors
+/// \throws Error where it is none, or that of another work or build; a line that is none counts for nothing
+std::map<std::string, std::string> unfinished_results(const std::string& text, const std::string& header,
+                                                      const std::string& source);
+
 /// A file with the result of every item that is done, written as they come, so that the same command, begun
 /// again after it was cut off, goes on where it was. It is there as long as the work is unfinished. Lines of
 /// JSON: first {"format": "plumbline-unfinished/1", "program": SHA-256 of the executable, "work": …}, then

@@ -31,7 +31,11 @@ VERBS = {
     "verify": (["verify", "--section", "2", "--json", "a", "--html", "b"], ["a", "b"]),
     "figure": (["figure", "2", "--out", "."], ["figure-02.svg"]),
     "trial": (["trial", "--experiments", "T", "--json", "a", "--markdown", "b"], ["a", "b"]),
+    "reference": (["reference", "--compact", "--out", "R"],
+                  [f"R/{path.name}" for path in sorted((SOURCE / "reference").iterdir())]),
 }
+# what a verb that was cut off leaves, so that the same command goes on there
+UNFINISHED = {"reference": {"R/unfinished.jsonl"}}
 failures = []
 
 
@@ -48,6 +52,7 @@ class Place:
         self.root = pathlib.Path(tempfile.mkdtemp(prefix="faults-", dir=parent))
         self.here, self.tmp = self.root / "here", self.root / "tmp"
         self.here.mkdir()
+        (self.here / "R").mkdir()
         self.tmp.mkdir()
         shutil.copy(SOURCE / "examples/four-link.toml", self.here / "four.toml")
         shutil.copytree(SOURCE / "examples/experiment", self.here / "E")
@@ -109,14 +114,14 @@ def settled(place, seconds=10):
         time.sleep(0.02)
 
 
-def check_place(place, targets, what):
+def check_place(place, targets, what, unfinished=frozenset()):
     settled(place)
     expect(not any(place.tmp.iterdir()), what, "left in TMPDIR:", list(place.tmp.iterdir()))
     now = place.files()
     for name, data in place.before.items():
         if name not in targets:
             expect(now.get(name) == data, what, "changed its input", name)
-    for name in set(now) - set(place.before) - set(targets):
+    for name in set(now) - set(place.before) - set(targets) - set(unfinished):
         expect(False, what, "left behind", name)
     for name in targets:
         if name in now and now[name] != OLD:
@@ -154,7 +159,10 @@ def kill_at_random(name):
             time.sleep(random.uniform(0, 1.1 * took))
             process.send_signal(how)
             process.communicate()
-            check_place(place, targets, f"{name}, killed by {how.name}")
+            check_place(place, targets, f"{name}, killed by {how.name}", UNFINISHED.get(name, ()))
+            if i % 2:  # every other time the work begins anew
+                for left in UNFINISHED.get(name, ()):
+                    (place.here / left).unlink(missing_ok=True)
             if i % 2:
                 for target in targets:
                     expect((place.here / target).is_file(), name, "lost", target)
@@ -202,7 +210,7 @@ def full_disk(name):
                 text = err.decode()
                 expect(status in (0, 1, 2), what, "ends with", status)
                 expect(status != 2 or text.count("\n") == 1 and text.startswith("plumbline: "), what, "says", text)
-                check_place(place, targets, what)
+                check_place(place, targets, what, UNFINISHED.get(name, ()))
                 for target in targets:
                     expect((place.here / target).is_file(), what, "lost", target)
                     if status == 2:
@@ -266,7 +274,8 @@ def poor_surroundings(name):
 def main():
     random.seed(1)
     for name in VERBS:
-        for fault in (kill_at_random, full_disk, closed_pipe, poor_surroundings):
+        # what takes long and prints nothing is killed, and its disk filled, alone
+        for fault in (kill_at_random, full_disk, closed_pipe, poor_surroundings)[:2 if name in UNFINISHED else 4]:
             begin = time.time()
             fault(name)
             print(f"{name}: {fault.__name__}, {time.time() - begin:.1f} s", flush=True)

@@ -55,6 +55,7 @@ TEST_CASE("what is not certain is not said") {
   CHECK_FALSE(certainly_less(zero_to_one, Interval(1)));
   CHECK(certainly_less(zero_to_one, Interval(2)));
   CHECK_FALSE(intersection(zero_to_one, Interval(2)));
+  CHECK_FALSE(intersection(Interval(2), zero_to_one));
   CHECK(intersection(zero_to_one, hull(Interval(1), Interval(3)))->contains(1));
 }
 

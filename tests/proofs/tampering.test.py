@@ -7,6 +7,7 @@ Besides what forgery.py does: documents that pass the schema and say something f
 import json
 import sys
 from fractions import Fraction
+from random import Random
 
 sys.path.insert(0, sys.argv[1])
 import check_certificates as checker  # noqa: E402
@@ -109,7 +110,7 @@ def by_hand():
     yield "\"1\" at a joint that stays straight", chain(*two, {**low, "shape": u}), \
         chain(*two, {**low, "shape": bend(1, 2, "0 0 1")})
     yield "two passive joints", chain("1 1 1", "0 1 1", force(1, "0.99", "1.01", (0, 1))), \
-        chain("1 1 1", "0 0 1", force(1, "0.99", "1.01", (0, 1)))
+        chain("1 1 1", "0 1 0", force(2, "1.99", "2.01", (1, 2)))  # what the recursion counts there
     # three unit links, k = (0, 1, 1): F = 1 and 3; a bound that is itself a critical force: low <= F_m < high
     yield "an upper bound that is the force itself", chain("1 1 1", "0 1 1", force(1, "1", "1.04", (0, 1))), \
         chain("1 1 1", "0 1 1", force(1, "0.98", "1", (0, 1)))
@@ -151,6 +152,17 @@ def judge_by_hand(judge, of_one):
         judge.misjudged.append("refused although true: five thousand digits")
 
 
+def judge_rounding(judge):
+    """Fractions that a shape is computed with are rounded outwards, to few bits as well."""
+    random = Random(1)
+    for _ in range(300):
+        ends = sorted(Fraction(random.randint(-10**9, 10**9), random.randint(1, 10**6)) for _ in range(2))
+        for bits in (4, 64):
+            low, high = checker.outward(ends, bits) if any(ends) else (0, 0)
+            if not low <= ends[0] <= ends[1] <= high:
+                judge.misjudged.append(("rounded inwards", *ends, bits))
+
+
 def main():
     document, judge = published(sys.argv[2]), Judge(checker)
 
@@ -162,6 +174,7 @@ def main():
         judge.by_machine(forgeries(of_one(certificate)))
     judge.by_machine(misspelt(of_one(certificate)))
     judge_by_hand(judge, of_one)
+    judge_rounding(judge)
     judge.end()
 
 

@@ -90,3 +90,24 @@ TEST_CASE("a journal of other work, of another program, of two at once, or none 
   CHECK_THROWS_WITH_AS(Journal(here / "nowhere" / "file", "this"), doctest::Contains("nowhere"),
                        plumbline::Error);
 }
+
+TEST_CASE(
+    "whatever JSON a journal holds: it is refused in one line, or what is no result counts for nothing") {
+  const std::string header = R"({"format":"plumbline-unfinished/1","program":"p","work":"this"})";
+  const auto read = [&](const std::string& text) { return unfinished_results(text, header, "f"); };
+  for (const char* none : {"", "\n", "[]\n", "{}\n", "{\"format\": 1}\n", "null\n", "\"format\"\n", "{\n"})
+    CHECK_THROWS_WITH_AS(read(none), doctest::Contains("no unfinished work"), plumbline::Error);
+  for (const char* other :
+       {R"({"format":"plumbline-unfinished/1"})", R"({"format":"plumbline-unfinished/1","work":{"a":[1]}})",
+        R"({"format":"plumbline-unfinished/1","work":"that\u001b[1m"})"})
+    CHECK_THROWS_WITH_AS(read(other), doctest::Contains("the unfinished work of \""), plumbline::Error);
+  const auto results = read(header + R"(
+{"item": 1, "result": "x"}
+{"item": "a", "result": {"x": 1}}
+{"item": "b"}
+[1, 2]
+nothing
+{"item": "c", "result": "d"}
+)");
+  CHECK(results == std::map<std::string, std::string>{{"c", "d"}});
+}

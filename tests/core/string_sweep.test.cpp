@@ -1,0 +1,155 @@
+#include <doctest/doctest.h>
+
+#include <plumbline/straight/critical_force.hpp>
+#include <random>
+
+using namespace plumbline;
+using namespace plumbline::detail;
+
+namespace {
+
+/// Lengths and stiffnesses spread log-uniformly over so many decades.
+Chain<double> graded(std::size_t n, double decades, std::mt19937& random) {
+  std::uniform_real_distribution<double> exponent(-decades / 2, decades / 2);
+  std::vector<double> length(n), stiffness(n);
+  for (double& L : length) L = std::pow(10, exponent(random));
+  for (double& k : stiffness) k = std::pow(10, exponent(random));
+  return Chain<double>(length, stiffness);
+}
+
+/// Three unit links: forces 1 and 3 on a passive base, and four of them on an elastic one.
+const Chain<double> four({1, 1, 1, 1}, {1, 1, 1, 1});
+
+}  // namespace
+
+TEST_CASE(
+    "between critical forces every run counts those below, from one end, from both, and of many at once") {
+  std::mt19937 random(7);
+  int counted = 0;
+  for (const std::size_t n : {3U, 8U, 16U, 17U, 33U, 35U, 48U, 80U}) {
+    for (const double decades : {0.5, 3.0, 8.0}) {
+      const auto chain = graded(n, decades, random);
+      const auto forces = critical_forces(chain, n);
+      const BeadString<double> string(chain);
+      REQUIRE(string.in_range());
+      REQUIRE(string.pieces().size() == 1);
+      const auto piece = string.pieces()[0];
+      for (std::size_t below = 0; below < n; ++below) {
+        const double low = below > 0 ? forces[below - 1] : forces[0] / 100,
+                     high = below + 1 < n ? forces[below] : 100 * forces[n - 2];
+        if (high < 1.001 * low) continue;  // so close a pair no rounded run need tell apart
+        const double F = std::sqrt(low * high);
+        CAPTURE(n);
+        CAPTURE(F);
+        CHECK(detail::count_below(piece, F) == below);
+        CHECK(sweep<3>(piece, F).below == below);
+        CHECK(sweep_from_both_ends<4>(piece, F).below == below);
+        ++counted;
+      }
+    }
+  }
+  CHECK(counted > 500);
+}
+
+TEST_CASE("both ends give the function that one end gives, but for a factor") {
+  std::mt19937 random(8);
+  for (const std::size_t n : {5U, 6U, 33U, 34U}) {
+    const auto chain = graded(n, 2, random);
+    const BeadString<double> string(chain);
+    const auto piece = string.pieces()[0];
+    const double F = 0.9 * critical_forces(chain, 1)[0];
+    const auto one = sweep<4>(piece, F), both = sweep_from_both_ends<4>(piece, F);
+    // Taylor coefficients in the relative change of F; 2 n roundings, some of them cancelling near a root
+    for (std::size_t t = 1; t <= 4; ++t)
+      CHECK(both.f[t] / both.f[0] == doctest::Approx(one.f[t] / one.f[0]).epsilon(1e-11));
+  }
+}
+
+TEST_CASE("a run stays in the range of the type, however far above all forces it is") {
+  for (const std::size_t n : {2U, 16U, 17U, 200U, 3000U}) {
+    const Chain<double> chain(std::vector<double>(n, 1.0), std::vector<double>(n, 1.0));
+    for (const double F : {1e3, 1e7, 1e30, 1e100}) {
+      CAPTURE(n);
+      CAPTURE(F);
+      CHECK(plumbline::count_below(chain, F) == n - 1);
+      const BeadString<double> string(chain);
+      const auto run = sweep<3>(string.pieces()[0], F);
+      CHECK(run.below == n - 1);
+      for (const double f : run.f) CHECK(std::isfinite(f));
+      CHECK(run.f[0] != 0);
+    }
+  }
+}
+
+TEST_CASE("the lowest root is found from beside it, and no other one from beside that") {
+  std::mt19937 random(9);
+  for (const std::size_t n : {6U, 20U}) {
+    const auto chain = graded(n, 1, random);
+    const auto forces = critical_forces(chain, n);
+    const BeadString<double> string(chain);
+    const auto piece = string.pieces()[0];
+    const auto run = [&](double F) { return sweep<3>(piece, F); };
+    const auto degree = static_cast<double>(piece.size());
+    CHECK(lowest_root(run, 0.999 * forces[0], degree, 1e-16) == doctest::Approx(forces[0]).epsilon(1e-13));
+    for (const double beside : {1 - 1e-6, 1 + 1e-6}) {
+      const double found = lowest_root(run, beside * forces[3], degree, 1e-16);
+      CHECK((std::isnan(found) || found < 0.9 * forces[3]));
+    }
+  }
+}
+
+TEST_CASE("where the quick way to the lowest force does not settle, the bracket finds the same") {
+  std::mt19937 random(10);
+  for (const std::size_t n : {2U, 3U, 12U, 33U, 90U}) {
+    const auto chain = graded(n, 3, random);
+    const BeadString<double> string(chain);
+    const auto piece = string.pieces()[0];
+    // nothing is exact enough for no error at all
+    CHECK(lowest_force(piece, 0.0) == doctest::Approx(lowest_force(piece)).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("a bracket is split by a count that rounding has spoilt without gaining or losing a root") {
+  const Bracket<double> bracket{1, 100, 2, 5, 10};
+  for (const auto& [found, between] : {std::pair<std::size_t, std::size_t>{0, 2}, {3, 3}, {4, 4}, {9, 5}}) {
+    const auto parts = split(bracket, Sweep<double, 3>{{1, 1, 1, 1}, found}, 6);
+    CHECK(parts[0].below == 2);
+    CHECK(parts[0].up_to == between);
+    CHECK(parts[1].below == between);
+    CHECK(parts[1].up_to == 5);
+    CHECK(parts[0].low == 1);
+    CHECK(parts[1].high == 100);
+  }
+}
+
+TEST_CASE("a root is refined from near it; from near another one nothing comes of it") {
+  const auto forces = critical_forces(four, 3);
+  const auto exact = convert<Mpfr50>(four, [](double x) { return Mpfr50(x); });
+  const BeadString<Mpfr50> string(exact);
+  const auto piece = string.pieces()[0];
+  const auto expected = critical_forces(exact, 3);
+  for (std::size_t m = 0; m < 3; ++m) {
+    const auto root = refined(piece, m, Mpfr50(forces[m]));
+    REQUIRE(root);
+    CHECK(abs(*root / expected[m] - 1) < Mpfr50("1e-48"));
+  }
+  for (const double beside : {1 - 1e-9, 1 + 1e-9}) {
+    CHECK_FALSE(refined(piece, 0, Mpfr50(beside * forces[2])));
+    CHECK_FALSE(refined(piece, 2, Mpfr50(beside * forces[0])));
+  }
+}
+
+TEST_CASE("what a type with fewer digits cannot hold is not rounded to nothing or to infinity") {
+  const auto narrow = [](const char* length, const char* stiffness) {
+    return narrowed<double>(Chain<Mpfr50>({1, Mpfr50(length)}, {1, Mpfr50(stiffness)}));
+  };
+  CHECK(narrow("1", "0"));  // a passive joint stays one
+  CHECK(narrow("0.1", "3")->length()[1] == 0.1);
+  CHECK_FALSE(narrow("1e-400", "1"));
+  CHECK_FALSE(narrow("1", "1e-400"));
+  CHECK_FALSE(narrow("1e400", "1"));
+  CHECK_FALSE(narrow("1", "1e400"));
+  CHECK(force_in_double(2.5L) == 2.5);
+  for (const long double outside : {1e-400L, 1e-310L, 1e400L, 0.0L})
+    CHECK_THROWS_AS(force_in_double(outside), Error);
+}

@@ -1,0 +1,49 @@
+"""A fault to plant: in this file, here, this text for that."""
+import tomllib
+from dataclasses import dataclass
+
+
+class Moved(Exception):
+    """A listed fault whose text no longer stands where it was planted."""
+
+
+@dataclass
+class Fault:
+    path: str
+    begin: int
+    end: int
+    before: str
+    after: str
+    what: str
+    line: int
+    listed: str = ""  # its name in the list
+    argued: str = ""  # why no test can or need tell it from right code
+
+    @property
+    def key(self):
+        return f"{self.path}:{self.begin}:{self.end}:{self.after}"
+
+    @property
+    def statement(self):
+        """Whether whole statements are exchanged, not an expression."""
+        return self.before.rstrip().endswith((";", "}"))
+
+    @staticmethod
+    def at(source, begin, end, after, what, place=None):
+        before = source.text[begin:end]
+        return Fault(source.path, begin, end, before, after, what, source.line(begin if place is None else place))
+
+
+def listed(path, sources):
+    """The faults of the list at `path`; sources gives a Source for a file's name. Raises Moved for the first whose text does
+    not stand in its file, or stands there twice."""
+    for entry in tomllib.loads(path.read_text())["fault"]:
+        source = sources(entry["file"])
+        count = source.text.count(entry["before"])
+        if count != 1:
+            raise Moved(f"{path}: {entry['id']}: found {count} times in {entry['file']}: {entry['before']!r}, expected once")
+        begin = source.text.index(entry["before"])
+        end = begin + len(entry["before"])
+        fault = Fault.at(source, begin, end, entry["after"], entry["what"])
+        fault.listed, fault.argued = entry["id"], entry.get("argued", "")
+        yield fault

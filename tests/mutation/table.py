@@ -1,0 +1,32 @@
+"""What was caught and what was not, in Markdown."""
+
+
+def folder(fault):
+    return "the checkers in Python" if fault.path.endswith(".py") else fault.path.split("/")[0]
+
+
+def one_line(text, limit=90):
+    text = " ".join(text.split()).replace("|", "\\|")
+    return text if len(text) <= limit else text[:limit - 3] + "..."
+
+
+def table(faults, results):
+    rows = ["| folder | faults | planted | caught | equivalent, argued | survived | score |", "|---|---|---|---|---|---|---|"]
+    for kind, chosen in (("listed", [f for f in faults if f.listed]), ("generated", [f for f in faults if not f.listed])):
+        for name in dict.fromkeys(sorted(map(folder, chosen))):
+            here = [f for f in chosen if folder(f) == name]
+            planted = [f for f in here if not results[f.key].get("unplanted")]
+            caught = [f for f in planted if results[f.key]["caught"]]
+            argued = [f for f in planted if f.argued and not results[f.key]["caught"]]
+            real = len(planted) - len(argued)
+            rows.append(f"| {name} | {kind} {len(here)} | {len(planted)} | {len(caught)} | {len(argued)} | "
+                        f"{real - len(caught)} | {100 * len(caught) / real if real else 100:.0f} % |")
+    rows += ["", "| what survived | change | why |", "|---|---|---|"]
+    for fault in faults:
+        result = results[fault.key]
+        if result.get("unplanted") or result["caught"]:
+            continue
+        change = fault.what if fault.listed else f"{fault.what} in `{one_line(fault.before)}`"
+        why = fault.argued or ("" if result["reached"] else "no test case comes by it")
+        rows.append(f"| {fault.listed + ', ' if fault.listed else ''}{fault.path}:{fault.line} | {change} | {why} |")
+    return "\n".join(rows) + "\n"
