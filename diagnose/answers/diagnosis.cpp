@@ -167,7 +167,8 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
   diagnosis.cause = judge(study, findings);
   if ((diagnosis.cause.verdict == CauseVerdict::unknown && !structured) || overturned(chosen, findings)) {
     // What was held out holds the trace of a further cause.
-    findings = search(study, [&](double share) { progress(0.5 + 0.4 * share); });
+    findings = search(
+        study, [&](double share) { progress(0.5 + 0.4 * share); }, findings);
     diagnosis.cause = judge(study, findings);
   }
   diagnosis.noise = findings.noise;

@@ -62,6 +62,14 @@ class Searcher {
     return fits;
   }
 
+  /// What is known already, from where it stands.
+  [[nodiscard]] std::vector<Fit> again(const Findings& known) const {
+    std::vector<Fit> fits;
+    for (const Hypothesis& one : known.hypotheses)
+      keep(fits, fit_from(study_, one.fit.candidate, settings_, one.fit.parameters));
+    return fits;
+  }
+
   /// Adds one more effect to each of the best so far.
   [[nodiscard]] std::vector<Fit> extended(const std::vector<Fit>& from, std::size_t seeds) const {
     std::vector<Combination> combinations;
@@ -191,12 +199,13 @@ Findings weighed(const Study& study, std::vector<Fit> fits) {
 
 }  // namespace
 
-Findings search(const Study& study, const std::function<void(double)>& progress) {
+Findings search(const Study& study, const std::function<void(double)>& progress, const Findings& known) {
   const auto report = [&](double share) {
     if (progress) progress(share);
   };
   const Searcher searcher(study);
   std::vector<Fit> fits = searcher.singles();
+  add(fits, searcher.again(known));
   const auto p_value = [&] { return test_gap(study.measurements(), fits.front().residual).p_value; };
   report(0.1);
   constexpr double look_further = 0.05;  // a search more costs time alone

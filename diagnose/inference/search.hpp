@@ -29,7 +29,9 @@ struct Findings {
 
 /// Fits every possible effect; where the best still leaves structure, combinations of two, then of three.
 /// \param progress  called with the share of the work that is done
-Findings search(const Study& study, const std::function<void(double)>& progress = {});
+/// \param known     what was fitted to the same readings already, and is looked at too
+Findings search(const Study& study, const std::function<void(double)>& progress = {},
+                const Findings& known = {});
 
 /// Weighs fitted hypotheses against each other, best evidence first, in the noise that the best of them
 /// leaves, or in what is tolerated.
