@@ -52,9 +52,9 @@ std::map<std::string, std::string> unfinished_results(const std::string& text, c
   if (line != header) {
     const auto work = text_in(begun, "work");
     const bool same = work == text_in(Json::parse(header), "work");
-    throw Error(source,
-                "the unfinished work of " +
-                    (same ? "another build of this program" : files::shown(work.value_or(""))),
+    const std::string whose =
+        same ? "another build of this program" : '"' + files::shown(work.value_or("")) + '"';
+    throw Error(source, "the unfinished work of " + whose,
                 "the same work to go on with; remove the file to begin anew");
   }
   std::map<std::string, std::string> results;
