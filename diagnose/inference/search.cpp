@@ -33,8 +33,9 @@ void add(std::vector<Fit>& fits, std::vector<Fit> more) {
 
 /// How far a search goes. A second effect is looked for beside the twenty best effects alone: of two causes
 /// one is among them unless both hide behind more than a score that mimic their sum. A third is looked for
-/// beside the ten best pairs. The two dozen that promise most are fitted.
-constexpr std::size_t single_seeds = 20, pair_seeds = 10, finalists = 24;
+/// beside the ten best pairs. The two dozen that promise most are fitted. Where an effect with many values
+/// fits, fewer will do: it is held against two with few values, and against what machining leaves.
+constexpr std::size_t single_seeds = 20, pair_seeds = 10, few_valued_seeds = 10, finalists = 24;
 
 /// So many of the best combinations are examined for simpler ones.
 constexpr std::size_t examined = 3;
@@ -62,6 +63,12 @@ class Searcher {
     return fits;
   }
 
+  /// Those of which no effect has many values.
+  [[nodiscard]] std::vector<Fit> few_valued(std::vector<Fit> fits) const {
+    std::erase_if(fits, [&](const Fit& one) { return many_valued(study_, one.candidate) > 0; });
+    return fits;
+  }
+
   /// What is known already, from where it stands.
   [[nodiscard]] std::vector<Fit> again(const Findings& known) const {
     std::vector<Fit> fits;
@@ -71,12 +78,14 @@ class Searcher {
   }
 
   /// Adds one more effect to each of the best so far.
-  [[nodiscard]] std::vector<Fit> extended(const std::vector<Fit>& from, std::size_t seeds) const {
+  /// \param most  so many of the effects may have many values
+  [[nodiscard]] std::vector<Fit> extended(const std::vector<Fit>& from, std::size_t seeds,
+                                          std::size_t most = 1) const {
     std::vector<Combination> combinations;
     for (std::size_t s = 0; s < std::min(seeds, from.size()); ++s) {
       for (const Prospect& prospect : screen(study_, from[s], settings_))
         // Two effects with many values follow anything.
-        if (Combination both = joined(from[s], prospect); many_valued(study_, both.candidate) <= 1)
+        if (Combination both = joined(from[s], prospect); many_valued(study_, both.candidate) <= most)
           offer(combinations, std::move(both));
     }
     std::sort(combinations.begin(), combinations.end(),
@@ -209,8 +218,7 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
   const auto p_value = [&] { return test_gap(study.measurements(), fits.front().residual).p_value; };
   report(0.1);
   constexpr double look_further = 0.05;  // a search more costs time alone
-  if (!fits.empty() && (p_value() < look_further ||
-                        many_valued(study, weighed(study, fits).hypotheses.front().fit.candidate) > 0)) {
+  if (!fits.empty() && p_value() < look_further) {
     std::vector<Fit> pairs = searcher.extended(fits, single_seeds);
     add(fits, pairs);
     add(fits, searcher.parts(pairs));
@@ -227,6 +235,9 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
       add(fits, searcher.parts(threes));
       add(fits, searcher.plainer(threes));
     }
+  } else if (!fits.empty() && many_valued(study, weighed(study, fits).hypotheses.front().fit.candidate) > 0) {
+    add(fits, searcher.extended(searcher.few_valued(fits), few_valued_seeds, 0));
+    add(fits, searcher.machined());
   }
   report(1);
   return weighed(study, std::move(fits));
