@@ -99,8 +99,13 @@ nlohmann::ordered_json law_as_json(const OfferedLaw& offered) {
   return result;
 }
 
+bool closes(const OfferedLaw& offered) {
+  return offered.shrink && offered.shrink->ratio < 1;
+}
+
 std::string law_as_text(const OfferedLaw& offered) {
-  std::string text = "  a torque law that closes the gap, which is no cause";
+  std::string text = closes(offered) ? "  a torque law that closes the gap, which is no cause"
+                                     : "  a torque law fitted to the gap, which is no cause";
   const std::vector<std::string> base = beside(offered);
   for (std::size_t i = 0; i < base.size(); ++i) text += (i == 0 ? ", beside " : " + ") + base[i];
   text += ":\n";

@@ -11,6 +11,9 @@ namespace plumbline::diagnose {
 /// The key `law` of the report.
 nlohmann::ordered_json law_as_json(const OfferedLaw& offered);
 
+/// Whether it leaves less of readings that it has not seen than the nominal model does.
+bool closes(const OfferedLaw& offered);
+
 /// The lines of the text report.
 std::string law_as_text(const OfferedLaw& offered);
 
