@@ -52,10 +52,9 @@ tests=(
   chromium chromium-driver python3-selenium poppler-utils
   # the proofs
   "${proofs[@]}"
-  # drawings, at run time
-  gnuplot-nox
   # packages and what is installed, as a user meets them
   dpkg-dev man-db zsh
+  # the site; what draws for it draws at run time too
   "${docs[@]}"
 )
 fuzz=(clang)

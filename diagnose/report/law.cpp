@@ -10,12 +10,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Kind = page::Layer::Kind;
 
-std::string joint_words(const std::vector<std::size_t>& joints) {
-  std::string text = joints.size() == 1 ? "joint " : "joints ";
-  for (std::size_t i = 0; i < joints.size(); ++i) text += (i > 0 ? ", " : "") + std::to_string(joints[i]);
-  return text;
-}
-
 Json picture_as_json(const LawPicture& picture) {
   Json knots = Json::array(), sliders = Json::array(), arms = Json::array();
   for (const auto& one : picture.knots) knots.push_back({one.deflection, one.torque});
@@ -50,7 +44,7 @@ page::Chart law_chart(const Explained& explained, std::size_t law, std::size_t j
       fmt::format("law-{}", joint),
       fmt::format("Torque law of joint {}", joint),
       "The torque that the joint carries over its deflection: knots of the law without memory as rings, "
-      "the runs as lines, the nominal spring dashed.",
+      "the runs as bold lines, the nominal spring as a thin one.",
       fmt::format("deflection of joint {}, rad", joint),
       "torque, N m",
       {spring}};
@@ -99,8 +93,19 @@ nlohmann::ordered_json law_as_json(const OfferedLaw& offered) {
   return result;
 }
 
+std::string joint_words(const std::vector<std::size_t>& joints) {
+  std::string text = joints.size() == 1 ? "joint " : "joints ";
+  for (std::size_t i = 0; i < joints.size(); ++i) text += (i > 0 ? ", " : "") + std::to_string(joints[i]);
+  return text;
+}
+
+bool closes(const OfferedLaw& offered) {
+  return offered.shrink && offered.shrink->ratio < 1;
+}
+
 std::string law_as_text(const OfferedLaw& offered) {
-  std::string text = "  a torque law that closes the gap, which is no cause";
+  std::string text = closes(offered) ? "  a torque law that closes the gap, which is no cause"
+                                     : "  a torque law fitted to the gap, which is no cause";
   const std::vector<std::string> base = beside(offered);
   for (std::size_t i = 0; i < base.size(); ++i) text += (i == 0 ? ", beside " : " + ") + base[i];
   text += ":\n";

@@ -11,6 +11,12 @@ namespace plumbline::diagnose {
 /// The key `law` of the report.
 nlohmann::ordered_json law_as_json(const OfferedLaw& offered);
 
+/// Whether it leaves less of readings that it has not seen than the nominal model does.
+bool closes(const OfferedLaw& offered);
+
+/// "joints 1, 2".
+std::string joint_words(const std::vector<std::size_t>& joints);
+
 /// The lines of the text report.
 std::string law_as_text(const OfferedLaw& offered);
 

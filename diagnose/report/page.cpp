@@ -207,7 +207,11 @@ void add_charts(Json& view, const Explained& explained) {
   view["shapes"] = charts(shape_charts(explained), false);
   view["rings"] = at_joints(explained);
   view["loops"] = section(charts(loop_charts(explained), false));
-  if (view.contains("law")) view["law"]["charts"] = charts(law_charts(explained), false);
+  if (!view.contains("law")) return;
+  view["law"]["charts"] = charts(law_charts(explained), false);
+  view["law"]["closes"] = closes(*explained.diagnosis.law);
+  for (std::size_t i = 0; i < explained.diagnosis.law->pictures.size(); ++i)
+    view["law"]["laws"][i]["whose"] = joint_words(explained.diagnosis.law->pictures[i].joints);
 }
 
 }  // namespace

@@ -73,6 +73,8 @@ def linked(path, words, target):
     if "://" in name:
         return f'<a href="{target}">{words}</a>'
     file = (path.parent / name).resolve() if name else path
+    if not file.exists():
+        sys.exit(f"{path.relative_to(ROOT)}: a link to {name}, which is not there")
     if file in PAGES:
         return f"[{words}](@ref {label(file, anchor) if label(file, anchor) in headings(file) else label(file)})"
     return words if file.is_dir() else f'<a href="{copied(file)}">{words}</a>'
