@@ -11,6 +11,7 @@
 #include "app/arguments.hpp"
 #include "app/commit.hpp"
 #include "app/complaints.hpp"
+#include "files/printable.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -20,6 +21,13 @@ void hold_standard_streams() {
   for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
     if (fcntl(stream, F_GETFD) < 0)
       static_cast<void>(open("/dev/null", O_RDONLY));  // refuses what is written
+}
+
+/// Words go into reports, which are text.
+void require_text(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    if (files::first_bad_byte(argv[i]) != std::string::npos)
+      throw Error("argument " + std::to_string(i), files::shown(argv[i]), "text in UTF-8");
 }
 
 /// The exception in flight, as one line that names the place, what was found and what was expected.
@@ -57,6 +65,7 @@ int run(CLI::App& command, int argc, char** argv) {
   constexpr int bad_input = 2;
   hold_standard_streams();
   try {
+    require_text(argc, argv);
     command.parse(argc, argv);
     if (command.get_subcommands().empty()) std::cout << command.help();
     if (!std::cout.flush()) throw Error("standard output", "a failure while writing", "all written");

@@ -6,6 +6,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "files/output_file.hpp"
+#include "files/printable.hpp"
 #ifdef PLUMBLINE_SIMULATOR
 #include "simulator/write_experiment.hpp"
 #endif
@@ -58,7 +59,8 @@ SecretExperiments make_experiments(BlindTrial which, std::size_t trials, std::ui
   work::WorkList list{experiment_task, {}};
   for (std::size_t number = 1; number <= trials; ++number)
     list.items.push_back(
-        Json{{"trial", word(which)}, {"seed", seed}, {"number", number}, {"folder", folder.string()}}.dump());
+        Json{{"trial", word(which)}, {"seed", seed}, {"number", number}, {"folder", files::text_of(folder)}}
+            .dump());
   SecretExperiments secret;
   trial::Seals seals;
   std::size_t number = 0;

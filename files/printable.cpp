@@ -69,4 +69,10 @@ void require_printable(const std::string& name, const std::string& place) {
   if (printable(name) != name) throw Error(place, shown(name), "text in UTF-8 without control characters");
 }
 
+std::string text_of(const std::filesystem::path& path) {
+  if (first_bad_byte(path.string()) != std::string::npos)
+    throw Error(path.string(), "a name that is no text", "UTF-8");
+  return path.string();
+}
+
 }  // namespace plumbline::files

@@ -2,6 +2,7 @@
 /// \file
 /// Text from files, as it may be shown: in a terminal, in one line of an error, on a page.
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -20,5 +21,9 @@ std::string shown(std::string_view text);
 /// A name that reaches terminals and pages.
 /// \throws Error at the place where it holds anything that printable() writes out
 void require_printable(const std::string& name, const std::string& place);
+
+/// A path as text that goes into JSON.
+/// \throws Error where it is no UTF-8
+std::string text_of(const std::filesystem::path& path);
 
 }  // namespace plumbline::files

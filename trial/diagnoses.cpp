@@ -6,6 +6,7 @@
 
 #include "files/experiment_files.hpp"
 #include "files/json_file.hpp"
+#include "files/printable.hpp"
 #include "files/sha256.hpp"
 
 namespace plumbline::trial {
@@ -22,8 +23,8 @@ std::string digest_of_inputs(const Assignment& one) {
 }
 
 std::string as_item(const Assignment& one, const std::string& digest) {
-  return Json{{"experiment", one.experiment.string()},
-              {"report", one.report.string()},
+  return Json{{"experiment", files::text_of(one.experiment)},
+              {"report", files::text_of(one.report)},
               {"words", one.words},
               {"alone", one.alone ? Json(one.alone->count()) : Json()},
               {"inputs", digest}}

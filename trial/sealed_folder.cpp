@@ -4,6 +4,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "files/json_file.hpp"
+#include "files/printable.hpp"
 #include "files/sha256.hpp"
 #include "files/text_file.hpp"
 
@@ -26,6 +27,7 @@ SealedFolder::SealedFolder(fs::path folder) : folder_(std::move(folder)) {
     if (fs::exists(entry.path() / "experiment.toml", ignored))
       names_.push_back(entry.path().filename().string());
   std::sort(names_.begin(), names_.end());
+  for (const std::string& name : names_) files::require_printable(name, folder_.string());
   if (names_.empty()) throw Error(folder_.string(), "no experiment", "subfolders with experiment.toml");
   if (const fs::path file = folder_ / "seals.json"; fs::exists(file)) {
     const std::string text = files::read_text(file);

@@ -163,6 +163,26 @@ TEST_CASE("a noise that is no noise, and names with controls, are refused where 
   }
 }
 
+TEST_CASE("names of files that are no text are refused in one line, wherever they come from") {
+  const Workplace here;
+  furnish(here);
+  const std::string odd = "odd\xff";
+  fs::create_directory(here.path() / "Y");
+  fs::copy(here.path() / "X" / "one", here.path() / "Y" / "one", fs::copy_options::recursive);
+  fs::copy(here.path() / "X" / "one", here.path() / "Y" / odd);
+  fs::copy(here.path() / "X", here.path() / odd, fs::copy_options::recursive);
+  for (const std::string& arguments :
+       {"trial --experiments " + odd, std::string("trial --experiments Y"), "trial --trials 1 --out " + odd,
+        "diagnose E " + odd + "/one --reports R", "critical --certify " + odd,
+        "path --json " + odd + " --to 0.1", "diagnose " + odd + "/one", "critical " + odd + ".toml"}) {
+    CAPTURE(arguments);
+    const Outcome outcome = here.plumbline(arguments);
+    check_refused(outcome);
+    CHECK(contains(outcome.err, "odd\\xff"));
+    CHECK(contains(outcome.err, "UTF-8"));
+  }
+}
+
 TEST_CASE("check lists every bad row, up to a number that a person reads") {
   const Workplace here;
   here.write("C.csv", "chain,lengths,stiffness\na,1;1;1,1;1;1\n");
