@@ -28,9 +28,9 @@ from workplace import FOLDERS, ROOT, Workplace
 SHORT = 2.0  # seconds of test cases that run as one process before the longer ones
 
 
-def changed_lines(revision):
+def changed_lines(revision, folders):
     """{file: lines} that differ from a revision."""
-    text = subprocess.run(["git", "diff", "-U0", revision, "--", *FOLDERS], cwd=ROOT, check=True, capture_output=True,
+    text = subprocess.run(["git", "diff", "-U0", revision, "--", *folders], cwd=ROOT, check=True, capture_output=True,
                           text=True).stdout
     lines, path = {}, ""
     for row in text.splitlines():
@@ -42,9 +42,9 @@ def changed_lines(revision):
     return lines
 
 
-def generated_faults(wanted, source):
+def generated_faults(wanted, folders, source):
     """All faults made from the text of the files in the folders, on the wanted lines only if any are given."""
-    for folder in FOLDERS:
+    for folder in folders:
         for path in sorted((ROOT / folder).rglob("*")):
             name = path.relative_to(ROOT).as_posix()
             if path.suffix in (".cpp", ".hpp", ".py") and "/coq/" not in name and (wanted is None or name in wanted):
@@ -110,6 +110,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--generated", type=int, metavar="N", help="so many faults made from the text")
     parser.add_argument("--changed", metavar="REV", help="faults made on the lines changed since this revision")
+    parser.add_argument("--folders", nargs="+", default=list(FOLDERS), metavar="FOLDER",
+                        help="whose code is changed, each with a suite: " + " ".join(FOLDERS))
     parser.add_argument("--only", default="", metavar="PART", help="faults in files whose path holds this, alone")
     parser.add_argument("--seed", type=int, default=1, help="of the choice of generated faults")
     parser.add_argument("--survivors", action="store_true", help="only what was not caught last time")
@@ -127,13 +129,14 @@ def main():
         except Moved as moved:
             sys.exit(str(moved))
     if options.generated or options.changed:
-        made = list(generated_faults(changed_lines(options.changed) if options.changed else None, source))
+        made = list(generated_faults(changed_lines(options.changed, options.folders) if options.changed else None,
+                                     options.folders, source))
         made = [fault for fault in made if options.only in fault.path]
         count = len(made)
         random.Random(options.seed).shuffle(made)
         faults += made[:options.generated] if options.generated else made
         print(f"{count} faults can be made", file=sys.stderr)
-    faults = [fault for fault in faults if options.only in fault.path]
+    faults = [fault for fault in faults if options.only in fault.path and fault.path.split("/")[0] in options.folders]
     if options.list:
         for fault in faults:
             print(f"{fault.path}:{fault.line}: {fault.what}: {fault.before!r} -> {fault.after!r}")
@@ -141,7 +144,7 @@ def main():
 
     options.results = ROOT / "build-mutation/results.json"
     results = json.loads(options.results.read_text()) if options.results.is_file() else {}
-    for folder in FOLDERS:
+    for folder in options.folders:
         here = [fault for fault in faults if fault.path.startswith(folder + "/")]
         if here:
             try_all(folder, here, options, results)
