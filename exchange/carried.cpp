@@ -1,5 +1,7 @@
 #include "exchange/carried.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "diagnose/model/effect.hpp"
@@ -14,6 +16,7 @@ using diagnose::NominalEffect, diagnose::Rig, diagnose::Vector2;
 Rig rig_with(const Model& model, const std::vector<NominalEffect>& effects) {
   diagnose::Experiment part = model.experiment;
   part.effects = effects;
+  part.laws.clear();
   part.run_count = part.runs.size();
   return diagnose::nominal_rig(part);
 }
@@ -57,17 +60,17 @@ std::string_view against(Format format, const NominalEffect& effect, const Rig& 
   return "";
 }
 
-Carried law_carried(const Model& model, Format format) {
-  const std::string effect = "torque_law";
+Carried law_carried(const Model& model, const diagnose::FreeLaw& law, Format format) {
+  const std::string label = fmt::format("torque_law({})", law.joint);
   if (format != Format::mjcf)
-    return {effect, false,
-            "joints of this format know no free torque law: the table at the head of the file"};
-  for (const diagnose::LawPicture& law : model.laws)
-    if (std::any_of(law.sliders.begin(), law.sliders.end(), [](const auto& one) { return one.growth > 0; }))
-      return {
-          effect, false,
-          "dry friction of this format does not grow with the deflection: the table at the head of the file"};
-  return {effect, true,
+    return {label, false, "joints of this format know no free torque law: the table at the head of the file"};
+  const bool widens =
+      std::any_of(law.sliders.begin(), law.sliders.end(), [](const auto& one) { return one.growth > 0; });
+  if (widens && rig_with(model, model.experiment.effects).backlash[law.joint - 1] > 0)
+    return {
+        label, false,
+        "friction that grows with the deflection of a joint with play: the table at the head of the file"};
+  return {label, true,
           "as forces that go with the joint's angle from knot to knot, and arms beside the joint"};
 }
 
@@ -99,17 +102,20 @@ std::vector<Carried> what_is_carried(const Model& model, Format format) {
     }
     all.push_back(std::move(one));
   }
-  if (!model.laws.empty()) all.push_back(law_carried(model, format));
+  for (const diagnose::FreeLaw& law : model.experiment.laws) all.push_back(law_carried(model, law, format));
   return all;
 }
 
 Tree carried_tree(const Model& model, const std::vector<Carried>& effects, const Means& means) {
-  std::vector<NominalEffect> own;
-  for (std::size_t e = 0; e < model.experiment.effects.size(); ++e)
-    if (effects[e].carried) own.push_back(model.experiment.effects[e]);
-  Model shown = model;
-  if (!model.laws.empty() && !effects.back().carried) shown.laws.clear();
-  return tree_of(rig_with(model, own), shown, means);
+  diagnose::Experiment part = model.experiment;
+  auto carried = effects.begin();
+  const auto keep = [&](auto& all) {
+    std::erase_if(all, [&](const auto&) { return !(carried++)->carried; });
+  };
+  keep(part.effects);
+  keep(part.laws);
+  part.run_count = part.runs.size();
+  return tree_of(diagnose::nominal_rig(part), model, means);
 }
 
 }  // namespace plumbline::exchange

@@ -59,33 +59,17 @@ std::string file_word(const Candidate& candidate) {
   return word;
 }
 
-/// The law of every joint by itself: those that share one have it in proportion to their springs.
-std::vector<diagnose::LawPicture> by_joint(const diagnose::OfferedLaw& offered, const Study& study) {
-  std::vector<diagnose::LawPicture> all;
-  for (std::size_t l = 0; l < offered.pictures.size(); ++l) {
-    for (const std::size_t joint : offered.pictures[l].joints) {
-      diagnose::LawPicture own = offered.pictures[l];
-      const double share = study.experiment().joint_stiffness[joint - 1] / offered.law.laws[l].stiffness;
-      own.joints = {joint};
-      for (auto& knot : own.knots) knot.torque *= share;
-      for (auto& slider : own.sliders) slider.torque *= share, slider.growth *= share;
-      for (auto& arm : own.arms) arm.stiffness *= share;
-      all.push_back(std::move(own));
-    }
-  }
-  return all;
-}
-
 class Models {
  public:
   explicit Models(const Study& study) : study_(study) {}
 
   void add(const std::string& cause, const std::string& with, const std::vector<NominalEffect>& effects,
-           std::vector<diagnose::LawPicture> laws = {}) {
+           const std::vector<diagnose::FreeLaw>& laws = {}) {
     const diagnose::Experiment& nominal = study_.experiment();
     Model model{fmt::format("Corrected model of \"{}\": the nominal model {}.", nominal.name, with), nominal,
-                nominal.rest.empty() ? nominal.runs.front().rest : nominal.rest, std::move(laws)};
+                nominal.rest.empty() ? nominal.runs.front().rest : nominal.rest};
     model.experiment.effects.insert(model.experiment.effects.end(), effects.begin(), effects.end());
+    model.experiment.laws.insert(model.experiment.laws.end(), laws.begin(), laws.end());
     all_.push_back({cause, std::move(model)});
   }
   void add(const Candidate& candidate, const std::vector<double>& values, bool alone) {
@@ -97,7 +81,7 @@ class Models {
     add(alone ? "" : "torque_law",
         "with a free torque law" + (base.effects.empty() ? "" : " and " + base.label()),
         effects_of(study_, base, in_catalogue_units(study_, base, law.law.base.parameters)),
-        by_joint(law, study_));
+        free_laws(study_, law.law));
   }
 
   std::vector<Corrected> result() { return std::move(all_); }

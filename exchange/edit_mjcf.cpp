@@ -218,8 +218,7 @@ class Editor {
     for (Follower& one : tree.followers) {
       std::size_t j = 0;
       while (one.hinge != chain_name(j)) ++j;
-      const double r = ease(j) - reference(j);
-      one.polynomial = {r * r * r * r, -4 * r * r * r, 6 * r * r, -4 * r, 1};
+      one.rest = ease(j) - reference(j);
       one.hinge = chain_.own_name(one.hinge);
       one.slide = chain_.own_name(one.slide);
     }

@@ -18,7 +18,7 @@ EditedChain::EditedChain(const Model& model, ReadModel read, Format format, cons
                 "a site, frame or link there with end or tip in its name");
   Model bare = model;
   bare.experiment.effects.clear();
-  bare.laws.clear();
+  bare.experiment.laws.clear();
   before_ = carried_tree(bare, {}, means);
   effects_ = what_is_carried(model, format);
   after_ = carried_tree(model, effects_, means);

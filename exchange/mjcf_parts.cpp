@@ -30,13 +30,21 @@ Xml free_actuator(const std::string& name, double first, double second) {
   return std::move(xml.set("biasprm", numbers({first, second, 0})));
 }
 
+/// (angle - rest) to its power, by powers of the angle.
+std::array<double, 5> polynomial(const Follower& one) {
+  const double r = one.rest;
+  if (one.power == 2) return {r * r, -2 * r, 1, 0, 0};
+  return {r * r * r * r, -4 * r * r * r, 6 * r * r, -4 * r, 1};
+}
+
 void add_follower(const Follower& one, Xml& equality, Xml& actuator) {
+  const std::array<double, 5> coefficients = polynomial(one);
   equality.add(Xml("joint")
                    .set("name", one.slide)
                    .set("joint1", one.slide)
                    .set("joint2", one.hinge)
-                   .set("polycoef", numbers({one.polynomial.begin(), one.polynomial.end()})));
-  actuator.add(free_actuator(one.slide, one.force, 0).set("joint", one.slide));
+                   .set("polycoef", numbers({coefficients.begin(), coefficients.end()})));
+  if (one.force != 0) actuator.add(free_actuator(one.slide, one.force, 0).set("joint", one.slide));
 }
 
 void add_ramp(const Ramp& one, Xml& tendons, Xml& actuator) {
@@ -214,19 +222,6 @@ Xml mjcf_beside(const Model& model, const std::vector<Carried>& effects) {
   for (std::size_t e = 0; e < model.experiment.effects.size(); ++e)
     for (const auto& [name, value] : model.experiment.effects[e].parameters)
       if (!effects[e].carried) note(custom, effects[e].effect + " " + name, {value});
-  for (const diagnose::LawPicture& law : model.laws) {
-    for (const std::size_t joint : law.joints) {
-      const std::string name = fmt::format("torque_law q{}", joint);
-      std::vector<double> knots, sliders, arms;
-      for (const auto& one : law.knots) knots.insert(knots.end(), {one.deflection, one.torque});
-      for (const auto& one : law.sliders)
-        sliders.insert(sliders.end(), {one.slips_at, one.torque, one.growth});
-      for (const auto& one : law.arms) arms.insert(arms.end(), {one.time_constant, one.stiffness});
-      note(custom, name, knots);
-      note(custom, name + " sliders", sliders);
-      note(custom, name + " arms", arms);
-    }
-  }
   return custom;
 }
 

@@ -7,23 +7,22 @@
 #include <utility>
 #include <vector>
 
-#include "diagnose/answers/offered_law.hpp"
 #include "diagnose/model/rig.hpp"
 
 namespace plumbline::exchange {
 
 struct Model {
   std::string title;  ///< one line, for the head of the file
-  /// The nominal chain with the effects, and the bench; the runs say what the effects act on.
+  /// The nominal chain with the effects and, where no cause is known, free laws; and the bench; the runs say
+  /// what the effects act on.
   diagnose::Experiment experiment;
-  std::vector<double> rest;                ///< the unloaded shape that the file shows
-  std::vector<diagnose::LawPicture> laws;  ///< free torque laws beside the effects, where no cause is known
-  std::filesystem::path source = {};       ///< the file that the nominal chain was read from, if any
+  std::vector<double> rest;           ///< the unloaded shape that the file shows
+  std::filesystem::path source = {};  ///< the file that the nominal chain was read from, if any
 };
 
 /// What became of one effect in a file.
 struct Carried {
-  std::string effect;  ///< "backlash(2)", or "torque_law"
+  std::string effect;  ///< "backlash(2)", or "torque_law(2)"
   bool carried;
   std::string how;  ///< as what, or why not
 };

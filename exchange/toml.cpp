@@ -26,6 +26,21 @@ std::string effect_table(const diagnose::NominalEffect& effect) {
   return text + "parameters = { " + parameters + " }\n";
 }
 
+std::string law_table(const diagnose::FreeLaw& law) {
+  std::vector<double> deflection, torque;
+  for (const auto& knot : law.knots) deflection.push_back(knot.deflection), torque.push_back(knot.torque);
+  std::string text = fmt::format("\n[[nominal.torque_law]]\njoint = {}\n", law.joint), sliders, arms;
+  text += list("deflection", deflection) + list("torque", torque);
+  for (const auto& one : law.sliders)
+    sliders += fmt::format("{}{{ slips_at = {}, {} = {} }}", sliders.empty() ? "" : ", ", one.slips_at,
+                           one.growth > 0 ? "growth" : "torque", one.growth > 0 ? one.growth : one.torque);
+  for (const auto& one : law.arms)
+    arms += fmt::format("{}{{ time_constant = {}, stiffness = {} }}", arms.empty() ? "" : ", ",
+                        one.time_constant, one.stiffness);
+  if (!sliders.empty()) text += "sliders = [" + sliders + "]\n";
+  return arms.empty() ? text : text + "arms = [" + arms + "]\n";
+}
+
 }  // namespace
 
 Written to_toml(const Model& model) {
@@ -35,8 +50,8 @@ Written to_toml(const Model& model) {
     file.effects.push_back({effect.label(), true,
                             of_catalogue(effect) ? "as [[nominal.effect]]"
                                                  : "as [[nominal.effect]], to be read with --effects again"});
-  if (!model.laws.empty())
-    file.effects.push_back({"torque_law", false, "a nominal chain has no free torque law: the table below"});
+  for (const diagnose::FreeLaw& law : chain.laws)
+    file.effects.push_back({fmt::format("torque_law({})", law.joint), true, "as [[nominal.torque_law]]"});
   for (const std::string& line : head_lines(model, file.effects)) file.text += "# " + line + "\n";
   file.text += "\n[nominal]\n" + list("link_length", chain.link_length) +
                list("joint_stiffness", chain.joint_stiffness);
@@ -45,6 +60,7 @@ Written to_toml(const Model& model) {
     file.text += list("gravity", {chain.gravity.begin(), chain.gravity.end()});
   if (!chain.rest.empty()) file.text += list("rest", chain.rest);
   for (const diagnose::NominalEffect& effect : chain.effects) file.text += effect_table(effect);
+  for (const diagnose::FreeLaw& law : chain.laws) file.text += law_table(law);
   return file;
 }
 

@@ -22,11 +22,7 @@ Pair pair(const Vector2& v) {
 class Builder {
  public:
   Builder(const Rig& rig, const Model& model, const Means& means)
-      : rig_(rig),
-        rest_(model.rest),
-        nominal_rest_(model.rest),
-        law_stiffness_(model.experiment.joint_stiffness),
-        means_(means) {
+      : rig_(rig), rest_(model.rest), nominal_rest_(model.rest), means_(means) {
     double sum = 0, elastic = 0;
     for (const double k : rig.stiffness) sum += k, elastic += k > 0;
     typical_ = elastic > 0 ? sum / elastic : 1;
@@ -34,7 +30,6 @@ class Builder {
       rest_[i] = rest_[i] * std::exp(-rig.capstan * static_cast<double>(i)) + rig.rest_error[i];
     weigh(model.experiment);
     if (means.tendons && has_drive(rig)) drive(model.experiment);
-    laws_ = means.tendons ? &model.laws : nullptr;
   }
 
   Tree result() {
@@ -46,8 +41,8 @@ class Builder {
     if (rig_.payload.norm() > 0)
       tree_.bodies.push_back({"payload", here_, {at_, 0}, rig_.payload.norm() / gravity_, 0, 0, {}});
     couple();
-    if (laws_ != nullptr)
-      for (const diagnose::LawPicture& law : *laws_) follow_law(law);
+    if (means_.tendons)
+      for (std::size_t l = 0; l < rig_.laws.size(); ++l) follow_law(rig_.laws[l], l);
     return std::move(tree_);
   }
 
@@ -197,6 +192,8 @@ class Builder {
     second.armature = stiffness * response_time * response_time;
     second.damping = 2 * stiffness * response_time;
     holds(second);
+    // Dry friction that sticks creeps the faster the lighter what it holds; where it slips, damping drags.
+    if (second.friction > 0) second.armature *= slow * slow, second.damping /= slow;
     tree_.bodies.push_back({name + "_arm", parent, place, speck, 0, 0, std::move(second)});
     Tendon& spring = tendon(name, beside, stiffness, 0);
     spring.joints.emplace_back(name, -1);
@@ -235,47 +232,63 @@ class Builder {
         arm(fmt::format("{}_slip{}", name, e + 1), all, parent, place, slider.ratio * k,
             [&](Hinge& one) { one.friction = slider.yield; });
     }
-    if (const double c = rig_.hardening[j]; c != 0 && k > 0) follow(name, parent, rest_[j], k * c);
+    // The potential k c d^4 / 4: a slide that is at d^4, pulled back by a constant force.
+    if (const double c = rig_.hardening[j]; c != 0 && k > 0) follow(j, name + "_cubic", 4, -k * c / 4);
   }
 
-  /// The potential kc d^4 / 4: a slide that is at d^4, pulled back by a constant force.
-  void follow(const std::string& hinge_name, const std::string& parent, double rest, double kc) {
-    const double r = rest;
-    const std::string name = hinge_name + "_cubic";
+  /// A slide that goes with a power of the deflection of joint j.
+  void follow(std::size_t j, const std::string& name, int power, double force) {
     Hinge own{name};
     own.along = 'x';
     own.armature = typical_ * response_time * response_time;
-    tree_.bodies.push_back({name + "_slide", parent, {0, 0}, speck, 0, 0, own});
-    tree_.followers.push_back(
-        {name, hinge_name, {r * r * r * r, -4 * r * r * r, 6 * r * r, -4 * r, 1}, -kc / 4});
+    tree_.bodies.push_back({name + "_slide", parent_[j], {0, 0}, speck, 0, 0, own});
+    tree_.followers.push_back({name, fmt::format("q{}", j + 1), power, rest_[j], force});
   }
 
   /// A free torque law, beside the joint's spring: its knots, sliders and Maxwell arms.
-  void follow_law(const diagnose::LawPicture& law) {
-    for (const std::size_t joint : law.joints) {
-      const std::size_t j = joint - 1;
-      const std::string name = fmt::format("q{}_law", joint);
-      const auto added = [&](const diagnose::LawPicture::Knot& knot) {
-        return knot.torque - law_stiffness_.at(j) * knot.deflection;
+  void follow_law(const diagnose::FreeLaw& law, std::size_t number) {
+    const std::size_t j = law.joint - 1;
+    const std::string name =
+        fmt::format("q{}_law{}", law.joint, number > 0 ? fmt::format("{}_", number + 1) : "");
+    if (!law.knots.empty()) climb(name, j, law.knots);
+    for (std::size_t s = 0; s < law.sliders.size(); ++s) {
+      const diagnose::FreeLaw::Slider& one = law.sliders[s];
+      const std::string own = fmt::format("{}_slip{}", name, s + 1);
+      const auto slips_at = [](double friction) {
+        return [friction](Hinge& held) { held.friction = friction; };
       };
-      std::vector<std::pair<std::string, double>> joints;
-      for (const std::string& one : sum_[j]) joints.emplace_back(one, 1);
-      for (std::size_t k = 1; k < law.knots.size(); ++k)
-        tree_.ramps.push_back({fmt::format("{}{}", name, k), joints, rest_[j] + law.knots[k - 1].deflection,
-                               rest_[j] + law.knots[k].deflection,
-                               added(law.knots[k - 1]) - added(law.knots[k])});
-      // What the first knot carries goes on before it: a ramp that was climbed long ago.
-      if (!law.knots.empty())
-        tree_.ramps.push_back(
-            {name + "0", joints, rest_[j] - 2 * far, rest_[j] - far, -added(law.knots.front())});
-      for (std::size_t s = 0; s < law.sliders.size(); ++s)
-        arm(fmt::format("{}_slip{}", name, s + 1), sum_[j], parent_[j], place_[j],
-            law.sliders[s].torque / law.sliders[s].slips_at,
-            [&](Hinge& one) { one.friction = law.sliders[s].torque; });
-      for (std::size_t a = 0; a < law.arms.size(); ++a)
-        arm(fmt::format("{}_relax{}", name, a + 1), sum_[j], parent_[j], place_[j], law.arms[a].stiffness,
-            [&](Hinge& one) { one.damping = law.arms[a].stiffness * law.arms[a].time_constant; });
+      if (one.torque > 0)
+        arm(own, sum_[j], parent_[j], place_[j], one.torque / one.slips_at, slips_at(one.torque));
+      if (!(one.growth > 0)) continue;
+      // It slides along d^2 / 2; the slide is at d^2.
+      const std::string square = own + "_square";
+      follow(j, square, 2, 0);
+      arm(own + "_wide", {square}, parent_[j], place_[j], one.growth / (2 * one.slips_at * one.slips_at),
+          slips_at(one.growth / 2));
     }
+    for (std::size_t a = 0; a < law.arms.size(); ++a)
+      arm(fmt::format("{}_relax{}", name, a + 1), sum_[j], parent_[j], place_[j], law.arms[a].stiffness,
+          [&](Hinge& one) { one.damping = law.arms[a].stiffness * law.arms[a].time_constant; });
+  }
+
+  /// A torque that is straight between knots and on beyond them, as ramps: the first was climbed long ago.
+  void climb(const std::string& name, std::size_t j, std::vector<diagnose::FreeLaw::Knot> knots) {
+    if (knots.size() > 1) {
+      const auto beyond = [](const diagnose::FreeLaw::Knot& last, const diagnose::FreeLaw::Knot& before) {
+        const double way = std::copysign(far / 100, last.deflection - before.deflection);
+        return diagnose::FreeLaw::Knot{
+            last.deflection + way,
+            last.torque + way * (last.torque - before.torque) / (last.deflection - before.deflection)};
+      };
+      knots.insert(knots.begin(), beyond(knots[0], knots[1]));
+      knots.push_back(beyond(knots.back(), knots[knots.size() - 2]));
+    }
+    std::vector<std::pair<std::string, double>> joints;
+    for (const std::string& one : sum_[j]) joints.emplace_back(one, 1);
+    tree_.ramps.push_back({name + "0", joints, rest_[j] - 2 * far, rest_[j] - far, -knots.front().torque});
+    for (std::size_t k = 1; k < knots.size(); ++k)
+      tree_.ramps.push_back({fmt::format("{}{}", name, k), joints, rest_[j] + knots[k - 1].deflection,
+                             rest_[j] + knots[k].deflection, knots[k - 1].torque - knots[k].torque});
   }
 
   /// What couples joints with each other.
@@ -288,12 +301,12 @@ class Builder {
     if (rig_.tip_stiffness > 0) tendon("tip", turning_, rig_.tip_stiffness, 0);
   }
 
+  static constexpr double slow = 5;   // how much slower than joints what slips settles
   static constexpr double far = 1e3;  // rad: farther than any joint turns
 
   const Rig& rig_;
-  std::vector<double> rest_, nominal_rest_, law_stiffness_;
+  std::vector<double> rest_, nominal_rest_;
   Means means_;
-  const std::vector<diagnose::LawPicture>* laws_ = nullptr;
   double typical_ = 1, gravity_ = 0;
   std::vector<double> mass_;
   Tree tree_;

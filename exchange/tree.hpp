@@ -71,10 +71,11 @@ struct Drive {
   double lag = 0;    ///< time constant, s
 };
 
-/// A slide, under a constant force, that follows a polynomial of a hinge's angle: a spring of any potential.
+/// A slide, under a constant force, that goes with a power of a hinge's deflection.
 struct Follower {
   std::string slide, hinge;
-  std::array<double, 5> polynomial;
+  int power;    ///< 2 or 4
+  double rest;  ///< of the hinge
   double force;
 };
 

@@ -11,27 +11,25 @@ namespace plumbline::diagnose {
 namespace {
 
 /// Knots, the ends of what was exercised among them.
-std::vector<LawPicture::Knot> drawn_knots(const JointTorqueLaw& law, Eigen::Index count) {
+std::vector<FreeLaw::Knot> drawn_knots(const JointTorqueLaw& law, Eigen::Index count) {
   const Eigen::Index stride = (finest_knots - 1) / (count - 1);
-  std::vector<LawPicture::Knot> knots;
+  std::vector<FreeLaw::Knot> knots;
   for (Eigen::Index k = 0; k < finest_knots; k += stride) {
     const double d = knot_place(law.span, k), added = law.coefficients(k);
     // A little beyond the exercised, as the last hat reaches.
     const double step = knot_place(law.span, stride) - knot_place(law.span, 0);
     if (d < law.span.low - step || d > law.span.high + step) continue;
-    // The joint stands where its own torque lets it.
-    const double bent = d + law.yield * added;
-    knots.push_back({bent, law.stiffness * bent + added});
+    knots.push_back({d, law.stiffness * d + added});
   }
   return knots;
 }
 
-double slope(const LawPicture::Knot& a, const LawPicture::Knot& b) {
+double slope(const FreeLaw::Knot& a, const FreeLaw::Knot& b) {
   return b.deflection != a.deflection ? (b.torque - a.torque) / (b.deflection - a.deflection) : 0;
 }
 
 /// The stiffness between neighbouring knots.
-std::vector<double> slopes(const std::vector<LawPicture::Knot>& knots) {
+std::vector<double> slopes(const std::vector<FreeLaw::Knot>& knots) {
   std::vector<double> all;
   for (std::size_t i = 1; i < knots.size(); ++i) all.push_back(slope(knots[i - 1], knots[i]));
   return all;
@@ -47,8 +45,7 @@ void add_stiffness(const JointTorqueLaw& law, const std::vector<double>& stiffne
 }
 
 /// Where around zero the joint carries next to nothing.
-void add_slack(const std::vector<LawPicture::Knot>& knots, const std::vector<double>& stiffness,
-               Parts& parts) {
+void add_slack(const std::vector<FreeLaw::Knot>& knots, const std::vector<double>& stiffness, Parts& parts) {
   constexpr double soft = 0.25;
   const double usual = *std::max_element(stiffness.begin(), stiffness.end());
   std::size_t zero = 0;
@@ -64,7 +61,7 @@ void add_slack(const std::vector<LawPicture::Knot>& knots, const std::vector<dou
 }
 
 /// One side: where the stiffness leaves that near zero for good, and how far.
-void add_side(const std::vector<LawPicture::Knot>& knots, const std::vector<double>& stiffness, double sign,
+void add_side(const std::vector<FreeLaw::Knot>& knots, const std::vector<double>& stiffness, double sign,
               Parts& parts) {
   constexpr double change = 1.4;
   std::vector<std::size_t> outward;
@@ -80,13 +77,13 @@ void add_side(const std::vector<LawPicture::Knot>& knots, const std::vector<doub
   while (from > 0 && (harder ? stiffness[outward[from - 1]] > change * inner
                              : change * stiffness[outward[from - 1]] < inner))
     --from;
-  const LawPicture::Knot& near = sign > 0 ? knots[outward[from]] : knots[outward[from] + 1];
+  const FreeLaw::Knot& near = sign > 0 ? knots[outward[from]] : knots[outward[from] + 1];
   parts.push_back(fmt::format("{} from {:.2g} rad, {:.2g} times the stiffness near zero at {:.2g} rad",
                               harder ? "hardening" : "softening", near.deflection, outer / inner,
                               sign > 0 ? knots.back().deflection : knots.front().deflection));
 }
 
-void add_rest(const std::vector<LawPicture::Knot>& knots, const JointTorqueLaw& law, Parts& parts) {
+void add_rest(const std::vector<FreeLaw::Knot>& knots, const JointTorqueLaw& law, Parts& parts) {
   constexpr double noticeable = 0.02;  // of the range
   for (std::size_t i = 1; i < knots.size(); ++i) {
     const auto [d0, t0] = knots[i - 1];
@@ -101,10 +98,12 @@ void add_rest(const std::vector<LawPicture::Knot>& knots, const JointTorqueLaw& 
 
 void add_memory(const LawPicture& picture, const LawSpan& span, Parts& parts) {
   double within = 0, at_end = 0, widest = 0;
-  for (const LawPicture::Slider& one : picture.sliders) {
+  for (const FreeLaw::Slider& one : picture.sliders) {
     within += 2 * one.torque;
     at_end += 2 * (one.torque + one.growth * span.deflection());
-    widest = one.slips_at;
+    // After a reversal at the largest deflection, where it slides along d^2/2.
+    const double turn = one.growth > 0 ? one.slips_at * one.slips_at / (2 * span.deflection()) : one.slips_at;
+    widest = std::max(widest, turn);
   }
   if (at_end > 2 * within) {
     parts.push_back(fmt::format("loop that widens to {:.2g} N m at {:.2g} rad", at_end, span.deflection()));
@@ -112,7 +111,7 @@ void add_memory(const LawPicture& picture, const LawSpan& span, Parts& parts) {
     parts.push_back(fmt::format("loop of {:.2g} N m", (within + at_end) / 2));
   }
   if (at_end > 0) parts.push_back(fmt::format("closed {:.2g} rad after a reversal", 2 * widest));
-  for (const LawPicture::Arm& one : picture.arms)
+  for (const FreeLaw::Arm& one : picture.arms)
     parts.push_back(
         fmt::format("{:.2g} N m/rad that relax within {:.2g} s", one.stiffness, one.time_constant));
 }
@@ -126,16 +125,8 @@ std::string joined(const Parts& parts) {
 }  // namespace
 
 LawPicture picture_of(const JointTorqueLaw& law, Eigen::Index knots) {
-  LawPicture picture{law.joints, drawn_knots(law, knots), {}, {}, ""};
-  for (Eigen::Index m = 0; m < slip_places; ++m) {
-    const double torque = law.coefficients(finest_knots + m),
-                 growth = law.coefficients(finest_knots + slip_places + m) / law.span.deflection();
-    if (torque > 0 || growth > 0)
-      picture.sliders.push_back({slip_shares[m] * law.span.stroke(), torque, growth});
-  }
-  for (Eigen::Index m = 0; m < arm_terms; ++m)
-    if (const double torque = law.coefficients(finest_knots + slider_terms + m); torque > 0)
-      picture.arms.push_back({time_shares[m] * law.span.duration, torque / law.span.deflection()});
+  FreeLaw bare = free_law(law.span, knots, law.coefficients, law.joints.front(), 1);
+  LawPicture picture{law.joints, drawn_knots(law, knots), std::move(bare.sliders), std::move(bare.arms), ""};
   Parts parts;
   if (const std::vector<double> stiffness = slopes(picture.knots); stiffness.size() > 1) {
     add_stiffness(law, stiffness, parts);

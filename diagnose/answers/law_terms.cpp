@@ -2,20 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace plumbline::diagnose {
 namespace {
 
-/// One slider's or arm's state, carried from reading to reading.
+/// From rest at no deflection.
+double widening_turn(const LawSpan& span, Eigen::Index place) {
+  return std::sqrt(slip_shares[place]) * span.deflection();
+}
+
+/// The sliders' and arms' states, carried from reading to reading.
 struct History {
-  Eigen::Array<double, slip_places, 1> slider = Eigen::Array<double, slip_places, 1>::Zero();
+  Eigen::Array<double, slip_places, 1> slider = Eigen::Array<double, slip_places, 1>::Zero(),
+                                       widening = slider;
   Eigen::Array<double, arm_terms, 1> arm = Eigen::Array<double, arm_terms, 1>::Zero();
 };
 
-void slide(const LawSpan& span, double turn, History& history) {
+void slide(const LawSpan& span, double from, double to, History& history) {
   for (Eigen::Index m = 0; m < slip_places; ++m) {
-    const double limit = slip_shares[m] * span.stroke();
-    history.slider(m) = std::clamp(history.slider(m) + turn / limit, -1.0, 1.0);
+    const double slips_at = slip_shares[m] * span.stroke(), widens_at = widening_turn(span, m);
+    history.slider(m) = std::clamp(history.slider(m) + (to - from) / slips_at, -1.0, 1.0);
+    history.widening(m) =
+        std::clamp(history.widening(m) + (to * to - from * from) / (widens_at * widens_at), -1.0, 1.0);
   }
 }
 
@@ -38,7 +47,7 @@ Eigen::MatrixXd law_terms(const LawSpan& span, const Run& run, const Eigen::Vect
   Eigen::MatrixXd terms = Eigen::MatrixXd::Zero(deflection.size(), law_terms_count);
   if (!(span.stroke() > 0)) return terms;
   History history;
-  double last = 0, last_time = run.readings.empty() ? 0 : run.readings.front().t;
+  double last = 0, last_time = std::numeric_limits<double>::quiet_NaN();
   for (Eigen::Index i = 0; i < deflection.size(); ++i) {
     const double d = deflection(i);
     if (!std::isfinite(d)) continue;
@@ -48,16 +57,34 @@ Eigen::MatrixXd law_terms(const LawSpan& span, const Run& run, const Eigen::Vect
     terms(i, left) = 1 - (place - static_cast<double>(left));
     terms(i, left + 1) = place - static_cast<double>(left);
     const double t = run.readings[static_cast<std::size_t>(i)].t;
-    slide(span, d - last, history);
-    if (span.duration > 0) relax(span, d - last, t - last_time, history);
-    const auto sliders = history.slider.matrix().transpose();
-    terms.row(i).segment(finest_knots, slip_places) = sliders;
-    terms.row(i).segment(finest_knots + slip_places, slip_places) = std::abs(d) / span.deflection() * sliders;
+    slide(span, last, d, history);
+    if (span.duration > 0 && std::isfinite(last_time)) relax(span, d - last, t - last_time, history);
+    terms.row(i).segment(finest_knots, slip_places) = history.slider.matrix().transpose();
+    terms.row(i).segment(finest_knots + slip_places, slip_places) =
+        d / span.deflection() * history.widening.matrix().transpose();
     terms.row(i).tail(arm_terms) = history.arm.matrix().transpose();
     last = d;
     last_time = t;
   }
   return terms;
+}
+
+FreeLaw free_law(const LawSpan& span, Eigen::Index knots, const Eigen::VectorXd& coefficients,
+                 std::size_t joint, double share) {
+  FreeLaw law{joint, {}, {}, {}};
+  const Eigen::Index stride = (finest_knots - 1) / (knots - 1);
+  for (Eigen::Index k = 0; k < finest_knots; k += stride)
+    law.knots.push_back({knot_place(span, k), share * coefficients(k)});
+  for (Eigen::Index m = 0; m < slip_places; ++m) {
+    const double torque = share * coefficients(finest_knots + m),
+                 widening = share * coefficients(finest_knots + slip_places + m);
+    if (torque > 0) law.sliders.push_back({slip_shares[m] * span.stroke(), torque, 0});
+    if (widening > 0) law.sliders.push_back({widening_turn(span, m), 0, widening / span.deflection()});
+  }
+  for (Eigen::Index m = 0; m < arm_terms; ++m)
+    if (const double torque = share * coefficients(finest_knots + slider_terms + m); torque > 0)
+      law.arms.push_back({time_shares[m] * span.duration, torque / span.deflection()});
+  return law;
 }
 
 }  // namespace plumbline::diagnose

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "diagnose/bench/experiment.hpp"
+#include "diagnose/bench/free_law.hpp"
 
 namespace plumbline::diagnose {
 
@@ -24,12 +25,13 @@ struct LawSpan {
 
 /// The finest knots; 3, 5, 9 and 17 knots are every 16th, 8th, 4th and 2nd of them.
 inline constexpr Eigen::Index finest_knots = 33;
-/// Deflections at which the sliders begin to slip, over the stroke.
+/// After which turn the sliders slip, over the stroke; those that widen, after which share of the way d^2/2
+/// to the largest deflection.
 inline constexpr double slip_shares[] = {0.02, 0.05, 0.1, 0.2, 0.4, 0.7};
 /// Time constants of the arms, over the duration.
 inline constexpr double time_shares[] = {0.03, 0.15, 0.6};
 
-/// Sliders of a constant slip torque, then as many whose slip torque grows with the deflection.
+/// Sliders of a constant slip torque, then as many that widen: they slide along d^2/2.
 inline constexpr Eigen::Index slip_places = std::size(slip_shares);
 inline constexpr Eigen::Index slider_terms = 2 * slip_places;
 inline constexpr Eigen::Index arm_terms = std::size(time_shares);
@@ -39,10 +41,16 @@ inline constexpr Eigen::Index law_terms_count = finest_knots + slider_terms + ar
 double knot_place(const LawSpan& span, Eigen::Index knot);
 
 /// Every term at every reading of a run, a row a reading: hats (outside of the knots they go on straight),
-/// then sliders (stop operators of Prandtl and Ishlinskii: +-1 where they slip), the same times the
-/// deflection over the largest, then Maxwell arms, in units of a spring's torque at the largest deflection.
-/// The run starts from rest at d = 0, all at ease. \param deflection  by reading; NaN where unknown: the row
-/// is zero and history passes over it
+/// then sliders (stop operators of Prandtl and Ishlinskii: +-1 where they slip), those that slide along d^2/2
+/// times the deflection over the largest, then Maxwell arms, in units of a spring's torque at the largest
+/// deflection. The sliders come from rest at no deflection; the arms are at ease at the first reading. \param
+/// deflection  by reading; NaN where unknown: the row is zero and history passes over it
 Eigen::MatrixXd law_terms(const LawSpan& span, const Run& run, const Eigen::VectorXd& deflection);
+
+/// The law of these coefficients as the rig has it.
+/// \param knots  that it has, of the finest
+/// \param share  of the torques that the joint has
+FreeLaw free_law(const LawSpan& span, Eigen::Index knots, const Eigen::VectorXd& coefficients,
+                 std::size_t joint, double share);
 
 }  // namespace plumbline::diagnose

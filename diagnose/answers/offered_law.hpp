@@ -9,20 +9,10 @@ namespace plumbline::diagnose {
 
 /// One law as a person would draw it.
 struct LawPicture {
-  struct Knot {
-    double deflection, torque;  ///< rad; N m, of spring and law together, without sliders and arms
-  };
-  struct Slider {
-    double slips_at;        ///< turn after which it slips, rad
-    double torque, growth;  ///< what it then carries at no deflection, N m, and how that grows, N m/rad
-  };
-  struct Arm {
-    double time_constant, stiffness;  ///< s; N m/rad
-  };
-  std::vector<std::size_t> joints;  ///< from 1
-  std::vector<Knot> knots;          ///< over what was exercised
-  std::vector<Slider> sliders;
-  std::vector<Arm> arms;
+  std::vector<std::size_t> joints;   ///< from 1
+  std::vector<FreeLaw::Knot> knots;  ///< over what was exercised; of spring and law together
+  std::vector<FreeLaw::Slider> sliders;
+  std::vector<FreeLaw::Arm> arms;
   std::string words;  ///< what it resembles
 };
 

@@ -80,7 +80,7 @@ std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experi
 
 std::vector<std::vector<MissingTorque>> missing_torques(const Study& study, const Experiment& readings) {
   std::vector<std::vector<MissingTorque>> by_joint = missing_torques(readings);
-  if (study.experiment().effects.empty()) return by_joint;
+  if (study.experiment().plain()) return by_joint;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> place;
   const auto carried = missing_torques(as_measured(study.experiment(), study.nominal()));
   for (const MissingTorque& one : carried.front()) place.try_emplace({one.run, one.reading}, place.size());

@@ -15,28 +15,26 @@ using Vector = Eigen::VectorXd;
 
 constexpr std::size_t folds = 5;
 
-/// The base model and how its channels answer to a torque at each elastic joint.
+/// A rig, what it gives, and how its channels answer to a torque at each elastic joint.
 struct Response {
-  Prediction base;
+  Rig rig;
+  Prediction given;
   std::vector<std::size_t> joints;             ///< elastic, from 0
   std::vector<std::vector<Trace>> per_torque;  ///< [joint][run], by 1 N m
 };
 
-Response response(const Study& study, const Instance& base) {
-  Response all;
-  Candidate torques;
+Response response(const Study& study, Rig rig) {
+  Response all{std::move(rig), {}, {}, {}};
+  std::vector<RigVariation> pushed;
   for (std::size_t j = 0; j < study.experiment().link_length.size(); ++j) {
-    if (!(study.experiment().joint_stiffness[j] > 0)) continue;
+    const double stiffness = study.experiment().joint_stiffness[j];
+    if (!(stiffness > 0)) continue;
     all.joints.push_back(j);
-    torques.effects.emplace_back("rest_angle", j + 1);
+    pushed.push_back({all.rig, variation_share * stiffness});
+    pushed.back().rig.laws.push_back({j + 1, {{0, pushed.back().step}}});
   }
-  // An error of the rest angle by one radian is a torque of minus the joint's stiffness.
-  Prediction nominal = predict(study, torques, std::vector<double>(all.joints.size(), 0.0), true);
-  all.per_torque = std::move(nominal.sensitivity);
-  for (std::size_t a = 0; a < all.joints.size(); ++a)
-    for (Trace& trace : all.per_torque[a]) trace /= -study.experiment().joint_stiffness[all.joints[a]];
-  all.base =
-      base.candidate.effects.empty() ? study.nominal() : predict(study, base.candidate, base.parameters);
+  all.given = simulate(study.experiment(), all.rig, pushed);
+  all.per_torque = std::move(all.given.sensitivity);
   return all;
 }
 
@@ -45,17 +43,19 @@ std::size_t place_of(const Response& rig, std::size_t joint) {
                                   rig.joints.begin());
 }
 
-/// A joint's deflection in a run as the base model has it.
-Vector deflection(const Study& study, const Prediction& base, std::size_t run, std::size_t joint) {
-  const auto column = base.runs[run].col(column_q + static_cast<Eigen::Index>(joint));
-  return column.matrix().array() - study.experiment().runs[run].rest[joint];
+/// A joint's deflection along a run.
+Vector deflection(const Study& study, const Rig& rig, const Prediction& given, std::size_t run,
+                  std::size_t joint) {
+  const Run& own = study.experiment().runs[run];
+  const double rest = RunRig(in_run(rig, own.number), own.rest).joint[joint].rest;
+  return given.runs[run].col(column_q + static_cast<Eigen::Index>(joint)).matrix().array() - rest;
 }
 
-LawSpan span_of(const Study& study, const Prediction& base, const std::vector<std::size_t>& joints) {
+LawSpan span_of(const Study& study, const Response& rig, const std::vector<std::size_t>& joints) {
   LawSpan span;
-  for (std::size_t r = 0; r < base.runs.size(); ++r) {
+  for (std::size_t r = 0; r < rig.given.runs.size(); ++r) {
     for (const std::size_t j : joints)
-      for (const double d : deflection(study, base, r, j))
+      for (const double d : deflection(study, rig.rig, rig.given, r, j))
         if (std::isfinite(d)) span.low = std::min(span.low, d), span.high = std::max(span.high, d);
     const std::vector<Reading>& readings = study.experiment().runs[r].readings;
     span.duration = std::max(span.duration, readings.back().t - readings.front().t);
@@ -72,7 +72,8 @@ void for_each_part(const Study& study, const Response& rig, const JointTorqueLaw
     const double share = study.experiment().joint_stiffness[j] / law.stiffness;
     for (std::size_t r = 0; r < study.experiment().runs.size(); ++r)
       add(place_of(rig, j), r,
-          share * law_terms(law.span, study.experiment().runs[r], deflection(study, rig.base, r, j)));
+          share *
+              law_terms(law.span, study.experiment().runs[r], deflection(study, rig.rig, rig.given, r, j)));
   }
 }
 
@@ -81,16 +82,11 @@ using Placement = std::vector<JointTorqueLaw>;
 
 JointTorqueLaw blank(const Study& study, const Response& rig, const std::vector<std::size_t>& joints) {
   JointTorqueLaw law;
-  law.span = span_of(study, rig.base, joints);
-  double readings = 0;
+  law.span = span_of(study, rig, joints);
   for (const std::size_t j : joints) {
     law.joints.push_back(j + 1);
     law.stiffness += study.experiment().joint_stiffness[j] / static_cast<double>(joints.size());
-    for (const Trace& trace : rig.per_torque[place_of(rig, j)])
-      for (const double turn : trace.col(column_q + static_cast<Eigen::Index>(j)))
-        if (std::isfinite(turn)) law.yield += turn, readings += 1;
   }
-  law.yield /= std::max(1.0, readings);
   return law;
 }
 
@@ -161,6 +157,93 @@ double worth_at_most(std::size_t values) {
   return std::min(usual, std::sqrt(std::max(0.0, 1 - 2 / std::sqrt(static_cast<double>(values)))));
 }
 
+/// The base of a law with the law in it.
+Rig rig_with_law(const Study& study, const TorqueLaw& law) {
+  Rig rig = rig_with(study, law.base.candidate, law.base.parameters);
+  for (FreeLaw& one : free_laws(study, law)) rig.laws.push_back(std::move(one));
+  return rig;
+}
+
+/// Sum of squares of a residual, in the noise.
+double squares(const Study& study, const NoiseModel& noise, const std::vector<double>& residual) {
+  double sum = 0;
+  for (const Series& series : study.measurements().series())
+    for (std::size_t i = 0; i < series.readings.size(); ++i)
+      sum += std::pow(residual[series.first + i] / noise.of(series.channel), 2);
+  return sum;
+}
+
+/// What is left with the law in the rig; infinite where that cannot follow the experiment.
+double left_with(const Study& study, const NoiseModel& noise, const TorqueLaw& law) {
+  const Prediction with = predict_with_law(study, law);
+  if (!with.reached) return std::numeric_limits<double>::infinity();
+  return squares(study, noise, without_outliers(study.measurements(), study.residual(with)));
+}
+
+/// What laws of the places of `law` are to explain: what is left with it in the rig, and what it gives there.
+std::vector<double> to_explain(const Study& study, const Response& with, const TorqueLaw& law) {
+  std::vector<double> residual = without_outliers(study.measurements(), study.residual(with.given));
+  for (const JointTorqueLaw& one : law.laws)
+    for_each_part(study, with, one, [&](std::size_t a, std::size_t run, const Matrix& terms) {
+      const Vector torque = terms * one.coefficients;
+      for (const Series& series : study.measurements().series()) {
+        if (series.run != run) continue;
+        const auto answer = with.per_torque[a][run].col(column_of(series.channel));
+        for (std::size_t i = 0; i < series.readings.size(); ++i) {
+          const auto reading = static_cast<Eigen::Index>(series.readings[i]);
+          residual[series.first + i] += answer(reading) * torque(reading) / series.sigma;
+        }
+      }
+    });
+  return residual;
+}
+
+void take(const Vector& coefficients, TorqueLaw& law) {
+  for (std::size_t b = 0; b < law.laws.size(); ++b)
+    law.laws[b].coefficients =
+        coefficients.segment(static_cast<Eigen::Index>(b) * law_terms_count, law_terms_count);
+}
+
+/// The law on its way to another.
+TorqueLaw between(const TorqueLaw& from, const TorqueLaw& to, double share) {
+  TorqueLaw law = to;
+  for (std::size_t b = 0; b < law.laws.size(); ++b)
+    law.laws[b].coefficients = (1 - share) * from.laws[b].coefficients + share * to.laws[b].coefficients;
+  return law;
+}
+
+/// A law that was fitted to how the base answers at the deflections that it has without the law, fitted again
+/// to how the chain answers that has the law, at the deflections that it then has: Gauss and Newton's
+/// iteration, by shorter steps where a whole one does not help.
+TorqueLaw settled(const Study& seen, const NoiseModel& noise, TorqueLaw law, const LawShape& shape) {
+  constexpr int rounds = 20;
+  constexpr double noticeable = 1e-3;
+  double least = left_with(seen, noise, law);
+  for (int halved = 0; !std::isfinite(least) && halved < 4; ++halved) {
+    for (JointTorqueLaw& one : law.laws) one.coefficients /= 2;
+    least = left_with(seen, noise, law);
+  }
+  for (int round = 0; round < rounds; ++round) {
+    const Response with = response(seen, rig_with_law(seen, law));
+    if (!with.given.reached) break;
+    TorqueLaw next = law;
+    const ChosenLaw fitted =
+        fit_law(shape, law.laws.size(), sums_of(seen, with, law.laws, to_explain(seen, with, law), noise));
+    take(fitted.coefficients, next);
+    double left = std::numeric_limits<double>::infinity();
+    for (const double share : {1.0, 0.5, 0.25, 0.1}) {
+      const TorqueLaw trial = between(law, next, share);
+      left = left_with(seen, noise, trial);
+      if (!(left < least)) continue;
+      law = trial;
+      break;
+    }
+    if (!(left < (1 - noticeable) * least)) break;
+    least = left;
+  }
+  return law;
+}
+
 }  // namespace
 
 std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noise,
@@ -168,11 +251,12 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
   std::vector<Instance> all_bases{{}};
   all_bases.insert(all_bases.end(), bases.begin(), bases.end());
   std::optional<TorqueLaw> best;
+  LawShape best_shape;
   double nominal = 0, left = 0, alone = std::numeric_limits<double>::infinity();
   for (const Instance& base : all_bases) {
-    const Response rig = response(seen, base);
-    if (!rig.base.reached) continue;
-    const std::vector<double> residual = without_outliers(seen.measurements(), seen.residual(rig.base));
+    const Response rig = response(seen, rig_with(seen, base.candidate, base.parameters));
+    if (!rig.given.reached) continue;
+    const std::vector<double> residual = without_outliers(seen.measurements(), seen.residual(rig.given));
     LawShape shape;
     for (const Placement& place : placements(seen, rig)) {
       const std::vector<LawSums> by_fold = sums_of(seen, rig, place, residual, noise);
@@ -193,56 +277,56 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
       if (best && !(chosen.left < (simple ? 1 : clearly) * left)) continue;
       left = chosen.left;
       best = TorqueLaw{base, place, chosen.shape.knots, 1, 1};
-      for (std::size_t b = 0; b < place.size(); ++b)
-        best->laws[b].coefficients =
-            chosen.coefficients.segment(static_cast<Eigen::Index>(b) * law_terms_count, law_terms_count);
+      best_shape = chosen.shape;
+      take(chosen.coefficients, *best);
     }
   }
   if (!best) return std::nullopt;
   best->cross_validated = std::sqrt(left / nominal);
   best->without_law = std::sqrt(alone / nominal);
   const double worth = worth_at_most(seen.measurements().size()) * best->without_law;
-  return best->cross_validated < worth ? best : std::nullopt;
+  if (!(best->cross_validated < worth)) return std::nullopt;
+  return settled(seen, noise, *std::move(best), best_shape);
+}
+
+std::vector<FreeLaw> free_laws(const Study& study, const TorqueLaw& law) {
+  std::vector<FreeLaw> all;
+  for (const JointTorqueLaw& one : law.laws)
+    for (const std::size_t joint : one.joints)
+      all.push_back(free_law(one.span, law.knots, one.coefficients, joint,
+                             study.experiment().joint_stiffness[joint - 1] / one.stiffness));
+  return all;
 }
 
 Prediction predict_with_law(const Study& study, const TorqueLaw& law) {
-  const Response rig = response(study, law.base);
-  Prediction with = rig.base;
-  if (!with.reached) return with;
-  for (const JointTorqueLaw& one : law.laws)
-    for_each_part(study, rig, one, [&](std::size_t a, std::size_t run, const Matrix& terms) {
-      const Eigen::ArrayXd torque = (terms * one.coefficients).array();
-      with.runs[run] += rig.per_torque[a][run].colwise() * torque;
-    });
-  return with;
+  return simulate(study.experiment(), rig_with_law(study, law), {});
 }
 
 std::vector<LawTrace> law_traces(const Study& study, const TorqueLaw& law) {
-  const Response rig = response(study, law.base);
-  const Prediction with = predict_with_law(study, law);
+  const Response with = response(study, rig_with_law(study, law));
   const Rig base = rig_with(study, law.base.candidate, law.base.parameters);
   std::vector<LawTrace> traces;
   for (const JointTorqueLaw& one : law.laws)
-    for_each_part(study, rig, one, [&](std::size_t a, std::size_t run, const Matrix& terms) {
-      const std::size_t joint = rig.joints[a];
+    for_each_part(study, with, one, [&](std::size_t a, std::size_t run, const Matrix& terms) {
+      const std::size_t joint = with.joints[a];
       const Run& own = study.experiment().runs[run];
-      const RunRig joints(in_run(base, own.number), own.rest);
-      const Vector bent = deflection(study, with, run, joint);
-      const Vector spring =
-          bent.unaryExpr([&](double d) { return joints.joint[joint].elastic(own.rest[joint] + d).value; });
-      traces.push_back({joint + 1, run, bent, spring + terms * one.coefficients});
+      const JointLaw spring = RunRig(in_run(base, own.number), own.rest).joint[joint];
+      const Vector bent = deflection(study, base, with.given, run, joint);
+      const Vector carried = bent.unaryExpr([&](double d) { return spring.elastic(spring.rest + d).value; });
+      traces.push_back({joint + 1, run, bent, carried + terms * one.coefficients});
     });
   return traces;
 }
 
 bool covers(const Study& study, const TorqueLaw& law, const HeldOut& heldout) {
   constexpr double margin = 0.1, most = 0.9;
-  const Response rig = response(study, law.base);
+  const Rig base = rig_with(study, law.base.candidate, law.base.parameters);
+  const Prediction given = simulate(study.experiment(), base, {});
   double inside = 0, all = 0;
   for (const JointTorqueLaw& one : law.laws)
     for (const std::size_t joint : one.joints)
       for (std::size_t r = 0; r < heldout.reading.size(); ++r) {
-        const Vector bent = deflection(study, rig.base, r, joint - 1);
+        const Vector bent = deflection(study, base, given, r, joint - 1);
         for (std::size_t i = 0; i < heldout.reading[r].size(); ++i) {
           const double d = bent(static_cast<Eigen::Index>(i)), slack = margin * one.span.stroke();
           if (!heldout.reading[r][i] || !std::isfinite(d)) continue;

@@ -19,8 +19,6 @@ struct JointTorqueLaw {
   LawSpan span;
   Eigen::VectorXd coefficients;  ///< of the terms, N m, at a joint of stiffness `stiffness`
   double stiffness = 0;          ///< of the joint, or the mean of the joints': the law scales with their own
-  double yield =
-      0;  ///< how far the joint gives way to its own torque where the end is held as it was, rad/(N m)
 };
 
 struct TorqueLaw {
@@ -32,16 +30,20 @@ struct TorqueLaw {
 };
 
 /// Chooses a law blind and fits it: the joints, the number of knots, the sliders, the arms and how smooth it
-/// is are those that predict best the blocks of readings that are left out in turn. The channels answer to a
-/// torque as the nominal model's derivative says, so the law is linear in its coefficients.
-/// \param seen   without the readings that are held out
-/// \param bases  explanations fitted to the readings seen, on which the law may stand; the nominal model is
+/// is are those that predict best the blocks of readings that are left out in turn. In that choice the
+/// channels answer to a torque as the base's derivative says, at the deflections that the base has, so the
+/// law is linear in its coefficients; the law chosen is then fitted to the chain that has it. \param seen
+/// without the readings that are held out \param bases  explanations fitted to the readings seen, on which
+/// the law may stand; the nominal model is
 ///               always one
 /// \returns nothing where no law predicts surely better than the nominal model and the bases
 std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noise,
                                         const std::vector<Instance>& bases);
 
-/// What the rig would give with this law.
+/// The laws of the joints, each by itself, as the rig has them.
+std::vector<FreeLaw> free_laws(const Study& study, const TorqueLaw& law);
+
+/// What the rig gives with this law in it.
 Prediction predict_with_law(const Study& study, const TorqueLaw& law);
 
 /// What one joint carries along one run: the law and its spring, with what the base and the nominal model

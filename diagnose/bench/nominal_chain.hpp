@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "diagnose/bench/free_law.hpp"
+
 namespace plumbline::diagnose {
 
 struct Effect;
@@ -31,7 +33,11 @@ struct NominalChain {
   std::array<double, 2> gravity{0, 0};  ///< the in-plane acceleration that it includes
   std::vector<double> rest;             ///< angles of the unloaded joints where a run names none; or empty
   std::vector<NominalEffect> effects;
+  std::vector<FreeLaw> laws = {};  ///< what its joints carry besides, where no effect says why
   std::shared_ptr<const std::vector<Effect>> stated = nullptr;  ///< rows of the user's own, or none
+
+  /// Whether it is a chain of springs and weights alone.
+  [[nodiscard]] bool plain() const { return effects.empty() && laws.empty(); }
 };
 
 }  // namespace plumbline::diagnose

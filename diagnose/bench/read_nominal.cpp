@@ -11,6 +11,45 @@ NominalEffect read_effect(const Section& section) {
           section.named_numbers("parameters")};
 }
 
+FreeLaw::Slider read_slider(const Section& section) {
+  section.allow_only({"slips_at", "torque", "growth"});
+  const std::string positive = "a positive number", one = "either torque or growth";
+  FreeLaw::Slider slider{section.number("slips_at", positive), 0, 0};
+  if (!(slider.slips_at > 0)) section.refuse("slips_at", positive);
+  if (section.has("torque") == section.has("growth"))
+    throw Error(section.where(), section.has("torque") ? "both" : "neither", one);
+  double& own = section.has("torque") ? slider.torque : slider.growth;
+  own = section.number(section.has("torque") ? "torque" : "growth", positive);
+  if (!(own > 0)) section.refuse(section.has("torque") ? "torque" : "growth", positive);
+  return slider;
+}
+
+FreeLaw::Arm read_arm(const Section& section) {
+  section.allow_only({"time_constant", "stiffness"});
+  const FreeLaw::Arm arm{section.number("time_constant", "a positive number of seconds"),
+                         section.number("stiffness", "a positive stiffness")};
+  if (!(arm.time_constant > 0)) section.refuse("time_constant", "a positive number of seconds");
+  if (!(arm.stiffness > 0)) section.refuse("stiffness", "a positive stiffness");
+  return arm;
+}
+
+FreeLaw read_law(const Section& section, std::size_t joints) {
+  section.allow_only({"joint", "deflection", "torque", "sliders", "arms"});
+  FreeLaw law{section.count("joint"), {}, {}, {}};
+  if (law.joint == 0 || law.joint > joints)
+    throw Error(section.place("joint"), law.joint == 0 ? "no such key" : std::to_string(law.joint),
+                "a joint from 1 to " + std::to_string(joints));
+  const std::vector<double> deflection = section.numbers("deflection", 0),
+                            torque = section.numbers("torque", deflection.size());
+  for (std::size_t k = 0; k < deflection.size(); ++k) {
+    if (k > 0 && !(deflection[k] > deflection[k - 1])) section.refuse("deflection", "numbers that rise");
+    law.knots.push_back({deflection[k], torque[k]});
+  }
+  for (const Section& one : section.tables("sliders")) law.sliders.push_back(read_slider(one));
+  for (const Section& one : section.tables("arms")) law.arms.push_back(read_arm(one));
+  return law;
+}
+
 /// The key as experiments spell it or as chain files do, whichever stands there.
 std::string spelling(const Section& nominal, const std::string& here, const std::string& in_chain_files) {
   if (!nominal.has(in_chain_files)) return here;
@@ -23,8 +62,9 @@ std::string spelling(const Section& nominal, const std::string& here, const std:
 }  // namespace
 
 NominalChain read_nominal(const Section& nominal) {
-  nominal.allow_only({"link_length", "joint_stiffness", "link_mass", "gravity", "rest", "effect"},
-                     {"lengths", "stiffness"});
+  nominal.allow_only(
+      {"link_length", "joint_stiffness", "link_mass", "gravity", "rest", "effect", "torque_law"},
+      {"lengths", "stiffness"});
   const std::string lengths = spelling(nominal, "link_length", "lengths"),
                     stiffness = spelling(nominal, "joint_stiffness", "stiffness");
   NominalChain chain;
@@ -39,6 +79,7 @@ NominalChain read_nominal(const Section& nominal) {
   if (nominal.has("gravity")) chain.gravity = nominal.pair("gravity");
   if (nominal.has("rest")) chain.rest = nominal.numbers("rest", n);
   for (const Section& effect : nominal.tables("effect")) chain.effects.push_back(read_effect(effect));
+  for (const Section& law : nominal.tables("torque_law")) chain.laws.push_back(read_law(law, n));
   return chain;
 }
 

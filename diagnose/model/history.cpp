@@ -26,7 +26,9 @@ Eigen::Matrix2d load_cell(const Rig& rig) {
 
 /// One rig on its way through one run: posture and memory.
 struct Traveller {
-  Traveller(const Rig& rig, const Run& run) : on(rig, run.rest), memory(run.rest.size()) {}
+  Traveller(const Rig& rig, const Run& run) : on(rig, run.rest), memory(run.rest.size()) {
+    for (std::size_t i = 0; i < memory.size(); ++i) memory[i].angle = on.joint[i].rest;
+  }
 
   /// Commanded to true: the end point (position offset, rail) or the force (load cell, rail).
   [[nodiscard]] Imposed imposed(const Run& run, const Reading& reading) const {
@@ -55,8 +57,8 @@ struct Traveller {
   [[nodiscard]] TimeStep interval(double dt) const {
     TimeStep result;
     result.relaxed = false;
-    for (std::size_t a = 0; a < on.rig.arms.size() && dt > 0; ++a) {
-      const double ratio = dt / on.rig.arms[a].time;
+    for (std::size_t a = 0; a < on.arm_time.size() && dt > 0; ++a) {
+      const double ratio = dt / on.arm_time[a];
       result.decay.at(a) = std::exp(-ratio);
       result.gain.at(a) = -std::expm1(-ratio) / ratio;
     }
@@ -78,12 +80,12 @@ struct Traveller {
       now.angle = q;
       now.turn = std::abs(q - last.angle);
       law.flow_to(q, now);
-      if (during.relaxed) continue;
       for (std::size_t s = 0; s < law.slider.size(); ++s)
-        if (law.slider[s].acts())
+        if (law.slider[s].acts() && (law.slider[s].from_rest || !during.relaxed))
           now.slider.at(s) =
-              law.dry(law.slider[s], last.slider[s], q, last, posture.contact[layout.contact(i, s)]).value;
-      for (std::size_t a = 0; a < on.rig.arms.size(); ++a)
+              law.along(law.slider[s], last.slider[s], q, last, posture.contact[layout.contact(i, s)]).value;
+      if (during.relaxed) continue;
+      for (std::size_t a = 0; a < on.arm_time.size(); ++a)
         now.arm[a] = law.viscous(a, q, last, during.decay[a], during.gain[a]).value;
     }
   }
@@ -278,21 +280,21 @@ bool walk(const Experiment& experiment, const Run& run, const Layout& layout, co
 }
 
 /// Sliders of each joint, the dry friction and the direction of motion among them; 0 where nothing slides.
-std::size_t slider_count(const Rig& rig) {
+std::size_t contact_count(const Rig& rig) {
   const bool directed =
       std::any_of(rig.stated_torques.begin(), rig.stated_torques.end(), std::mem_fn(&StatedTorque::directed));
   std::size_t most = 0;
-  for (const std::vector<Slider>& own : rig.sliders) most = std::max(most, own.size());
+  for (std::size_t i = 0; i < rig.length.size(); ++i) most = std::max(most, slider_count(rig, i));
   const bool dry = rig.friction_law.growth > 0 || std::any_of(rig.friction.begin(), rig.friction.end(),
                                                               [](double torque) { return torque > 0; });
   return (most > 0 || dry || directed ? 1 + most : 0) + (directed ? 1 : 0);
 }
 
 Layout layout_of(const Rig& rig, const std::vector<RigVariation>& variations) {
-  Layout layout{rig.length.size(), rig.flexibility > 0, rig.coupling != 0, slider_count(rig)};
+  Layout layout{rig.length.size(), rig.flexibility > 0, rig.coupling != 0, contact_count(rig)};
   for (const RigVariation& other : variations) {
     layout.coupled = layout.coupled || other.rig.coupling != 0;
-    layout.sliders = std::max(layout.sliders, slider_count(other.rig));
+    layout.sliders = std::max(layout.sliders, contact_count(other.rig));
   }
   return layout;
 }

@@ -10,29 +10,20 @@
 
 #include "diagnose/model/rig.hpp"
 #include "diagnose/model/stated.hpp"
+#include "diagnose/model/torque.hpp"
 
 namespace plumbline::diagnose {
-
-/// A torque, its derivative with respect to the joint angle, and its integral: what the joint stores, or
-/// takes in since the last reading where its torque depends on history.
-struct Torque {
-  double value = 0, slope = 0, energy = 0;
-
-  Torque& operator+=(const Torque& other) {
-    value += other.value;
-    slope += other.slope;
-    energy += other.energy;
-    return *this;
-  }
-};
 
 /// The state of a slider.
 enum class Contact : signed char { slips_down = -1, sticks = 0, slips_up = 1 };
 
-/// A spring in series with a dry contact that slips at a torque. Dry friction is a very stiff one.
+/// A spring in series with a dry contact that slips at a torque. Dry friction is a very stiff one. One that
+/// widens slides along d^2/2, and so gives a torque that goes with the deflection.
 struct JointSlider {
-  double stiffness = 0, yield = 0;  ///< N m/rad, N m
+  double stiffness = 0, yield = 0;  ///< N m/rad, N m; of one that widens, N m/rad^3, N m/rad
   FrictionLaw law = {};             ///< how the torque at which it slips departs from the yield
+  bool widens = false;
+  bool from_rest = false;  ///< has come along from rest to the first reading; others are at ease there
 
   /// A contact changes its state only by more than this share of the slip torque, which rounding cannot fake.
   static constexpr double rounding = 1e-7;
@@ -42,6 +33,11 @@ struct JointSlider {
   [[nodiscard]] double slip(double deflection, double side, double speed) const {
     return (yield + law.growth * std::abs(deflection)) * share(side, speed);
   }
+  /// How far it has slid at a deflection, and its derivative.
+  [[nodiscard]] double way(double deflection) const {
+    return widens ? deflection * deflection / 2 : deflection;
+  }
+  [[nodiscard]] double lever(double deflection) const { return widens ? deflection : 1; }
   /// By which side and speed multiply it.
   [[nodiscard]] double share(double side, double speed) const {
     return (1 + side * law.uneven) * (1 + law.fall * std::exp(-speed / law.speed));
@@ -49,14 +45,17 @@ struct JointSlider {
 };
 
 /// As many Maxwell arms, and sliders, as a joint can have: of three effects that act together each brings its
-/// own, beside those of the nominal model. A slider is kept for the direction of motion.
-inline constexpr std::size_t most_nominal_arms = 3, most_nominal_sliders = 6;
-inline constexpr std::size_t most_arms = most_nominal_arms + 3, most_sliders = most_nominal_sliders + 8;
+/// own, beside those of a free law and of the nominal model. A slider is kept for the direction of motion.
+inline constexpr std::size_t most_law_arms = 3, most_law_sliders = 6;
+inline constexpr std::size_t most_nominal_arms = 3 + most_law_arms,
+                             most_nominal_sliders = 6 + most_law_sliders;
+inline constexpr std::size_t most_arms = most_nominal_arms + 3 + most_law_arms,
+                             most_sliders = most_nominal_sliders + 8 + most_law_sliders;
 
 /// What a joint remembers of its history, at the last reading.
 struct JointMemory {
   double angle = 0;                              ///< q
-  std::array<double, most_sliders> slider = {};  ///< torques that the sliders carry
+  std::array<double, most_sliders> slider = {};  ///< what the sliders carry along their way
   std::array<double, most_arms> arm = {};        ///< torques that the Maxwell arms carry
   double set = 0;                                ///< how far the rest angle has moved
   double carried = 0;                            ///< largest torque of the spring beyond its yield
@@ -71,6 +70,7 @@ struct JointLaw {
   double yield = std::numeric_limits<double>::infinity(), flow = 0;
   std::array<double, most_arms> arm_stiffness = {};
   std::vector<JointSlider> slider = {};  ///< the first is the dry friction
+  std::vector<TorqueTable> table = {};
   std::vector<StatedTorque> stated = {};
   /// The slider whose torque, between -1 and 1, is no torque but the direction in which the joint moves; none
   /// where nothing asks for it.
@@ -83,10 +83,11 @@ struct JointLaw {
   /// to, and enough to be solved to ten digits.
   static constexpr double turning = 1e-5;
 
-  /// Spring with play, hardening and stop; of history it knows how far its rest angle has moved.
+  /// Spring with play, hardening and stop, and tables; of history it knows how far its rest angle has moved.
   [[nodiscard]] Torque elastic(double angle, const JointMemory& last = {}) const {
     const double d = angle - rest;
     Torque torque = flow > 0 ? flowing(d, last) : spring(d);
+    for (const TorqueTable& one : table) torque += one.at(d);
     if (const double size = std::abs(d); size > stop) {
       torque.value += stop_stiffness * std::copysign(size - stop, d);
       torque.slope += stop_stiffness;
@@ -95,23 +96,31 @@ struct JointLaw {
     return torque;
   }
 
-  /// A slider by return mapping: what it carries while it sticks or slips.
-  [[nodiscard]] Torque dry(const JointSlider& one, double carried, double angle, const JointMemory& last,
-                           Contact contact) const {
+  /// A slider by return mapping: what it carries along its way while it sticks or slips.
+  [[nodiscard]] Torque along(const JointSlider& one, double carried, double angle, const JointMemory& last,
+                             Contact contact) const {
     if (!one.acts()) return {};
-    const double turn = angle - last.angle;
-    if (contact == Contact::sticks) return stretched(carried, one.stiffness, turn);
-    const double d = angle - rest, before = last.angle - rest;
+    const double d = angle - rest, before = last.angle - rest, moved = one.way(d) - one.way(before);
+    if (contact == Contact::sticks) return stretched(carried, one.stiffness, moved);
     const double side = contact == Contact::slips_up ? 1 : -1, share = side * one.share(side, last.speed);
     return {side * one.slip(d, side, last.speed), share * std::copysign(one.law.growth, d),
-            share * (one.yield * turn + one.law.growth * (d * std::abs(d) - before * std::abs(before)) / 2)};
+            share * (one.yield * moved + one.law.growth * (d * std::abs(d) - before * std::abs(before)) / 2)};
+  }
+  /// The torque that this is at the joint.
+  [[nodiscard]] Torque dry(const JointSlider& one, double carried, double angle, const JointMemory& last,
+                           Contact contact) const {
+    const Torque felt = along(one, carried, angle, last, contact);
+    if (!one.widens) return felt;
+    const double lever = one.lever(angle - rest);
+    return {felt.value * lever, felt.slope * lever * lever + felt.value, felt.energy};
   }
 
   /// The state that follows from a trial in state `contact`. A contact that is turned back sticks first: two
   /// joints can then not keep throwing each other from one direction of slip into the other.
   [[nodiscard]] Contact next(const JointSlider& one, double carried, double angle, const JointMemory& last,
                              Contact contact) const {
-    const double trial = carried + one.stiffness * (angle - last.angle), d = angle - rest;
+    const double d = angle - rest,
+                 trial = carried + one.stiffness * (one.way(d) - one.way(last.angle - rest));
     const auto beyond = [&](double side, double rounding) {
       return side * trial > one.slip(d, side, last.speed) * (1 + rounding);
     };

@@ -5,7 +5,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/model/effect.hpp"
-#include "diagnose/model/joint_law.hpp"
+#include "diagnose/model/run_rig.hpp"
 #include "files/printable.hpp"
 
 namespace plumbline::diagnose {
@@ -102,12 +102,12 @@ void require_physical(const Experiment& experiment, const Rig& rig) {
     if (!(rig.stiffness[i] >= 0))
       refuse(fmt::format("a joint {} of stiffness {:.4g}", i + 1, rig.stiffness[i]),
              "stiffnesses that are not negative");
-    if (rig.sliders[i].size() > most_nominal_sliders)
-      refuse(fmt::format("{} sliders at joint {}", rig.sliders[i].size(), i + 1),
+    if (slider_count(rig, i) > most_nominal_sliders)
+      refuse(fmt::format("{} sliders at joint {}", slider_count(rig, i), i + 1),
              fmt::format("{} at most", most_nominal_sliders));
   }
-  if (rig.arms.size() > most_nominal_arms)
-    refuse(fmt::format("{} Maxwell arms", rig.arms.size()), fmt::format("{} at most", most_nominal_arms));
+  if (const std::size_t arms = arm_times(rig).size(); arms > most_nominal_arms)
+    refuse(fmt::format("{} Maxwell arms", arms), fmt::format("{} at most", most_nominal_arms));
 }
 
 }  // namespace
@@ -119,7 +119,8 @@ NominalModel<double> nominal_model(const Experiment& experiment, const std::vect
 
 Rig nominal_rig(const Experiment& experiment) {
   Rig rig = without_effects(experiment);
-  if (experiment.effects.empty()) return rig;
+  if (experiment.plain()) return rig;
+  rig.laws = experiment.laws;
   const Sizes sizes = sizes_of(experiment);
   for (std::size_t e = 0; e < experiment.effects.size(); ++e) {
     const Effect& row = row_of(experiment, e);

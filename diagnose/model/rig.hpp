@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "diagnose/bench/experiment.hpp"
+#include "diagnose/bench/free_law.hpp"
 #include "diagnose/model/stated.hpp"
 
 namespace plumbline::diagnose {
@@ -85,6 +86,9 @@ struct Rig {
   // Single runs, by their number; runs beyond do not differ.
   std::vector<std::vector<double>> run_rest;  ///< [run][joint], beside rest_error
   std::vector<Vector2> run_tare;              ///< [run], beside force_bias
+
+  // What no known effect says.
+  std::vector<FreeLaw> laws;
 
   // What the user states.
   std::vector<StatedTorque> stated_torques;

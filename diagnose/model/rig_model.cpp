@@ -84,9 +84,10 @@ Torque RigModel<Bandwidth>::history(std::size_t joint, double q) const {
   const TimeStep& interval = step_->interval;
   Torque torque;
   for (std::size_t s = 0; s < law.slider.size(); ++s)
-    if (s != law.direction && law.slider[s].acts())
+    if (s != law.direction && law.slider[s].acts() && (law.slider[s].from_rest || !interval.relaxed))
       torque += law.dry(law.slider[s], last.slider[s], q, last, (*contact_)[layout_.contact(joint, s)]);
-  for (std::size_t a = 0; a < step_->run.rig.arms.size(); ++a)
+  if (interval.relaxed) return torque;
+  for (std::size_t a = 0; a < step_->run.arm_time.size(); ++a)
     torque += law.viscous(a, q, last, interval.decay[a], interval.gain[a]);
   return torque;
 }
@@ -98,7 +99,7 @@ void RigModel<Bandwidth>::add_joints(const Vector<double>& angle, At& at) const 
     const JointLaw& law = step_->run.joint[i];
     const double q = layout_.joint_angle(angle, i);
     Torque torque = law.elastic(q, step_->memory[i]);
-    if (!step_->interval.relaxed) torque += history(i, q);
+    torque += history(i, q);
     add_torque<derivatives>(i, torque.value, torque.slope, at);
     if constexpr (derivatives) at.energy += torque.energy;
   }

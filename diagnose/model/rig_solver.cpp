@@ -40,13 +40,14 @@ RigSolver<Bandwidth>::RigSolver(const Layout& layout) : model_(layout), system_(
 template <int Bandwidth>
 bool RigSolver<Bandwidth>::settle_contacts(const RigStep& step, bool all, Posture& posture) const {
   const Layout& layout = model_.layout();
-  if (step.interval.relaxed || layout.sliders == 0) return false;
+  if (layout.sliders == 0) return false;
   bool changed = false;
   for (std::size_t i = 0; i < step.run.joint.size(); ++i) {
     const JointLaw& joint = step.run.joint[i];
     const JointMemory& last = step.memory[i];
     const double q = layout.joint_angle(posture.angle, i);
     for (std::size_t s = 0; s < joint.slider.size(); ++s) {
+      if (step.interval.relaxed && !joint.slider[s].from_rest) continue;
       Contact& contact = posture.contact[layout.contact(i, s)];
       if (!joint.slider[s].acts()) {
         // Nothing is carried, but what little friction would be is against the way that the joint goes.

@@ -20,11 +20,18 @@ struct Posture {
   Point<double> force{0, 0};
 };
 
+/// The time constants of the Maxwell arms that joints have, s: of those beside every spring, then of those
+/// that free laws have besides.
+std::vector<double> arm_times(const Rig& rig);
+/// How many springs that slip a joint has, but for its dry friction. \param joint  from 0
+std::size_t slider_count(const Rig& rig, std::size_t joint);
+
 /// The rig during one run: its joints know their rest angles.
 struct RunRig {
   /// \param own  the rig as it stands in this run
   RunRig(Rig own, const std::vector<double>& commanded_rest);
   Rig rig;
+  std::vector<double> arm_time;  ///< see arm_times()
   std::vector<JointLaw> joint;
   double rest_orientation;      ///< theta_n of the unloaded shape
   double largest_stiffness;     ///< of all joints
@@ -33,9 +40,10 @@ struct RunRig {
 
 /// The time that ends with a reading: what history the joints follow in it.
 struct TimeStep {
-  bool relaxed = true;  ///< slowly, and before the first reading: no slider, no Maxwell arm
+  TimeStep() { decay.fill(1), gain.fill(1); }
+  bool relaxed = true;  ///< slowly, and before the first reading: no Maxwell arm, few sliders
   double end = 0;       ///< time of the reading, s
-  std::array<double, most_arms> decay{1, 1, 1, 1, 1, 1}, gain{1, 1, 1, 1, 1, 1};
+  std::array<double, most_arms> decay, gain;  ///< of the rig's arms
 };
 
 /// A rig on its way to a reading, and what its joints remember of the one before.

@@ -36,7 +36,7 @@ page::Chart law_chart(const Explained& explained, std::size_t law, std::size_t j
   const double k = explained.experiment.joint_stiffness[joint - 1];
   const double share = k / offered.law.laws[law].stiffness;
   page::Layer spring{Kind::line, "nominal", {}}, bare{Kind::rings, "corrected", {}, 2.4};
-  for (const LawPicture::Knot& knot : offered.pictures[law].knots) {
+  for (const FreeLaw::Knot& knot : offered.pictures[law].knots) {
     spring.points.push_back({knot.deflection, k * knot.deflection});
     bare.points.push_back({knot.deflection, share * knot.torque});
   }

@@ -79,7 +79,7 @@ TEST_CASE("a hardening law is recovered, and said") {
   // most 24 k 0.4 and h 0.05 where the choice is fine enough to reach the noise. Five standard deviations of
   // one reading beside, at the ends, where few readings bear a knot.
   const double tolerance = 0.05 * 0.05 / 12 * 24 * stiffness * 0.4 + 5 * force_noise * lever;
-  for (const LawPicture::Knot& knot : offered->pictures.front().knots)
+  for (const FreeLaw::Knot& knot : offered->pictures.front().knots)
     if (std::abs(knot.deflection) <= 0.4) CHECK(std::abs(knot.torque - truth(knot.deflection)) < tolerance);
   CHECK(offered->pictures.front().words.find("hardening") != std::string::npos);
   CHECK(offered->pictures.front().sliders.empty());
@@ -100,7 +100,7 @@ TEST_CASE("the loop of a spring with a slider is recovered") {
   REQUIRE(offered->shrink);
   CHECK(offered->shrink->ratio < 0.3);
   double carried = 0;
-  for (const LawPicture::Slider& one : offered->pictures.front().sliders) carried += one.torque;
+  for (const FreeLaw::Slider& one : offered->pictures.front().sliders) carried += one.torque;
   // The nearest sliders slip at 0.04 and 0.08 rad: a tenth of the torque is what their mixture may miss.
   CHECK(carried == doctest::Approx(slip).epsilon(0.1));
   CHECK(offered->pictures.front().words.find("loop of") != std::string::npos);

@@ -18,7 +18,7 @@ from program import complaint
 
 EXPERIMENTS, CHAINS = ROOT / "docs" / "experiment-format.md", ROOT / "docs" / "chain-format.md"
 USER_EFFECTS = ROOT / "docs" / "user-effects.md"
-TABLES = ["Top level", "[nominal]", "[[nominal.effect]]", "[bench]", "[noise]", "[units]", "[csv]", "[columns]", "[[run]]"]
+TABLES = ["Top level", "[nominal]", "[[nominal.effect]]", "[[nominal.torque_law]]", "[bench]", "[noise]", "[units]", "[csv]", "[columns]", "[[run]]"]
 
 
 def documented(path, heading, number=0):
@@ -37,7 +37,10 @@ EXPERIMENT = {
     "format": "chain-experiment/1", "name": "all keys", "date": "2026-03-01",
     "nominal": {"link_length": [0.3, 0.2], "joint_stiffness": [2.0, 1.5], "link_mass": [0.1, 0.1],
                 "gravity": [0.0, -9.81], "rest": [0.4, -0.9],
-                "effect": [{"id": "backlash", "joint": 2, "parameters": {"b": 0.02}}]},
+                "effect": [{"id": "backlash", "joint": 2, "parameters": {"b": 0.02}}],
+                "torque_law": [{"joint": 1, "deflection": [-0.1, 0.1], "torque": [0.0, 0.02],
+                                "sliders": [{"slips_at": 0.01, "torque": 0.02}, {"slips_at": 0.02, "growth": 0.1}],
+                                "arms": [{"time_constant": 3.0, "stiffness": 0.2}]}]},
     "bench": {"gravity_plane": "vertical", "gravity_direction": [0.0, -1.0]},
     "noise": {"x": 0.001, "y": 0.001, "Fx": 0.02, "Fy": 0.02, "q": 0.001},
     "units": {"link_length": "m", "joint_stiffness": "N m/rad", "link_mass": "kg", "gravity": "m/s^2", "rest": "rad"},
@@ -78,7 +81,8 @@ def changed(heading, change):
     """The experiment with one of its tables changed."""
     copy = json.loads(json.dumps(EXPERIMENT))
     name = heading.strip("[]")
-    places = {"run": copy["run"][0], "nominal.effect": copy["nominal"]["effect"][0]}
+    places = {"run": copy["run"][0], "nominal.effect": copy["nominal"]["effect"][0],
+              "nominal.torque_law": copy["nominal"]["torque_law"][0]}
     change(places[name] if name in places else copy.get(name, copy))
     return copy
 
@@ -98,7 +102,8 @@ def experiments(folder):
             assert Draft202012Validator(schema).is_valid(without) == (key not in required), f"schema, {heading} {key}"
         node = {"Top level": schema, **{f"[{name}]": schema["$defs"][name] for name in ("csv", "columns")},
                 "[[run]]": schema["$defs"]["run"],
-                "[[nominal.effect]]": schema["$defs"]["effect"]}.get(heading)
+                "[[nominal.effect]]": schema["$defs"]["effect"],
+                "[[nominal.torque_law]]": schema["$defs"]["torque_law"]}.get(heading)
         node = node or schema["properties"][heading.strip("[]")]
         assert set(node["properties"]) == named and set(node.get("required", [])) == required, heading
     column_keys(folder, schema)

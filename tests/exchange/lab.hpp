@@ -6,6 +6,8 @@
 #include <fmt/ranges.h>
 
 #include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/model/nominal.hpp"
+#include "diagnose/model/run_rig.hpp"
 #include "exchange/read_model.hpp"
 #include "tests/exchange/proof.hpp"
 #include "tests/folder.hpp"
@@ -130,6 +132,18 @@ inline void write_down(const Experiment& experiment, const Folder& folder) {
   folder.write("experiment.toml", toml);
 }
 
+/// As what is in the corrected file asks for.
+inline Pace pace_of(const Model& model, Pace otherwise) {
+  diagnose::Experiment experiment = model.experiment;
+  experiment.run_count = experiment.runs.size();
+  const diagnose::Rig rig = nominal_rig(experiment);
+  if (!arm_times(rig).empty()) return Pace::by_the_clock;
+  bool slides = rig.guide_friction > 0;
+  for (std::size_t j = 0; j < rig.length.size(); ++j)
+    slides = slides || rig.friction[j] > 0 || slider_count(rig, j) > 0;
+  return slides ? Pace::on_the_way : otherwise;
+}
+
 /// From the robot's MJCF, changed in MuJoCo, by the lab's files to the corrected MJCF and back to MuJoCo.
 struct RoundTrip {
   diagnose::Diagnosis diagnosis;
@@ -140,10 +154,10 @@ struct RoundTrip {
   double before = 0, after = 0;
 };
 
-/// \param changed  the robot's file with the effect in it
-inline RoundTrip round_trip(const Lab& lab, const Experiment& bench, const std::string& changed, Pace pace,
+/// \param truth  what the robot does that has the effect
+inline RoundTrip round_trip(const Lab& lab, const Experiment& bench, const Prediction& truth, Pace pace,
                             unsigned seed) {
-  write_down(read_with_noise(bench, in_mujoco(changed, bench, pace), seed), lab.folder);
+  write_down(read_with_noise(bench, truth, seed), lab.folder);
   const std::filesystem::path model = lab.folder / "robot.xml";
   const diagnose::NominalChain nominal = read_model(model).chain;
   const Study study(diagnose::read_experiment(lab.folder.path(), &nominal));
@@ -151,7 +165,8 @@ inline RoundTrip round_trip(const Lab& lab, const Experiment& bench, const std::
   trip.before = trip.after = rms(study.nominal_residual());
   if (const auto& shrink = trip.diagnosis.shrink) trip.reported = shrink->ratio;
   for (const Corrected& one : corrected_models(study, trip.diagnosis, model)) {
-    const Prediction corrected = in_mujoco(written(one.model, Format::mjcf).text, study.experiment(), pace);
+    const Prediction corrected =
+        in_mujoco(written(one.model, Format::mjcf).text, study.experiment(), pace_of(one.model, pace));
     const std::vector<double> left = study.residual(corrected);
     trip.after = std::min(trip.after, rms(left));
     if (!trip.diagnosis.shrink) continue;
@@ -161,6 +176,12 @@ inline RoundTrip round_trip(const Lab& lab, const Experiment& bench, const std::
     trip.mujoco = std::min(trip.mujoco, in_file.ratio);
   }
   return trip;
+}
+
+/// \param changed  the robot's file with the effect in it
+inline RoundTrip round_trip(const Lab& lab, const Experiment& bench, const std::string& changed, Pace pace,
+                            unsigned seed) {
+  return round_trip(lab, bench, in_mujoco(changed, bench, pace), pace, seed);
 }
 
 }  // namespace plumbline::exchange::test

@@ -66,57 +66,46 @@ TEST_CASE("several effects of the bench at once, and of the chain, in one file")
 TEST_CASE("what MJCF cannot carry stands in it as numbers that MuJoCo reads") {
   Model model{"three links", diagnose::test::full_bench(), {0.3, -0.5, 0.4}, {}};
   model.experiment.effects = {{"load_friction", 0, {{"tau_c", 0.25}, {"growth", 0.1}}}};
-  model.laws = {{{2}, {{-0.1, -0.3}, {0, 0}, {0.1, 0.2}}, {{0.01, 0.05, 0.1}}, {}, "stiffer to one side"}};
+  model.experiment.effects.push_back({"backlash", 2, {{"b", 0.01}}});
+  diagnose::FreeLaw& law = model.experiment.laws.emplace_back(diagnose::FreeLaw{2, {}});
+  law.knots = {{-0.1, -0.3}, {0, 0}, {0.1, 0.2}};
+  law.sliders = {{0.01, 0, 0.1}};
   const Written file = to_mjcf(model);
-  REQUIRE(file.effects.size() == 2);
+  REQUIRE(file.effects.size() == 3);
   CHECK_FALSE(file.effects[0].carried);
-  CHECK_FALSE(file.effects[1].carried);
+  CHECK(file.effects[1].carried);
+  CHECK_FALSE(file.effects[2].carried);
   CHECK(file.text.find("NOT CARRIED: load_friction: dry friction of this format is a constant") !=
         std::string::npos);
   test::MujocoBench bench(file.text, test::Pace::at_rest);
   CHECK(bench.numbers("load_friction tau_c") == std::vector<double>{0.25});
-  CHECK(bench.numbers("torque_law q2") == std::vector<double>{-0.1, -0.3, 0, 0, 0.1, 0.2});
-  CHECK(bench.numbers("torque_law q2 sliders") == std::vector<double>{0.01, 0.05, 0.1});
+  CHECK(file.text.find("NOT CARRIED: torque_law(2): friction that grows") != std::string::npos);
+  CHECK(file.text.find(" 0.1 0.2\n") != std::string::npos);
+  CHECK(file.text.find("a slider along d^2/2 that slips from 0.01 rad on at 0.1 N m/rad") !=
+        std::string::npos);
 }
 
-TEST_CASE("a free torque law goes into MJCF from knot to knot, whatever its shape") {
-  // Stiffer, softer and falling again, off centre, with the spring of the joint beside it.
-  const auto law = [](double d) { return 0.05 * std::sin(40 * d) + 0.02; };
-  Model model{"three links", diagnose::test::full_bench(), {0.3, -0.5, 0.4}, {}};
-  const double k = model.experiment.joint_stiffness[1], first = -0.4, last = 0.4;
-  diagnose::LawPicture picture{{2}, {}, {}, {}, ""};
-  constexpr int knots = 41;
-  for (int i = 0; i < knots; ++i) {
-    const double d = first + (last - first) * i / (knots - 1);
-    picture.knots.push_back({d, k * d + law(d)});
+TEST_CASE("a free torque law goes into MJCF, whatever its shape, and on beyond its knots") {
+  // Stiffer, softer and falling again, off centre; what slips, at a constant torque and at one that grows.
+  diagnose::Experiment experiment = diagnose::test::full_bench();
+  experiment.runs.pop_back();
+  diagnose::FreeLaw law{2, {}, {}, {}};
+  for (int i = -10; i <= 10; ++i) law.knots.push_back({0.01 * i, 0.05 * std::sin(0.2 * i)});
+  const diagnose::FreeLaw::Slider steady{0.02, 0.03, 0}, widening{0.05, 0, 0.2};
+  for (const auto& sliders : {std::vector<diagnose::FreeLaw::Slider>{}, {steady}, {widening}}) {
+    law.sliders = sliders;
+    // What slips starts at ease.
+    experiment.laws = {law, {3, {{0, sliders.empty() ? 0.01 : 0.0}}}};
+    const Model model{"three links", experiment, {0.3, -0.5, 0.4}};
+    const Study study(experiment);
+    const Prediction in_file =
+        test::in_mujoco(model, sliders.empty() ? test::Pace::at_rest : test::Pace::on_the_way);
+    std::vector<double> difference = study.residual(in_file);
+    const std::vector<double> nominal = study.nominal_residual();
+    for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= nominal[i];
+    CHECK(test::rms(difference) < 0.5);
+    CHECK((study.nominal().runs.front().col(diagnose::column_q + 1) + 0.5).abs().maxCoeff() > 0.15);
   }
-  const auto torque = [&](double d) {
-    const double place = (std::clamp(d, first, last) - first) / (last - first) * (knots - 1);
-    const auto i = std::min(static_cast<std::size_t>(place), picture.knots.size() - 2);
-    const double share = place - static_cast<double>(i);
-    const auto added = [&](std::size_t at) {
-      return picture.knots[at].torque - k * picture.knots[at].deflection;
-    };
-    return k * d + (1 - share) * added(i) + share * added(i + 1);
-  };
-  model.laws = {picture};
-  const Written file = to_mjcf(model);
-  CHECK(file.effects.back().carried);
-  test::MujocoBench bench(file.text, test::Pace::at_rest);
-  const diagnose::Trace trace = bench.run(model.experiment.runs[0]);
-  // What the springs and the law hold is what the end point's force asks of the joint.
-  const std::vector<double>& length = model.experiment.link_length;
-  double turned = 0;
-  for (Eigen::Index r = 0; r < trace.rows(); ++r) {
-    const double q1 = trace(r, diagnose::column_q), q2 = trace(r, diagnose::column_q + 1),
-                 q3 = trace(r, diagnose::column_q + 2);
-    const double x = length[1] * std::cos(q1 + q2) + length[2] * std::cos(q1 + q2 + q3),
-                 y = length[1] * std::sin(q1 + q2) + length[2] * std::sin(q1 + q2 + q3);
-    const double asked = x * trace(r, diagnose::column_Fy) - y * trace(r, diagnose::column_Fx);
-    CHECK(std::abs(torque(q2 + 0.5) - asked) < 2e-3);
-    turned = std::max(turned, std::abs(q2 + 0.5));
-  }
-  CHECK(turned > 0.15);
 }
 
 }  // namespace plumbline::exchange

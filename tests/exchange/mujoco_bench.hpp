@@ -58,7 +58,7 @@ class MujocoBench {
            : pace_ == Pace::on_the_way ? slow_way
                                        : 1,
            held);
-      if (r == 0) begin(run.readings.front().t);
+      if (r == 0) begin(run.readings.front().t, held);
       write(trace.row(static_cast<Eigen::Index>(r)), run, held);
     }
     return trace;
@@ -122,8 +122,10 @@ class MujocoBench {
   }
   [[nodiscard]] Eigen::Vector2d drive() const { return sensors("x", "y"); }
 
-  /// The first reading is taken at rest, when the clock is set.
-  void begin(double time) {
+  /// The first reading is taken at rest, when the clock is set and nothing that slips or relaxes is
+  /// stretched.
+  void begin(double time, bool held) {
+    for (int tries = 0; tries < 3 && ease(); ++tries) move(target_, 1, held);
     const auto place = [&](const char* name) {
       const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, name);
       return joint < 0 ? -1 : model_->jnt_qposadr[joint];
@@ -135,6 +137,26 @@ class MujocoBench {
         data_->qvel[dof(lag)] = 0;
       }
     mj_forward(model_.get(), data_.get());
+  }
+
+  /// Lets the arms that relax, or slip but for those of a law, each on a spring of its own name, carry
+  /// nothing. \returns whether there is any
+  bool ease() {
+    bool any = false;
+    for (int t = 0; t < model_->ntendon; ++t) {
+      const char* own = mj_id2name(model_.get(), mjOBJ_TENDON, t);
+      const std::string name = own != nullptr ? own : "";
+      const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, name.c_str());
+      if (joint < 0) continue;
+      const bool slips = model_->dof_frictionloss[model_->jnt_dofadr[joint]] > 0,
+                 of_law = name.find("_law") != name.npos;
+      if (!(slips && !of_law) && name.find("_relax") == name.npos) continue;
+      data_->qpos[model_->jnt_qposadr[joint]] += data_->ten_length[t] - model_->tendon_lengthspring[t];
+      data_->qvel[model_->jnt_dofadr[joint]] = 0;
+      any = true;
+    }
+    mj_forward(model_.get(), data_.get());
+    return any;
   }
 
   /// An end point by its commands; a force, by a drive that is let go, as the load cell reads it.
