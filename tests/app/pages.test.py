@@ -346,6 +346,14 @@ class Pages(unittest.TestCase):
             with self.subTest(verdict):
                 self.assertEqual(rings > 0, report["shrink"] is not None and self.some_were_always_seen(report))
 
+    def test_a_law_closes_the_gap_only_where_it_does(self):
+        laws = [(page.read_text(), report["law"]) for _, page, report in self.diagnoses() if "law" in report]
+        self.assertGreater(len(laws), 0)
+        for text, law in laws:
+            closes = law.get("ratio", math.inf) < 1
+            self.assertEqual("A torque law that closes the gap" in text, closes)
+            self.assertEqual("A torque law fitted to the gap" in text, not closes)
+
     def test_joints_have_rings_where_the_cause_sits_there(self):
         self.assertIn('class="ring share"', self.pages["stopped"].read_text())
         self.assertIn('class="ring share"', self.pages["identified"].read_text())
