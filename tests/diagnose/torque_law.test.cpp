@@ -165,6 +165,33 @@ TEST_CASE("in a chain of several joints the law is where the torque is missing")
   CHECK(offered->shrink->ratio < 0.3);
 }
 
+TEST_CASE(
+    "the law that is fitted is the law that the chain has: knots, what slips, what widens, what relaxes") {
+  const Study study(full_bench());
+  JointTorqueLaw law;
+  law.joints = {2};
+  law.stiffness = study.experiment().joint_stiffness[1];
+  law.span = {-0.3, 0.4, 60};
+  law.coefficients = Eigen::VectorXd::Zero(law_terms_count);
+  for (Eigen::Index k = 0; k < finest_knots; ++k)
+    law.coefficients(k) = 0.05 * std::sin(12 * knot_place(law.span, k));
+  law.coefficients(finest_knots + 1) = 0.03;
+  law.coefficients(finest_knots + slip_places + 3) = 0.06;
+  law.coefficients(finest_knots + slider_terms + 1) = 0.2;
+  const TorqueLaw chosen{{}, {law}, finest_knots, 1, 1};
+  const Prediction with = predict_with_law(study, chosen);
+  const std::vector<double>& length = study.experiment().link_length;
+  for (const LawTrace& trace : law_traces(study, chosen)) {
+    const Trace& run = with.runs[trace.run];
+    for (Eigen::Index r = 0; r < run.rows(); ++r) {
+      const double second = angle(run, r, 0) + angle(run, r, 1), third = second + angle(run, r, 2);
+      const double x = length[1] * std::cos(second) + length[2] * std::cos(third),
+                   y = length[1] * std::sin(second) + length[2] * std::sin(third);
+      CHECK(std::abs(trace.torque(r) - (x * run(r, column_Fy) - y * run(r, column_Fx))) < 1e-7);
+    }
+  }
+}
+
 TEST_CASE("what a joint carries along a run has what the nominal model knows of its spring") {
   Experiment experiment = full_bench();
   experiment.effects = {{"nonlinear_spring", 0, {{"c", 5}}}, {"joint_stiffness", 2, {{"a", 0.4}}}};

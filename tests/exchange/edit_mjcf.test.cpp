@@ -65,7 +65,7 @@ TEST_CASE("what the cause does not ask for stays as it is") {
   const Lab lab;
   const Compiled old = compiled(lab, robot);
   const auto edited = [&](std::vector<diagnose::NominalEffect> effects) {
-    Model model{"robot", lab.experiment, lab.experiment.rest, {}, lab.folder / "robot.xml"};
+    Model model{"robot", lab.experiment, lab.experiment.rest, lab.folder / "robot.xml"};
     model.experiment.effects = std::move(effects);
     return edit_mjcf(model).text;
   };
@@ -112,7 +112,7 @@ TEST_CASE("a file that cannot be edited gives a chain of its own, which says why
   std::string text = robot;
   text.insert(text.find("<option"), "<compiler inertiafromgeom=\"true\"/>");
   lab.folder.write("robot.xml", text);
-  const Model model{"robot", lab.experiment, lab.experiment.rest, {}, lab.folder / "robot.xml"};
+  const Model model{"robot", lab.experiment, lab.experiment.rest, lab.folder / "robot.xml"};
   CHECK_THROWS_WITH_AS(edit_mjcf(model), doctest::Contains("inertiafromgeom"), Error);
   const Written file = written(model, Format::mjcf);
   CHECK(file.note.find("a chain of its own") == 0);

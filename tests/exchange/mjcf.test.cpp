@@ -55,7 +55,7 @@ TEST_CASE("several effects of the bench at once, and of the chain, in one file")
   experiment.link_mass = {0.2, 0.1, 0.3};  // which hang from the links, not from what stands beside them
   experiment.gravity = {0.6, -9.7};
   const Study study(experiment);
-  Model model{"all at once", experiment, {}, {}};
+  Model model{"all at once", experiment, {}};
   const Prediction in_file = test::in_mujoco(model, test::Pace::at_rest);
   std::vector<double> difference = study.residual(in_file);
   const std::vector<double> nominal = study.nominal_residual();
@@ -64,7 +64,7 @@ TEST_CASE("several effects of the bench at once, and of the chain, in one file")
 }
 
 TEST_CASE("what MJCF cannot carry stands in it as numbers that MuJoCo reads") {
-  Model model{"three links", diagnose::test::full_bench(), {0.3, -0.5, 0.4}, {}};
+  Model model{"three links", diagnose::test::full_bench(), {0.3, -0.5, 0.4}};
   model.experiment.effects = {{"load_friction", 0, {{"tau_c", 0.25}, {"growth", 0.1}}}};
   model.experiment.effects.push_back({"backlash", 2, {{"b", 0.01}}});
   diagnose::FreeLaw& law = model.experiment.laws.emplace_back(diagnose::FreeLaw{2, {}});

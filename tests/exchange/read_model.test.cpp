@@ -15,7 +15,7 @@ using diagnose::NominalChain;
 
 /// A chain of its own for every ending, with weights and rest angles.
 Model three_links() {
-  Model model{"three links", diagnose::test::full_bench(), {0.3, -0.5, 0.4}, {}};
+  Model model{"three links", diagnose::test::full_bench(), {0.3, -0.5, 0.4}};
   model.experiment.link_mass = {0.2, 0.1, 0.3};
   model.experiment.gravity = {0.6, -9.7};
   return model;

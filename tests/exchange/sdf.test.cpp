@@ -180,7 +180,7 @@ TEST_CASE("a robot's own SDF or URDF is edited: every effect that the format car
     for (std::size_t j = 0; j < rest.size(); ++j)
       CHECK(bare.experiment().rest[j] == doctest::Approx(rest[j]));
     const Folder edited;
-    const Model as_is{"robot", bare.experiment(), rest, {}, {}};
+    const Model as_is{"robot", bare.experiment(), rest};
     for (const EffectAt& at : carried(bare, one.format)) {
       CAPTURE(one.name);
       CAPTURE(at.label());
@@ -214,7 +214,7 @@ TEST_CASE("an edited SDF or URDF is read again as the corrected chain; what is n
     const Folder folder;
     folder.write(one.name, one.robot);
     const Experiment experiment = lab(folder / one.name);
-    Model model{"robot", experiment, rest, {}, folder / one.name};
+    Model model{"robot", experiment, rest, folder / one.name};
     model.experiment.effects = {{"joint_stiffness", 2, {{"a", 0.2}}},
                                 {"rest_angle", 2, {{"a", 0.05}}},
                                 {"link_length", 2, {{"a", 0.1}}},

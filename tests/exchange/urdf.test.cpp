@@ -17,7 +17,7 @@ using Compiled = std::unique_ptr<mjModel, decltype(&mj_deleteModel)>;
 
 /// The chain of the tests with these effects, as MuJoCo has its URDF, nothing merged.
 Compiled in_mujoco(std::vector<diagnose::NominalEffect> effects) {
-  Model model{"three links", diagnose::test::full_bench(), {0.3, -0.5, 0.4}, {}};
+  Model model{"three links", diagnose::test::full_bench(), {0.3, -0.5, 0.4}};
   model.experiment.effects = std::move(effects);
   std::string text = to_urdf(model).text;
   text.insert(text.find('>', text.find("<robot")) + 1, "<mujoco><compiler fusestatic=\"false\"/></mujoco>");
