@@ -7,6 +7,8 @@ INSTEAD = {"<": ["<=", ">"], "<=": ["<"], ">": [">=", "<"], ">=": [">"], "==": [
            "||": ["&&"], "+": ["-"], "-": ["+"], "*": ["/"], "/": ["*"], "%": ["*"], "and": ["or"], "or": ["and"]}
 # what assigns, or calls for the sake of what it does
 EFFECT = re.compile(r"(?:\+\+|--|\*)?[\w:.>\[\]()*+-]+(?: (?:[-+*/%|&^]|<<|>>)?= |\(|;)")
+# what is the same of its arguments in any order
+ANY_ORDER = ("max", "min", "minmax", "swap", "hypot")
 NO_EFFECT = ("return", "using", "static_assert", "break", "continue", "throw", "namespace", "public", "private", "case",
              "default", "friend", "typename", "template", "goto")
 
@@ -85,7 +87,8 @@ def arguments(source):
     for i, token in enumerate(source.tokens):
         if token.text != "(" or i not in source.partner or source.tokens[i - 1].kind != "name":
             continue
-        if source[i - 1] in ("if", "for", "while", "switch", "and", "or", "not", "in", "return") or source[i - 2] == "def":
+        if source[i - 1] in ("if", "for", "while", "switch", "and", "or", "not", "in", "return", *ANY_ORDER) \
+                or source[i - 2] == "def":
             continue
         commas, j = [], i + 1
         while j < source.partner[i]:

@@ -1,7 +1,11 @@
 """Many faults in one build: every place holds the right text and the wrong ones, and a process chooses by a number."""
+import os
 import re
 
-HEAD = '#include "tests/mutation/planted.hpp"\n'
+
+def head(path):
+    """The line that every planted file begins with; not every target knows the project's root."""
+    return f'#include "{os.path.relpath("tests/mutation/planted.hpp", os.path.dirname(path))}"\n'
 
 
 def nested(faults):
@@ -20,10 +24,11 @@ def nested(faults):
     return roots, left_out
 
 
-def rendered(text, faults, number):
-    """The text with all faults as choices, and which lines of it are whose; number gives a fault's number."""
+def rendered(path, text, faults, number):
+    """The text of a file with all faults as choices, which lines of it are whose, and what could not be held; number gives a
+    fault's number."""
     roots, left_out = nested(faults)
-    out, owners = [HEAD], {}
+    out, owners = [head(path)], {}
 
     def put(piece):
         out.append(piece)

@@ -41,11 +41,11 @@ class Workplace:
         texts = {}
         for path in {fault.path for fault in faults}:
             there = [fault for fault in faults if fault.path == path and fault.key not in self.unplanted]
-            text, self.owners[path], left_out = rendered((ROOT / path).read_text(), there, lambda f: self.number[f.key])
+            text, self.owners[path], left_out = rendered(path, (ROOT / path).read_text(), there, lambda f: self.number[f.key])
             self.unplanted.update((fault.key, "overlaps another") for fault in left_out)
             texts[path] = text.encode()
         main = (ROOT / "tests/main.cpp").read_bytes()
-        texts["tests/main.cpp"] = main + b'#include "tests/mutation/planted.hpp"\n#include "tests/mutation/recorder.hpp"\n'
+        texts["tests/main.cpp"] = main + b'#include "mutation/planted.hpp"\n#include "mutation/recorder.hpp"\n'
         for name in self.copied():
             write(self.folder / name, texts.get(name) or (ROOT / name).read_bytes())
 
