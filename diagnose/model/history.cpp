@@ -78,7 +78,8 @@ struct Traveller {
       const JointMemory last = memory[i];
       JointMemory& now = memory[i];
       now.angle = q;
-      now.turn = std::abs(q - last.angle);
+      // Of the way to the first reading no speed is known.
+      now.turn = std::abs(during.relaxed ? q : q - last.angle);
       law.flow_to(q, now);
       for (std::size_t s = 0; s < law.slider.size(); ++s)
         if (law.slider[s].acts() && (law.slider[s].from_rest || !during.relaxed))
