@@ -34,10 +34,12 @@ class Fault:
         return Fault(source.path, begin, end, before, after, what, source.line(begin if place is None else place))
 
 
-def listed(path, sources):
-    """The faults of the list at `path`; sources gives a Source for a file's name. Raises Moved for the first whose text does
-    not stand in its file, or stands there twice."""
+def listed(path, sources, wanted):
+    """The faults of the list at `path` in the files that are wanted; sources gives a Source for a file's name. Raises Moved for
+    the first whose text does not stand in its file, or stands there twice."""
     for entry in tomllib.loads(path.read_text())["fault"]:
+        if not wanted(entry["file"]):
+            continue
         source = sources(entry["file"])
         count = source.text.count(entry["before"])
         if count != 1:

@@ -122,21 +122,21 @@ def main():
 
     sources = {}
     source = lambda name: sources.setdefault(name, Source(name, (ROOT / name).read_text()))
+    wanted = lambda name: options.only in name and name.split("/")[0] in options.folders
     faults = []
     if options.changed is None:
         try:
-            faults = list(listed(pathlib.Path(__file__).with_name("faults.toml"), source))
+            faults = list(listed(pathlib.Path(__file__).with_name("faults.toml"), source, wanted))
         except Moved as moved:
             sys.exit(str(moved))
     if options.generated or options.changed:
         made = list(generated_faults(changed_lines(options.changed, options.folders) if options.changed else None,
                                      options.folders, source))
-        made = [fault for fault in made if options.only in fault.path]
+        made = [fault for fault in made if wanted(fault.path)]
         count = len(made)
         random.Random(options.seed).shuffle(made)
         faults += made[:options.generated] if options.generated else made
         print(f"{count} faults can be made", file=sys.stderr)
-    faults = [fault for fault in faults if options.only in fault.path and fault.path.split("/")[0] in options.folders]
     if options.list:
         for fault in faults:
             print(f"{fault.path}:{fault.line}: {fault.what}: {fault.before!r} -> {fault.after!r}")
