@@ -4,7 +4,7 @@
 #
 #   ./setup.sh           what the program is built with
 #   ./setup.sh --tests   and what its tests need
-#   ./setup.sh --python  and what the Python package needs
+#   ./setup.sh --python  and what the Python package needs, models of simulators too
 #   ./setup.sh --mpi     and what shares work among machines
 #   ./setup.sh --models  and the parsers that read the models of simulators
 #   ./setup.sh --bench   and what the benchmarks compare with
@@ -64,7 +64,7 @@ packages=("${program[@]}")
 case "${1:-}" in
   "") ;;
   --tests) packages+=("${tests[@]}") ;;
-  --python) packages+=("${python[@]}") ;;
+  --python) packages+=("${python[@]}" "${models[@]}") ;;
   --mpi) packages+=("${mpi[@]}") ;;
   --models) packages+=("${models[@]}") ;;
   --bench) packages+=("${bench[@]}") ;;
