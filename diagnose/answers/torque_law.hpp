@@ -32,10 +32,13 @@ struct TorqueLaw {
 /// Chooses a law blind and fits it: the joints, the number of knots, the sliders, the arms and how smooth it
 /// is are those that predict best the blocks of readings that are left out in turn. In that choice the
 /// channels answer to a torque as the base's derivative says, at the deflections that the base has, so the
-/// law is linear in its coefficients; the law chosen is then fitted to the chain that has it. \param seen
-/// without the readings that are held out \param bases  explanations fitted to the readings seen, on which
-/// the law may stand; the nominal model is
+/// law is linear in its coefficients; the law chosen is then fitted to the chain that has it.
+///
+/// \param seen   without the readings that are held out
+///
+/// \param bases  explanations fitted to the readings seen, on which the law may stand; the nominal model is
 ///               always one
+///
 /// \returns nothing where no law predicts surely better than the nominal model and the bases
 std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noise,
                                         const std::vector<Instance>& bases);

@@ -18,9 +18,10 @@ FreeLaw::Slider read_slider(const Section& section) {
   if (!(slider.slips_at > 0)) section.refuse("slips_at", positive);
   if (section.has("torque") == section.has("growth"))
     throw Error(section.where(), section.has("torque") ? "both" : "neither", one);
+  const std::string key = section.has("torque") ? "torque" : "growth";
   double& own = section.has("torque") ? slider.torque : slider.growth;
-  own = section.number(section.has("torque") ? "torque" : "growth", positive);
-  if (!(own > 0)) section.refuse(section.has("torque") ? "torque" : "growth", positive);
+  own = section.number(key, positive);
+  if (!(own > 0)) section.refuse(key, positive);
   return slider;
 }
 
