@@ -34,7 +34,7 @@ GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
   for (const Series& series : measurements.series()) {
     const double scale = gap.test.noise.of(series.channel);
     for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i) {
-      gap.rms[series.channel] += std::pow(series.sigma * clean[i], 2);
+      gap.rms[series.channel] += std::pow(series.sigmas[i - series.first] * clean[i], 2);
       count[series.channel] += 1;
       sum += std::pow(clean[i] / scale, 2);
     }
@@ -43,6 +43,11 @@ GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
   for (const Hum& one : gap.test.hum) {
     const Series& series = measurements.series()[one.series];
     gap.hum.push_back({study.experiment().runs[series.run].id, series.channel, one.period, one.rms()});
+  }
+  for (const Series& series : measurements.series()) {
+    if (series.proportion == 0) continue;
+    double& share = gap.proportional[series.channel.name];
+    share = std::max(share, series.proportion * series.sigma * gap.test.noise.of(series.channel));
   }
   gap.chi2_per_value = sum / static_cast<double>(measurements.size());
   return gap;

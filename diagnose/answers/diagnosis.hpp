@@ -28,6 +28,8 @@ struct GapAnswer {
   double chi2_per_value;          ///< of the nominal residual, in the noise as it is
   std::map<Channel, double> rms;  ///< of the nominal residual by channel, in its unit
   std::vector<HummingChannel> hum;
+  /// Of channels that scatter in proportion to their readings: the share of the reading, beside the rest.
+  std::map<Channel::Name, double> proportional;
 };
 
 /// A parameter of the best explanation with its 95 % bounds, in catalogue units.
