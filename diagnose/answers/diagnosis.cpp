@@ -143,6 +143,11 @@ std::optional<Shrink> shrink_of(const Study& study, const Findings& findings, co
   return blind->shrink;
 }
 
+/// Whether readings that were held out tell against it.
+bool fails(const Shrink& shrink) {
+  return shrink.tested() && !(shrink.ratio < 1);
+}
+
 /// Where no known effect explains the gap: a law that closes it, if one predicts.
 void offer_law_to(const Study& study, const HeldOut& heldout, const Findings& chosen, Diagnosis& diagnosis) {
   std::vector<const Fit*> fits;
@@ -154,7 +159,15 @@ void offer_law_to(const Study& study, const HeldOut& heldout, const Findings& ch
     bases.push_back({partial.candidate, partial.parameters});
   }
   diagnosis.law = offer_law(study, heldout, diagnosis.noise, bases);
+  if (diagnosis.law && diagnosis.law->shrink && fails(*diagnosis.law->shrink)) diagnosis.law.reset();
   if (diagnosis.offers_law()) diagnosis.shrink = diagnosis.law->shrink;
+}
+
+void offer_only_what_predicts(Diagnosis& diagnosis) {
+  const bool unknown = diagnosis.cause.verdict == CauseVerdict::unknown;
+  if (!unknown || !diagnosis.shrink || !fails(*diagnosis.shrink)) return;
+  diagnosis.shrink.reset();
+  diagnosis.nothing_predicts = true;
 }
 
 void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
@@ -188,6 +201,7 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
     test_best();
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.reservation != Reservation::none)
     offer_law_to(study, heldout, chosen, diagnosis);
+  offer_only_what_predicts(diagnosis);
   diagnosis.not_exercised = never_exercised(study, chosen);
   if (!diagnosis.cause.ranking.empty()) {
     // What the best explanation is made of has been seen at work.

@@ -49,6 +49,9 @@ struct Diagnosis {
       estimates;                        ///< [effect of the best explanation][parameter]; of a known cause
   std::vector<EffectAt> not_exercised;  ///< effects that these runs could not have shown
   std::optional<Shrink> shrink;
+  /// For `unknown`: on readings held out neither a law nor the best partial explanation leaves less than the
+  /// nominal model does, so that nothing is offered and there is no shrink.
+  bool nothing_predicts = false;
   std::optional<OfferedLaw> law;    ///< where the cause may be unknown: a law that closes the gap
   std::optional<Missing> missing;   ///< for `unknown`: what is missing, without a catalogue
   std::vector<Proposal> proposals;  ///< for `ambiguous`, or on request: what to measure next

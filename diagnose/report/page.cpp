@@ -228,6 +228,7 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
   view["channels_rms"] = gap_channels(diagnosis.gap, view["gap"]["rms"]);
   add_where(view, report, explained);
   add_cause(view, report, explained);
+  view["nothing_predicts"] = diagnosis.nothing_predicts;
   if (diagnosis.shrink) {
     view["shrink"]["by_channel"] = shrink_channels(*diagnosis.shrink, view["shrink"]);
     const CauseVerdict verdict = diagnosis.cause.verdict;

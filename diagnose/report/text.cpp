@@ -160,6 +160,8 @@ std::string what_shrinks(const Diagnosis& diagnosis) {
 }
 
 std::string how_far(const Diagnosis& diagnosis) {
+  if (diagnosis.nothing_predicts)
+    return "How far?  Nothing that was tried leaves less on readings held out than the nominal model\n";
   if (!diagnosis.shrink) return "How far?  Not tested: too few readings to hold some out\n";
   const Shrink& shrink = *diagnosis.shrink;
   std::string held;
