@@ -81,7 +81,6 @@ RegularPieces regular_pieces(Brancher<NominalModel<double>>& brancher, const Bra
   Points points = branch.points;
   if (!branch.events.empty() && branch.events.back().kind == EventKind::fold)
     cutter.pass_fold(points, branch.events.back().point);
-  if (branch.end == BranchEnd::closed) points.push_back(points.front());
   for (const auto& event : branch.events) {
     if (event.kind == EventKind::bifurcation) cutter.cut(points, event.before, event.point);
   }

@@ -63,28 +63,62 @@ TEST_CASE("branches switch at a bifurcation: a symmetric zigzag and the two arch
   CHECK(branch_tree(brancher, {brancher.start(0, shape)}, {0, edge}).size() == 2);
 }
 
-TEST_CASE("every crossing is met on both branches, and a closed branch closes") {
-  check_property("branch trees of chains that look the same from both ends", [] {
-    const auto share = [](int low, int high) { return *rc::gen::inRange(low * 100, high * 100) / 100.0; };
+namespace {
+
+double share(int low, int high) {
+  return *rc::gen::inRange(low * 100, high * 100) / 100.0;
+}
+
+/// A chain on a passive base that looks the same from both ends, held at its unloaded end points.
+struct SymmetricChain {
+  std::vector<double> length, stiffness, rest;
+  double reach;
+
+  /// \param equal  unit lengths and stiffnesses
+  explicit SymmetricChain(bool equal) {
     const auto n = static_cast<std::size_t>(*rc::gen::inRange(3, 7));
-    std::vector<double> length(n), theta(n), stiffness(n, 0.0), rest(n);
+    length.assign(n, 1), stiffness.assign(n, 1), rest.resize(n);
+    std::vector<double> theta(n);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t twin = n - 1 - i;
-      length[i] = twin < i ? length[twin] : share(0, 1) + 0.5;
       theta[i] = twin < i ? theta[twin] : 0.8 * share(-1, 1) + 0.004;
-      if (i > 0) stiffness[i] = n - i < i ? stiffness[n - i] : share(0, 2) + 0.5;
       rest[i] = theta[i] - (i > 0 ? theta[i - 1] : 0);
+      if (equal) continue;
+      length[i] = twin < i ? length[twin] : share(0, 1) + 0.5;
+      if (i > 0) stiffness[i] = n - i < i ? stiffness[n - i] : share(0, 2) + 0.5;
     }
+    stiffness[0] = 0;
     const auto p = end_point(Chain<double>(length, stiffness, rest), rest);
-    const double reach = std::hypot(p.x, p.y);
+    reach = std::hypot(p.x, p.y);
     double longest = 0;
     for (const double L : length) longest += L;
     RC_PRE(reach > 0.3 && reach < 0.999 * longest);  // neither folded up nor straight
     rest[0] -= std::atan2(p.y, p.x);
+  }
+
+  /// All its branches as its ends are pushed together.
+  [[nodiscard]] std::vector<Branch<double>> tree(double longest) const {
     const Nominal model(Chain<double>(length, stiffness, rest));
     const auto shape = absolute_angles(rest);
     Brancher<Nominal> brancher(model, {Control::end_point, {reach, 0}, {-1, 0}}, shape);
-    const auto tree = branch_tree(brancher, {brancher.start(0, shape)}, {0, 0.8 * reach});
+    return branch_tree(brancher, {brancher.start(0, shape)}, {0, 0.8 * reach, longest});
+  }
+};
+
+/// Whether a fold or a crossing lies between the points i and i + 1, or at one of them.
+bool singular(const Branch<double>& branch, std::size_t i) {
+  return std::any_of(branch.events.begin(), branch.events.end(), [&](const auto& event) {
+    return event.kind != EventKind::quasi_buckling &&
+           (event.before == i || event.point.theta == branch.points[i].theta ||
+            event.point.theta == branch.points[i + 1].theta);
+  });
+}
+
+}  // namespace
+
+TEST_CASE("every crossing is met on both branches, and a closed branch closes") {
+  check_property("branch trees of chains that look the same from both ends", [] {
+    const auto tree = SymmetricChain(false).tree(0.05);
     std::vector<const BranchEvent<double>*> crossings;
     for (const auto& branch : tree) {
       RC_ASSERT(branch.end == BranchEnd::load || branch.end == BranchEnd::closed ||
@@ -100,6 +134,68 @@ TEST_CASE("every crossing is met on both branches, and a closed branch closes") 
       RC_ASSERT(same == 2);
     }
   });
+}
+
+TEST_CASE("a branch's points are close together, and its type changes where something happens alone") {
+  check_property("points of branch trees", [] {
+    for (const auto& branch : SymmetricChain(true).tree(0.05)) {
+      for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
+        const auto &a = branch.points[i], &b = branch.points[i + 1];
+        // root mean square turn of equal links; a stride's length is that of its chord but for its bend
+        RC_ASSERT((b.theta - a.theta).norm() < 1.5 * 0.05 * std::sqrt(static_cast<double>(a.theta.size())));
+        // an eigenvalue changes its sign at a singular point only: a fold or a crossing
+        RC_ASSERT(singular(branch, i) || a.negative_directions == b.negative_directions);
+      }
+    }
+  });
+}
+
+TEST_CASE("folds and crossings do not depend on how far apart the points of a branch are") {
+  check_property("events of branch trees", [] {
+    const SymmetricChain chain(true);
+    const auto fine = chain.tree(0.02), coarse = chain.tree(share(0, 1) + 0.05);
+    const auto singular_points = [](const std::vector<Branch<double>>& tree) {
+      std::vector<std::pair<EventKind, double>> all;
+      for (const auto& branch : tree) {
+        for (const auto& event : branch.events) {
+          if (event.kind != EventKind::quasi_buckling) all.emplace_back(event.kind, event.point.load);
+        }
+      }
+      std::sort(all.begin(), all.end());
+      return all;
+    };
+    const auto few = singular_points(coarse), many = singular_points(fine);
+    RC_ASSERT(few.size() == many.size());
+    for (std::size_t i = 0; i < few.size(); ++i) {
+      RC_ASSERT(few[i].first == many[i].first);
+      // places where a derivative vanishes are known to half the digits
+      RC_ASSERT(std::abs(few[i].second - many[i].second) < 1e-6);
+    }
+  });
+}
+
+TEST_CASE("a branch that leaves a symmetric one turns there, which is a crossing and no fold") {
+  // four equal links whose arches set out so nearly square to the load that rounding alone decides its sign
+  const std::vector<double> theta{0.4, 0.7, 0.7, 0.4};
+  std::vector<double> rest{theta[0], theta[1] - theta[0], theta[2] - theta[1], theta[3] - theta[2]};
+  const Chain<double> bent({1, 1, 1, 1}, {0, 1, 1, 1}, rest);
+  const auto p = end_point(bent, rest);
+  const double reach = std::hypot(p.x, p.y);
+  rest[0] -= std::atan2(p.y, p.x);
+  const Nominal model(Chain<double>({1, 1, 1, 1}, {0, 1, 1, 1}, rest));
+  const auto shape = absolute_angles(rest);
+  Brancher<Nominal> brancher(model, {Control::end_point, {reach, 0}, {-1, 0}}, shape);
+  std::size_t crossings = 0;
+  for (const auto& branch : branch_tree(brancher, {brancher.start(0, shape)}, {0, 0.8 * reach})) {
+    for (const auto& crossing : branch.events) {
+      if (crossing.kind != EventKind::bifurcation) continue;
+      ++crossings;
+      for (const auto& other : branch.events)
+        CHECK((other.kind == EventKind::bifurcation ||
+               (other.point.theta - crossing.point.theta).norm() > 1e-2));
+    }
+  }
+  CHECK(crossings >= 2);
 }
 
 TEST_CASE("what counts as the same place follows the precision that is set at run time") {

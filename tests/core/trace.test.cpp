@@ -176,6 +176,29 @@ TEST_CASE("folds: one link under a compression that is too much for it snaps whe
   CHECK(history[1].points.back().load == 2);
 }
 
+TEST_CASE("two folds close together: the points between them are unstable") {
+  // one link, k = L = 1, under -1 - e: load = ((1 + e) sin theta - theta) / cos theta nearly e theta -
+  // theta^3 / 3, a cusp: folds at theta = +- sqrt(e), with a second derivative of the energy below 0 in
+  // between
+  const double e = 1e-4;
+  const Nominal model(Chain<double>({1}, {1}));
+  Vector<double> start(1);
+  start << 0.1;
+  Brancher<Nominal> brancher(model, {Control::force, {-1 - e, 0}, {0, -1}}, start);
+  for (const double longest : {0.003, 0.004, 0.006}) {
+    const auto branch = Tracer<Nominal>(brancher, {-1, 1, longest}).run(brancher.start(-1e-3, start));
+    CHECK(of_kind(branch.events, EventKind::fold).size() == 2);
+    std::size_t between = 0;
+    for (const auto& p : branch.points) {
+      const double t = p.theta(0), second = 1 - (1 + e) * std::cos(t) - p.load * std::sin(t);
+      if (std::abs(second) < 1e-9) continue;  // at a fold either will do
+      CHECK(p.negative_directions == (second < 0 ? 1 : 0));
+      between += second < 0;
+    }
+    CHECK(between >= 3);
+  }
+}
+
 TEST_CASE("a slowly loaded symmetric zigzag leaves to the side it is told, without a jump") {
   const ThreeLinks exact(pi / 10, -pi / 10);
   Brancher<Nominal> brancher(exact.model, exact.loading, exact.shape);

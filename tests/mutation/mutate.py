@@ -56,9 +56,9 @@ def pattern(name):
     return re.sub(r"[,\\]", "?", name)
 
 
-def caught_by(place, number):
-    """The test case that catches a fault, or "", and whether any came by it."""
-    cases = [case for case in place.cases if number in case[2]]
+def caught_by(place, number, longest):
+    """The test case that catches a fault, or "", and whether any came by it; none is asked that takes longer than this."""
+    cases = [case for case in place.cases if number in case[2] and case[0] <= longest]
     groups, seconds = [], SHORT
     for case in cases:
         if seconds + case[0] > SHORT:
@@ -95,7 +95,7 @@ def try_all(folder, faults, options, results):
         if fault.path.endswith(".py"):
             caught, reached = try_checker(fault, place.folder), True
         else:
-            caught, reached = caught_by(place, place.number[fault.key])
+            caught, reached = caught_by(place, place.number[fault.key], options.longest)
         print(f"{'caught' if caught else 'SURVIVED'} {fault.listed} {fault.path}:{fault.line}: {fault.what} "
               f"[{caught or ('' if reached else 'not reached')}] {time.time() - begin:.1f} s", file=sys.stderr, flush=True)
         return {"caught": caught, "reached": reached}
@@ -115,6 +115,8 @@ def main():
     parser.add_argument("--only", default="", metavar="PART", help="faults in files whose path holds this, alone")
     parser.add_argument("--seed", type=int, default=1, help="of the choice of generated faults")
     parser.add_argument("--survivors", action="store_true", help="only what was not caught last time")
+    parser.add_argument("--longest", type=float, default=float("inf"), metavar="SECONDS",
+                        help="test cases that take longer are not asked: what they alone catch survives")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--list", action="store_true", help="say what would be planted and end")
     parser.add_argument("--markdown", type=pathlib.Path, help="where the table goes; to standard output unless told")

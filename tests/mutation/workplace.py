@@ -85,12 +85,15 @@ class Workplace:
             return None, ""
 
     def record(self):
-        """Every test case as (seconds, name, faults that it comes by), the shortest first."""
+        """Every test case as (seconds, name, faults that it comes by), the shortest first; as it was recorded if the suite is the same."""
         self.cases = []
-        file, begin = self.folder / "reached", time.time()
-        status, output = self.run([], 3600, PLUMBLINE_REACHED=str(file))
-        if status != 0:
-            sys.exit(f"the suite {self.suite} fails without a fault:\n{output[-3000:]}")
+        file, suite, begin = self.folder / "reached", self.build / f"tests/test-{self.suite}", time.time()
+        if not file.is_file() or file.stat().st_mtime < suite.stat().st_mtime:
+            whole = file.with_suffix(".part")
+            status, output = self.run([], 3600, PLUMBLINE_REACHED=str(whole))
+            if status != 0:
+                sys.exit(f"the suite {self.suite} fails without a fault:\n{output[-3000:]}")
+            whole.rename(file)
         always = set()
         for row in file.read_text().splitlines():
             name, seconds, reached = row.split("\t")

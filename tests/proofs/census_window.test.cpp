@@ -161,6 +161,21 @@ TEST_CASE("a shape on the cut of a passive joint's circle is counted once") {
   for (const auto& one : census.equilibria) CHECK(std::abs(middle(one.q[0])) <= M_PI);
 }
 
+TEST_CASE("both shapes of two links are counted wherever the passive base has to point") {
+  // end point at distance 1: the first link stands pi / 3 to either side of it, also where its circle is cut
+  const Chain<Interval> chain(list({"1", "1"}), list({"0", "1"}));
+  for (int hundredths = -10; hundredths <= 10; ++hundredths) {
+    const double first = M_PI + 0.1234567 + hundredths / 200.0;
+    for (const double to_end : {-M_PI / 3, M_PI / 3}) {
+      const Interval way = Interval::from_double(first + to_end);
+      const Census census = census_at_end_point(chain, {cos(way), sin(way)});
+      CAPTURE(hundredths);
+      CHECK(census.complete());
+      CHECK(census.equilibria.size() == 2);
+    }
+  }
+}
+
 TEST_CASE("a passive base turns with the load: the count is that of any direction") {
   const Chain<Interval> chain(list({"1", "1.3", "0.7"}), list({"0", "1", "2"}), list({"0", "0.4", "-0.3"}));
   for (int step = 0; step < 12; ++step) {
@@ -192,6 +207,19 @@ TEST_CASE(
   CHECK(census.complete());
   CHECK_FALSE(census.balanced);
   CHECK((lists(census, {-M_PI / 3, 2 * M_PI / 3}) || lists(census, {-7 * M_PI / 3, 2 * M_PI / 3})));
+}
+
+TEST_CASE("a shape that the digits put on the edge of the window is listed at one end at least") {
+  // as above, the rest angle moved by a few of the last digits that intervals have
+  const Rational third = *parse_decimal("4.188790204786390984616857844372670512262892532500141094633259455");
+  for (int steps = -40; steps <= 40; ++steps) {
+    const Chain<Interval> chain(list({"1", "1"}), list({"1", "1"}),
+                                {Interval(Rational(-third + *parse_decimal("1e-58") * steps)), Interval(0)});
+    const Census census = census_at_end_point(chain, at("1", "0"));
+    CAPTURE(steps);
+    CHECK(census.complete());
+    CHECK((lists(census, {-M_PI / 3, 2 * M_PI / 3}) || lists(census, {-7 * M_PI / 3, 2 * M_PI / 3})));
+  }
 }
 
 TEST_CASE("digits are shown as far as the enclosure goes") {

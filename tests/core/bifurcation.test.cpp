@@ -1,0 +1,141 @@
+#include <doctest/doctest.h>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <plumbline/branch/bifurcation.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
+#include <random>
+
+using namespace plumbline;
+
+using Nominal = NominalModel<double>;
+
+namespace {
+
+/// A chain without any symmetry, and a point of it where two branches cross, made backwards: any shape and
+/// any direction of the force; the force grown until the bordered matrix of springs and end point is
+/// singular; the path of the end point square to what its null vector does there; and last the springs' rest
+/// angles so that all of that is in balance.
+struct Crossing {
+  std::vector<double> length, stiffness, angle;
+  Point<double> force;
+  Loading<double> loading{Control::end_point, {0, 0}, {1, 0}};
+  Vector<double> theta;
+  Vector<double> null;                  ///< angles, then force
+  Variation<double> first{}, second{};  ///< span the null space of the equations
+
+  /// [K G; G^T 0] of the springs, at the force scaled by s.
+  [[nodiscard]] Matrix<double> bordered(double s) const {
+    const Nominal model(Chain<double>(length, stiffness, angle));
+    Expansion<double, 1> at;
+    model.expand(theta, {s * force.x, s * force.y}, at);
+    const Eigen::Index n = theta.size();
+    Matrix<double> B = Matrix<double>::Zero(n + 2, n + 2);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      B(i, i) = at.hessian(0, i);
+      if (i + 1 < n) B(i + 1, i) = B(i, i + 1) = at.hessian(1, i);
+      for (Eigen::Index a = 0; a < 2; ++a) B(i, n + a) = B(n + a, i) = -at.end_point_gradient(i, a);
+    }
+    return B;
+  }
+
+  /// Whether there is one at up to five times the force.
+  bool make() {
+    const auto sign = [&](double s) { return bordered(s).determinant() > 0; };
+    double low = 0, high = 0.05;
+    while (sign(low) == sign(high) && high < 5) low = high, high += 0.05;
+    if (sign(low) == sign(high)) return false;
+    for (int i = 0; i < 100; ++i) (sign((low + high) / 2) == sign(low) ? low : high) = (low + high) / 2;
+    force = {high * force.x, high * force.y};
+    const Matrix<double> B = bordered(1);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(B, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const Eigen::Index n = theta.size();
+    null = svd.matrixV().col(n + 1);
+    const double pull = std::hypot(null(n), null(n + 1));
+    if (pull < 0.05 || svd.singularValues()(n) < 0.05) return false;
+    loading.direction = {-null(n + 1) / pull, null(n) / pull};
+    // the load moves the end point along the direction; B has an answer to that, for it is square to `null`
+    Eigen::VectorXd moved = Eigen::VectorXd::Zero(n + 2);
+    moved(n) = -loading.direction.x, moved(n + 1) = -loading.direction.y;
+    Eigen::VectorXd answer = Eigen::VectorXd::Zero(n + 2);
+    for (Eigen::Index i = 0; i <= n; ++i)
+      answer += svd.matrixV().col(i) * (svd.matrixU().col(i).dot(moved) / svd.singularValues()(i));
+    first = {answer.head(n), {answer(n), answer(n + 1)}, 1};
+    second = {null.head(n), {null(n), null(n + 1)}, 0};
+    return true;
+  }
+
+  /// With rest angles that put the shape in balance.
+  [[nodiscard]] Nominal balanced() const {
+    Expansion<double, 1> at;
+    Nominal(Chain<double>(length, stiffness, angle)).expand(theta, force, at);  // no spring is bent
+    std::vector<double> rest = angle;
+    double torque = 0;
+    for (std::size_t i = length.size(); i-- > 0;) {
+      torque -= at.residual(static_cast<Eigen::Index>(i));
+      rest[i] -= torque / stiffness[i];
+    }
+    return Nominal(Chain<double>(length, stiffness, rest));
+  }
+};
+
+Crossing any_crossing(std::mt19937& random) {
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const auto n = static_cast<std::size_t>(3 + random() % 3);
+  Crossing at;
+  for (std::size_t i = 0; i < n; ++i) {
+    at.length.push_back(between(0.5, 1.5));
+    at.stiffness.push_back(between(0.5, 2.5));
+    at.angle.push_back(between(-1, 1));
+  }
+  at.theta = absolute_angles(at.angle);
+  const double way = between(-3, 3);
+  at.force = {std::cos(way), std::sin(way)};
+  at.loading.start = end_point(Chain<double>(at.length, at.stiffness, at.angle), at.angle);
+  return at;
+}
+
+}  // namespace
+
+TEST_CASE("a crossing without symmetry is found where it is, with both its tangents") {
+  std::mt19937 random(3);
+  int found_there = 0;
+  for (int i = 0; i < 400; ++i) {
+    Crossing made = any_crossing(random);
+    if (!made.make()) continue;
+    const Nominal model = made.balanced();
+    Brancher<Nominal> brancher(model, made.loading, made.theta);
+    Brancher<Nominal>::scale(made.first, 1 / brancher.length(made.first));
+    Brancher<Nominal>::scale(made.second, 1 / brancher.length(made.second));
+    // from a thousandth beside it, with neither tangent known
+    BranchPoint<double> near{};
+    near.theta = made.theta + 1e-3 * Vector<double>::Ones(made.theta.size());
+    near.force = made.force;
+    near.tangent = made.first;
+    const auto found = detail::BifurcationSolver<Nominal>(brancher).near(near, made.second);
+    // an isolated point has no tangents, and so near none Newton's method may go elsewhere
+    if (!found || found->tangents.size() != 2 || (found->point.theta - made.theta).norm() > 1e-2) continue;
+    ++found_there;
+    CAPTURE(i);
+    CHECK(found->simple());
+    CHECK((found->point.theta - made.theta).norm() < 1e-8);
+    CHECK(std::abs(found->point.load) < 1e-8);
+    CHECK(std::abs(brancher.product(found->tangents[0], found->tangents[1])) < 1 - 1e-4);
+    // a branch departs from its tangent by the square of the way, up to what rounding makes of the crossing
+    for (const Variation<double>& tangent : found->tangents) {
+      BranchPoint<double> at = found->point;
+      at.tangent = tangent;
+      const auto departure = [&](double h) {
+        const auto on = brancher.step(at, h);
+        if (!on) return std::numeric_limits<double>::quiet_NaN();
+        return brancher.length(
+            {on->theta - at.theta - h * tangent.theta, {0, 0}, on->load - at.load - h * tangent.load});
+      };
+      const double far = departure(1e-3), close = departure(1e-4);
+      CHECK(far == doctest::Approx(100 * close).epsilon(0.1));  // but for the third order, a few 1e-3
+    }
+  }
+  CHECK(found_there >= 30);
+}

@@ -1,0 +1,50 @@
+#include "proofs/enclosure.hpp"
+
+#include <doctest/doctest.h>
+
+#include "proofs/decimal.hpp"
+
+using namespace plumbline;
+using namespace plumbline::proofs;
+
+namespace {
+
+Rational decimal(const char* text) {
+  return *parse_decimal(text);
+}
+
+}  // namespace
+
+TEST_CASE("both ends of an enclosure round to the same decimal, however near half-way the force is") {
+  // two links of one: the paper's (29) gives F = (k_1 + 4 k_2) / 2
+  for (const char* force : {"2.5000001", "2.4999999", "2.50000000003", "2.49999999999997", "2.54999999"}) {
+    const Rational F = decimal(force);
+    for (const int digits : {1, 2}) {
+      CAPTURE(force);
+      CAPTURE(digits);
+      const auto found = enclose_critical_forces(Chain<Rational>({1, 1}, {2 * F - 4, 1}), 1, digits);
+      REQUIRE(found.size() == 1);
+      CHECK(found[0].low <= F);
+      CHECK(F < found[0].high);
+      CHECK(to_decimal(found[0].low, digits) == to_decimal(found[0].high, digits));
+    }
+  }
+}
+
+TEST_CASE("two forces closer than the digits asked for have the same bounds, also where they round apart") {
+  // an interior passive joint: F = 2 k_1 / 3 before it and 2 k_3 behind it, that is 2.000000048 and
+  // 2.000000052, on two sides of half-way between 2.0000000 and 2.0000001
+  for (const bool lower_first : {true, false}) {
+    const Rational one = decimal("2.000000048"), other = decimal("2.000000052");
+    const Rational before = lower_first ? one : other, behind = lower_first ? other : one;
+    const auto found =
+        enclose_critical_forces(Chain<Rational>({1, 1, 1}, {before * 3 / 2, 0, behind / 2}), 2, 5);
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].index == 1);
+    CHECK(found[1].index == 2);
+    CHECK(found[0].low == found[1].low);
+    CHECK(found[0].high == found[1].high);
+    CHECK(found[0].below_low == 0);
+    CHECK(found[0].below_high == 2);
+  }
+}
