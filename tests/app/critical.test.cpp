@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/process.hpp"
+#include "tests/close_to.hpp"
 
 TEST_CASE("without arguments the command lists its verbs, and critical computes the bundled example") {
   const Workplace here;
@@ -209,8 +210,7 @@ TEST_CASE("the JSON holds every mode with its shape") {
   for (const auto& mode : modes) {
     const double lambda = -1 / std::stod(mode.at("force").get<std::string>());
     CHECK(std::abs(((lambda + 1.8) * lambda + 0.9) * lambda + 2.0 / 15) < 1e-15);
-    CHECK(std::stod(mode.at("energy_factor").get<std::string>()) * lambda ==
-          doctest::Approx(-1).epsilon(1e-14));
+    CHECK(std::stod(mode.at("energy_factor").get<std::string>()) * lambda == close_to(-1).epsilon(1e-14));
   }
   CHECK(modes[1].at("shape") == "ZU");
   CHECK(modes[1].at("signs") == "+--+");

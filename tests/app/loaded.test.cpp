@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/app/process.hpp"
+#include "tests/close_to.hpp"
 
 namespace {
 
@@ -33,7 +34,7 @@ TEST_CASE("path: the bundled Z-chain, as text, CSV and JSON") {
     const double h = points[i]["load"].get<double>() - points[i - 1]["load"].get<double>();
     work -= h * (points[i]["force"][0].get<double>() + points[i - 1]["force"][0].get<double>()) / 2;
   }
-  CHECK(points.back()["energy"].get<double>() == doctest::Approx(work).epsilon(0.01));
+  CHECK(points.back()["energy"].get<double>() == close_to(work).epsilon(0.01));
 }
 
 TEST_CASE("path: all branches of a straight chain begin in its buckling modes") {
@@ -51,7 +52,7 @@ TEST_CASE("path: all branches of a straight chain begin in its buckling modes") 
     forces.push_back(-first["force"][0].get<double>());
   }
   std::sort(forces.begin(), forces.end());
-  CHECK(forces[0] == doctest::Approx(0.924028).epsilon(1e-3));
+  CHECK(forces[0] == close_to(0.924028).epsilon(1e-3));
   const Outcome slow = here.plumbline("path straight.toml --to 0.5 --side -1 --json");
   const auto history = nlohmann::json::parse(slow.out)["history"];
   CHECK(history.size() == 1);
@@ -146,8 +147,7 @@ TEST_CASE("path: events to fifty digits begin with those of double precision") {
   CHECK(json["events"][0]["kind"] == "quasi-buckling");
   const auto load = json["events"][0]["load"].get<std::string>();
   CHECK(load.size() > 50);
-  CHECK(std::stod(load) ==
-        doctest::Approx(json["history"][0]["events"][0]["load"].get<double>()).epsilon(1e-9));
+  CHECK(std::stod(load) == close_to(json["history"][0]["events"][0]["load"].get<double>()).epsilon(1e-9));
   CHECK(contains(here.plumbline("path --to 1 --digits 20").out, "Events to 20 digits"));
   CHECK(here.plumbline("path --digits 51").status == 2);
 }

@@ -7,6 +7,8 @@
 
 #include "campaign/report.hpp"
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline;
 using namespace plumbline::campaign;
 
@@ -43,13 +45,13 @@ TEST_CASE("two estimates, pooled by hand") {
   // weights 1: Q = 2 with one degree of freedom, c = 2 - 2 / 2 = 1, so that the variance between is (2 - 1) /
   // 1
   const Pooled two = pooled({estimate(0, 1), estimate(2, 1)});
-  CHECK(two.mean.value == doctest::Approx(1));
-  CHECK(two.spread == doctest::Approx(1));
-  CHECK(two.alike == doctest::Approx(std::erfc(1.0)));  // of chi-square 2 with one degree of freedom
+  CHECK(two.mean.value == close_to(1));
+  CHECK(two.spread == close_to(1));
+  CHECK(two.alike == close_to(std::erfc(1.0)));  // of chi-square 2 with one degree of freedom
   const Pooled same = pooled({estimate(3, 0.1), estimate(3, 0.2), estimate(3, 0.1)});
-  CHECK(same.mean.value == doctest::Approx(3));
+  CHECK(same.mean.value == close_to(3));
   CHECK(same.spread == 0);
-  CHECK(same.alike == doctest::Approx(1));
+  CHECK(same.alike == close_to(1));
 }
 
 TEST_CASE("bounds of the mean and of the drift hold the truth more than nine times in ten") {
@@ -86,7 +88,7 @@ TEST_CASE("the same cause in all, with its drift by day") {
   REQUIRE(all.parameters.size() == 1);
   CHECK(all.by_date);
   REQUIRE(all.parameters[0].drift);
-  CHECK(all.parameters[0].drift->value == doctest::Approx(0.001));
+  CHECK(all.parameters[0].drift->value == close_to(0.001));
   CHECK(all.parameters[0].drift->low > 0);
   CHECK(all.parameters[0].alike < 1e-6);
 }

@@ -2,6 +2,7 @@
 #include <plumbline/branch/straight_start.hpp>
 #include <plumbline/loaded/nominal_model.hpp>
 
+#include "tests/close_to.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;
@@ -17,7 +18,7 @@ TEST_CASE("a straight chain has two branches a mode, which begin at its critical
   REQUIRE(starts.size() == 6);
   for (std::size_t m = 0; m < 6; ++m) {
     // the force along a branch departs from the critical one in proportion to the shortening
-    CHECK(-starts[m].force.x == doctest::Approx(forces[m / 2]).epsilon(1e-4));
+    CHECK(-starts[m].force.x == close_to(forces[m / 2]).epsilon(1e-4));
     CHECK(starts[m].negative_directions == m / 2);
     CHECK((starts[m].theta + starts[m ^ 1U].theta).norm() < 1e-6);  // mirror images
   }
@@ -34,8 +35,8 @@ TEST_CASE("under a growing force the straight cantilever bifurcates at its own c
   Brancher<Nominal> brancher(model, {Control::force, {0, 0}, {-1, 0}}, Vector<double>::Zero(2));
   const auto branch = Tracer<Nominal>(brancher, {0, 4}).run(brancher.start(0, Vector<double>::Zero(2)));
   REQUIRE(branch.events.size() == 2);
-  CHECK(branch.events[0].point.load == doctest::Approx((3 - std::sqrt(5)) / 2).epsilon(1e-12));
-  CHECK(branch.events[1].point.load == doctest::Approx((3 + std::sqrt(5)) / 2).epsilon(1e-12));
+  CHECK(branch.events[0].point.load == close_to((3 - std::sqrt(5)) / 2).epsilon(1e-12));
+  CHECK(branch.events[1].point.load == close_to((3 + std::sqrt(5)) / 2).epsilon(1e-12));
   CHECK(branch.points.back().negative_directions == 2);
 }
 

@@ -6,6 +6,8 @@
 #include <plumbline/straight/buckling_mode.hpp>
 #include <random>
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline;
 
 namespace {
@@ -117,7 +119,7 @@ TEST_CASE("forces that tie across an interior passive joint come twice, with ind
   CHECK(modes[1].q[0] == 0);
   CHECK(modes[1].q[1] > 0);
   CHECK(modes[1].fy == 0);
-  for (const auto& mode : modes) CHECK(energy_factor(chain, mode.q) == doctest::Approx(2).epsilon(1e-14));
+  for (const auto& mode : modes) CHECK(energy_factor(chain, mode.q) == close_to(2).epsilon(1e-14));
 }
 
 TEST_CASE("near ties in one piece are told apart as far as the type can") {
@@ -136,14 +138,14 @@ TEST_CASE("scales that leave the range of double on the way do no harm") {
   for (const double scale : {1e-300, 1e-150, 1.0, 1e150, 1e300}) {
     // F is [k] / [L]
     const Chain<double> long_links({scale, scale}, {scale, scale});
-    CHECK(critical_forces(long_links, 1)[0] == doctest::Approx(2.5).epsilon(1e-14));
-    CHECK(critical_modes(long_links, 1)[0].q[0] == doctest::Approx(2 / std::sqrt(21)).epsilon(1e-14));
+    CHECK(critical_forces(long_links, 1)[0] == close_to(2.5).epsilon(1e-14));
+    CHECK(critical_modes(long_links, 1)[0].q[0] == close_to(2 / std::sqrt(21)).epsilon(1e-14));
   }
   const auto apart = critical_modes(Chain<double>({1, 1e-200, 1}, {1, 1e250, 1}), 1)[0];
   const Chain<Mpfr50> same({1, Mpfr50(1e-200), 1}, {1, Mpfr50(1e250), 1});
   const auto expected = critical_modes(same, 2)[0];
   for (std::size_t i = 0; i < 3; ++i) {
-    CHECK(apart.q[i] == doctest::Approx(expected.q[i].convert_to<double>()).epsilon(1e-14));
+    CHECK(apart.q[i] == close_to(expected.q[i].convert_to<double>()).epsilon(1e-14));
   }
   CHECK_THROWS_AS(critical_forces(Chain<double>({1e-300, 1e-300}, {1e300, 1e300}), 1), Error);
   std::mt19937 random(4);
@@ -163,9 +165,9 @@ TEST_CASE("the lowest force alone is the first of all, and so are the m lowest")
       REQUIRE(all.size() == n - 1);
       CHECK(std::is_sorted(all.begin(), all.end()));
       CHECK(lowest_critical_force(chain) == critical_forces(chain, 1)[0]);
-      CHECK(critical_forces(chain, 1)[0] == doctest::Approx(all[0]).epsilon(tolerance(n)));
+      CHECK(critical_forces(chain, 1)[0] == close_to(all[0]).epsilon(tolerance(n)));
       for (std::size_t m = 0; m < three.size(); ++m) {
-        CHECK(three[m] == doctest::Approx(all[m]).epsilon(tolerance(n)));
+        CHECK(three[m] == close_to(all[m]).epsilon(tolerance(n)));
       }
     }
   }

@@ -3,6 +3,8 @@
 #include <plumbline/straight/critical_force_batch.hpp>
 #include <random>
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline;
 
 TEST_CASE(
@@ -22,8 +24,8 @@ TEST_CASE(
     CHECK(lowest_forces(batch, 3) == forces);
     for (std::size_t c = 0; c < chains; ++c) {
       // 2 n roundings in each of two ways to the same number
-      CHECK(forces[c] == doctest::Approx(critical_forces(batch.chain(c), 1)[0])
-                             .epsilon(static_cast<double>(4 * n) * 1.2e-16));
+      CHECK(forces[c] ==
+            close_to(critical_forces(batch.chain(c), 1)[0]).epsilon(static_cast<double>(4 * n) * 1.2e-16));
     }
   }
 }

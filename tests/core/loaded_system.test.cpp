@@ -4,6 +4,7 @@
 #include <plumbline/loaded/nominal_model.hpp>
 #include <plumbline/loaded/settle.hpp>
 
+#include "tests/close_to.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;
@@ -127,8 +128,8 @@ TEST_CASE("a heavy chain that hangs straight down carries its weight without a m
   Expansion<double, 1> at;
   model.expand(absolute_angles(model.chain().rest()), {0, 0}, at);
   CHECK(at.residual.cwiseAbs().maxCoeff() < 1e-15);
-  CHECK(at.energy == doctest::Approx(-3 * 0.5 - 5 * 2.0));  // heights of the middles
-  CHECK(at.hessian(0, 1) == doctest::Approx(1 + 5 * 1.0));  // spring, and the pendulum's m g L / 2
+  CHECK(at.energy == close_to(-3 * 0.5 - 5 * 2.0));  // heights of the middles
+  CHECK(at.hessian(0, 1) == close_to(1 + 5 * 1.0));  // spring, and the pendulum's m g L / 2
   CHECK_THROWS_AS(NominalModel<double>(Chain<double>({1, 1}, {1, 1}), {{0, 1}}), Error);
 }
 
@@ -140,7 +141,7 @@ TEST_CASE("equilibria of a model with all that a model may have") {
     const auto rest = solver.under_force({0, 0}, absolute_angles<double>({0.4, -0.7, 0.6, -0.5, 0.3}));
     const Point<double> place{rest.end_point.x - 0.3, rest.end_point.y + 0.1};
     const auto at = solver.at_end_point(place, rest.theta);
-    CHECK(at.end_point.x == doctest::Approx(place.x).epsilon(1e-13));
+    CHECK(at.end_point.x == close_to(place.x).epsilon(1e-13));
     Expansion<double, 2> expansion;
     model.expand(at.theta, at.force, expansion);
     if (eccentricity == 0) {  // the inertia of the whole bordered matrix, less one for each constraint
@@ -161,11 +162,11 @@ TEST_CASE("equilibria of a model with all that a model may have") {
       const double dx = axis == 0 ? h : 0, dy = axis == 1 ? h : 0;
       const auto up = moved(dx, dy), down = moved(-dx, -dy);
       // rounding of a force is some 1e-14, over h 1e-9; stiffnesses are of order ten
-      CHECK((up.force.x - down.force.x) / (2 * h) == doctest::Approx(stiffness(0, axis)).epsilon(1e-7));
-      CHECK((up.force.y - down.force.y) / (2 * h) == doctest::Approx(stiffness(1, axis)).epsilon(1e-7));
+      CHECK((up.force.x - down.force.x) / (2 * h) == close_to(stiffness(0, axis)).epsilon(1e-7));
+      CHECK((up.force.y - down.force.y) / (2 * h) == close_to(stiffness(1, axis)).epsilon(1e-7));
       if (eccentricity == 0) {  // a potential: dE/dp is the force
         CHECK((up.energy - down.energy) / (2 * h) ==
-              doctest::Approx(axis == 0 ? at.force.x : at.force.y).epsilon(1e-7));
+              close_to(axis == 0 ? at.force.x : at.force.y).epsilon(1e-7));
       }
     }
     CHECK((solver.tangent_compliance(at) * stiffness - Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff() <

@@ -3,6 +3,8 @@
 #include <plumbline/straight/critical_force.hpp>
 #include <random>
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline;
 using namespace plumbline::detail;
 
@@ -61,7 +63,7 @@ TEST_CASE("both ends give the function that one end gives, but for a factor") {
     const auto one = sweep<4>(piece, F), both = sweep_from_both_ends<4>(piece, F);
     // Taylor coefficients in the relative change of F; 2 n roundings, some of them cancelling near a root
     for (std::size_t t = 1; t <= 4; ++t)
-      CHECK(both.f[t] / both.f[0] == doctest::Approx(one.f[t] / one.f[0]).epsilon(1e-11));
+      CHECK(both.f[t] / both.f[0] == close_to(one.f[t] / one.f[0]).epsilon(1e-11));
   }
 }
 
@@ -90,7 +92,7 @@ TEST_CASE("the lowest root is found from beside it, and no other one from beside
     const auto piece = string.pieces()[0];
     const auto run = [&](double F) { return sweep<3>(piece, F); };
     const auto degree = static_cast<double>(piece.size());
-    CHECK(lowest_root(run, 0.999 * forces[0], degree, 1e-16) == doctest::Approx(forces[0]).epsilon(1e-13));
+    CHECK(lowest_root(run, 0.999 * forces[0], degree, 1e-16) == close_to(forces[0]).epsilon(1e-13));
     for (const double beside : {1 - 1e-6, 1 + 1e-6}) {
       const double found = lowest_root(run, beside * forces[3], degree, 1e-16);
       CHECK((std::isnan(found) || found < 0.9 * forces[3]));
@@ -105,7 +107,7 @@ TEST_CASE("where the quick way to the lowest force does not settle, the bracket 
     const BeadString<double> string(chain);
     const auto piece = string.pieces()[0];
     // nothing is exact enough for no error at all
-    CHECK(lowest_force(piece, 0.0) == doctest::Approx(lowest_force(piece)).epsilon(1e-13));
+    CHECK(lowest_force(piece, 0.0) == close_to(lowest_force(piece)).epsilon(1e-13));
   }
 }
 

@@ -3,6 +3,8 @@
 #include <plumbline/branch/slow_loading.hpp>
 #include <plumbline/loaded/nominal_model.hpp>
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline;
 
 namespace {
@@ -158,15 +160,15 @@ TEST_CASE("folds: one link under a compression that is too much for it snaps whe
   const auto branch = Tracer<Nominal>(brancher, {-2, 2}).run(first);
   const auto folds = of_kind(branch.events, EventKind::fold);
   REQUIRE(folds.size() == 2);  // there, and back by symmetry: the branch is an S
-  CHECK(folds[0].point.load == doctest::Approx(fold_load).epsilon(1e-14));
-  CHECK(folds[0].point.theta(0) == doctest::Approx(at_fold).epsilon(1e-7));
-  CHECK(folds[1].point.load == doctest::Approx(-fold_load).epsilon(1e-14));
+  CHECK(folds[0].point.load == close_to(fold_load).epsilon(1e-14));
+  CHECK(folds[0].point.theta(0) == close_to(at_fold).epsilon(1e-7));
+  CHECK(folds[1].point.load == close_to(-fold_load).epsilon(1e-14));
   CHECK(std::abs(folds[0].point.stiffness) < 1e-7);
 
   const auto history = load_slowly(brancher, first, {-2, 2});
   REQUIRE(history.size() == 2);
   const auto &before = history[0].points.back(), &after = history[1].points.front();
-  CHECK(before.load == doctest::Approx(fold_load));
+  CHECK(before.load == close_to(fold_load));
   CHECK(std::abs(after.load - before.load) < 1e-5);
   CHECK(after.theta(0) < -0.8);
   const auto total = [](const BranchPoint<double>& at) {
@@ -253,7 +255,7 @@ TEST_CASE("the arches have a stiffness where they leave the zigzag, though force
   const auto arches = Tracer<Nominal>(brancher, {0, 0.1}).run(inwards);
   REQUIRE(arches.events.size() == 1);
   // symmetric in the way from the crossing, so 0.01 off it differs by the order of 0.01^2
-  CHECK(arches.events[0].point.stiffness == doctest::Approx(beside->stiffness).epsilon(1e-3));
+  CHECK(arches.events[0].point.stiffness == close_to(beside->stiffness).epsilon(1e-3));
 }
 
 TEST_CASE("the work of a step grows linearly with the chain") {
@@ -273,7 +275,7 @@ TEST_CASE("the work of a step grows linearly with the chain") {
     if (n == 200) {
       force_at_200 = branch.points.back().force.x;
     } else {
-      CHECK(branch.points.back().force.x == doctest::Approx(force_at_200).epsilon(0.05));
+      CHECK(branch.points.back().force.x == close_to(force_at_200).epsilon(0.05));
     }
   }
 }

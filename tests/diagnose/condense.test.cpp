@@ -7,6 +7,7 @@
 #include <random>
 
 #include "diagnose/model/study.hpp"
+#include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
@@ -65,7 +66,7 @@ TEST_CASE("what is drawn together has the noise that it says, and no gap") {
   for (const double r : residual) sum += r * r;
   // 5 channels x 1000 values: the mean square scatters by sqrt(2/5000) = 0.02; groups of 11 are a little
   // better than the formula for large ones, by 1/11 at most.
-  CHECK(sum / static_cast<double>(residual.size()) == doctest::Approx(0.96).epsilon(0.12));
+  CHECK(sum / static_cast<double>(residual.size()) == close_to(0.96).epsilon(0.12));
 }
 
 TEST_CASE("a few outliers do not move what is drawn together") {

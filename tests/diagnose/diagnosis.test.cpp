@@ -12,6 +12,8 @@
 
 #include "diagnose/report/report.hpp"
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline;
 using namespace plumbline::diagnose;
 
@@ -188,7 +190,7 @@ TEST_CASE("probabilities of all that is ranked and of the unknown sum to one") {
       plumbline::diagnose::diagnose(Study(measured(bench(), {{{"force_gain", 0}}}, {0.1}, 6)));
   double sum = diagnosis.cause.unknown;
   for (const Ranked& one : diagnosis.cause.ranking) sum += one.probability;
-  CHECK(sum == doctest::Approx(1));
+  CHECK(sum == close_to(1));
 }
 
 TEST_CASE("the next run is proposed on request where the cause is clear") {
@@ -254,7 +256,7 @@ TEST_CASE("the report as JSON holds what its format asks for") {
   for (const char* list : {"channels", "runs", "load_path", "joints"}) {
     double sum = 0;
     for (const auto& entry : json["where"][list]) sum += entry["share"].get<double>();
-    CHECK(sum == doctest::Approx(1));
+    CHECK(sum == close_to(1));
   }
   CHECK(json["shrink"]["ratio"].get<double>() < 0.5);
   CHECK_FALSE(as_text(plumbline::diagnose::diagnose(Study(measured(bench(), {}, {}, 7)))).empty());

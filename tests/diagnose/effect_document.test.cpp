@@ -11,6 +11,8 @@
 #include "diagnose/model/study.hpp"
 #include "files/text_file.hpp"
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline;
 using namespace plumbline::diagnose;
 using files::read_text;
@@ -140,8 +142,8 @@ TEST_CASE("words, places, parameters, units and ranges are those of the catalogu
       CHECK(std::string(ranges[p].unit) == stated.unit);
       const double low = catalogue_value(ranges[p].coordinate, ranges[p].low);
       const double high = catalogue_value(ranges[p].coordinate, ranges[p].high);
-      CHECK(std::min(low, high) == doctest::Approx(evaluate(stated.from, symbols)));
-      CHECK(std::max(low, high) == doctest::Approx(evaluate(stated.to, symbols)));
+      CHECK(std::min(low, high) == close_to(evaluate(stated.from, symbols)));
+      CHECK(std::max(low, high) == close_to(evaluate(stated.to, symbols)));
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/close_to.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 
 using namespace plumbline;
@@ -53,24 +54,24 @@ TEST_CASE(
     "places") {
   const Experiment experiment = blank_experiment({3});  // two links
   CHECK(log_prior(Study(experiment), {}) == 0.0);
-  CHECK(log_prior(Study(experiment), {{{"gravity"}}}) == doctest::Approx(std::log(0.75 / rows)));
-  CHECK(log_prior(Study(experiment), {{{"backlash", 2}}}) == doctest::Approx(std::log(0.75 / rows / 2)));
+  CHECK(log_prior(Study(experiment), {{{"gravity"}}}) == close_to(std::log(0.75 / rows)));
+  CHECK(log_prior(Study(experiment), {{{"backlash", 2}}}) == close_to(std::log(0.75 / rows / 2)));
   double sum = 0;
   for (const Effect& row : catalogue()) {
     if (!row.at_joint) sum += std::exp(log_prior(Study(experiment), {{EffectAt(row)}}));
     for (std::size_t joint = 1; row.at_joint && joint <= 2; ++joint)
       sum += std::exp(log_prior(Study(experiment), {{EffectAt(row, joint)}}));
   }
-  CHECK(sum == doctest::Approx(0.75));
+  CHECK(sum == close_to(0.75));
 }
 
 TEST_CASE("two causes have 1/5, three 1/20, in any order") {
   const Experiment experiment = blank_experiment({3});
   // of 23^2 ordered pairs an unordered one holds two, of 23^3 triples six; a joint is one of two
   CHECK(log_prior(Study(experiment), {{{"gravity"}, {"force_gain"}}}) ==
-        doctest::Approx(std::log(0.20 * 2 / (rows * rows))));
+        close_to(std::log(0.20 * 2 / (rows * rows))));
   CHECK(log_prior(Study(experiment), {{{"gravity"}, {"backlash", 1}, {"rest_angle", 2}}}) ==
-        doctest::Approx(std::log(0.05 * 6 / (rows * rows * rows) / 4)));
+        close_to(std::log(0.05 * 6 / (rows * rows * rows) / 4)));
 }
 
 TEST_CASE("the likelihood of one value: normal, and two in a hundred ten times as wide") {
@@ -81,12 +82,12 @@ TEST_CASE("the likelihood of one value: normal, and two in a hundred ten times a
     return std::log(0.98 * std::exp(-z * z / 2) + 0.002 * std::exp(-z * z / 200));
   };
   for (const double z : {0.0, 1.0, -2.5, 8.0, 30.0})
-    CHECK(log_likelihood(measurements, {z}, {}) == doctest::Approx(density(z)));
+    CHECK(log_likelihood(measurements, {z}, {}) == close_to(density(z)));
   // 900 sigma away exp() underflows: -z^2 / 200 is left
-  CHECK(log_likelihood(measurements, {900.0}, {}) == doctest::Approx(std::log(0.002) - 900.0 * 900 / 200));
+  CHECK(log_likelihood(measurements, {900.0}, {}) == close_to(std::log(0.002) - 900.0 * 900 / 200));
   NoiseModel wide;
   wide.scale = {1, 1, 2, 2, 1};
-  CHECK(log_likelihood(measurements, {3.0}, wide) == doctest::Approx(density(1.5)));
+  CHECK(log_likelihood(measurements, {3.0}, wide) == close_to(density(1.5)));
 }
 
 TEST_CASE(
@@ -102,14 +103,14 @@ TEST_CASE(
     for (const double g : {0.0, 0.05, -0.1}) {
       const double prior = 1 / (pi * 0.05 * (1 + g * g / 0.0025));
       CHECK(of_parameters(experiment, found(measurements, gain, {g}, variance(sigma * sigma))) ==
-            doctest::Approx(std::log(prior) + left).epsilon(flat));
+            close_to(std::log(prior) + left).epsilon(flat));
     }
   }
   SUBCASE("of one sign: twice as high, on one side") {
     const Candidate play{{{"backlash", 1}}};
     const double prior = 2 / (pi * 0.05 * 2);
     CHECK(of_parameters(experiment, found(measurements, play, {0.05}, variance(sigma * sigma))) ==
-          doctest::Approx(std::log(prior) + left).epsilon(flat));
+          close_to(std::log(prior) + left).epsilon(flat));
   }
   SUBCASE("without a natural zero: uniform over its range, beside one of one sign") {
     const Candidate slow{{{"viscoelasticity"}}};
@@ -118,7 +119,7 @@ TEST_CASE(
     const double cauchy = 2 / (pi * 0.2 * 2);
     const Eigen::MatrixXd both = Eigen::Vector2d(sigma * sigma, sigma * sigma).asDiagonal();
     CHECK(of_parameters(experiment, found(measurements, slow, {0.2, ranges[1].low + 0.5}, both)) ==
-          doctest::Approx(std::log(uniform) + std::log(cauchy) + 2 * left).epsilon(flat));
+          close_to(std::log(uniform) + std::log(cauchy) + 2 * left).epsilon(flat));
   }
 }
 
@@ -132,7 +133,7 @@ TEST_CASE("of two parameters that the readings tie together the volume left is 2
   tied << v, 0.9 * v, 0.9 * v, v;
   const double prior = 2 * std::log(1 / (pi * scale));
   CHECK(of_parameters(experiment, found(measurements, bias, {0, 0}, tied)) ==
-        doctest::Approx(prior + std::log(2 * pi * std::sqrt(v * v * (1 - 0.81)))).epsilon(1e-5));
+        close_to(prior + std::log(2 * pi * std::sqrt(v * v * (1 - 0.81)))).epsilon(1e-5));
 }
 
 TEST_CASE("a parameter at its bound, or one that nothing shows, is not charged") {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "diagnose/beliefs.hpp"
+#include "tests/close_to.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 
 using namespace plumbline;
@@ -67,7 +68,7 @@ TEST_CASE("the test for a gap does not depend on the order of the runs") {
   const double first = p_value(experiment);
   std::reverse(experiment.runs.begin(), experiment.runs.end());
   // Sums in another order: some of 700 terms round differently.
-  CHECK(p_value(experiment) == doctest::Approx(first).epsilon(1e-9));
+  CHECK(p_value(experiment) == close_to(first).epsilon(1e-9));
 }
 
 TEST_CASE("readings rounded to four declared sigmas are no gap") {
@@ -118,7 +119,7 @@ TEST_CASE("white noise of any size is no gap, and its size is told") {
   for (const double scale : {0.3, 1.65, 3.0, 20.0}) {
     const GapTest test = test_gap(measurements, correlated_noise(measurements, scale, 0, random));
     CHECK(test.p_value > beliefs::gap_level);
-    CHECK(test.noise.of({Channel::Name::Fx, 0}) / scale == doctest::Approx(1).epsilon(0.11));
+    CHECK(test.noise.of({Channel::Name::Fx, 0}) / scale == close_to(1).epsilon(0.11));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
@@ -99,8 +100,7 @@ TEST_CASE("the nominal model balances k_i (q_i - rest_i) = [J^T F]_i and ends wh
             doctest::Approx(shape.moment(i)).epsilon(exact).scale(1));
     }
     if (experiment.runs[run].control == Control::end_point) {
-      CHECK(shape.joint.back()[0] ==
-            doctest::Approx(experiment.runs[run].readings[reading].x).epsilon(exact));
+      CHECK(shape.joint.back()[0] == close_to(experiment.runs[run].readings[reading].x).epsilon(exact));
       CHECK(shape.joint.back()[1] ==
             doctest::Approx(experiment.runs[run].readings[reading].y).epsilon(exact).scale(1));
     }
@@ -313,13 +313,13 @@ TEST_CASE("rig and load-cell effects act on what is commanded and on what is rea
   const Eigen::Index loading = 4, unloading = 14;
   const auto fx = [&](Eigen::Index row) { return nominal(row, column_Fx); };
   const auto fy = [&](Eigen::Index row) { return nominal(row, column_Fy); };
-  CHECK(force("force_bias", {0.3, -0.2}, 4)[0] == doctest::Approx(fx(4) + 0.3));
-  CHECK(force("force_bias", {0.3, -0.2}, 4)[1] == doctest::Approx(fy(4) - 0.2));
-  CHECK(force("force_gain", {0.1}, 7)[0] == doctest::Approx(1.1 * fx(7)));
-  CHECK(force("sensor_drift", {0.01, 0.02}, 7)[1] == doctest::Approx(fy(7) + 0.02 * 14));
+  CHECK(force("force_bias", {0.3, -0.2}, 4)[0] == close_to(fx(4) + 0.3));
+  CHECK(force("force_bias", {0.3, -0.2}, 4)[1] == close_to(fy(4) - 0.2));
+  CHECK(force("force_gain", {0.1}, 7)[0] == close_to(1.1 * fx(7)));
+  CHECK(force("sensor_drift", {0.01, 0.02}, 7)[1] == close_to(fy(7) + 0.02 * 14));
   CHECK(force("guide_friction", {0.5}, 0)[0] == doctest::Approx(fx(0)).scale(1));
-  CHECK(force("guide_friction", {0.5}, loading)[0] == doctest::Approx(fx(loading) - 0.5));
-  CHECK(force("guide_friction", {0.5}, unloading)[0] == doctest::Approx(fx(unloading) + 0.5));
+  CHECK(force("guide_friction", {0.5}, loading)[0] == close_to(fx(loading) - 0.5));
+  CHECK(force("guide_friction", {0.5}, unloading)[0] == close_to(fx(unloading) + 0.5));
 
   // A rail that is turned: the same chain, pressed along the turned line, its force read in turned axes.
   const double eps = 0.1;
@@ -332,10 +332,8 @@ TEST_CASE("rig and load-cell effects act on what is commanded and on what is rea
   }
   const Trace along = predict(Study(turned), {}, {}).runs[0];
   const Point read = force("rail_misalignment", {eps}, 6);
-  CHECK(read[0] ==
-        doctest::Approx(std::cos(eps) * along(6, column_Fx) + std::sin(eps) * along(6, column_Fy)));
-  CHECK(read[1] ==
-        doctest::Approx(-std::sin(eps) * along(6, column_Fx) + std::cos(eps) * along(6, column_Fy)));
+  CHECK(read[0] == close_to(std::cos(eps) * along(6, column_Fx) + std::sin(eps) * along(6, column_Fy)));
+  CHECK(read[1] == close_to(-std::sin(eps) * along(6, column_Fx) + std::cos(eps) * along(6, column_Fy)));
 
   Experiment shifted = experiment;
   for (Reading& reading : shifted.runs[0].readings) {
@@ -343,7 +341,7 @@ TEST_CASE("rig and load-cell effects act on what is commanded and on what is rea
     reading.y -= 0.001;
   }
   const Point offset = force("position_offset", {0.002, -0.001}, 6);
-  CHECK(offset[0] == doctest::Approx(predict(Study(shifted), {}, {}).runs[0](6, column_Fx)));
+  CHECK(offset[0] == close_to(predict(Study(shifted), {}, {}).runs[0](6, column_Fx)));
 }
 
 TEST_CASE("the guide friction of a run that was brought to its first reading acts there already") {
@@ -351,7 +349,7 @@ TEST_CASE("the guide friction of a run that was brought to its first reading act
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 10, false);
   experiment.runs[0].readings.erase(experiment.runs[0].readings.begin());
   const double with = predict(Study(experiment), only("guide_friction"), {0.5}).runs[0](0, column_Fx);
-  CHECK(with == doctest::Approx(predict(Study(experiment), {}, {}).runs[0](0, column_Fx) - 0.5));
+  CHECK(with == close_to(predict(Study(experiment), {}, {}).runs[0](0, column_Fx) - 0.5));
 }
 
 namespace {

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
@@ -47,5 +48,5 @@ TEST_CASE("a stiffer spring implies that torque is missing at its joint and nowh
   const std::vector<JointShare> shares = shares_by_fits(Study(experiment), {found}, {1.0});
   CHECK(shares.front().joint == 2);
   // What is left elsewhere is the solver's tolerance, squared.
-  CHECK(shares.front().share == doctest::Approx(1).epsilon(1e-9));
+  CHECK(shares.front().share == close_to(1).epsilon(1e-9));
 }

@@ -4,6 +4,8 @@
 
 #include <initializer_list>
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline;
 using namespace plumbline::diagnose;
 
@@ -22,10 +24,10 @@ void check_torque(const JointLaw& law, double deflection, double expected) {
   CAPTURE(deflection);
   for (const double side : {1.0, -1.0}) {
     const double angle = law.rest + side * deflection;
-    CHECK(law.elastic(angle).value == doctest::Approx(side * expected));
+    CHECK(law.elastic(angle).value == close_to(side * expected));
     constexpr double step = 1e-6;
     const double quotient = (law.elastic(angle + step).value - law.elastic(angle - step).value) / (2 * step);
-    CHECK(law.elastic(angle).slope == doctest::Approx(quotient).epsilon(1e-6));
+    CHECK(law.elastic(angle).slope == close_to(quotient).epsilon(1e-6));
   }
 }
 
@@ -52,8 +54,8 @@ TEST_CASE("a dry contact carries its torque until it slips, and turns back throu
   const JointSlider dry{JointLaw::sticking * 2, 0.4, 0};
   const JointMemory last{.angle = 0.2};
   const auto torque = [&](double angle, Contact contact) { return law.dry(dry, 0.1, angle, last, contact); };
-  CHECK(torque(0.2, Contact::sticks).value == doctest::Approx(0.1));
-  CHECK(torque(0.2 + 1e-7, Contact::sticks).value == doctest::Approx(0.1 + dry.stiffness * 1e-7));
+  CHECK(torque(0.2, Contact::sticks).value == close_to(0.1));
+  CHECK(torque(0.2 + 1e-7, Contact::sticks).value == close_to(0.1 + dry.stiffness * 1e-7));
   CHECK(torque(0.2, Contact::sticks).slope == dry.stiffness);
   CHECK(torque(0.9, Contact::slips_up).value == 0.4);
   CHECK(torque(0.9, Contact::slips_down).value == -0.4);
@@ -79,12 +81,12 @@ TEST_CASE(
     for (const auto& [contact, sign] :
          {std::pair(Contact::slips_up, 1.0), std::pair(Contact::slips_down, -1.0)}) {
       const auto at = [&](double q) { return law.dry(grows, 0, q, last, contact); };
-      CHECK(at(angle).value == doctest::Approx(sign * (0.4 + 0.8 * std::abs(angle - 0.1))));
+      CHECK(at(angle).value == close_to(sign * (0.4 + 0.8 * std::abs(angle - 0.1))));
       const double step = 1e-5;
       CHECK((at(angle + step).energy - at(angle - step).energy) / (2 * step) ==
-            doctest::Approx(at(angle).value).epsilon(1e-7));
+            close_to(at(angle).value).epsilon(1e-7));
       CHECK((at(angle + step).value - at(angle - step).value) / (2 * step) ==
-            doctest::Approx(at(angle).slope).epsilon(1e-7));
+            close_to(at(angle).slope).epsilon(1e-7));
     }
   }
 }
@@ -92,10 +94,10 @@ TEST_CASE(
 TEST_CASE("a spring that is stiffer to one side") {
   JointLaw law = spring();
   law.asymmetry = 0.2;
-  CHECK(law.elastic(0.1 + 0.3).value == doctest::Approx(2 * 1.2 * 0.3));
-  CHECK(law.elastic(0.1 - 0.3).value == doctest::Approx(-2 * 0.8 * 0.3));
-  CHECK(law.elastic(0.1 - 0.3).slope == doctest::Approx(1.6));
-  CHECK(law.elastic(0.1 - 0.3).energy == doctest::Approx(1.6 * 0.3 * 0.3 / 2));
+  CHECK(law.elastic(0.1 + 0.3).value == close_to(2 * 1.2 * 0.3));
+  CHECK(law.elastic(0.1 - 0.3).value == close_to(-2 * 0.8 * 0.3));
+  CHECK(law.elastic(0.1 - 0.3).slope == close_to(1.6));
+  CHECK(law.elastic(0.1 - 0.3).energy == close_to(1.6 * 0.3 * 0.3 / 2));
 }
 
 TEST_CASE(
@@ -104,19 +106,19 @@ TEST_CASE(
   law.yield = 0.5;
   law.flow = 0.25;
   JointMemory memory;
-  CHECK(law.elastic(0.1 + 0.2, memory).value == doctest::Approx(0.4));
+  CHECK(law.elastic(0.1 + 0.2, memory).value == close_to(0.4));
   // 0.2 N m in excess at d = 0.35: 0.5 + 0.2 / 1.25, and the work 0.5^2 / 2 k + (0.5 + 0.66) / 2 x 0.1.
   const Torque beyond = law.elastic(0.1 + 0.35, memory);
-  CHECK(beyond.value == doctest::Approx(0.66));
-  CHECK(beyond.slope == doctest::Approx(2 / 1.25));
-  CHECK(beyond.energy == doctest::Approx(0.0625 + 0.058));
+  CHECK(beyond.value == close_to(0.66));
+  CHECK(beyond.slope == close_to(2 / 1.25));
+  CHECK(beyond.energy == close_to(0.0625 + 0.058));
   law.flow_to(0.1 + 0.35, memory);
-  CHECK(memory.carried == doctest::Approx(0.66));
+  CHECK(memory.carried == close_to(0.66));
   CHECK(memory.set ==
-        doctest::Approx(0.25 * 0.2 / 1.25 / 2));  // slope times what is in excess of the yield now, over k
-  CHECK(law.elastic(0.1 + 0.35, memory).value == doctest::Approx(0.66));
-  CHECK(law.elastic(0.1, memory).value == doctest::Approx(-2 * 0.02));
-  CHECK(law.elastic(0.1 + 0.35 + 0.1, memory).value == doctest::Approx(0.66 + 0.2 / 1.25));
+        close_to(0.25 * 0.2 / 1.25 / 2));  // slope times what is in excess of the yield now, over k
+  CHECK(law.elastic(0.1 + 0.35, memory).value == close_to(0.66));
+  CHECK(law.elastic(0.1, memory).value == close_to(-2 * 0.02));
+  CHECK(law.elastic(0.1 + 0.35 + 0.1, memory).value == close_to(0.66 + 0.2 / 1.25));
 }
 
 TEST_CASE("a Maxwell arm forgets what it carried and takes what the joint turns") {
@@ -124,7 +126,7 @@ TEST_CASE("a Maxwell arm forgets what it carried and takes what the joint turns"
   law.arm_stiffness[1] = 3;
   JointMemory last{.angle = 0.2};
   last.arm[1] = 0.5;
-  CHECK(law.viscous(1, 0.2, last, 0.25, 0.9).value == doctest::Approx(0.25 * 0.5));
-  CHECK(law.viscous(1, 0.3, last, 0.25, 0.9).value == doctest::Approx(0.125 + 3 * 0.9 * 0.1));
-  CHECK(law.viscous(1, 0.3, last, 0.25, 0.9).slope == doctest::Approx(2.7));
+  CHECK(law.viscous(1, 0.2, last, 0.25, 0.9).value == close_to(0.25 * 0.5));
+  CHECK(law.viscous(1, 0.3, last, 0.25, 0.9).value == close_to(0.125 + 3 * 0.9 * 0.1));
+  CHECK(law.viscous(1, 0.3, last, 0.25, 0.9).slope == close_to(2.7));
 }

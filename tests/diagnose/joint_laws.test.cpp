@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnose/model/study.hpp"
+#include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
@@ -142,7 +143,7 @@ TEST_CASE("a Jenkins element: the way back is the way there twice as large, and 
   for (Eigen::Index row = back; row <= closed; ++row)
     CHECK(moment(trace, row) - moment(trace, back) ==
           torque(branch(angle(trace, row, 0) - angle(trace, back, 0))));
-  CHECK(angle(trace, closed, 0) == doctest::Approx(angle(trace, turn, 0)).epsilon(solved));
+  CHECK(angle(trace, closed, 0) == close_to(angle(trace, turn, 0)).epsilon(solved));
   for (Eigen::Index row = closed; row < trace.rows(); ++row)
     CHECK(moment(trace, row) == torque(virgin(angle(trace, row, 0))));
 }
@@ -161,7 +162,7 @@ TEST_CASE("friction that grows with the deflection") {
   const Trace trace = predicted(one_joint(steps_through({0, 0.6, 0}, 40)), only("load_friction"), {0.03, 5});
   for (const Eigen::Index row : {20, 40, 75}) {
     const double q = angle(trace, row, 0), way = row > 40 ? -1 : 1;
-    CHECK(moment(trace, row) - stiffness * q == doctest::Approx(way * 0.03 * (1 + 5 * q)).epsilon(1e-6));
+    CHECK(moment(trace, row) - stiffness * q == close_to(way * 0.03 * (1 + 5 * q)).epsilon(1e-6));
   }
   CHECK(difference(predicted(cycle(), only("load_friction"), {0.02, 0}),
                    predicted(cycle(), only("joint_friction"), {0.02})) == 0);
@@ -172,7 +173,7 @@ TEST_CASE("friction that is larger in one direction") {
       predicted(one_joint(steps_through({0, 0.6, 0}, 40)), only("direction_friction"), {0.03, 0.4});
   for (const Eigen::Index row : {20, 40, 75})
     CHECK(moment(trace, row) - stiffness * angle(trace, row, 0) ==
-          doctest::Approx(row > 40 ? -0.03 * 0.6 : 0.03 * 1.4).epsilon(1e-6));
+          close_to(row > 40 ? -0.03 * 0.6 : 0.03 * 1.4).epsilon(1e-6));
 }
 
 TEST_CASE("friction that changes with the speed: that of the step before, as fast as the drive goes since") {
@@ -188,7 +189,7 @@ TEST_CASE("friction that changes with the speed: that of the step before, as fas
     const double v =
         (angle(trace, row - 1, 0) - angle(trace, row - 2, 0)) / (readings[r].t - readings[r - 1].t);
     CHECK(moment(trace, row) - stiffness * angle(trace, row, 0) ==
-          doctest::Approx(0.03 * (1 - 0.5 * std::exp(-v / speed))).epsilon(1e-6));
+          close_to(0.03 * (1 - 0.5 * std::exp(-v / speed))).epsilon(1e-6));
   }
 }
 
@@ -197,11 +198,11 @@ TEST_CASE("a torque beyond the yield leaves the rest angle moved by slope times 
       predicted(one_joint(steps_through({0, 0.6, 0, 0.3}, 30)), only("plastic_set"), {0.15, 0.25});
   const double largest = moment(trace, 30), set = 0.25 * (largest - 0.15) / stiffness;
   CHECK(largest > 0.25);
-  CHECK(angle(trace, 10, 0) == doctest::Approx(moment(trace, 10) / stiffness));
-  CHECK(angle(trace, 30, 0) == doctest::Approx(largest / stiffness + set));
-  CHECK(angle(trace, 60, 0) == doctest::Approx(set));
+  CHECK(angle(trace, 10, 0) == close_to(moment(trace, 10) / stiffness));
+  CHECK(angle(trace, 30, 0) == close_to(largest / stiffness + set));
+  CHECK(angle(trace, 60, 0) == close_to(set));
   // Below what it has carried it is a spring about its new rest.
-  CHECK(angle(trace, 90, 0) - set == doctest::Approx(moment(trace, 90) / stiffness));
+  CHECK(angle(trace, 90, 0) - set == close_to(moment(trace, 90) / stiffness));
 }
 
 TEST_CASE("a held chain relaxes in two times, and two arms of one time are one arm") {
@@ -218,8 +219,7 @@ TEST_CASE("a held chain relaxes in two times, and two arms of one time are one a
   for (Eigen::Index row = 1; row < trace.rows(); ++row) {
     const double held = 5.0 * static_cast<double>(row - 1);
     CHECK(trace(row, column_Fx) ==
-          doctest::Approx((1 + 0.4 * std::exp(-held / 10) + 0.2 * std::exp(-held / 60)) * nominal)
-              .epsilon(1e-5));
+          close_to((1 + 0.4 * std::exp(-held / 10) + 0.2 * std::exp(-held / 60)) * nominal).epsilon(1e-5));
   }
 }
 

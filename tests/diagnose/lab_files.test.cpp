@@ -8,6 +8,7 @@
 
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/bench/read_samples.hpp"
+#include "tests/close_to.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;
@@ -111,14 +112,14 @@ TEST_CASE("units of angle, stiffness and mass have the factors of their sources"
   CHECK(factor("deg", quantity::angle) == 0.017453292519943295);  // pi / 180
   CHECK(factor("rev", quantity::angle) == 6.283185307179586);     // 2 pi
   CHECK(factor("N mm/rad", quantity::stiffness) == 1e-3);
-  CHECK(factor("N·mm/deg", quantity::stiffness) == doctest::Approx(0.0572957795130823).epsilon(1e-14));
+  CHECK(factor("N·mm/deg", quantity::stiffness) == close_to(0.0572957795130823).epsilon(1e-14));
   CHECK(factor("Nm/rad", quantity::stiffness) == 1);
   CHECK(factor("kgf cm/rad", quantity::stiffness) == 0.0980665);
-  CHECK(factor("lbf in/rad", quantity::stiffness) == doctest::Approx(0.1129848290276167).epsilon(1e-14));
+  CHECK(factor("lbf in/rad", quantity::stiffness) == close_to(0.1129848290276167).epsilon(1e-14));
   CHECK(factor("lb", quantity::mass) == 0.45359237);
   CHECK(factor("mm/s^2", quantity::acceleration) == 1e-3);
   CHECK(factor("ft/s²", quantity::acceleration) == 0.3048);
-  CHECK(factor("0.25 deg", quantity::angle) == doctest::Approx(0.004363323129985824).epsilon(1e-15));
+  CHECK(factor("0.25 deg", quantity::angle) == close_to(0.004363323129985824).epsilon(1e-15));
 }
 
 TEST_CASE("a unit of something else is refused with those that would do") {
@@ -203,7 +204,7 @@ TEST_CASE(
   CHECK(angles[1].t == 1);
   CHECK(std::isnan(angles[0].Fx));
   CHECK(angles[0].q[0] == 20 * degree);
-  CHECK(angles[0].q[1] == doctest::Approx(-60 * degree).epsilon(1e-15));
+  CHECK(angles[0].q[1] == close_to(-60 * degree).epsilon(1e-15));
   CHECK(std::isnan(angles[1].q[1]));
   const std::string toml = R"(format = "chain-experiment/1"
 name = "two"

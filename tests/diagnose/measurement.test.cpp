@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
@@ -63,5 +64,5 @@ TEST_CASE("a residual is measured less predicted, in declared sigmas of its chan
                                      (3 - 2) / 0.05, (2 - 1) / 0.05, (1 - 0.5) / 0.1, (2 - 1) / 0.2};
   const std::vector<double> residual = measurements.residual(experiment, predicted);
   REQUIRE(residual.size() == expected.size());
-  for (std::size_t i = 0; i < expected.size(); ++i) CHECK(residual[i] == doctest::Approx(expected[i]));
+  for (std::size_t i = 0; i < expected.size(); ++i) CHECK(residual[i] == close_to(expected[i]));
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "diagnose/inference/separation.hpp"
+#include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
@@ -64,7 +65,7 @@ TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
   }
   const double lead = sum / repeats;
   CHECK(lead > best.log_odds_so_far);
-  CHECK(lead == doctest::Approx(best.log_odds).epsilon(0.35));
+  CHECK(lead == close_to(best.log_odds).epsilon(0.35));
 }
 
 TEST_CASE("nothing is proposed that asks too much of the rig") {

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "tests/close_to.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 
 using namespace plumbline;
@@ -26,7 +27,7 @@ TEST_CASE("scale and correlation of noise are found again, with outliers among t
         mean_correlation += found.correlation / draws;
       }
       // 460 values: each estimate spreads by about 5 %; the priors pull by a few percent more.
-      CHECK(mean_scale == doctest::Approx(scale).epsilon(0.06));
+      CHECK(mean_scale == close_to(scale).epsilon(0.06));
       CHECK(std::abs(mean_correlation - correlation) < 0.06);
     }
   }
@@ -108,7 +109,7 @@ TEST_CASE("innovations of correlated noise are white") {
     variance += white[i] * white[i] / static_cast<double>(white.size());
     neighbour += white[i] * white[i - 1] / static_cast<double>(white.size());
   }
-  CHECK(variance == doctest::Approx(1).epsilon(0.05));  // three deviations of sqrt(2 / 8000)
+  CHECK(variance == close_to(1).epsilon(0.05));  // three deviations of sqrt(2 / 8000)
   CHECK(std::abs(neighbour) < 0.035);
 }
 
@@ -118,7 +119,7 @@ TEST_CASE("the scale of a hundred thousand normal numbers is found to a third of
   std::mt19937_64 random(5);
   // A variance from m differences of neighbours spreads by sqrt(3/m), a scale by half of that: 0.2 % of 2e5.
   const RawNoise found = raw_noise(measurements, correlated_noise(measurements, 1.2, 0.0, random));
-  CHECK(found.scale[2] == doctest::Approx(1.2).epsilon(0.006));
+  CHECK(found.scale[2] == close_to(1.2).epsilon(0.006));
 }
 
 TEST_CASE("innovations of a short series give its exact Gaussian density: r' C^-1 r, C_ij = s^2 phi^|i-j|") {
@@ -137,7 +138,7 @@ TEST_CASE("innovations of a short series give its exact Gaussian density: r' C^-
   for (std::size_t i = 0; i < 6; ++i) residual[i] = r(static_cast<Eigen::Index>(i));
   double sum = 0;
   for (const double z : whiten(measurements, residual, noise)) sum += z * z;
-  CHECK(sum == doctest::Approx(r.dot(covariance.ldlt().solve(r))));
+  CHECK(sum == close_to(r.dot(covariance.ldlt().solve(r))));
 }
 
 TEST_CASE("nothing within five of the least sigma that a lab may mean is an outlier") {

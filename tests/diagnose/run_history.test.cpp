@@ -4,6 +4,7 @@
 
 #include "diagnose/model/measurement.hpp"
 #include "diagnose/model/study.hpp"
+#include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
@@ -43,7 +44,7 @@ TEST_CASE("without friction the work of the environment is stored") {
   const Experiment experiment = cycle();
   const Trace trace = predict(Study(experiment), {}, {}).runs[0];
   const double stored = elastic_energy(experiment, trace, 400);
-  CHECK(work(trace, 0, 400) == doctest::Approx(stored).epsilon(1e-4));
+  CHECK(work(trace, 0, 400) == close_to(stored).epsilon(1e-4));
   CHECK(work(trace, 0, 800) == doctest::Approx(0).scale(stored).epsilon(1e-6));
 }
 
@@ -60,8 +61,7 @@ TEST_CASE("dry friction dissipates tau_c times the way of every joint, and no jo
     }
   }
   const double dissipated = work(trace, 0, 800) - elastic_energy(experiment, trace, 800);
-  CHECK(dissipated ==
-        doctest::Approx(tau_c * way).epsilon(1e-2));  // at the reversals the force jumps within a step
+  CHECK(dissipated == close_to(tau_c * way).epsilon(1e-2));  // at the reversals the force jumps within a step
   CHECK(stuck > 0);
 }
 
@@ -85,11 +85,11 @@ TEST_CASE("one joint under an imposed force sticks until tau_c and lags by it on
     if (moment < tau_c) {
       if (row <= 40) CHECK(std::abs(q) < 1e-6);
     } else if (row > 0 && row <= 40) {
-      CHECK(moment - 2.0 * q == doctest::Approx(tau_c));
+      CHECK(moment - 2.0 * q == close_to(tau_c));
     }
   }
   // Unloaded, the joint is held where its spring carries tau_c.
-  CHECK(2.0 * angle(trace, 80, 0) == doctest::Approx(tau_c).epsilon(1e-6));
+  CHECK(2.0 * angle(trace, 80, 0) == close_to(tau_c).epsilon(1e-6));
 }
 
 TEST_CASE("a joint with play turns freely by b before it carries") {
@@ -101,7 +101,7 @@ TEST_CASE("a joint with play turns freely by b before it carries") {
   const Trace trace = predict(Study(experiment), only("backlash", 1), {0.04}).runs[0];
   for (Eigen::Index row = 0; row < trace.rows(); ++row) {
     const double q = angle(trace, row, 0);
-    CHECK(2.0 * (q - 0.04) == doctest::Approx(0.5 * std::cos(q) * trace(row, column_Fy)));
+    CHECK(2.0 * (q - 0.04) == close_to(0.5 * std::cos(q) * trace(row, column_Fy)));
   }
 }
 
@@ -114,9 +114,9 @@ TEST_CASE("Maxwell arms stiffen a fast press by 1 + m and let a slow one go") {
         .runs[0](1, column_Fx);
   };
   const double nominal = first_force(1, 0);
-  CHECK(first_force(1e-6, 1) == doctest::Approx((1 + m) * nominal).epsilon(1e-6));
+  CHECK(first_force(1e-6, 1) == close_to((1 + m) * nominal).epsilon(1e-6));
   // Steady rate over dt >> tau: the arm carries m k tau/dt of the turn.
-  CHECK(first_force(1e4, 1) == doctest::Approx((1 + m * tau / 1e4) * nominal).epsilon(1e-6));
+  CHECK(first_force(1e4, 1) == close_to((1 + m * tau / 1e4) * nominal).epsilon(1e-6));
 }
 
 TEST_CASE("a held chain relaxes exponentially from 1 + m to the nominal force") {
@@ -133,7 +133,7 @@ TEST_CASE("a held chain relaxes exponentially from 1 + m to the nominal force") 
   // All arms relax alike, so the force scales and the posture stays.
   for (Eigen::Index row = 1; row < trace.rows(); ++row) {
     const double held = 5.0 * static_cast<double>(row - 1);
-    CHECK(trace(row, column_Fx) == doctest::Approx((1 + m * std::exp(-held / tau)) * nominal).epsilon(1e-5));
+    CHECK(trace(row, column_Fx) == close_to((1 + m * std::exp(-held / tau)) * nominal).epsilon(1e-5));
   }
 }
 
@@ -146,8 +146,8 @@ TEST_CASE("a bending link is a cantilever: F L^3 / 3 EI beside the joint's F L^2
   const double rigidity = 0.8;
   const Trace trace = predict(Study(experiment), only("link_bending"), {1 / rigidity}).runs[0];
   const double expected = 1e-4 * (std::pow(0.5, 3) / (3 * rigidity) + 0.5 * 0.5 / 2.0);
-  CHECK(trace(1, column_y) == doctest::Approx(expected).epsilon(1e-6));
-  CHECK(angle(trace, 1, 0) == doctest::Approx(1e-4 * 0.5 / 2.0).epsilon(1e-6));
+  CHECK(trace(1, column_y) == close_to(expected).epsilon(1e-6));
+  CHECK(angle(trace, 1, 0) == close_to(1e-4 * 0.5 / 2.0).epsilon(1e-6));
 }
 
 TEST_CASE("a chain pushed over snaps to the other side and stays in balance") {
@@ -167,7 +167,7 @@ TEST_CASE("a chain pushed over snaps to the other side and stays in balance") {
   for (Eigen::Index row = 0; row < trace.rows(); ++row) {
     const double q = angle(trace, row, 0);
     const double moment = 0.5 * (std::cos(q) * trace(row, column_Fy) - std::sin(q) * trace(row, column_Fx));
-    CHECK(q - 0.02 == doctest::Approx(moment).epsilon(1e-8));
+    CHECK(q - 0.02 == close_to(moment).epsilon(1e-8));
     CHECK(1 - 0.5 * (-std::sin(q) * trace(row, column_Fy) - std::cos(q) * trace(row, column_Fx)) > 0);
   }
 }
@@ -250,7 +250,7 @@ TEST_CASE("effects act together: friction, play, weight, compliance and a load c
       x[j + 1] = x[j] + length * std::cos(theta);
       y[j + 1] = y[j] + length * std::sin(theta);
     }
-    CHECK(x[3] == doctest::Approx(trace(row, column_x)).epsilon(1e-8));
+    CHECK(x[3] == close_to(trace(row, column_x)).epsilon(1e-8));
     for (std::size_t i = 0; i < 3; ++i) {
       const double d = angle(trace, row, i) - experiment.runs[0].rest[i];
       const double spring = i == 1 ? std::copysign(std::max(0.0, std::abs(d) - 0.03), d) : d;

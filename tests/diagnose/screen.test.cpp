@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
@@ -27,7 +28,7 @@ TEST_CASE("the screen forecasts what a fit then finds, for an effect so small th
     REQUIRE(forecast != prospects.end());
     const Fit found = fit(Study(experiment), {{at}}, {});
     for (std::size_t p = 0; p < truth.size(); ++p)
-      CHECK(forecast->start[p] == doctest::Approx(found.parameters[p]).epsilon(0.1));
+      CHECK(forecast->start[p] == close_to(found.parameters[p]).epsilon(0.1));
   }
 }
 
@@ -55,7 +56,7 @@ TEST_CASE("an effect that the runs never exercised forecasts nothing") {
   const Fit nominal = fit_nominal(study, {});
   for (const Prospect& one : screen(study, nominal, {})) {
     if (one.effect.effect != &effect("guide_friction")) continue;
-    CHECK(one.cost == doctest::Approx(nominal.cost));
+    CHECK(one.cost == close_to(nominal.cost));
     CHECK(one.start.front() == 0);
   }
 }

@@ -8,6 +8,7 @@
 #include "diagnose/answers/diagnosis.hpp"
 #include "diagnose/inference/screen.hpp"
 #include "diagnose/stated/read_effects.hpp"
+#include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
@@ -89,12 +90,11 @@ TEST_CASE("what the catalogue says too is fitted as the catalogue's row is") {
     const Fit stated = fit_from(study, {{EffectAt(rows->front())}}, {}, start);
     REQUIRE(built_in.converged);
     REQUIRE(stated.converged);
-    CHECK(stated.cost == doctest::Approx(built_in.cost).epsilon(one.agreement));
+    CHECK(stated.cost == close_to(built_in.cost).epsilon(one.agreement));
     for (std::size_t p = 0; p < one.truth.size(); ++p) {
       const auto j = static_cast<Eigen::Index>(p);
-      CHECK(stated.parameters[p] == doctest::Approx(built_in.parameters[p]).epsilon(one.agreement));
-      CHECK(stated.covariance(j, j) ==
-            doctest::Approx(built_in.covariance(j, j)).epsilon(10 * one.agreement));
+      CHECK(stated.parameters[p] == close_to(built_in.parameters[p]).epsilon(one.agreement));
+      CHECK(stated.covariance(j, j) == close_to(built_in.covariance(j, j)).epsilon(10 * one.agreement));
     }
   }
 }
@@ -112,7 +112,7 @@ TEST_CASE("a screen forecasts what is stated as it forecasts the catalogue's row
     }
     REQUIRE(cost[0] > 0);
     // difference quotients of steps of a millionth
-    CHECK(cost[1] == doctest::Approx(cost[0]).epsilon(1e-4));
+    CHECK(cost[1] == close_to(cost[0]).epsilon(1e-4));
   }
 }
 
@@ -170,10 +170,10 @@ TEST_CASE("corrections know run, time and the joint's own angle, and leave what 
     for (Eigen::Index i = 0; i < before.rows(); ++i) {
       const double t = experiment.runs[r].readings[static_cast<std::size_t>(i)].t;
       CHECK(after(i, column_x) == before(i, column_x));
-      CHECK(after(i, column_Fx) == doctest::Approx(before(i, column_Fx) + 0.25 * t));
+      CHECK(after(i, column_Fx) == close_to(before(i, column_Fx) + 0.25 * t).scale(1));  // newtons
       CHECK(after(i, column_Fy) == before(i, column_Fy));
-      CHECK(angle(after, i, 0) == doctest::Approx(angle(before, i, 0) + 0.25 * run));
-      CHECK(angle(after, i, 1) == doctest::Approx(1.5 * angle(before, i, 1) + 0.25 * run));
+      CHECK(angle(after, i, 0) == close_to(angle(before, i, 0) + 0.25 * run));
+      CHECK(angle(after, i, 1) == close_to(1.5 * angle(before, i, 1) + 0.25 * run));
     }
   }
 }

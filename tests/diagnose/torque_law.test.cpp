@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
@@ -102,7 +103,7 @@ TEST_CASE("the loop of a spring with a slider is recovered") {
   double carried = 0;
   for (const FreeLaw::Slider& one : offered->pictures.front().sliders) carried += one.torque;
   // The nearest sliders slip at 0.04 and 0.08 rad: a tenth of the torque is what their mixture may miss.
-  CHECK(carried == doctest::Approx(slip).epsilon(0.1));
+  CHECK(carried == close_to(slip).epsilon(0.1));
   CHECK(offered->pictures.front().words.find("loop of") != std::string::npos);
 }
 
@@ -227,7 +228,8 @@ TEST_CASE("what a joint carries along a run has what the nominal model knows of 
       const double second = angle(run, r, 0) + angle(run, r, 1), third = second + angle(run, r, 2);
       const double x = length[1] * std::cos(second) + length[2] * std::cos(third),
                    y = length[1] * std::sin(second) + length[2] * std::sin(third);
-      CHECK(trace.torque(r) == doctest::Approx(x * run(r, column_Fy) - y * run(r, column_Fx)).epsilon(1e-6));
+      CHECK(trace.torque(r) ==
+            close_to(x * run(r, column_Fy) - y * run(r, column_Fx)).epsilon(1e-6).scale(none.stiffness));
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/close_to.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 
 using namespace plumbline;
@@ -106,8 +107,8 @@ TEST_CASE("the ranking: genuine explanations, probabilities by their evidence") 
   REQUIRE(cause.ranking.size() == 2);
   CHECK(cause.ranking[0].hypothesis.fit.candidate == gain.candidate);
   CHECK(cause.ranking[1].hypothesis.fit.candidate == bias.candidate);
-  CHECK(cause.ranking[0].probability == doctest::Approx(0.75 * (1 - cause.unknown)));
-  CHECK(cause.ranking[1].probability == doctest::Approx(0.25 * (1 - cause.unknown)));
+  CHECK(cause.ranking[0].probability == close_to(0.75 * (1 - cause.unknown)));
+  CHECK(cause.ranking[1].probability == close_to(0.25 * (1 - cause.unknown)));
 }
 
 TEST_CASE("chi-square per degree of freedom: six parameters spent on twelve values leave six") {
@@ -118,7 +119,7 @@ TEST_CASE("chi-square per degree of freedom: six parameters spent on twelve valu
   const Fit fit = found(experiment, of({{"force_bias"}, {"position_offset"}, {"sensor_drift"}}), residual);
   REQUIRE(fit.parameters.size() == 6);
   const Cause cause = judge(Study(experiment), {{worth(fit, 0, 0)}, {}});
-  CHECK(cause.ranking.at(0).chi2_per_dof == doctest::Approx(12 * 1.44 / 6));
+  CHECK(cause.ranking.at(0).chi2_per_dof == close_to(12 * 1.44 / 6));
 }
 
 TEST_CASE("what no fit explains is unknown, however well it ranks") {
@@ -130,8 +131,8 @@ TEST_CASE("what no fit explains is unknown, however well it ranks") {
   const Fit gain = found(experiment, of({{"force_gain"}}), residual);
   const Cause cause = judge(Study(experiment), {{worth(gain, 0, 0)}, {}});
   CHECK(cause.verdict == CauseVerdict::unknown);
-  CHECK(cause.unknown == doctest::Approx(5.0 / 6));  // odds of 5, where p says no more
-  CHECK(cause.ranking.at(0).probability == doctest::Approx(1.0 / 6));
+  CHECK(cause.unknown == close_to(5.0 / 6));  // odds of 5, where p says no more
+  CHECK(cause.ranking.at(0).probability == close_to(1.0 / 6));
 }
 
 TEST_CASE("the probability of a cause outside the catalogue, by hand from the test of what is left") {
@@ -147,11 +148,11 @@ TEST_CASE("the probability of a cause outside the catalogue, by hand from the te
     const Cause cause = judge(Study(experiment), {{worth(gain, 0, 0)}, {}});
     const double p = cause.ranking.at(0).hypothesis.p_value.value();
     CAPTURE(p);
-    CHECK(cause.unknown == doctest::Approx(unknown_by_hand(p)));
+    CHECK(cause.unknown == close_to(unknown_by_hand(p)));
     lowest = std::min(lowest, p);
     highest = std::max(highest, p);
   }
-  CHECK(unknown_by_hand(1) == doctest::Approx(1.0 / 91));  // nothing left: what it always is at least
+  CHECK(unknown_by_hand(1) == close_to(1.0 / 91));  // nothing left: what it always is at least
   CHECK(lowest < 0.05);
   CHECK(highest > 1 / std::numbers::e);
 }

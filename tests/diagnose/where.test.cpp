@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/close_to.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 
 using namespace plumbline;
@@ -57,11 +58,11 @@ TEST_CASE("shares are of the squared residual beyond noise, by hand") {
   const Where where = locate(Study(experiment), straight(experiment, 5), residual, noise);
   // by channel: Fx 0 + 80, Fy 30 - 7.5
   CHECK(where.channels.front().channel.label() == "Fx");
-  CHECK(share_of(where.channels, "Fx") == doctest::Approx(80 / 102.5));
-  CHECK(share_of(where.channels, "Fy") == doctest::Approx(22.5 / 102.5));
+  CHECK(share_of(where.channels, "Fx") == close_to(80 / 102.5));
+  CHECK(share_of(where.channels, "Fy") == close_to(22.5 / 102.5));
   // by run: the first is below noise, its share is nothing and no debt
   CHECK(where.runs.front().run == "run-2");
-  CHECK(share_of(where.runs, "run-2") == doctest::Approx(1));
+  CHECK(share_of(where.runs, "run-2") == close_to(1));
   CHECK(share_of(where.runs, "run-1") == 0.0);
   double sum = 0;
   for (const PathShare& one : where.load_path) {
@@ -69,7 +70,7 @@ TEST_CASE("shares are of the squared residual beyond noise, by hand") {
     if (one.run == "run-1") CHECK(one.share == 0.0);
     sum += one.share;
   }
-  CHECK(sum == doctest::Approx(1));
+  CHECK(sum == close_to(1));
 }
 
 TEST_CASE("along the path a share belongs to the readings that hold it, also where others are missing") {
@@ -87,7 +88,7 @@ TEST_CASE("along the path a share belongs to the readings that hold it, also whe
   CHECK((stiff.from == 0 && stiff.to == 7 && stiff.regime == Regime::pre_buckling));
   CHECK((soft.from == 8 && soft.to == 11 && soft.regime == Regime::post_buckling));
   CHECK(stiff.share == 0.0);
-  CHECK(soft.share == doctest::Approx(1));
+  CHECK(soft.share == close_to(1));
 }
 
 TEST_CASE("one outlier of 25 sigma moves no share") {
@@ -100,15 +101,15 @@ TEST_CASE("one outlier of 25 sigma moves no share") {
   fill(measurements, 3, 2, residual);
   residual[measurements.series()[0].first + 10] += 25;
   const Where where = locate(Study(experiment), straight(experiment, 9), residual, {});
-  CHECK(share_of(where.runs, "run-2") == doctest::Approx(1));
-  CHECK(share_of(where.channels, "Fy") == doctest::Approx(1));
+  CHECK(share_of(where.runs, "run-2") == close_to(1));
+  CHECK(share_of(where.channels, "Fy") == close_to(1));
 }
 
 TEST_CASE("shares of joints: in proportion, largest first, alike where nothing is known") {
   const std::vector<JointShare> some = joint_shares({1, 0, 3});
   REQUIRE(some.size() == 3);
-  CHECK((some[0].joint == 3 && some[0].share == doctest::Approx(0.75)));
-  CHECK((some[1].joint == 1 && some[1].share == doctest::Approx(0.25)));
+  CHECK((some[0].joint == 3 && some[0].share == close_to(0.75)));
+  CHECK((some[1].joint == 1 && some[1].share == close_to(0.25)));
   CHECK((some[2].joint == 2 && some[2].share == 0.0));
-  for (const JointShare& one : joint_shares({0, 0, 0, 0})) CHECK(one.share == doctest::Approx(0.25));
+  for (const JointShare& one : joint_shares({0, 0, 0, 0})) CHECK(one.share == close_to(0.25));
 }

@@ -5,6 +5,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "exchange/ways.hpp"
+#include "tests/close_to.hpp"
 #include "tests/exchange/lab.hpp"
 
 namespace plumbline::exchange {
@@ -30,7 +31,7 @@ Compiled compiled(const Lab& lab, const std::string& text) {
 TEST_CASE("a robot's own file is edited: every effect that MJCF carries does in MuJoCo what was found") {
   // What lags is taken to go straight from reading to reading: these are close for it.
   const Lab lab, fine(40);
-  CHECK(lab.experiment.rest[1] == doctest::Approx(-0.5));
+  CHECK(lab.experiment.rest[1] == close_to(-0.5));
   for (const EffectAt& at : possible_effects(Study(lab.experiment))) {
     if (!way_of(Format::mjcf, at.effect->id).carried || at.joint == 1 || at.joint == 3) continue;
     CAPTURE(at.label());
@@ -104,7 +105,7 @@ TEST_CASE("what the cause does not ask for stays as it is") {
     CHECK(mj_name2id(now.get(), mjOBJ_LIGHT, "lamp") == 0);
   }
   const Compiled now = compiled(lab, several);
-  CHECK(now->body_pos[3 * mj_name2id(now.get(), mjOBJ_BODY, "foot")] == doctest::Approx(0.275));
+  CHECK(now->body_pos[3 * mj_name2id(now.get(), mjOBJ_BODY, "foot")] == close_to(0.275));
 }
 
 TEST_CASE("a file that cannot be edited gives a chain of its own, which says why") {

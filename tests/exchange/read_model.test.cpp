@@ -5,6 +5,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "exchange/corrected.hpp"
+#include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 #include "tests/folder.hpp"
 
@@ -29,7 +30,7 @@ NominalChain read(const std::string& name, const std::string& text) {
 
 void check_close(const std::vector<double>& a, const std::vector<double>& b, double accuracy = 1e-6) {
   REQUIRE(a.size() == b.size());
-  for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == doctest::Approx(b[i]).epsilon(accuracy));
+  for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == close_to(b[i]).epsilon(accuracy));
 }
 
 /// A model in the plane of x and z, as robots stand.
@@ -82,10 +83,10 @@ TEST_CASE("a robot upright is read in its plane, upward as y, each angle from th
   check_close(chain.link_length, {0.4, 0.3});
   check_close(chain.joint_stiffness, {3, 2});
   check_close(chain.link_mass, {2, 1});
-  CHECK(chain.rest[0] == doctest::Approx(-0.25));
-  CHECK(chain.rest[1] == doctest::Approx(-std::acos(0.0) + 0.5));
+  CHECK(chain.rest[0] == close_to(-0.25));
+  CHECK(chain.rest[1] == close_to(-std::acos(0.0) + 0.5));
   CHECK(chain.gravity[0] == doctest::Approx(0));
-  CHECK(chain.gravity[1] == doctest::Approx(-9.81));
+  CHECK(chain.gravity[1] == close_to(-9.81));
 }
 
 TEST_CASE("what is no planar serial chain of hinges is refused in one line that says which joint") {

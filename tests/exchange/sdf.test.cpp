@@ -6,6 +6,7 @@
 #include "exchange/edit_urdf.hpp"
 #include "exchange/read_model.hpp"
 #include "exchange/ways.hpp"
+#include "tests/close_to.hpp"
 #include "tests/exchange/proof.hpp"
 #include "tests/exchange/sdf_in_mujoco.hpp"
 #include "tests/folder.hpp"
@@ -177,8 +178,7 @@ TEST_CASE("a robot's own SDF or URDF is edited: every effect that the format car
     const Folder folder;
     folder.write(one.name, one.robot);
     const Study bare(lab(folder / one.name));
-    for (std::size_t j = 0; j < rest.size(); ++j)
-      CHECK(bare.experiment().rest[j] == doctest::Approx(rest[j]));
+    for (std::size_t j = 0; j < rest.size(); ++j) CHECK(bare.experiment().rest[j] == close_to(rest[j]));
     const Folder edited;
     const Model as_is{"robot", bare.experiment(), rest};
     for (const EffectAt& at : carried(bare, one.format)) {
@@ -223,14 +223,14 @@ TEST_CASE("an edited SDF or URDF is read again as the corrected chain; what is n
     again.write(one.name, written(model, one.format).text);
     const PlanarChain chain = read_model(again / one.name);
     const double moved = 0.25 * 0.1;
-    CHECK(chain.chain.link_length[0] == doctest::Approx(0.2));
-    CHECK(chain.chain.link_length[1] == doctest::Approx(0.25 + moved));
-    CHECK(chain.chain.link_length[2] == doctest::Approx(0.15));
-    CHECK(chain.chain.joint_stiffness[1] == doctest::Approx(1.5 * 1.2));
-    CHECK(chain.chain.rest[1] == doctest::Approx(-0.45));
-    CHECK(chain.chain.rest[2] == doctest::Approx(0.4));
-    CHECK(chain.plane.origin.x() == doctest::Approx(-0.01));
-    CHECK(chain.plane.origin.y() == doctest::Approx(-0.02));
+    CHECK(chain.chain.link_length[0] == close_to(0.2));
+    CHECK(chain.chain.link_length[1] == close_to(0.25 + moved));
+    CHECK(chain.chain.link_length[2] == close_to(0.15));
+    CHECK(chain.chain.joint_stiffness[1] == close_to(1.5 * 1.2));
+    CHECK(chain.chain.rest[1] == close_to(-0.45));
+    CHECK(chain.chain.rest[2] == close_to(0.4));
+    CHECK(chain.plane.origin.x() == close_to(-0.01));
+    CHECK(chain.plane.origin.y() == close_to(-0.02));
     model.experiment.effects.clear();
     const std::string same = written(model, one.format).text;
     for (const char* word :

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "diagnose/bench/read_nominal.hpp"
+#include "tests/close_to.hpp"
 #include "tests/exchange/lab.hpp"
 
 namespace plumbline::exchange {
@@ -135,7 +136,7 @@ TEST_CASE(
   CHECK(again.laws == corrected.experiment.laws);
   const Study with_it(diagnose::read_experiment(lab.folder.path(), &again));
   CHECK(rms(with_it.nominal_residual()) ==
-        doctest::Approx(rms(study.residual(predict_with_law(study, diagnosis.law->law)))).epsilon(1e-6));
+        close_to(rms(study.residual(predict_with_law(study, diagnosis.law->law)))).epsilon(1e-6));
   for (const Format format : {Format::urdf, Format::sdf}) {
     const Written file = written(corrected, format);
     REQUIRE(file.effects.size() == 1);

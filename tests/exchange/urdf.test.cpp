@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 #include "tests/folder.hpp"
 
@@ -54,20 +55,20 @@ TEST_CASE("a written URDF moves in MuJoCo as the corrected chain does") {
     x += length * std::cos(direction);
     y += length * std::sin(direction);
   }
-  CHECK(end[0] == doctest::Approx(x));
-  CHECK(end[1] == doctest::Approx(y));
+  CHECK(end[0] == close_to(x));
+  CHECK(end[1] == close_to(y));
   const int play = joint(*model, "q2_play");
   CHECK(model->jnt_limited[play]);
-  CHECK(model->jnt_range[2 * play] == doctest::Approx(-0.05));
-  CHECK(model->jnt_range[2 * play + 1] == doctest::Approx(0.05));
+  CHECK(model->jnt_range[2 * play] == close_to(-0.05));
+  CHECK(model->jnt_range[2 * play + 1] == close_to(0.05));
 }
 
 TEST_CASE("dry friction and masses of a written URDF are MuJoCo's") {
   const Compiled model = in_mujoco({{"joint_friction", 0, {{"tau_c", 0.03}}}, {"gravity", 0, {{"rho", 2}}}});
   for (const char* name : {"q1", "q2", "q3"})
-    CHECK(model->dof_frictionloss[model->jnt_dofadr[joint(*model, name)]] == doctest::Approx(0.03));
+    CHECK(model->dof_frictionloss[model->jnt_dofadr[joint(*model, name)]] == close_to(0.03));
   // rho is mass by length
-  CHECK(model->body_mass[mj_name2id(model.get(), mjOBJ_BODY, "link2")] == doctest::Approx(0.5));
+  CHECK(model->body_mass[mj_name2id(model.get(), mjOBJ_BODY, "link2")] == close_to(0.5));
 }
 
 }  // namespace plumbline::exchange

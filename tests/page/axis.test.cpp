@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/close_to.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;
@@ -11,9 +12,9 @@ using namespace plumbline::page;
 
 TEST_CASE("an axis maps its ends to its ends") {
   const Axis axis(-2, 6, 100, 20);
-  CHECK(axis.pixel(-2) == doctest::Approx(100));
-  CHECK(axis.pixel(6) == doctest::Approx(20));
-  CHECK(axis.pixel(2) == doctest::Approx(60));
+  CHECK(axis.pixel(-2) == close_to(100));
+  CHECK(axis.pixel(6) == close_to(20));
+  CHECK(axis.pixel(2) == close_to(60));
 }
 
 TEST_CASE("ticks are few, round and in between") {
@@ -36,8 +37,8 @@ TEST_CASE("zero is written without a sign, and a range of nothing is widened") {
 
 TEST_CASE("a signed logarithmic axis is odd, monotone, and wide near zero") {
   const Axis axis(-100, 100, 0, 200, true);
-  CHECK(axis.pixel(0) == doctest::Approx(100));
-  CHECK(axis.pixel(30) - 100 == doctest::Approx(100 - axis.pixel(-30)));
+  CHECK(axis.pixel(0) == close_to(100));
+  CHECK(axis.pixel(30) - 100 == close_to(100 - axis.pixel(-30)));
   CHECK(axis.pixel(3) - axis.pixel(0) > axis.pixel(100) - axis.pixel(97));
   CHECK(axis.pixel(100) > axis.pixel(30));
 }

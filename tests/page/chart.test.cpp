@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline;
 using namespace plumbline::page;
 
@@ -60,7 +62,7 @@ TEST_CASE("a drawing in space has one scale for both axes") {
   const std::size_t at = svg.find("d=\"M", svg.find("class=\"line"));
   double x0, y0, x1, y1, x2, y2;
   REQUIRE(std::sscanf(svg.c_str() + at, "d=\"M%lf %lfL%lf %lfL%lf %lf", &x0, &y0, &x1, &y1, &x2, &y2) == 6);
-  CHECK(x1 - x0 == doctest::Approx(2 * (y1 - y2)).epsilon(0.01));  // drawn to a tenth of a pixel
+  CHECK(x1 - x0 == close_to(2 * (y1 - y2)).epsilon(0.01));  // drawn to a tenth of a pixel
 }
 
 TEST_CASE("a point says its values to who points at it, and no page gets heavy by that") {
@@ -84,7 +86,7 @@ TEST_CASE("the heads of arrows along a line go the way of its points") {
     double tip, one, other, ignored;
     REQUIRE(std::sscanf(svg.c_str() + at, "d=\"M%lf %lfL%lf %lfL%lf", &tip, &ignored, &one, &ignored,
                         &other) == 5);
-    CHECK(one == doctest::Approx(other));
+    CHECK(one == close_to(other));
     CHECK((tip > one) == !back);
   }
 }

@@ -14,6 +14,7 @@
 #include "proofs/decimal.hpp"
 #include "proofs/equilibria_certificate.hpp"
 #include "proofs/span.hpp"
+#include "tests/close_to.hpp"
 #include "tests/proofs/stand_alone.hpp"
 
 using namespace plumbline;
@@ -297,7 +298,7 @@ void attack_ties(Adversary& adversary) {
       square += theta * theta;
     }
     CHECK(largest == 1);
-    CHECK(work / square == doctest::Approx(2).epsilon(1e-12));
+    CHECK(work / square == close_to(2).epsilon(1e-12));
   }
   // the parts: joints 1 and 2 have (2/3)(3 + off), joints 2 and 3 have 2
   CHECK((modes[0].q[0] == 0) != (modes[1].q[0] == 0));

@@ -11,6 +11,8 @@
 
 #include "proofs/census.hpp"
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline;
 using namespace plumbline::proofs;
 
@@ -99,7 +101,7 @@ TEST_CASE("Concave in stiffness: Southwell and Dunkerley") {
       e1 += z[i] * z[i] / k[i];
       for (std::size_t j = i + 1; j < n; ++j) e2 += z[i] * z[j] * (z[i] - z[j]) / (k[i] * k[j]);
     }
-    CHECK(e2 / e1 == doctest::Approx(flexibility).epsilon(1e-10));
+    CHECK(e2 / e1 == close_to(flexibility).epsilon(1e-10));
     const double lowest = force(length, k, 0);
     CHECK(e1 / e2 < lowest);
     CHECK(lowest < static_cast<double>(n - 1) * e1 / e2);
@@ -112,8 +114,8 @@ TEST_CASE("Strongest chain: no other distribution of the same stiffness has a la
     const std::size_t n = 2 + static_cast<std::size_t>(trial % 8);
     const auto length = random_list(random, n);
     const auto [stiffness, best] = strongest(length);
-    CHECK(std::accumulate(stiffness.begin(), stiffness.end(), 0.0) == doctest::Approx(1).epsilon(1e-12));
-    CHECK(force(length, stiffness, 0) == doctest::Approx(best).epsilon(1e-11));
+    CHECK(std::accumulate(stiffness.begin(), stiffness.end(), 0.0) == close_to(1).epsilon(1e-12));
+    CHECK(force(length, stiffness, 0) == close_to(best).epsilon(1e-11));
     for (int other = 0; other < 10; ++other) {
       auto k = random_list(random, n, 0.01, 1);
       k[0] = 0;
@@ -127,8 +129,8 @@ TEST_CASE("Strongest chain: no other distribution of the same stiffness has a la
     std::vector<double> equal(n, 1 / static_cast<double>(n - 1));
     equal[0] = 0;
     const double cube = static_cast<double>(n * n * n - n);
-    CHECK(strongest(length).second == doctest::Approx(12 / cube).epsilon(1e-12));
-    CHECK(strongest(length).second / force(length, equal, 0) - 1 == doctest::Approx(gain).epsilon(0.02));
+    CHECK(strongest(length).second == close_to(12 / cube).epsilon(1e-12));
+    CHECK(strongest(length).second / force(length, equal, 0) - 1 == close_to(gain).epsilon(0.02));
   }
 }
 
@@ -177,6 +179,6 @@ TEST_CASE("Imperfection: the 2/3 law of two links whose force falls after buckli
     const double found = F1 + fold.second;
     CAPTURE(epsilon);
     // the theorem leaves out a term smaller by epsilon^(2/3), with a factor of the order of one here
-    CHECK(found == doctest::Approx(expected).epsilon(std::pow(epsilon, 2.0 / 3)));
+    CHECK(found == close_to(expected).epsilon(std::pow(epsilon, 2.0 / 3)));
   }
 }

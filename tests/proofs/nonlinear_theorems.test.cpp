@@ -7,6 +7,8 @@
 
 #include "proofs/symbolic_chain.hpp"
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline;
 using namespace plumbline::proofs;
 using GiNaC::ex;
@@ -89,8 +91,7 @@ TEST_CASE("Equal links are supercritical: every mode, on a base of any stiffness
         const FreeEnd w(chain, mode);
         const double means = w.mean(4) - 6 * w.a * w.a * w.mean(2) + 5 * std::pow(w.a, 4);
         // a mode of 100 links is exact to a few thousand roundings
-        CHECK(6 * initial_curvature(chain, mode) * w.square / mode.force ==
-              doctest::Approx(means).epsilon(1e-9));
+        CHECK(6 * initial_curvature(chain, mode) * w.square / mode.force == close_to(means).epsilon(1e-9));
         positive = positive && initial_curvature(chain, mode) > 0 && w.mean(2) > 5 * w.a * w.a &&
                    mode.force * static_cast<double>(n * n) > 8 - 1e-9 && mode.force < 4;
       }

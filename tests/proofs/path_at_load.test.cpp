@@ -8,6 +8,8 @@
 
 #include "proofs/certified_path.hpp"
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline;
 using namespace plumbline::proofs;
 
@@ -66,13 +68,13 @@ TEST_CASE("beside a bifurcation the state at a load is that of the branch that t
   const auto stretches = load_slowly(brancher, brancher.start(0, shape), {0, 0.6});
   REQUIRE(stretches.size() == 2);
   const double critical = stretches[0].points.back().load;
-  CHECK(critical == doctest::Approx(0.040735331464751).epsilon(1e-9));
+  CHECK(critical == close_to(0.040735331464751).epsilon(1e-9));
   double last = -stretches[0].points.back().force.x;
   for (const double off : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) {
     const auto state = state_at_load(brancher, stretches, critical + off);
     CAPTURE(off);
     REQUIRE(state);
-    CHECK(state->load == doctest::Approx(critical + off).epsilon(1e-12));
+    CHECK(state->load == close_to(critical + off).epsilon(1e-12));
     // on the branch that leaves, the angle off the symmetric shape grows as the root of the load
     const double aside = std::abs(state->theta(0) - stretches[0].points.back().theta(0)) / std::sqrt(off);
     CHECK(aside > 0.3);
@@ -83,7 +85,7 @@ TEST_CASE("beside a bifurcation the state at a load is that of the branch that t
   const auto near = state_at_load(brancher, stretches, critical + 1e-6),
              far = state_at_load(brancher, stretches, critical + 1e-3);
   REQUIRE((near && far));
-  CHECK((near->force.x - far->force.x) / (1e-3 - 1e-6) == doctest::Approx(0.17933).epsilon(1e-4));
+  CHECK((near->force.x - far->force.x) / (1e-3 - 1e-6) == close_to(0.17933).epsilon(1e-4));
   const auto before = state_at_load(brancher, stretches, critical - 1e-3);
   REQUIRE(before);
   CHECK(before->negative_directions == 0);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "simulator/draw_scatter.hpp"
+#include "tests/close_to.hpp"
 #include "tests/simulator/a_bench.hpp"
 
 using namespace plumbline::simulator;
@@ -54,13 +55,13 @@ TEST_CASE("cross-talk, curvature, the tare of another day, warming up, saturatio
   is.cross_talk = {0.1, -0.2};
   is.other_day[plan.runs[0].id].tare = {0.3, 0};
   const Readings mixed = shown(is, plan);
-  CHECK(mixed[2].force[0] == doctest::Approx(2 + 0.1 * 1.5 + 0.3));
-  CHECK(mixed[2].force[1] == doctest::Approx(1.5 - 0.2 * 2));
+  CHECK(mixed[2].force[0] == close_to(2 + 0.1 * 1.5 + 0.3));
+  CHECK(mixed[2].force[1] == close_to(1.5 - 0.2 * 2));
   is = physics_of(plan);
   is.other_day[plan.runs[1].id].tare = {0.3, 0};
-  CHECK(shown(is, plan)[2].force[0] == doctest::Approx(2));
+  CHECK(shown(is, plan)[2].force[0] == close_to(2));
   is.curvature = {0.05, 0}, is.warming = {1, 0}, is.warming_time = 4;
-  CHECK(shown(is, plan)[2].force[0] == doctest::Approx(2 * 1.1 + 1 - std::exp(-1)));
+  CHECK(shown(is, plan)[2].force[0] == close_to(2 * 1.1 + 1 - std::exp(-1)));
   is = physics_of(plan);
   is.saturation = 1.75;
   CHECK(shown(is, plan)[1].force[0] == 1.5);
@@ -77,28 +78,28 @@ TEST_CASE("a cell that lags behind a steady rise is late by its time constant") 
   // y' = (F - y) / tau with F = 1 + t / 4: y = F - tau / 4 (1 - exp(-t / tau))
   for (const std::size_t i : {1U, 2U, 20U}) {
     const double t = 2 * static_cast<double>(i);
-    CHECK(late[i].force[0] == doctest::Approx(1 + t / 4 - 1.5 / 4 * (1 - std::exp(-t / 1.5))));
+    CHECK(late[i].force[0] == close_to(1 + t / 4 - 1.5 / 4 * (1 - std::exp(-t / 1.5))));
   }
 }
 
 TEST_CASE("scatter is as large and as correlated as it says") {
   // 20000 readings: a deviation is known to 0.5 %, a correlation of 0.9 to 0.3 %; tolerances are four of
   // these
-  CHECK(noise_of(scatter_of(0.02), 5).deviation == doctest::Approx(0.02).epsilon(0.02));
+  CHECK(noise_of(scatter_of(0.02), 5).deviation == close_to(0.02).epsilon(0.02));
   Scatter scatter = scatter_of(0.02);
   scatter.correlation = 0.9;
-  CHECK(noise_of(scatter, 5).neighbours == doctest::Approx(0.9).epsilon(0.013));
+  CHECK(noise_of(scatter, 5).neighbours == close_to(0.9).epsilon(0.013));
   scatter = scatter_of(0.02);
   scatter.proportional = 0.01;
-  CHECK(noise_of(scatter, 5).deviation == doctest::Approx(std::hypot(0.02, 0.05)).epsilon(0.02));
+  CHECK(noise_of(scatter, 5).deviation == close_to(std::hypot(0.02, 0.05)).epsilon(0.02));
   scatter = scatter_of(0.02);
   scatter.hum = 3, scatter.hum_period = 7.3;
-  CHECK(noise_of(scatter, 5).deviation == doctest::Approx(0.02 * std::sqrt(1 + 4.5)).epsilon(0.02));
+  CHECK(noise_of(scatter, 5).deviation == close_to(0.02 * std::sqrt(1 + 4.5)).epsilon(0.02));
   scatter = scatter_of(0.02);
   scatter.bad_channel = "Fx", scatter.bad_factor = 3;
-  CHECK(noise_of(scatter, 5).deviation == doctest::Approx(0.06).epsilon(0.02));
+  CHECK(noise_of(scatter, 5).deviation == close_to(0.06).epsilon(0.02));
   scatter.bad_channel = "Fy";
-  CHECK(noise_of(scatter, 5).deviation == doctest::Approx(0.02).epsilon(0.02));
+  CHECK(noise_of(scatter, 5).deviation == close_to(0.02).epsilon(0.02));
 }
 
 TEST_CASE("rough noise goes to three times the declared, 8 % of outliers and a correlation of 0.9") {

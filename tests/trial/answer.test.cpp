@@ -4,6 +4,8 @@
 
 #include <plumbline/base/error.hpp>
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline::trial;
 
 namespace {
@@ -129,7 +131,7 @@ TEST_CASE("a report is read from the machine format; what is not one is refused"
   CHECK(report.bounds.at("backlash(2)/b").low == 0.5);
   CHECK(report.joint == 2);
   CHECK(report.channel == "Fx");
-  CHECK(*report.shrunk == doctest::Approx(2));
+  CHECK(*report.shrunk == close_to(2));
   CHECK(answer(backlash, report) == Answer::in_class);
   CHECK_THROWS_WITH_AS(report_from(nlohmann::json::object(), "report.json"), doctest::Contains("report.json"),
                        plumbline::Error);
@@ -140,9 +142,9 @@ TEST_CASE("of two ranked explanations that are both right, one is expected to ha
   Report report = said("ambiguous", {"backlash(2)"}, {{"rest_angle(2)"}});
   report.ranking = {{{"backlash(2)"}, 0.6}, {{"rest_angle(2)"}, 0.3}, {{"gravity"}, 0.1}};
   // (0.6 - 1)^2 + 0.3^2 + 0.1^2
-  CHECK(judge(either, report).brier == doctest::Approx(0.26));
+  CHECK(judge(either, report).brier == close_to(0.26));
   report.ranking = {{{"gravity"}, 1.0}};  // the truth is not ranked: 1^2, and 1^2 for what it lacks
-  CHECK(judge(either, report).brier == doctest::Approx(2));
+  CHECK(judge(either, report).brier == close_to(2));
 }
 
 TEST_CASE("a shrink is worth something only where the cause is right") {

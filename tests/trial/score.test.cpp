@@ -6,6 +6,8 @@
 
 #include "trial/report.hpp"
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline::trial;
 
 namespace {
@@ -80,7 +82,7 @@ TEST_CASE("stated probabilities are binned beside how often they were right") {
   for (const Reliability& bin : s.reliability) {
     if (bin.low == 0.9) {
       CHECK(is(bin.right, 1, 2));
-      CHECK(bin.stated == doctest::Approx(0.935));
+      CHECK(bin.stated == close_to(0.935));
     } else {
       CHECK(bin.right.total == 0);
     }
@@ -118,7 +120,7 @@ TEST_CASE("the Brier score is the mean over the cases that state a probability")
   cases[2].judgement.brier = 0.08;
   cases[4].judgement.stated = {0.6, false};
   cases[4].judgement.brier = 0.52;
-  CHECK(score(cases).brier == doctest::Approx((0.08 + 0.52) / 2));
+  CHECK(score(cases).brier == close_to((0.08 + 0.52) / 2));
 }
 
 TEST_CASE("the failures come first, the worst first, and a broken seal is one") {
