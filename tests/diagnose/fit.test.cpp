@@ -113,6 +113,31 @@ TEST_CASE("values that are not visible do not weigh") {
   CHECK(some.residual.size() == measurements.size());
 }
 
+TEST_CASE("what hidden values are makes no difference to a fit, nor to where it starts from") {
+  const Candidate truth = only("direction_friction");
+  const Experiment clean = measured(full_bench(), truth, {0.06, 0.5}, 23);
+  const Measurements measurements(clean);
+  FitSettings settings;
+  settings.visible.assign(measurements.size(), true);
+  for (const Series& series : measurements.series()) {
+    for (std::size_t i = 0; series.run == 0 && i < series.readings.size(); ++i)
+      settings.visible[series.first + i] = false;
+  }
+  const Fit expected = fit(Study(clean), truth, settings);
+  for (const double asymmetry : {-0.9, 0.9}) {
+    // hidden forces of the same bench with other friction: they speak for another start
+    Experiment other = clean;
+    other.runs[0] = measured(full_bench(), truth, {0.5, asymmetry}, 29).runs[0];
+    for (std::size_t i = 0; i < other.runs[0].readings.size(); ++i) {
+      Reading& reading = other.runs[0].readings[i];
+      reading.x = clean.runs[0].readings[i].x, reading.y = clean.runs[0].readings[i].y;
+    }
+    const Fit found = fit(Study(other), truth, settings);
+    CHECK(found.parameters == expected.parameters);
+    CHECK(found.cost == expected.cost);
+  }
+}
+
 TEST_CASE("starts lie within the physical bounds") {
   const Experiment experiment = full_bench();
   for (const EffectAt& at : possible_effects(Study(experiment))) {
