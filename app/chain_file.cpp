@@ -19,12 +19,12 @@ Rational parse_number(const std::string& text, const std::string& list, std::siz
     throw Error(list + ", entry " + std::to_string(i + 1),
                 text.empty() ? "nothing" : files::shown(text) + why, expected);
   };
-  const auto value = proofs::parse_decimal(text);
+  auto value = proofs::parse_decimal(text);
   if (!value) refuse("", "a decimal number");
   if ((list.ends_with("lengths") || list.ends_with("link_length")) && *value <= 0)
     refuse(", which is not positive", "a positive length");
   if (list.ends_with("stiffness") && *value < 0) refuse(", which is negative", "zero (passive) or positive");
-  return *value;
+  return *std::move(value);
 }
 
 /// The text with every bare decimal quoted: a TOML parser rounds numbers to double and refuses those that

@@ -4,6 +4,8 @@
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <plumbline/base/parallel.hpp>
 
 #include "app/arguments.hpp"
 #include "app/chain_file.hpp"
@@ -75,26 +77,47 @@ struct Results {
   std::vector<nlohmann::json> certificates;
 };
 
-/// Computes every chain of the table; what cannot be computed joins its errors.
+/// What is asked for of one chain.
+struct Result {
+  CriticalModes chain;
+  nlohmann::json certificate;
+};
+
+Result compute(NamedChain& entry, const Options& options) {
+  require_straight(entry.chain);
+  const auto modes = needs_shapes(options) ? proofs::modes_in_decimals : proofs::forces_in_decimals;
+  auto found = modes(entry.chain, wanted(options), options.digits);
+  nlohmann::json certificate;
+  if (!options.certify.empty()) {
+    const std::size_t shapes = options.digits > 1 ? wanted(options) : 0;
+    certificate = proofs::certificate(entry.name, entry.chain,
+                                      proofs::certify(entry.chain, wanted(options), shapes, options.digits));
+  }
+  return {{std::move(entry.name), std::move(entry.chain), std::move(found)}, std::move(certificate)};
+}
+
+/// Computes every chain of the table, which is used up; what cannot be computed joins its errors.
 Results compute(ChainTable& table, const Options& options) {
-  Results results;
   const std::size_t count = table.chains.size();
+  std::vector<std::optional<Result>> found(count);
+  std::vector<std::string> errors(count);
   Progress progress(count > 1 ? "chains" : "critical forces", count > 1 ? count : 0);
-  for (const NamedChain& entry : table.chains) {
+  in_parallel(count, std::thread::hardware_concurrency(), [&](std::size_t i) {
     try {
-      require_straight(entry.chain);
-      const auto modes = needs_shapes(options) ? proofs::modes_in_decimals : proofs::forces_in_decimals;
-      results.chains.push_back(
-          {entry.name, entry.chain, modes(entry.chain, wanted(options), options.digits)});
-      if (!options.certify.empty()) {
-        const std::size_t shapes = options.digits > 1 ? wanted(options) : 0;
-        results.certificates.push_back(proofs::certificate(
-            entry.name, entry.chain, proofs::certify(entry.chain, wanted(options), shapes, options.digits)));
-      }
+      found[i] = compute(table.chains[i], options);
     } catch (const Error& error) {
-      table.errors.push_back(entry.place + ": " + error.what());
+      errors[i] = table.chains[i].place + ": " + error.what();
     }
     progress.advance();
+  });
+  Results results;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!found[i]) {
+      table.errors.push_back(std::move(errors[i]));
+      continue;
+    }
+    results.chains.push_back(std::move(found[i]->chain));
+    if (!options.certify.empty()) results.certificates.push_back(std::move(found[i]->certificate));
   }
   return results;
 }

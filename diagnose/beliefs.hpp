@@ -14,6 +14,13 @@ inline constexpr double scale_spread = 0.25;
 /// Readings that scatter more than so many times the declared sigma scatter for a reason: a ripple of the
 /// device that nobody has listed is more likely than a sigma that is as wrong.
 inline constexpr double largest_scale = 5;
+/// Third differences of noise alternate: the products of neighbours over the larger of their squares have the
+/// mean -0.34 where the values are independent, -0.29 where they correlate by 0.5 to 0.9; along a curve that
+/// is sampled coarsely they are positive.
+inline constexpr double alternates = -0.2;
+/// Twice the log-likelihood that noise in proportion to the readings has to gain: one bench in ten has it,
+/// and third differences of neighbours hold a third of what so many independent values would.
+inline constexpr double proportional_gain = 18;
 /// Spread of the half-normal correlation of neighbouring readings: 0.6 is rare, but possible.
 inline constexpr double correlation_spread = 0.3;
 /// So many readings of a bench are slips, knocks and dropouts, with noise so many times as wide.

@@ -168,8 +168,11 @@ std::vector<CriticalMode> modes_in_decimals(const Chain<Rational>& chain, std::s
 
 std::vector<CriticalMode> forces_in_decimals(const Chain<Rational>& chain, std::size_t lowest, int digits) {
   std::vector<CriticalMode> modes;
-  for (const ForceEnclosure& force : enclose_critical_forces(chain, lowest, digits))
-    modes.push_back({rounded(force, chain, digits), rounded(force, chain, std::min(digits, 15)), {}, 0, {}});
+  for (const ForceEnclosure& force : enclose_critical_forces(chain, lowest, digits)) {
+    const std::string text = rounded(force, chain, digits);
+    constexpr int most = 15;
+    modes.push_back({text, digits > most ? rounded(force, chain, most) : text, {}, 0, {}});
+  }
   return modes;
 }
 

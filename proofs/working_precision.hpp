@@ -3,6 +3,7 @@
 /// The precision of the number types that choose it at run time, for a while.
 
 #include <boost/multiprecision/mpfi.hpp>
+#include <mutex>
 #include <plumbline/base/number.hpp>
 
 namespace plumbline::proofs {
@@ -14,10 +15,11 @@ using MpfrInterval = mp::number<mp::mpfi_float_backend<0>, mp::et_off>;
 constexpr int wide_digits = 57;
 using Wide = mp::number<mp::mpfr_float_backend<wide_digits, mp::allocate_stack>, mp::et_off>;
 
-/// Mpfr and MpfrInterval have so many decimal digits while this lives. The precision is one for all threads.
+/// Mpfr and MpfrInterval have so many decimal digits while this lives. The precision is one for all threads,
+/// so that another thread that sets one waits until then; those that share the work use it as it is.
 class WorkingPrecision {
  public:
-  explicit WorkingPrecision(int digits) : before_(Mpfr::default_precision()) {
+  explicit WorkingPrecision(int digits) : alone_(in_use), before_(Mpfr::default_precision()) {
     set(static_cast<unsigned>(digits));
   }
   ~WorkingPrecision() { set(before_); }
@@ -29,6 +31,8 @@ class WorkingPrecision {
     Mpfr::default_precision(digits);
     MpfrInterval::default_precision(digits);
   }
+  static inline std::recursive_mutex in_use;  // recursive: one may be set inside another
+  std::scoped_lock<std::recursive_mutex> alone_;
   unsigned before_;
 };
 

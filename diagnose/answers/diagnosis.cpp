@@ -34,7 +34,7 @@ GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
   for (const Series& series : measurements.series()) {
     const double scale = gap.test.noise.of(series.channel);
     for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i) {
-      gap.rms[series.channel] += std::pow(series.sigma * clean[i], 2);
+      gap.rms[series.channel] += std::pow(series.sigmas[i - series.first] * clean[i], 2);
       count[series.channel] += 1;
       sum += std::pow(clean[i] / scale, 2);
     }
@@ -43,6 +43,11 @@ GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
   for (const Hum& one : gap.test.hum) {
     const Series& series = measurements.series()[one.series];
     gap.hum.push_back({study.experiment().runs[series.run].id, series.channel, one.period, one.rms()});
+  }
+  for (const Series& series : measurements.series()) {
+    if (series.proportion == 0) continue;
+    double& share = gap.proportional[series.channel.name];
+    share = std::max(share, series.proportion * series.sigma * gap.test.noise.of(series.channel));
   }
   gap.chi2_per_value = sum / static_cast<double>(measurements.size());
   return gap;
@@ -138,6 +143,11 @@ std::optional<Shrink> shrink_of(const Study& study, const Findings& findings, co
   return blind->shrink;
 }
 
+/// Whether readings that were held out tell against it.
+bool fails(const Shrink& shrink) {
+  return shrink.tested() && !(shrink.ratio < 1);
+}
+
 /// Where no known effect explains the gap: a law that closes it, if one predicts.
 void offer_law_to(const Study& study, const HeldOut& heldout, const Findings& chosen, Diagnosis& diagnosis) {
   std::vector<const Fit*> fits;
@@ -149,7 +159,15 @@ void offer_law_to(const Study& study, const HeldOut& heldout, const Findings& ch
     bases.push_back({partial.candidate, partial.parameters});
   }
   diagnosis.law = offer_law(study, heldout, diagnosis.noise, bases);
+  if (diagnosis.law && diagnosis.law->shrink && fails(*diagnosis.law->shrink)) diagnosis.law.reset();
   if (diagnosis.offers_law()) diagnosis.shrink = diagnosis.law->shrink;
+}
+
+void offer_only_what_predicts(Diagnosis& diagnosis) {
+  const bool unknown = diagnosis.cause.verdict == CauseVerdict::unknown;
+  if (!unknown || !diagnosis.shrink || !fails(*diagnosis.shrink)) return;
+  diagnosis.shrink.reset();
+  diagnosis.nothing_predicts = true;
 }
 
 void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
@@ -183,6 +201,7 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
     test_best();
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.reservation != Reservation::none)
     offer_law_to(study, heldout, chosen, diagnosis);
+  offer_only_what_predicts(diagnosis);
   diagnosis.not_exercised = never_exercised(study, chosen);
   if (!diagnosis.cause.ranking.empty()) {
     // What the best explanation is made of has been seen at work.

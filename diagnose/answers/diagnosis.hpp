@@ -28,6 +28,8 @@ struct GapAnswer {
   double chi2_per_value;          ///< of the nominal residual, in the noise as it is
   std::map<Channel, double> rms;  ///< of the nominal residual by channel, in its unit
   std::vector<HummingChannel> hum;
+  /// Of channels that scatter in proportion to their readings: the share of the reading, beside the rest.
+  std::map<Channel::Name, double> proportional;
 };
 
 /// A parameter of the best explanation with its 95 % bounds, in catalogue units.
@@ -47,6 +49,9 @@ struct Diagnosis {
       estimates;                        ///< [effect of the best explanation][parameter]; of a known cause
   std::vector<EffectAt> not_exercised;  ///< effects that these runs could not have shown
   std::optional<Shrink> shrink;
+  /// For `unknown`: on readings held out neither a law nor the best partial explanation leaves less than the
+  /// nominal model does, so that nothing is offered and there is no shrink.
+  bool nothing_predicts = false;
   std::optional<OfferedLaw> law;    ///< where the cause may be unknown: a law that closes the gap
   std::optional<Missing> missing;   ///< for `unknown`: what is missing, without a catalogue
   std::vector<Proposal> proposals;  ///< for `ambiguous`, or on request: what to measure next

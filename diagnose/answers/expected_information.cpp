@@ -2,60 +2,53 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <numbers>
 
 namespace plumbline::diagnose {
 namespace {
 
-/// A Gaussian prediction.
+/// A Gaussian prediction of the covariance I + half half^T.
 struct Gaussian {
   Eigen::VectorXd mean;
-  Eigen::MatrixXd covariance;
+  Eigen::MatrixXd half;
+  double log_determinant;
 };
 
-/// The predictions, in coordinates of the plane in which they differ in anything.
-std::vector<Gaussian> predictions(const std::vector<Forecast>& rivals) {
-  const Forecast& first = rivals.front();
-  Eigen::Index columns = static_cast<Eigen::Index>(rivals.size());
-  for (const Forecast& one : rivals) columns += one.slope.cols();
-  Eigen::MatrixXd all(first.read.size(), columns);
-  Eigen::Index next = 0;
-  for (const Forecast& one : rivals) {
-    all.col(next) = one.read - first.read;
-    all.middleCols(next + 1, one.slope.cols()) = one.slope;
-    next += 1 + one.slope.cols();
-  }
-  const Eigen::Index kept = std::min(all.rows(), all.cols());
-  const Eigen::MatrixXd factor =
-      Eigen::HouseholderQR<Eigen::MatrixXd>(all).matrixQR().topRows(kept).triangularView<Eigen::Upper>();
-  std::vector<Gaussian> result;
-  next = 0;
-  for (const Forecast& one : rivals) {
-    const Eigen::MatrixXd slope = factor.middleCols(next + 1, one.slope.cols());
-    result.push_back({factor.col(next),
-                      Eigen::MatrixXd::Identity(kept, kept) + slope * one.covariance * slope.transpose()});
-    next += 1 + one.slope.cols();
-  }
-  return result;
+/// Of I + half^T half, whose determinant is that of I + half half^T: parameters are fewer than readings.
+Eigen::LLT<Eigen::MatrixXd> small_factor(const Eigen::MatrixXd& half) {
+  const Eigen::Index columns = half.cols();
+  return Eigen::LLT<Eigen::MatrixXd>(Eigen::MatrixXd::Identity(columns, columns) + half.transpose() * half);
 }
 
 double log_determinant(const Eigen::LLT<Eigen::MatrixXd>& factor) {
-  return 2 * Eigen::MatrixXd(factor.matrixL()).diagonal().array().log().sum();
+  return 2 * factor.matrixLLT().diagonal().array().log().sum();
 }
 
-/// Bhattacharyya's distance.
+Gaussian prediction(const Forecast& rival) {
+  // Of a covariance that is singular to rounding too.
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spread(rival.covariance);
+  Eigen::MatrixXd half =
+      rival.slope * spread.eigenvectors() * spread.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+  const double determinant = log_determinant(small_factor(half));
+  return {rival.read, std::move(half), determinant};
+}
+
+/// Bhattacharyya's distance; the inverse by Woodbury's identity.
 double distance(const Gaussian& a, const Gaussian& b) {
-  const Eigen::LLT<Eigen::MatrixXd> between((a.covariance + b.covariance) / 2);
-  const Eigen::VectorXd apart = a.mean - b.mean;
-  return apart.dot(between.solve(apart)) / 8 +
-         (log_determinant(between) -
-          (log_determinant(a.covariance.llt()) + log_determinant(b.covariance.llt())) / 2) /
-             2;
+  Eigen::MatrixXd half(a.half.rows(), a.half.cols() + b.half.cols());
+  half << a.half, b.half;
+  half /= std::numbers::sqrt2;
+  const Eigen::LLT<Eigen::MatrixXd> between = small_factor(half);
+  const Eigen::VectorXd apart = a.mean - b.mean, seen = half.transpose() * apart;
+  return (apart.squaredNorm() - seen.dot(between.solve(seen))) / 8 +
+         (log_determinant(between) - (a.log_determinant + b.log_determinant) / 2) / 2;
 }
 
 }  // namespace
 
 double expected_information(const std::vector<Forecast>& rivals) {
-  const std::vector<Gaussian> all = predictions(rivals);
+  std::vector<Gaussian> all;
+  for (const Forecast& rival : rivals) all.push_back(prediction(rival));
   const std::size_t count = all.size();
   Eigen::MatrixXd overlap =
       Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(count));

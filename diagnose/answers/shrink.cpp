@@ -103,8 +103,8 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
     const Series& series = measurements.series()[s];
     const Channel& channel = series.channel;
     for (const std::size_t i : values[s]) {
-      shrink.rms_before[channel] += std::pow(series.sigma * before[i], 2);
-      shrink.rms_after[channel] += std::pow(series.sigma * after[i], 2);
+      shrink.rms_before[channel] += std::pow(series.sigmas[i - series.first] * before[i], 2);
+      shrink.rms_after[channel] += std::pow(series.sigmas[i - series.first] * after[i], 2);
       count[channel] += 1;
       all.before += before[i] * before[i];
       all.after += after[i] * after[i];

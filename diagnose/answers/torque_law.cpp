@@ -119,13 +119,12 @@ std::vector<LawSums> sums_of(const Study& study, const Response& rig, const Plac
     for_each_part(study, rig, place[b], [&](std::size_t a, std::size_t run, const Matrix& terms) {
       for (const Series& series : study.measurements().series()) {
         if (series.run != run) continue;
-        const double unit = 1 / (series.sigma * noise.of(series.channel));
         const auto answer = rig.per_torque[a][run].col(column_of(series.channel));
         for (std::size_t i = 0; i < series.readings.size(); ++i) {
           const auto reading = static_cast<Eigen::Index>(series.readings[i]);
           slopes.row(static_cast<Eigen::Index>(series.first + i))
               .segment(static_cast<Eigen::Index>(b) * law_terms_count, law_terms_count) +=
-              unit * answer(reading) * terms.row(reading);
+              answer(reading) / (series.sigmas[i] * noise.of(series.channel)) * terms.row(reading);
         }
       }
     });
@@ -191,7 +190,7 @@ std::vector<double> to_explain(const Study& study, const Response& with, const T
         const auto answer = with.per_torque[a][run].col(column_of(series.channel));
         for (std::size_t i = 0; i < series.readings.size(); ++i) {
           const auto reading = static_cast<Eigen::Index>(series.readings[i]);
-          residual[series.first + i] += answer(reading) * torque(reading) / series.sigma;
+          residual[series.first + i] += answer(reading) * torque(reading) / series.sigmas[i];
         }
       }
     });

@@ -66,7 +66,7 @@ Missing channel(const Study& study, const std::vector<double>& residual,
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
       if (outlier[series.first + i]) continue;
       const Reading& reading = run.readings[series.readings[i]];
-      missing.points.push_back({over.of(reading), series.sigma * residual[series.first + i], reading.t,
+      missing.points.push_back({over.of(reading), series.sigmas[i] * residual[series.first + i], reading.t,
                                 back[series.run][series.readings[i]]});
     }
   }

@@ -9,20 +9,24 @@ Sensor Channel::sensor() const {
   return name == Name::x || name == Name::y ? Sensor::position : Sensor::force;
 }
 
-std::string Channel::label() const {
+std::string label(Channel::Name name) {
   switch (name) {
-    case Name::x:
+    case Channel::Name::x:
       return "x";
-    case Name::y:
+    case Channel::Name::y:
       return "y";
-    case Name::Fx:
+    case Channel::Name::Fx:
       return "Fx";
-    case Name::Fy:
+    case Channel::Name::Fy:
       return "Fy";
-    case Name::q:
+    case Channel::Name::q:
       break;
   }
-  return "q" + std::to_string(joint + 1);
+  return "q";
+}
+
+std::string Channel::label() const {
+  return diagnose::label(name) + (name == Name::q ? std::to_string(joint + 1) : "");
 }
 
 std::string_view Channel::unit() const {

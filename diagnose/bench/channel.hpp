@@ -31,6 +31,9 @@ struct Channel {
   [[nodiscard]] double sigma(const Noise& noise) const;
 };
 
+/// The name alone, "q" of all joint angles.
+std::string label(Channel::Name name);
+
 /// As their labels sort: the order in which reports list channels.
 inline bool operator<(const Channel& a, const Channel& b) {
   return a.label() < b.label();

@@ -4,8 +4,10 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "diagnose/bench/median.hpp"
+#include "diagnose/model/proportional_noise.hpp"
 
 namespace plumbline::diagnose {
 
@@ -41,36 +43,60 @@ std::vector<std::uint32_t> seed_of(const Channel& channel, const std::vector<dou
 
 /// Standard deviation of independent noise whose third differences are in the middle as large as those of the
 /// values, which a smooth curve hardly has; infinite where there are too few to say, or most of them repeat.
-double roughness(const std::vector<double>& values) {
-  constexpr std::size_t few = 12;
+double roughness(const ThirdDifferences& differences, double proportion) {
+  constexpr std::size_t few = 9;
   constexpr double unknown = std::numeric_limits<double>::infinity();
-  if (values.size() < few) return unknown;
+  if (differences.sizes.size() < few) return unknown;
   std::vector<double> sizes;
-  for (std::size_t i = 3; i < values.size(); ++i)
-    sizes.push_back(std::abs(values[i] - 3 * values[i - 1] + 3 * values[i - 2] - values[i - 3]));
+  for (std::size_t i = 0; i < differences.sizes.size(); ++i)
+    sizes.push_back(std::abs(differences.sizes[i]) / std::hypot(1.0, proportion * differences.levels[i]));
   const double middle = median(std::move(sizes));
-  constexpr double normal_mad = 0.6745, squares = 20;  // 1 + 9 + 9 + 1
-  return middle > 0 ? middle / normal_mad / std::sqrt(squares) : unknown;
+  constexpr double normal_mad = 0.6745;
+  return middle > 0 ? middle / normal_mad : unknown;
 }
 
 }  // namespace
 
 Measurements::Measurements(const Experiment& experiment) {
+  std::vector<std::vector<double>> all;
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     for (const Channel& channel : run.measured()) {
-      Series series{r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, 0, 0, {}};
+      Series series{r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, {}, 0, 0,
+                    0, {}};
       for (std::size_t i = 0; i < run.readings.size(); ++i)
         if (!std::isnan(channel.of(run.readings[i]))) series.readings.push_back(i);
       if (series.readings.empty()) continue;
       std::vector<double> values;
       for (const std::size_t i : series.readings) values.push_back(channel.of(run.readings[i]));
-      series.roughness = roughness(values) / series.sigma;
       series.seed = seed_of(channel, values);
-      series.step = rounding_step(std::move(values)) / series.sigma;
+      series.step = rounding_step(values) / series.sigma;
       size_ += series.readings.size();
       series_.push_back(std::move(series));
+      all.push_back(std::move(values));
     }
+  }
+  weigh(experiment, all);
+}
+
+/// Gives every value its sigma. What scatters in proportion does so in all runs of a channel.
+void Measurements::weigh(const Experiment& experiment, const std::vector<std::vector<double>>& values) {
+  std::vector<ThirdDifferences> differences;
+  std::map<Channel::Name, std::vector<ThirdDifferences>> even;
+  for (std::size_t s = 0; s < series_.size(); ++s) {
+    const Series& series = series_[s];
+    differences.emplace_back(values[s], series.sigma);
+    const std::vector<bool> evenly = goes_evenly(experiment.runs[series.run], series.readings);
+    even[series.channel.name].push_back(differences.back().where(evenly));
+  }
+  std::map<Channel::Name, double> proportions;
+  for (const auto& [name, all] : even) proportions[name] = proportional_noise(all);
+  for (std::size_t s = 0; s < series_.size(); ++s) {
+    Series& series = series_[s];
+    series.proportion = proportions[series.channel.name];
+    for (const double value : values[s])
+      series.sigmas.push_back(series.sigma * std::hypot(1.0, series.proportion * value));
+    series.roughness = roughness(differences[s], series.proportion);
   }
 }
 
@@ -80,7 +106,7 @@ std::vector<double> Measurements::residual(const Experiment& experiment, const P
     const std::vector<Reading>& measured = experiment.runs[series.run].readings;
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
       double& value = values[series.first + i];
-      value = series.channel.of(measured[series.readings[i]]) / series.sigma - value;
+      value = series.channel.of(measured[series.readings[i]]) / series.sigmas[i] - value;
     }
   }
   return values;
@@ -91,8 +117,8 @@ std::vector<double> Measurements::in_sigmas(const std::vector<Trace>& traces) co
   values.reserve(size_);
   for (const Series& series : series_) {
     const auto column = traces[series.run].col(column_of(series.channel));
-    for (const std::size_t i : series.readings)
-      values.push_back(column(static_cast<Eigen::Index>(i)) / series.sigma);
+    for (std::size_t i = 0; i < series.readings.size(); ++i)
+      values.push_back(column(static_cast<Eigen::Index>(series.readings[i])) / series.sigmas[i]);
   }
   return values;
 }

@@ -17,8 +17,11 @@ struct Series {
   double sigma;                       ///< declared noise
   std::size_t first;                  ///< place of its first value in the flat list
   std::vector<std::size_t> readings;  ///< index of each value's reading in the run
-  double step;       ///< that coarse readings are rounded to, declared sigmas; 0 where none shows
-  double roughness;  ///< of the readings themselves, declared sigmas: their noise is hardly larger
+  /// Of each value: the declared one, wider where the readings scatter in proportion to themselves.
+  std::vector<double> sigmas;
+  double proportion;  ///< that part over the declared sigma, per unit of the reading; mostly 0
+  double step;        ///< that coarse readings are rounded to, declared sigmas; 0 where none shows
+  double roughness;   ///< of the readings themselves, in sigmas: their noise is hardly larger
   /// Its own, made of its readings: begins random numbers that do not depend on the order of the runs.
   std::vector<std::uint32_t> seed;
 };
@@ -32,13 +35,15 @@ class Measurements {
   [[nodiscard]] const std::vector<Series>& series() const { return series_; }
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// (measured - predicted) / declared sigma, flat.
+  /// (measured - predicted) / sigma of the value, flat.
   [[nodiscard]] std::vector<double> residual(const Experiment& experiment, const Prediction& predicted) const;
 
-  /// What the traces (one a run) hold at the measured values, over the declared sigma, flat.
+  /// What the traces (one a run) hold at the measured values, over the sigma of the value, flat.
   [[nodiscard]] std::vector<double> in_sigmas(const std::vector<Trace>& traces) const;
 
  private:
+  void weigh(const Experiment& experiment, const std::vector<std::vector<double>>& values);
+
   std::vector<Series> series_;
   std::size_t size_ = 0;
 };

@@ -20,10 +20,9 @@ Json noise(const NoiseModel& model, const std::map<Channel, double>& by_channel)
   Json result = Json::object();
   for (const Channel::Name name :
        {Channel::Name::x, Channel::Name::y, Channel::Name::Fx, Channel::Name::Fy, Channel::Name::q}) {
-    const std::string label = name == Channel::Name::q ? "q" : Channel{name}.label();
     const bool measured = std::any_of(by_channel.begin(), by_channel.end(),
                                       [&](const auto& one) { return one.first.name == name; });
-    if (measured) result[label] = model.of({name});
+    if (measured) result[label(name)] = model.of({name});
   }
   result["correlation"] = model.correlation;
   return result;
@@ -36,11 +35,14 @@ Json by_label(const std::map<Channel, double>& values) {
 }
 
 Json gap(const GapAnswer& answer, const NoiseModel& model) {
+  Json proportional = Json::object();
+  for (const auto& [name, share] : answer.proportional) proportional[label(name)] = share;
   return {{"present", answer.present},
           {"p_value", answer.test.p_value},
           {"chi2_per_dof", answer.chi2_per_value},
           {"rms", by_label(answer.rms)},
-          {"noise", noise(model, answer.rms)}};
+          {"noise", noise(model, answer.rms)},
+          {"proportional_noise", proportional}};
 }
 
 Json where(const Where& places) {

@@ -19,7 +19,7 @@ page::NumberStyle style_of(const std::string& pointer) {
   if (key == "share" || key == "remainder") return page::NumberStyle::share;
   if (key == "p_value") return page::NumberStyle::chance;
   if (key == "probability" || pointer.find("/explained/") != std::string::npos ||
-      key.find("ratio") != std::string::npos)
+      pointer.find("/proportional_noise/") != std::string::npos || key.find("ratio") != std::string::npos)
     return page::NumberStyle::percent;
   if (key == "from" || key == "to" || key == "joint") return page::NumberStyle::count;
   if (key == "value" || key == "low" || key == "high") return page::NumberStyle::precise;
@@ -223,9 +223,12 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
   view["gap_level"] = fmt::format("{:g}", beliefs::gap_level);
   for (const auto& [sensor, scale] : view["gap"]["noise"].items())
     if (sensor != "correlation") view["noise"].push_back({{"sensor", sensor}, {"scale", scale}});
+  for (const auto& [sensor, share] : view["gap"]["proportional_noise"].items())
+    view["proportional"].push_back({{"sensor", sensor}, {"share", share}});
   view["channels_rms"] = gap_channels(diagnosis.gap, view["gap"]["rms"]);
   add_where(view, report, explained);
   add_cause(view, report, explained);
+  view["nothing_predicts"] = diagnosis.nothing_predicts;
   if (diagnosis.shrink) {
     view["shrink"]["by_channel"] = shrink_channels(*diagnosis.shrink, view["shrink"]);
     const CauseVerdict verdict = diagnosis.cause.verdict;

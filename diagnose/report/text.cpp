@@ -27,13 +27,13 @@ std::string scatter(const NoiseModel& noise, const std::map<Channel, double>& me
   using Name = Channel::Name;
   std::string text = "  noise over declared:", words;
   for (const Name name : {Name::x, Name::y, Name::Fx, Name::Fy, Name::q}) {
-    const std::string label = name == Name::q ? "q" : Channel{name}.label();
     const auto carries = [&](const auto& one) { return one.first.name == name; };
     if (std::none_of(measured.begin(), measured.end(), carries)) continue;
     const double scale = noise.of({name});
-    text += fmt::format(" {} {:.2f},", label, scale);
+    text += fmt::format(" {} {:.2f},", label(name), scale);
     if (scale > 1.5 || scale < 1 / 1.5)
-      words += fmt::format("  the readings of {} scatter {:.1f} times what was declared\n", label, scale);
+      words +=
+          fmt::format("  the readings of {} scatter {:.1f} times what was declared\n", label(name), scale);
   }
   text.back() = ';';
   return text + fmt::format(" neighbours correlate by {:.2f}\n", noise.correlation) + words;
@@ -47,6 +47,9 @@ std::string gap(const Diagnosis& diagnosis) {
                   answer.present ? "Yes" : "No, the nominal model explains the readings to the noise",
                   page::p_value(answer.test.p_value), answer.chi2_per_value, by_channel(answer.rms));
   text += scatter(noise, answer.rms);
+  for (const auto& [name, share] : answer.proportional)
+    text += fmt::format("  the readings of {} scatter by a further {:.2g} % of themselves\n", label(name),
+                        100 * share);
   if (answer.present) return text;
   for (const HummingChannel& one : answer.hum)
     text +=
@@ -157,6 +160,8 @@ std::string what_shrinks(const Diagnosis& diagnosis) {
 }
 
 std::string how_far(const Diagnosis& diagnosis) {
+  if (diagnosis.nothing_predicts)
+    return "How far?  Nothing that was tried leaves less on readings held out than the nominal model\n";
   if (!diagnosis.shrink) return "How far?  Not tested: too few readings to hold some out\n";
   const Shrink& shrink = *diagnosis.shrink;
   std::string held;

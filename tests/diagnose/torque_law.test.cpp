@@ -1,4 +1,4 @@
-#include "diagnose/answers/offered_law.hpp"
+#include "diagnose/answers/diagnosis.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -120,6 +120,22 @@ TEST_CASE("nothing is offered for noise") {
         {cycle(0.4, -0.4)}, [] { return [](double d) { return stiffness * d; }; }, seed);
     CHECK_FALSE(offered_for(experiment));
   }
+}
+
+TEST_CASE("where nothing predicts what was held out, nothing is offered") {
+  // A joint that answers each of eight readings in its own way.
+  const std::vector<double> wavers{9, -7, -6, 4, 8, 2, -9, 7};
+  const auto torque = [&] {
+    return [&, at = std::size_t{0}](double d) mutable {
+      return stiffness * d + 10 * force_noise * lever * wavers[at++];
+    };
+  };
+  const Experiment experiment = hinge({{0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35}}, torque, 1);
+  const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(experiment));
+  CHECK(diagnosis.cause.verdict == CauseVerdict::unknown);
+  CHECK(diagnosis.nothing_predicts);
+  CHECK_FALSE(diagnosis.shrink);
+  CHECK_FALSE(diagnosis.offers_law());
 }
 
 TEST_CASE("readings held out are never seen: garbage there, and the law is the same") {

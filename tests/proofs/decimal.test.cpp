@@ -52,6 +52,21 @@ TEST_CASE("a decimal that is written and read again is within half a unit of its
   });
 }
 
+TEST_CASE("zeros behind the point change nothing, however many") {
+  check_property("zeros", [] {
+    const auto whole = *rc::gen::inRange(0L, 1000000000L);
+    const auto behind = *rc::gen::inRange(0, 30);
+    const auto exponent = *rc::gen::inRange(-30, 30);
+    std::string digits = std::to_string(whole);
+    digits.insert(0, static_cast<std::size_t>(behind), '0');  // leading ones neither
+    const std::string tail = "e" + std::to_string(exponent);
+    const Rational value = Rational(whole) * mp::pow(Integer(10), static_cast<unsigned>(30 + exponent)) /
+                           mp::pow(Integer(10), 30u);
+    RC_ASSERT(parse_decimal(digits + tail).value() == value);
+    RC_ASSERT(parse_decimal("-" + digits + "." + std::string(20, '0') + tail).value() == -value);
+  });
+}
+
 TEST_CASE("where exponents begin") {
   CHECK(to_decimal(Rational(12, 1000000), 2) == "0.000012");
   CHECK(to_decimal(Rational(12, 10000000), 2) == "1.2e-6");

@@ -1,0 +1,127 @@
+#include "diagnose/model/proportional_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/beliefs.hpp"
+#include "diagnose/bench/median.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// Sum of squares of the coefficients 1, -3, 3, -1.
+constexpr double squares = 20;
+
+/// Mean of the products of neighbours over the larger of their squares, so that a step in a curve counts no
+/// more than noise does.
+double alternation(const std::vector<ThirdDifferences>& series) {
+  double products = 0, sizes = 0;
+  for (const ThirdDifferences& one : series) {
+    for (std::size_t i = 1; i < one.sizes.size(); ++i) {
+      const double a = one.sizes[i - 1], b = one.sizes[i];
+      const double size = std::max(a * a, b * b);
+      if (!(size > 0)) continue;
+      products += a * b / size;
+      sizes += 1;
+    }
+  }
+  return sizes > 0 ? products / sizes : 0;
+}
+
+/// Standard deviation by the median of the sizes; zero where most of them are.
+double spread(const std::vector<ThirdDifferences>& series) {
+  constexpr double normal_mad = 0.6745;
+  std::vector<double> magnitudes;
+  for (const ThirdDifferences& one : series)
+    for (const double size : one.sizes) magnitudes.push_back(std::abs(size));
+  return median(std::move(magnitudes)) / normal_mad;
+}
+
+/// The differences without those that an outlier or a step enters: one reading that is off spoils four in a
+/// row, the two in the middle most.
+std::vector<ThirdDifferences> without_steps(std::vector<ThirdDifferences> series) {
+  constexpr double limit = 4.5;
+  const double tolerance = limit * spread(series);
+  for (ThirdDifferences& one : series) {
+    const auto off = [&](std::size_t i) {
+      return i < one.sizes.size() && std::abs(one.sizes[i]) > tolerance;
+    };
+    ThirdDifferences kept;
+    for (std::size_t i = 0; i < one.sizes.size(); ++i) {
+      if (off(i) || off(i + 1) || (i > 0 && off(i - 1))) continue;
+      kept.sizes.push_back(one.sizes[i]);
+      kept.levels.push_back(one.levels[i]);
+    }
+    one = std::move(kept);
+  }
+  return series;
+}
+
+/// Twice the largest log-likelihood of sizes with the standard deviations s·sqrt(1 + r^2 level^2).
+double twice_log_likelihood(const std::vector<ThirdDifferences>& series, double r) {
+  double widths = 0, squares_sum = 0, count = 0;
+  for (const ThirdDifferences& one : series) {
+    for (std::size_t i = 0; i < one.sizes.size(); ++i) {
+      const double width = std::hypot(1.0, r * one.levels[i]);
+      widths += std::log(width);
+      squares_sum += std::pow(one.sizes[i] / width, 2);
+      count += 1;
+    }
+  }
+  return -2 * widths - count * std::log(squares_sum / count);
+}
+
+}  // namespace
+
+ThirdDifferences::ThirdDifferences(const std::vector<double>& values, double sigma) {
+  for (std::size_t i = 3; i < values.size(); ++i) {
+    const double a = values[i - 3], b = values[i - 2], c = values[i - 1], d = values[i];
+    sizes.push_back((d - 3 * c + 3 * b - a) / (std::sqrt(squares) * sigma));
+    levels.push_back(std::sqrt((a * a + 9 * b * b + 9 * c * c + d * d) / squares));
+  }
+}
+
+ThirdDifferences ThirdDifferences::where(const std::vector<bool>& even) const {
+  ThirdDifferences kept;
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (!even[i]) continue;
+    kept.sizes.push_back(sizes[i]);
+    kept.levels.push_back(levels[i]);
+  }
+  return kept;
+}
+
+std::vector<bool> goes_evenly(const Run& run, const std::vector<std::size_t>& readings) {
+  constexpr double alike = 0.25;
+  std::vector<Eigen::Vector2d> steps;
+  for (std::size_t i = 1; i < readings.size(); ++i)
+    steps.emplace_back(run.command(run.readings[readings[i]]) - run.command(run.readings[readings[i - 1]]));
+  std::vector<bool> even;
+  for (std::size_t i = 2; i < steps.size(); ++i) {
+    const double apart = std::max((steps[i] - steps[i - 1]).norm(), (steps[i - 1] - steps[i - 2]).norm());
+    even.push_back(apart <= alike * steps[i - 1].norm());
+  }
+  return even;
+}
+
+double proportional_noise(const std::vector<ThirdDifferences>& series) {
+  constexpr std::size_t few = 30;
+  constexpr double largest_ratio = 100, step = 1.15;
+  if (alternation(series) > beliefs::alternates || !(spread(series) > 0)) return 0;
+  const std::vector<ThirdDifferences> plain = without_steps(series);
+  double reach = 0;
+  std::size_t count = 0;
+  for (const ThirdDifferences& one : plain) {
+    for (const double level : one.levels) reach = std::max(reach, level);
+    count += one.sizes.size();
+  }
+  if (count < few || !(reach > 0)) return 0;
+  double best = 0, found = twice_log_likelihood(plain, 0) + beliefs::proportional_gain;
+  for (double ratio = 1; ratio < largest_ratio; ratio *= step) {
+    const double likelihood = twice_log_likelihood(plain, ratio / reach);
+    if (likelihood > found) best = ratio / reach, found = likelihood;
+  }
+  return best;
+}
+
+}  // namespace plumbline::diagnose
