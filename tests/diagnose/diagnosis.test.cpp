@@ -10,6 +10,7 @@
 #include <functional>
 #include <random>
 
+#include "diagnose/inference/fit.hpp"
 #include "diagnose/report/report.hpp"
 
 #include "tests/close_to.hpp"
@@ -103,13 +104,18 @@ TEST_CASE("a nominal experiment with a mis-declared sigma has no gap") {
 
 TEST_CASE(
     "one cause is identified, with its joint, its parameter within bounds, and the shrink at the noise") {
-  const Diagnosis diagnosis =
-      plumbline::diagnose::diagnose(Study(measured(bench(), {{{"backlash", 2}}}, {0.04}, 2)));
+  const Study study(measured(bench(), {{{"backlash", 2}}}, {0.04}, 2));
+  const Diagnosis diagnosis = plumbline::diagnose::diagnose(study);
   CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
   CHECK(said(diagnosis) == std::vector<std::string>{"backlash(2)"});
   const Estimate& b = diagnosis.estimates.at(0).at(0);
   CHECK(b.low < 0.04);
   CHECK(b.high > 0.04);
+  // bounds of 95 %: 1.96 deviations to either side where the parameter acts nearly linearly; of 90 %: 1.64
+  FitSettings settings;
+  settings.noise = diagnosis.noise;
+  const double deviation = std::sqrt(fit(study, {{{"backlash", 2}}}, settings).covariance(0, 0));
+  CHECK((b.high - b.low) / (2 * deviation) == doctest::Approx(1.96).epsilon(0.04));
   CHECK(diagnosis.where.joints.front().joint == 2);
   REQUIRE(diagnosis.shrink);
   CHECK(diagnosis.shrink->ratio_low <= diagnosis.shrink->noise_floor_ratio * 1.1);

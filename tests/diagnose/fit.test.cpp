@@ -114,6 +114,38 @@ TEST_CASE("values that are not visible do not weigh") {
   CHECK(some.residual.size() == measurements.size());
 }
 
+TEST_CASE("what hidden values are makes no difference to a fit, nor to where it starts from") {
+  // effects whose ranges do not follow the forces that are measured, and which start in several places
+  for (const char* id : {"nonlinear_spring", "viscoelasticity"}) {
+    CAPTURE(id);
+    const Candidate truth = only(id);
+    std::vector<double> sizeable;
+    for (const ParameterRange& range : Study(full_bench()).ranges(truth))
+      sizeable.push_back(0.6 * range.scale);
+    if (const auto known = chosen(truth.effects[0]); known && !known->sizeable.empty())
+      sizeable = known->sizeable;
+    const Experiment clean = measured(full_bench(), truth, sizeable, 23);
+    const Measurements measurements(clean);
+    FitSettings settings;
+    settings.visible.assign(measurements.size(), true);
+    for (const Series& series : measurements.series()) {
+      for (std::size_t i = 0; series.run == 0 && i < series.readings.size(); ++i)
+        settings.visible[series.first + i] = false;
+    }
+    const Fit expected = fit(Study(clean), truth, settings);
+    REQUIRE(expected.converged);
+    for (const double off : {-50.0, 50.0}) {
+      Experiment other = clean;
+      std::vector<Reading>& readings = other.runs[0].readings;
+      for (std::size_t i = 0; i < readings.size(); ++i) {
+        readings[i].Fx += off;
+        readings[i].Fy += i > readings.size() / 2 ? -off : off;
+      }
+      CHECK(fit(Study(other), truth, settings).parameters == expected.parameters);
+    }
+  }
+}
+
 TEST_CASE("starts lie within the physical bounds") {
   const Experiment experiment = full_bench();
   for (const EffectAt& at : possible_effects(Study(experiment))) {

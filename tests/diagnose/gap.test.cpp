@@ -147,3 +147,47 @@ TEST_CASE("p-values of noise: at most 15 in a hundred are below 0.15, however ma
   CHECK(share_below({40, 60}, 0.6, 400, 32) <= limit(400));
   CHECK(share_below(std::vector<std::size_t>(25, 14), 0.0, 80, 33) <= limit(80));
 }
+
+TEST_CASE("one odd series among twenty counts twenty times, and three looks three times") {
+  const Measurements measurements(blank_experiment(std::vector<std::size_t>(10, 40)));
+  std::mt19937_64 random(51);
+  std::vector<double> residual = correlated_noise(measurements, 1, 0, random);
+  const Series& odd = measurements.series()[4];
+  for (std::size_t i = 0; i < odd.readings.size(); ++i) residual[odd.first + i] += 0.9;
+  const GapTest test = test_gap(measurements, residual);
+  REQUIRE(test.series_p_value.size() == 20);
+  const double least = *std::min_element(test.series_p_value.begin(), test.series_p_value.end());
+  REQUIRE(least == test.series_p_value[4]);
+  REQUIRE(least < 1e-4);  // by itself: the mean of 40 is off by 5.7 of its deviations
+  CHECK(test.p_value == doctest::Approx(3 * 20 * least).epsilon(1e-12));
+}
+
+TEST_CASE("correlated noise has as much slow energy as is expected of it") {
+  // 24 components, squares of variance 2: a ratio spreads by sqrt(2 / 24), the mean of 40 by 0.046, and the
+  // correlation is itself found to a few percent
+  const Measurements measurements(blank_experiment({60, 90}));
+  std::mt19937_64 random(52);
+  double mean = 0;
+  for (int draw = 0; draw < 40; ++draw)
+    mean += test_gap(measurements, correlated_noise(measurements, 1, 0.6, random)).structure / 40;
+  CHECK(mean == doctest::Approx(1).epsilon(0.3));
+}
+
+TEST_CASE(
+    "a ripple neither slow nor between neighbours, of 0.7 sigma rms, shows in the size of the whole "
+    "residual") {
+  const Measurements measurements(blank_experiment({200, 200}));
+  std::mt19937_64 random(53);
+  std::vector<double> residual = correlated_noise(measurements, 1, 0, random);
+  for (const Series& series : measurements.series()) {
+    for (std::size_t i = 0; i < series.readings.size(); ++i) {
+      for (int k = 14; k < 50; k += 3)  // waves spread over frequencies, no tone
+        residual[series.first + i] +=
+            0.3 * std::cos(std::numbers::pi * k * (static_cast<double>(i) + 0.5) / 200 + k * k);
+    }
+  }
+  const GapTest test = test_gap(measurements, residual);
+  REQUIRE(test.hum.empty());
+  REQUIRE(test.structure < 1);
+  CHECK(test.p_value < beliefs::gap_level);
+}

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnose/inference/separation.hpp"
@@ -105,5 +106,35 @@ TEST_CASE("joint angles are an extra only where the bench does not read them") {
       extras += one.description.find("joint angles measured") != std::string::npos;
     }
     CHECK((extras > 0) == !reads);
+  }
+}
+
+TEST_CASE("what a run is expected to show is counted in the noise as it is, channel by channel") {
+  // a sigma declared twice as large, or found twice as large as declared, are one and the same noise
+  const Experiment experiment = measured(along_x(), only("rest_angle", 1), {0.02}, 47);
+  const Study study(experiment);
+  const std::vector<Fit> rivals{fit(study, only("rest_angle", 1), {}),
+                                fit(study, only("joint_stiffness", 2), {})};
+  const auto leads = [&](const Experiment& declared, const NoiseModel& found) {
+    std::vector<double> result;
+    for (const Proposal& one : next_runs(Study(declared), rivals, found, 1000))
+      result.push_back(one.log_odds - one.log_odds_so_far);
+    std::sort(result.begin(), result.end());
+    return result;
+  };
+  const std::vector<double> as_declared = leads(experiment, {});
+  REQUIRE_FALSE(as_declared.empty());
+  for (const auto& [name, sigma] :
+       {std::pair{Channel::Name::Fx, &Noise::Fx}, std::pair{Channel::Name::Fy, &Noise::Fy}}) {
+    Experiment louder = experiment;
+    louder.noise.*sigma *= 2;
+    NoiseModel found;
+    found.scale[static_cast<std::size_t>(name)] = 2;
+    const std::vector<double> by_declaration = leads(louder, {}), by_finding = leads(experiment, found);
+    REQUIRE(by_declaration.size() == as_declared.size());
+    REQUIRE(by_finding.size() == as_declared.size());
+    CHECK(by_finding.back() != doctest::Approx(as_declared.back()).epsilon(1e-3));
+    for (std::size_t i = 0; i < as_declared.size(); ++i)
+      CHECK(by_finding[i] == doctest::Approx(by_declaration[i]).epsilon(1e-9));
   }
 }

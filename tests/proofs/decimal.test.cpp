@@ -71,3 +71,14 @@ TEST_CASE("where exponents begin") {
   CHECK(to_decimal(Rational(12, 1000000), 2) == "0.000012");
   CHECK(to_decimal(Rational(12, 10000000), 2) == "1.2e-6");
 }
+
+TEST_CASE("a unit in a digit, at powers of ten and beside them") {
+  const Rational tiny(1, 1000000000);
+  for (int e = -3; e <= 3; ++e) {
+    const Rational power = shifted(Rational(1), e);
+    CHECK(unit_in_digit(power, 3) == shifted(Rational(1), e - 2));
+    CHECK(unit_in_digit(-power, 1) == power);
+    CHECK(unit_in_digit(power * (1 - tiny), 3) == shifted(Rational(1), e - 3));
+    CHECK(unit_in_digit(power * (1 + tiny), 3) == shifted(Rational(1), e - 2));
+  }
+}
