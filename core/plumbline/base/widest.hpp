@@ -9,7 +9,9 @@ namespace plumbline::detail {
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__AVX512F__)
 /// Whether there are registers of eight doubles that the program is not compiled for.
 inline bool widens() {
-  return __builtin_cpu_supports("x86-64-v4") != 0;
+  return __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+         __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
+         __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
 }
 
 // Features by name and not a level: functions become part of one that is compiled for more features, but not
