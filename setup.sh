@@ -58,7 +58,7 @@ tests=(
   "${docs[@]}"
 )
 fuzz=(clang)
-bench=(liblapack-dev libopenblas-dev libspectra-dev python3-scipy auto-07p gfortran)
+bench=(liblapack-dev libopenblas-dev libspectra-dev python3-scipy auto-07p gfortran gnuplot-nox)
 
 packages=("${program[@]}")
 case "${1:-}" in

@@ -1,5 +1,6 @@
 #include "app/chain_file.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cstring>
 #include <set>
@@ -27,10 +28,51 @@ Rational parse_number(const std::string& text, const std::string& list, std::siz
   return *std::move(value);
 }
 
+/// Collects text in which decimals that follow each other in a list become one string, joined by ';': a
+/// parser takes its time, and a hundred bytes, for every entry.
+class JoinedDecimals {
+ public:
+  void decimal(const std::string& digits) {
+    if (open_ && std::count(gap_.begin(), gap_.end(), ',') == 1) {
+      lines_.append(static_cast<std::size_t>(std::count(gap_.begin(), gap_.end(), '\n')), '\n');
+      gap_.clear();
+      text_ += ';';
+    } else {
+      close();
+      text_ += '"';
+      open_ = true;
+    }
+    text_ += digits;
+  }
+  void other(const std::string& token) {
+    if (open_ && token.find_first_not_of(", \t\r\n") == std::string::npos) {
+      gap_ += token;
+    } else {
+      close();
+      text_ += token;
+    }
+  }
+  std::string text() {
+    close();
+    return std::move(text_);
+  }
+
+ private:
+  /// Everything keeps its line.
+  void close() {
+    if (open_) text_ += '"' + lines_ + gap_;
+    open_ = false;
+    lines_.clear();
+    gap_.clear();
+  }
+  std::string text_, lines_, gap_;
+  bool open_ = false;  ///< the last string, behind which the gap stands
+};
+
 /// The text with every bare decimal quoted: a TOML parser rounds numbers to double and refuses those that
 /// overflow, but keeps strings as they are. What is in quotes or a comment already stays.
 std::string quote_decimals(const std::string& text) {
-  std::string result;
+  JoinedDecimals result;
   for (std::size_t at = 0; at < text.size();) {
     std::size_t end = at + 1;
     if (text[at] == '#') {
@@ -47,10 +89,21 @@ std::string quote_decimals(const std::string& text) {
     const std::string token = text.substr(at, end - at);
     std::string digits = token;
     std::erase(digits, '_');  // TOML groups digits with it
-    result += proofs::parse_decimal(digits) ? '"' + digits + '"' : token;
+    proofs::parse_decimal(digits) ? result.decimal(digits) : result.other(token);
     at = end;
   }
-  return result;
+  return result.text();
+}
+
+/// The numbers of a text that joins them by ';', behind those before.
+void add_joined(std::vector<Rational>& values, const std::string& field, const std::string& list) {
+  for (std::size_t at = 0; at <= field.size();) {
+    const std::size_t end = std::min(field.find(';', at), field.size());
+    const std::size_t first = std::min(field.find_first_not_of(' ', at), end);
+    const std::size_t last = field.find_last_not_of(' ', end - 1);
+    values.push_back(parse_number(field.substr(first, last + 1 - first), list, values.size()));
+    at = end + 1;
+  }
 }
 
 std::vector<Rational> number_list(const toml::table& table, const std::string& key,
@@ -63,8 +116,8 @@ std::vector<Rational> number_list(const toml::table& table, const std::string& k
   std::vector<Rational> values;
   for (const toml::node& item : *list) {
     std::ostringstream found;
-    found << toml::node_view(item);
-    values.push_back(parse_number(item.value_or(found.str()), where, values.size()));
+    if (!item.is_string()) found << toml::node_view(item);
+    add_joined(values, item.value_or(found.str()), where);
   }
   return values;
 }
@@ -81,13 +134,7 @@ std::string spelling(const toml::table& table, const std::string& here, const st
 
 std::vector<Rational> joined_numbers(const std::string& field, const std::string& list) {
   std::vector<Rational> values;
-  for (std::size_t at = 0; at <= field.size();) {
-    const std::size_t end = std::min(field.find(';', at), field.size());
-    const std::size_t first = std::min(field.find_first_not_of(' ', at), end);
-    const std::size_t last = field.find_last_not_of(' ', end - 1);
-    values.push_back(parse_number(field.substr(first, last + 1 - first), list, values.size()));
-    at = end + 1;
-  }
+  add_joined(values, field, list);
   return values;
 }
 

@@ -119,10 +119,12 @@ nlohmann::ordered_json as_json(const std::vector<CriticalModes>& results,
                        {"q", mode.q},
                        {"fy", proofs::to_decimal(mode.fy, 15)}});
     }
-    chains.push_back(
-        {{"chain", result.chain}, {"links", result.data.size()}, {"digits", digits}, {"modes", modes}});
+    chains.push_back({{"chain", result.chain},
+                      {"links", result.data.size()},
+                      {"digits", digits},
+                      {"modes", std::move(modes)}});
   }
-  return {{"chains", chains}, {"errors", errors}};
+  return {{"chains", std::move(chains)}, {"errors", errors}};
 }
 
 }  // namespace plumbline::app

@@ -1,23 +1,35 @@
 /// \file
-/// `bench-growth`: what certified critical forces and modes of all kinds cost as chains and digits grow.
-/// Prints a table and puts it between the markers in bench/RESULTS-growth.md.
+/// `bench-growth`: what critical forces, modes, tables of chains and paths cost in time and memory as they
+/// grow. Prints a table, puts it between the markers in bench/RESULTS-growth.md and draws it beside it.
+/// `bench-growth --check` writes nothing: it fails where a power has risen above the one in that table.
 
 #include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdio>
+#include <functional>
 #include <iostream>
+#include <map>
+#include <plumbline/branch/trace.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 #include <random>
+#include <sstream>
 
-#include "bench/race.hpp"
 #include "bench/results.hpp"
 #include "proofs/critical_modes.hpp"
 
 namespace plumbline::bench {
 namespace {
 
+const std::string document = PLUMBLINE_SOURCE_DIR "/bench/RESULTS-growth.md";
+const std::string drawing = PLUMBLINE_SOURCE_DIR "/bench/growth.svg";
+
 /// Lengths and stiffnesses of five decimals, log-uniform over a factor of 4.
 Chain<Rational> random_chain(std::size_t links) {
-  std::mt19937 random(1);
+  static std::mt19937 random(1);
   std::uniform_real_distribution<double> exponent(0, 2);
   const auto list = [&] {
     std::vector<Rational> values;
@@ -29,60 +41,159 @@ Chain<Rational> random_chain(std::size_t links) {
   return Chain<Rational>(std::move(length), std::move(stiffness));
 }
 
-struct Work {
-  const char* name;
-  std::vector<proofs::CriticalMode> (*compute)(const Chain<Rational>&, std::size_t, int);
-  std::size_t modes;  ///< the lowest so many
-  int digits;
-  double expected;  ///< the power of n
-  std::vector<std::size_t> links;
-};
-
-double seconds(const Work& work, std::size_t links) {
-  const Chain<Rational> chain = random_chain(links);
-  const double start = processor_seconds();
-  const auto modes = work.compute(chain, work.modes, work.digits);
-  const double taken = processor_seconds() - start;
-  if (modes.size() != std::min(work.modes, links - 1))
-    throw Error(work.name, "another number of modes", "all");
-  return taken;
+/// A curved beam of n links, compressed over its ends through forty points.
+void follow_beam(std::size_t n) {
+  using Model = NominalModel<double>;
+  const auto count = static_cast<double>(n);
+  std::vector<double> angle(n, 2 / count);
+  angle[0] = -1 + 1 / count;
+  const Chain<double> chain(std::vector<double>(n, 1 / count), std::vector<double>(n, count), angle);
+  const Model model(chain);
+  const Vector<double> shape = absolute_angles(chain.rest());
+  Brancher<Model> brancher(model, {Control::end_point, {end_point(chain, angle).x, 0}, {-1, 0}}, shape);
+  Tracer<Model>(brancher, {0, 0.3, 0.05, 40}).run(brancher.start(0, shape));
 }
 
-std::string rows(const Work& work) {
-  std::string text;
-  double before = 0;
-  for (std::size_t i = 0; i < work.links.size(); ++i) {
-    const double taken = seconds(work, work.links[i]);
-    const double power =
-        i == 0 ? 0 : std::log(taken / before) / std::log(double(work.links[i]) / double(work.links[i - 1]));
-    text += fmt::format("| {} | {} | {} | {:.3g} s | {} | {} |\n", work.name, work.digits, work.links[i],
-                        taken, i == 0 ? "" : fmt::format("{:.1f}", power),
-                        i == 0 ? "" : fmt::format("{:.0f}", work.expected));
-    before = taken;
+struct Work {
+  std::string name, sizes;  ///< sizes: of what
+  std::function<void(std::size_t)> run;
+  double expected;  ///< the power of the size
+  std::vector<std::size_t> size;
+};
+
+std::vector<Work> all_work() {
+  constexpr std::size_t all = 1000000;
+  const auto of_a_chain = [](auto compute, std::size_t modes, int digits) {
+    return [=](std::size_t links) { compute(random_chain(links), modes, digits); };
+  };
+  const auto table = [](std::size_t chains) {
+    for (std::size_t c = 0; c < chains; ++c) proofs::forces_in_decimals(random_chain(4), 1, 15);
+  };
+  const auto &forces = proofs::forces_in_decimals, &modes = proofs::modes_in_decimals;
+  return {{"all forces, 15 digits", "links", of_a_chain(forces, all, 15), 2, {250, 500, 1000, 2000}},
+          {"all forces, 40 digits", "links", of_a_chain(forces, all, 40), 2, {125, 250, 500, 1000}},
+          {"all modes, 15 digits", "links", of_a_chain(modes, all, 15), 2, {125, 250, 500, 1000}},
+          {"lowest force, 15 digits", "links", of_a_chain(forces, 1, 15), 1, {1000, 10000, 100000}},
+          {"lowest force, 40 digits", "links", of_a_chain(forces, 1, 40), 1, {1000, 10000, 100000}},
+          {"a table of four-link chains", "chains", table, 1, {1000, 10000, 100000}},
+          {"forty points of a path", "links", follow_beam, 1, {1000, 10000, 100000}}};
+}
+
+struct Cost {
+  double seconds;    ///< of all processors together
+  double megabytes;  ///< at most at once
+};
+
+/// In a process of its own, whose memory is not that of the rows before.
+Cost cost(const Work& work, std::size_t size) {
+  const pid_t child = fork();
+  if (child == 0) {
+    work.run(size);
+    std::_Exit(0);
   }
-  return text;
+  int status = 0;
+  rusage usage{};
+  if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0)
+    throw Error(work.name, "no end", "a run to the end");
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), static_cast<double>(usage.ru_maxrss) / 1024};
+}
+
+std::vector<Cost> costs(const Work& work) {
+  std::vector<Cost> all;
+  for (const std::size_t size : work.size) all.push_back(cost(work, size));
+  return all;
+}
+
+/// The power of the size that the time grows with over the last step.
+double power(const Work& work, const std::vector<Cost>& all) {
+  const std::size_t last = work.size.size() - 1;
+  return std::log(all[last].seconds / all[last - 1].seconds) /
+         std::log(double(work.size[last]) / double(work.size[last - 1]));
+}
+
+std::string row(const Work& work, const std::vector<Cost>& all) {
+  std::string sizes, seconds, memory;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const char* const between = i == 0 ? "" : ", ";
+    sizes += fmt::format("{}{}", between, work.size[i]);
+    seconds += fmt::format("{}{:.3g}", between, all[i].seconds);
+    memory += fmt::format("{}{:.0f}", between, all[i].megabytes);
+  }
+  return fmt::format("| {} | {} {} | {} | {} | {:.1f} | {:.0f} |\n", work.name, sizes, work.sizes, seconds,
+                     memory, power(work, all), work.expected);
+}
+
+/// The powers in the table as it is stored, by work.
+std::map<std::string, double> stored() {
+  std::map<std::string, double> powers;
+  std::ifstream file(document);
+  for (std::string line; std::getline(file, line);) {
+    std::vector<std::string> cells;
+    std::istringstream rest(line);
+    for (std::string cell; std::getline(rest, cell, '|');) cells.push_back(cell);
+    if (cells.size() == 7 && cells[0].empty() && cells[5].find_first_of("0123456789") == 1)
+      powers[cells[1].substr(1, cells[1].size() - 2)] = std::stod(cells[5]);
+  }
+  return powers;
+}
+
+/// Powers over one step, of times taken once, are good to two tenths; half a power is a change.
+int check() {
+  constexpr double change = 0.5;
+  const auto before = stored();
+  int risen = 0;
+  for (const Work& work : all_work()) {
+    const double now = power(work, costs(work)), then = before.at(work.name);
+    std::cout << fmt::format("{}: {:.1f}, was {:.1f}\n", work.name, now, then);
+    if (now > then + change) ++risen;
+  }
+  return risen == 0 ? 0 : 1;
+}
+
+void draw(const std::vector<Work>& all, const std::vector<std::vector<Cost>>& found) {
+  FILE* const plot = popen("gnuplot", "w");
+  if (plot == nullptr) throw Error("gnuplot", "no program", "one that draws");
+  std::string text = fmt::format(
+      "set terminal svg size 900,540 font 'sans-serif,13'\nset output '{}'\nset logscale xy\nset grid\n"
+      "set key outside right\nset xlabel 'links, or chains'\nset ylabel 'processor time, s'\nplot ",
+      drawing);
+  for (std::size_t w = 0; w < all.size(); ++w)
+    text += fmt::format("{}'-' with linespoints title '{}'", w == 0 ? "" : ", ", all[w].name);
+  text += "\n";
+  for (std::size_t w = 0; w < all.size(); ++w) {
+    for (std::size_t i = 0; i < found[w].size(); ++i)
+      text += fmt::format("{} {}\n", all[w].size[i], found[w][i].seconds);
+    text += "e\n";
+  }
+  std::fputs(text.c_str(), plot);
+  if (pclose(plot) != 0) throw Error("gnuplot", "a failure", drawing);
+}
+
+void write() {
+  std::string table = fmt::format("Written by `build/bench/bench-growth` on {}.\n\n", processor_name()) +
+                      "| work | sizes | processor time, s | memory, MB | power, last step | expected |\n"
+                      "|---|---|---|---|--:|--:|\n";
+  const std::vector<Work> all = all_work();
+  std::vector<std::vector<Cost>> found;
+  for (const Work& work : all) {
+    found.push_back(costs(work));
+    table += row(work, found.back());
+  }
+  std::cout << table;
+  put_into(document, "bench-growth", table);
+  draw(all, found);
 }
 
 }  // namespace
 }  // namespace plumbline::bench
 
-int main() {
-  using namespace plumbline;
-  using namespace plumbline::bench;
-  constexpr std::size_t all = 1000000;
+int main(int count, char** arguments) {
   try {
-    std::string table = fmt::format("Written by `build/bench/bench-growth` on {}.\n\n", processor_name()) +
-                        "| work | digits | links | processor time | power of n, measured | expected |\n"
-                        "|---|--:|--:|--:|--:|--:|\n";
-    for (const Work& work :
-         {Work{"all forces", proofs::forces_in_decimals, all, 15, 2, {125, 250, 500, 1000}},
-          Work{"all forces", proofs::forces_in_decimals, all, 40, 2, {125, 250, 500, 1000}},
-          Work{"all modes", proofs::modes_in_decimals, all, 15, 2, {125, 250, 500, 1000}},
-          Work{"lowest force", proofs::forces_in_decimals, 1, 15, 1, {1000, 10000, 100000}},
-          Work{"lowest force", proofs::forces_in_decimals, 1, 40, 1, {1000, 10000, 100000}}})
-      table += rows(work);
-    std::cout << table;
-    put_into(PLUMBLINE_SOURCE_DIR "/bench/RESULTS-growth.md", "bench-growth", table);
+    if (count > 1 && arguments[1] == std::string("--check")) return plumbline::bench::check();
+    plumbline::bench::write();
   } catch (const std::exception& error) {
     std::cerr << "bench-growth: " << error.what() << '\n';
     return 2;

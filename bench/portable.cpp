@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <plumbline/base/widest.hpp>
 #include <random>
 
 #include "bench/kernels.hpp"
@@ -61,8 +62,12 @@ int main() {
         {"all forces, n = 100", random_chains(1, 100), &Kernels::all_forces},
         {"a path, n = 4", random_chains(1, 4), &Kernels::path},
         {"a path, n = 100", random_chains(1, 100), &Kernels::path}};
-    std::string table = fmt::format("Written by `build/bench/bench-portable` on {}.\n\n", processor_name()) +
-                        "| work | time of a portable build over one for the machine |\n|---|--:|\n";
+    std::string table =
+        fmt::format("Written by `build/bench/bench-portable` on {}; the portable build takes {}.\n\n",
+                    processor_name(),
+                    plumbline::detail::widens() ? "registers of eight doubles where it has lanes"
+                                                : "the registers that it is compiled for") +
+        "| work | time of a portable build over one for the machine |\n|---|--:|\n";
     for (const Work& work : all)
       table += fmt::format("| {} | {:.2f} |\n", work.name, portable_over_native(work));
     std::cout << table;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <plumbline/base/parallel.hpp>
+#include <plumbline/base/widest.hpp>
 
 #include "proofs/decimal.hpp"
 #include "proofs/exactly.hpp"
@@ -14,8 +15,8 @@ using detail::Lanes, detail::lane_count, detail::magnitude, detail::larger, deta
 using Word = DoubleWord<double>;
 using WordLanes = DoubleWord<Lanes>;
 
-/// At a bead of a run from one end; the true values are these times 2^exponent.
-struct AtBead {
+/// At a bead of a run from one end; the true values are these times 2^exponent. Aligned for any lanes.
+struct alignas(sizeof(Lanes)) AtBead {
   WordLanes deflection, slope;  ///< slope before the bead
   Lanes size, reach;            ///< of the terms that the slope and the deflection are the sums of
   Lanes doubt;                  ///< what rounding to doubles does here, in such sizes
@@ -217,16 +218,20 @@ class Part {
 void shapes_of_few(const Part& part, const std::vector<Wide>& forces, std::size_t first,
                    std::vector<std::optional<ShapeInLanes>>& shapes) {
   const StringInWords& string = part.string();
-  const ForcesInLanes few(string, forces, first);
   const std::size_t beads = string.mass.size();
   RunFromEnd left(beads), right(beads);
   const auto same = [](std::size_t i) { return i; };
   const auto mirrored = [&](std::size_t i) { return beads - 1 - i; };
   const auto before = [&](std::size_t i) { return beads - 2 - i; };
-  const Mask<Lanes> sound = run_from_end(string, string.slope, few, same, same, left) &
-                            run_from_end(string, string.end_slope, few, mirrored, before, right);
-  for (std::size_t lane = 0; lane < few.count; ++lane) {
-    if (few.in_range[lane] && sound[lane] != 0)
+  std::array<bool, lane_count> sound{};
+  detail::in_widest([&] {
+    const ForcesInLanes few(string, forces, first);
+    const Mask<Lanes> both = run_from_end(string, string.slope, few, same, same, left) &
+                             run_from_end(string, string.end_slope, few, mirrored, before, right);
+    for (std::size_t lane = 0; lane < few.count; ++lane) sound[lane] = few.in_range[lane] && both[lane] != 0;
+  });
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    if (sound[lane])
       shapes[first + lane] = part.shape(left, right, best_joint(string, left, right, lane), lane);
   }
 }

@@ -1,6 +1,7 @@
 #include "proofs/string_in_lanes.hpp"
 
 #include <plumbline/base/parallel.hpp>
+#include <plumbline/base/widest.hpp>
 
 namespace plumbline::proofs {
 namespace {
@@ -66,6 +67,22 @@ Found run_along(const StringInWords& string, const ForcesInLanes& forces) {
   return string.free_end ? Found{g, g1, g2, below, sound} : Found{h, h1, h2, below, sound};
 }
 
+/// A run for each of the forces from number `first` on that the lanes hold.
+void run_few(const StringInWords& string, const std::vector<Wide>& forces, std::size_t first,
+             std::vector<RunInLanes>& runs) {
+  detail::in_widest([&] {
+    const ForcesInLanes few(string, forces, first);
+    const Found found = run_along(string, few);
+    for (std::size_t lane = 0; lane < few.count; ++lane) {
+      runs[first + lane] = {{found.end.high[lane], found.end.low[lane]},
+                            found.slope[lane],
+                            found.curvature[lane],
+                            static_cast<std::size_t>(found.below[lane]),
+                            few.in_range[lane] && found.sound[lane] != 0};
+    }
+  });
+}
+
 }  // namespace
 
 StringInWords::StringInWords(const detail::StringPiece<Wide>& string) : free_end(string.free_end()) {
@@ -108,18 +125,7 @@ unsigned threads_for(std::size_t forces, std::size_t beads) {
 std::vector<RunInLanes> run_in_lanes(const StringInWords& string, const std::vector<Wide>& forces) {
   std::vector<RunInLanes> runs(forces.size());
   in_parallel(groups_of(forces.size()), threads_for(forces.size(), string.mass.size()),
-              [&](std::size_t group) {
-                const std::size_t first = group * lane_count;
-                const ForcesInLanes few(string, forces, first);
-                const Found found = run_along(string, few);
-                for (std::size_t lane = 0; lane < few.count; ++lane) {
-                  runs[first + lane] = {{found.end.high[lane], found.end.low[lane]},
-                                        found.slope[lane],
-                                        found.curvature[lane],
-                                        static_cast<std::size_t>(found.below[lane]),
-                                        few.in_range[lane] && found.sound[lane] != 0};
-                }
-              });
+              [&](std::size_t group) { run_few(string, forces, group * lane_count, runs); });
   return runs;
 }
 

@@ -83,7 +83,7 @@ class Scratch {
   static constexpr std::size_t few = 16, header = SpareBlocks::header;
   std::size_t size_;
   T* start_;
-  alignas(T) std::byte in_place_[few * sizeof(T)];
+  alignas(header) std::byte in_place_[few * sizeof(T)];
 };
 
 }  // namespace plumbline::detail

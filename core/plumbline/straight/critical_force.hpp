@@ -15,6 +15,7 @@
 /// assert(count_below(exact, Rational("924027591295904/1000000000000000")) == 1);
 /// \endcode
 
+#include <plumbline/base/widest.hpp>
 #include <plumbline/chain/mode.hpp>
 #include <plumbline/straight/lowest_force.hpp>
 
@@ -32,28 +33,33 @@ std::size_t count_below(const Chain<Real>& chain, const Real& F) {
 
 namespace detail {
 
+/// Runs along the string at the next points of a few open brackets: as many as there are lanes, twice.
+inline void sweep_in_lanes(const StringPiece<double>& string, std::span<const Bracket<double>> brackets,
+                           std::span<Sweep<double, 3>> found) {
+  in_widest([&] {
+    std::array<Lanes, 2> F;
+    double largest = 0;
+    for (std::size_t i = 0; i < 2 * lane_count; ++i) {
+      const double next = brackets[std::min(i, brackets.size() - 1)].next;
+      F[i / lane_count][i % lane_count] = next;
+      largest = std::max(largest, next);
+    }
+    const auto side_by_side = sweep<3>(string, F, SafeStretch<double>(string, largest));
+    for (std::size_t i = 0; i < brackets.size(); ++i) {
+      const auto& [f, below] = side_by_side[i / lane_count];
+      const std::size_t lane = i % lane_count;
+      for (std::size_t t = 0; t < 4; ++t) found[i].f[t] = f[t][lane];
+      found[i].below = static_cast<std::size_t>(below[lane]);
+    }
+  });
+}
+
 /// Runs along the string at the next points of a few open brackets: one, or as many as there are lanes.
 template <Floating Real>
 void sweep_all(const StringPiece<Real>& string, std::span<const Bracket<Real>> brackets,
                std::span<Sweep<Real, 3>> found) {
   if constexpr (std::same_as<Real, double>) {
-    if (brackets.size() > 1) {
-      std::array<Lanes, 2> F;
-      double largest = 0;
-      for (std::size_t i = 0; i < 2 * lane_count; ++i) {
-        const double next = brackets[std::min(i, brackets.size() - 1)].next;
-        F[i / lane_count][i % lane_count] = next;
-        largest = std::max(largest, next);
-      }
-      const auto side_by_side = sweep<3>(string, F, SafeStretch<double>(string, largest));
-      for (std::size_t i = 0; i < brackets.size(); ++i) {
-        const auto& [f, below] = side_by_side[i / lane_count];
-        const std::size_t lane = i % lane_count;
-        for (std::size_t t = 0; t < 4; ++t) found[i].f[t] = f[t][lane];
-        found[i].below = static_cast<std::size_t>(below[lane]);
-      }
-      return;
-    }
+    if (brackets.size() > 1) return sweep_in_lanes(string, brackets, found);
   }
   for (std::size_t i = 0; i < brackets.size(); ++i) found[i] = sweep<3>(string, brackets[i].next);
 }

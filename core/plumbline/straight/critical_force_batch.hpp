@@ -86,6 +86,23 @@ inline double lowest_force_alone(const ChainBatch& batch, std::size_t c) {
   }
 }
 
+/// The lowest critical force of the chain in each lane; NaN where the lanes do not settle it.
+inline std::array<double, lane_count> lowest_in_lanes(const ChainBatch& batch,
+                                                      const std::array<std::size_t, lane_count>& chain) {
+  return in_widest([&] {
+    const StringLanes strings(batch, chain);
+    const auto piece = strings.piece();
+    const auto run = [&](const Lanes& F) { return sweep<3>(piece, std::array{F}, SafeStretch<double>())[0]; };
+    const Lanes roots = lowest_root(run, close_to_lowest(piece), static_cast<double>(piece.size()),
+                                    std::numeric_limits<double>::epsilon() / 8);
+    std::array<double, lane_count> forces;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      forces[lane] = strings.plain()[lane] != 0 ? roots[lane] : std::numeric_limits<double>::quiet_NaN();
+    }
+    return forces;
+  });
+}
+
 /// The lowest critical forces of chains `first` to `end` - 1. A chain that the lanes do not settle is
 /// computed alone, which also finds what is wrong with it.
 inline void lowest_forces(const ChainBatch& batch, std::size_t first, std::size_t end,
@@ -93,14 +110,9 @@ inline void lowest_forces(const ChainBatch& batch, std::size_t first, std::size_
   for (std::size_t c = first; c < end; c += lane_count) {
     std::array<std::size_t, lane_count> chain;
     for (std::size_t lane = 0; lane < lane_count; ++lane) chain[lane] = std::min(c + lane, end - 1);
-    const StringLanes strings(batch, chain);
-    const auto piece = strings.piece();
-    const auto run = [&](const Lanes& F) { return sweep<3>(piece, std::array{F}, SafeStretch<double>())[0]; };
-    const Lanes roots = lowest_root(run, close_to_lowest(piece), static_cast<double>(piece.size()),
-                                    std::numeric_limits<double>::epsilon() / 8);
-    const auto settled = strings.plain() & (roots == roots);
+    const auto lowest = lowest_in_lanes(batch, chain);
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      forces[chain[lane]] = settled[lane] != 0 ? roots[lane] : lowest_force_alone(batch, chain[lane]);
+      forces[chain[lane]] = std::isnan(lowest[lane]) ? lowest_force_alone(batch, chain[lane]) : lowest[lane];
     }
   }
 }
