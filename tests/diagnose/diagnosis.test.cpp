@@ -115,7 +115,7 @@ TEST_CASE(
   FitSettings settings;
   settings.noise = diagnosis.noise;
   const double deviation = std::sqrt(fit(study, {{{"backlash", 2}}}, settings).covariance(0, 0));
-  CHECK((b.high - b.low) / (2 * deviation) == doctest::Approx(1.96).epsilon(0.04));
+  CHECK((b.high - b.low) / (2 * deviation) == close_to(1.96).epsilon(0.04));
   CHECK(diagnosis.where.joints.front().joint == 2);
   REQUIRE(diagnosis.shrink);
   CHECK(diagnosis.shrink->ratio_low <= diagnosis.shrink->noise_floor_ratio * 1.1);

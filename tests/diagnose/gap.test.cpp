@@ -159,7 +159,7 @@ TEST_CASE("one odd series among twenty counts twenty times, and three looks thre
   const double least = *std::min_element(test.series_p_value.begin(), test.series_p_value.end());
   REQUIRE(least == test.series_p_value[4]);
   REQUIRE(least < 1e-4);  // by itself: the mean of 40 is off by 5.7 of its deviations
-  CHECK(test.p_value == doctest::Approx(3 * 20 * least).epsilon(1e-12));
+  CHECK(test.p_value == close_to(3 * 20 * least).epsilon(1e-12));
 }
 
 TEST_CASE("correlated noise has as much slow energy as is expected of it") {
@@ -170,7 +170,7 @@ TEST_CASE("correlated noise has as much slow energy as is expected of it") {
   double mean = 0;
   for (int draw = 0; draw < 40; ++draw)
     mean += test_gap(measurements, correlated_noise(measurements, 1, 0.6, random)).structure / 40;
-  CHECK(mean == doctest::Approx(1).epsilon(0.3));
+  CHECK(mean == close_to(1).epsilon(0.3));
 }
 
 TEST_CASE(

@@ -133,8 +133,8 @@ TEST_CASE("what a run is expected to show is counted in the noise as it is, chan
     const std::vector<double> by_declaration = leads(louder, {}), by_finding = leads(experiment, found);
     REQUIRE(by_declaration.size() == as_declared.size());
     REQUIRE(by_finding.size() == as_declared.size());
-    CHECK(by_finding.back() != doctest::Approx(as_declared.back()).epsilon(1e-3));
+    CHECK(by_finding.back() != close_to(as_declared.back()).epsilon(1e-3));
     for (std::size_t i = 0; i < as_declared.size(); ++i)
-      CHECK(by_finding[i] == doctest::Approx(by_declaration[i]).epsilon(1e-9));
+      CHECK(by_finding[i] == close_to(by_declaration[i]).epsilon(1e-9));
   }
 }
