@@ -67,7 +67,8 @@ def write_experiment(folder, name, torque, sigma=1e-3):
 TORQUES = {
     "none": lambda q: 0,
     "ambiguous": lambda q: 0.2 * q,  # a stiffer joint, or a load cell that reads too much
-    "unknown": lambda q: 0.05 * math.sin(25 * q),
+    "unknown": lambda q: 0.05 * math.sin(15 * q),
+    "unpredicted": lambda q: 0.05 * math.sin(25 * q),  # unknown, and too fine for any law
     "stopped": lambda q: math.copysign(5 * max(0, abs(q) - 0.25), q),  # identified, at a joint
 }
 
@@ -218,7 +219,8 @@ class Pages(unittest.TestCase):
 
     def test_experiments_have_the_verdicts_that_they_are_named_for(self):
         for verdict, _, report in self.diagnoses():
-            self.assertEqual(report["cause"]["verdict"], "identified" if verdict == "stopped" else verdict)
+            expected = {"stopped": "identified", "unpredicted": "unknown"}.get(verdict, verdict)
+            self.assertEqual(report["cause"]["verdict"], expected)
         self.assertEqual(self.reports["stopped"]["cause"]["effects"][0]["joint"], 1)
 
     def test_numbers_are_those_of_the_report_and_all_are_there(self):
@@ -353,6 +355,13 @@ class Pages(unittest.TestCase):
             closes = law.get("ratio", math.inf) < 1
             self.assertEqual("A torque law that closes the gap" in text, closes)
             self.assertEqual("A torque law fitted to the gap" in text, not closes)
+
+    def test_what_predicts_nothing_is_not_offered(self):
+        self.assertIsNone(self.reports["unpredicted"]["shrink"])
+        self.assertNotIn("law", self.reports["unpredicted"])
+        said = "Nothing that was tried leaves less on readings held out"
+        for verdict, page, _ in self.diagnoses():
+            self.assertEqual(said in page.read_text(), verdict == "unpredicted")
 
     def test_joints_have_rings_where_the_cause_sits_there(self):
         self.assertIn('class="ring share"', self.pages["stopped"].read_text())
