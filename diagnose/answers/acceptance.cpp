@@ -131,6 +131,8 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
     hedge(cause, Reservation::not_predicted);
   } else if (best.candidate.count() > 1 && many_valued(study, best.candidate) > 0) {
     hedge(cause, Reservation::many_values);
+  } else if (best.candidate.machined() && best.candidate.count() == 1) {
+    hedge(cause, Reservation::machining_alone);
   } else if (beyond_tolerance(study, best)) {
     hedge(cause, Reservation::beyond_tolerance);
   }

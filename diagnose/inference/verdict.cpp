@@ -78,6 +78,9 @@ std::string reservation_words(Reservation reservation) {
       return "it leaves more than the readings scatter, though no more than is tolerated";
     case Reservation::many_values:
       return "beside another an effect with a value at every joint, link or run explains much that it is not";
+    case Reservation::machining_alone:
+      return "what machining leaves has three values at every joint, in which a cause of another kind may "
+             "hide";
     case Reservation::beyond_tolerance:
       return "its tolerances are wider than machining leaves";
     case Reservation::three_effects:

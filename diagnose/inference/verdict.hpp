@@ -17,6 +17,7 @@ enum class Reservation {
   not_predicted,     ///< it does not predict the readings that were held out
   beyond_noise,      ///< it leaves more than the readings scatter, though no more than is tolerated
   many_values,       ///< beside one effect it takes another with a value at every joint, link or run
+  machining_alone,   ///< it is what machining leaves and nothing else
   beyond_tolerance,  ///< its tolerances are wider than machining leaves
   three_effects      ///< it takes three effects, which explain much that they are not
 };

@@ -83,6 +83,19 @@ TEST_CASE("an effect with a value a joint and a run is doubted beside another, n
   CHECK(beside.reservation == Reservation::many_values);
 }
 
+TEST_CASE("what machining leaves is doubted alone, and not beside a cause") {
+  const Study study = three_runs();
+  const std::vector<EffectAt> machining{{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}};
+  const Cause alone = demanded(study, named(study, {machining}), leaving(1));
+  CHECK(alone.verdict == CauseVerdict::ambiguous);
+  CHECK(alone.reservation == Reservation::machining_alone);
+  std::vector<EffectAt> with_cause = machining;
+  with_cause.emplace_back("force_gain");
+  CHECK(demanded(study, named(study, {with_cause}), leaving(1)).verdict == CauseVerdict::identified);
+  // one of the three is the plain answer where it suffices
+  CHECK(demanded(study, named(study, {{{"length_spread"}}}), leaving(1)).verdict == CauseVerdict::identified);
+}
+
 TEST_CASE(
     "tolerances are doubted where their squares are beyond what their prior leaves one time in a hundred") {
   const Study study = three_runs();
