@@ -70,9 +70,9 @@ class Look {
   void scatter(const Channel& channel, const std::vector<double>& values) {
     std::vector<double> bends;
     for (std::size_t i = 1; i + 1 < values.size(); ++i)
-      bends.push_back(std::abs(values[i - 1] - 2 * values[i] + values[i + 1]));
-    const double middle_of_normal = 0.6745, little = 0.2, sigma = channel.sigma(experiment_.noise);
-    const double seen = median(bends) / (middle_of_normal * std::sqrt(6.0));
+      bends.push_back(values[i - 1] - 2 * values[i] + values[i + 1]);
+    const double little = 0.2, sigma = channel.sigma(experiment_.noise);
+    const double seen = median_deviation(std::move(bends)) / std::sqrt(6.0);
     if (seen < little * sigma)
       remark("{} scatters by {:.2g} {} at most, where {:.2g} is declared", channel.label(), seen,
              channel.unit(), sigma);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/bench/median.hpp"
@@ -9,21 +10,13 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Variance by the median of the sizes, which any minority of outliers moves by little.
-double median_variance(const std::vector<double>& differences) {
-  std::vector<double> sizes(differences.size());
-  std::transform(differences.begin(), differences.end(), sizes.begin(), [](double d) { return std::abs(d); });
-  constexpr double normal_mad = 0.6745;  // median of |z|
-  return std::pow(median(std::move(sizes)) / normal_mad, 2);
-}
-
 /// Variance by Huber's proposal 2: squares are cut at (2.5 s)^2 and the mean is corrected for the cut. Nearly
 /// as efficient as the plain variance, and a few percent of outliers move it by a few percent; but 16 % carry
 /// it away, 0.97756 / 2.5^2.
 double robust_variance(const std::vector<double>& differences) {
   constexpr double cut = 2.5;
   constexpr double mean_of_cut_square = 0.97756;  // E min(z^2, 2.5^2) for a standard normal z
-  double variance = median_variance(differences);
+  double variance = std::pow(median_deviation(differences), 2);
   for (int round = 0; round < 20; ++round) {
     const double limit = cut * cut * variance;
     double sum = 0;
@@ -175,7 +168,7 @@ std::array<double, channel_names> rough_scales(const Measurements& measurements,
     std::vector<double> steps = differences(measurements, residual, name, 1);
     if (steps.size() < few) steps = with_kin(measurements, residual, name);
     // An outlier spoils two differences: one in twelve readings would carry Huber's variance away.
-    const double found = steps.empty() ? 0 : std::sqrt(median_variance(steps) / 2);
+    const double found = steps.empty() ? 0 : median_deviation(steps) / std::numbers::sqrt2;
     scale[static_cast<std::size_t>(name)] = std::max({found, least, rounding(measurements, name)});
   }
   return scale;

@@ -49,10 +49,9 @@ double roughness(const ThirdDifferences& differences, double proportion) {
   if (differences.sizes.size() < few) return unknown;
   std::vector<double> sizes;
   for (std::size_t i = 0; i < differences.sizes.size(); ++i)
-    sizes.push_back(std::abs(differences.sizes[i]) / std::hypot(1.0, proportion * differences.levels[i]));
-  const double middle = median(std::move(sizes));
-  constexpr double normal_mad = 0.6745;
-  return middle > 0 ? middle / normal_mad : unknown;
+    sizes.push_back(differences.sizes[i] / std::hypot(1.0, proportion * differences.levels[i]));
+  const double deviation = median_deviation(std::move(sizes));
+  return deviation > 0 ? deviation : unknown;
 }
 
 }  // namespace

@@ -30,11 +30,9 @@ double alternation(const std::vector<ThirdDifferences>& series) {
 
 /// Standard deviation by the median of the sizes; zero where most of them are.
 double spread(const std::vector<ThirdDifferences>& series) {
-  constexpr double normal_mad = 0.6745;
-  std::vector<double> magnitudes;
-  for (const ThirdDifferences& one : series)
-    for (const double size : one.sizes) magnitudes.push_back(std::abs(size));
-  return median(std::move(magnitudes)) / normal_mad;
+  std::vector<double> sizes;
+  for (const ThirdDifferences& one : series) sizes.insert(sizes.end(), one.sizes.begin(), one.sizes.end());
+  return median_deviation(std::move(sizes));
 }
 
 /// The differences without those that an outlier or a step enters: one reading that is off spoils four in a

@@ -13,6 +13,21 @@ using namespace plumbline;
 using namespace plumbline::diagnose;
 using namespace plumbline::diagnose::test;
 
+namespace {
+
+/// The fit does not see the first run.
+FitSettings first_run_hidden(const Measurements& measurements) {
+  FitSettings settings;
+  settings.visible.assign(measurements.size(), true);
+  for (const Series& series : measurements.series()) {
+    for (std::size_t i = 0; series.run == 0 && i < series.readings.size(); ++i)
+      settings.visible[series.first + i] = false;
+  }
+  return settings;
+}
+
+}  // namespace
+
 TEST_CASE("a fit finds every effect that was put in, within five of its standard deviations") {
   const Experiment bench = full_bench();
   for (const EffectAt& at : possible_effects(Study(bench))) {
@@ -101,12 +116,7 @@ TEST_CASE("profile bounds hold the others free: friction beside a stiffness erro
 TEST_CASE("values that are not visible do not weigh") {
   const Experiment experiment = measured(full_bench(), only("rest_angle", 1), {0.03}, 19);
   const Measurements measurements(experiment);
-  FitSettings settings;
-  settings.visible.assign(measurements.size(), true);
-  for (const Series& series : measurements.series()) {
-    for (std::size_t i = 0; series.run == 0 && i < series.readings.size(); ++i)
-      settings.visible[series.first + i] = false;
-  }
+  const FitSettings settings = first_run_hidden(measurements);
   const Fit full = fit(Study(experiment), only("rest_angle", 1), {});
   const Fit some = fit(Study(experiment), only("rest_angle", 1), settings);
   CHECK(some.cost < full.cost);
@@ -126,12 +136,7 @@ TEST_CASE("what hidden values are makes no difference to a fit, nor to where it 
       sizeable = known->sizeable;
     const Experiment clean = measured(full_bench(), truth, sizeable, 23);
     const Measurements measurements(clean);
-    FitSettings settings;
-    settings.visible.assign(measurements.size(), true);
-    for (const Series& series : measurements.series()) {
-      for (std::size_t i = 0; series.run == 0 && i < series.readings.size(); ++i)
-        settings.visible[series.first + i] = false;
-    }
+    const FitSettings settings = first_run_hidden(measurements);
     const Fit expected = fit(Study(clean), truth, settings);
     REQUIRE(expected.converged);
     for (const double off : {-50.0, 50.0}) {

@@ -30,6 +30,15 @@ double elastic_energy(const Experiment& experiment, const Trace& trace, Eigen::I
   return sum;
 }
 
+/// Half a meter on a spring of 2 N m/rad, without weight.
+Experiment one_link() {
+  Experiment experiment = three_links();
+  experiment.link_length = {0.5};
+  experiment.joint_stiffness = {2.0};
+  experiment.link_mass = {0};
+  return experiment;
+}
+
 /// A press and back in steps so fine that the trapezoidal rule, which errs by the square of the step, is
 /// right to four digits.
 Experiment cycle() {
@@ -66,10 +75,7 @@ TEST_CASE("dry friction dissipates tau_c times the way of every joint, and no jo
 }
 
 TEST_CASE("one joint under an imposed force sticks until tau_c and lags by it on the way back") {
-  Experiment experiment = three_links();
-  experiment.link_length = {0.5};
-  experiment.joint_stiffness = {2.0};
-  experiment.link_mass = {0};
+  Experiment experiment = one_link();
   load(experiment, {0.0}, {0, 0}, {0, 0.4}, 40);
   for (int i = 39; i >= 0; --i) {
     Reading back = experiment.runs[0].readings[static_cast<std::size_t>(i)];
@@ -93,10 +99,7 @@ TEST_CASE("one joint under an imposed force sticks until tau_c and lags by it on
 }
 
 TEST_CASE("a joint with play turns freely by b before it carries") {
-  Experiment experiment = three_links();
-  experiment.link_length = {0.5};
-  experiment.joint_stiffness = {2.0};
-  experiment.link_mass = {0};
+  Experiment experiment = one_link();
   load(experiment, {0.0}, {0, 0.01}, {0, 0.4}, 40);
   const Trace trace = predict(Study(experiment), only("backlash", 1), {0.04}).runs[0];
   for (Eigen::Index row = 0; row < trace.rows(); ++row) {
@@ -138,10 +141,7 @@ TEST_CASE("a held chain relaxes exponentially from 1 + m to the nominal force") 
 }
 
 TEST_CASE("a bending link is a cantilever: F L^3 / 3 EI beside the joint's F L^2 / k") {
-  Experiment experiment = three_links();
-  experiment.link_length = {0.5};
-  experiment.joint_stiffness = {2.0};
-  experiment.link_mass = {0};
+  Experiment experiment = one_link();
   load(experiment, {0.0}, {0, 0}, {0, 1e-4}, 1);
   const double rigidity = 0.8;
   const Trace trace = predict(Study(experiment), only("link_bending"), {1 / rigidity}).runs[0];
@@ -151,10 +151,7 @@ TEST_CASE("a bending link is a cantilever: F L^3 / 3 EI beside the joint's F L^2
 }
 
 TEST_CASE("a bending link sags under its own weight: W L^3 / 8 EI beside the joint's W L^2 / 2 k") {
-  Experiment experiment = three_links();
-  experiment.link_length = {0.5};
-  experiment.joint_stiffness = {2.0};
-  experiment.link_mass = {0};
+  Experiment experiment = one_link();
   load(experiment, {0.0}, {0, 0}, {0, 0}, 1);
   const double rigidity = 0.8, density = 1e-5, weight = density * 0.5 * standard_gravity;
   const Trace trace =
