@@ -24,9 +24,9 @@ std::string numbers_of(const Vector3d& v) {
   return numbers({v.x(), v.y(), v.z()});
 }
 
-class Editor {
+class MjcfEditor {
  public:
-  explicit Editor(const Model& model)
+  explicit MjcfEditor(const Model& model)
       : model_(model),
         own_(model.source.string()),
         chain_(model, read_mujoco(model.source.string()), Format::mjcf, {.tendons = true}),
@@ -272,7 +272,7 @@ class Editor {
 }  // namespace
 
 Written edit_mjcf(const Model& model) {
-  return Editor(model).result();
+  return MjcfEditor(model).result();
 }
 
 }  // namespace plumbline::exchange

@@ -28,9 +28,9 @@ void move(xml_node pose, const Vector3d& by) {
   pose.text() = numbers(all).c_str();
 }
 
-class Editor {
+class SdfEditor {
  public:
-  explicit Editor(const Model& model)
+  explicit SdfEditor(const Model& model)
       : model_(model),
         chain_(model, read_sdf(model.source.string()), Format::sdf, {.soft_ranges = true}),
         turned_(sdf_rotations(model.source.string())),
@@ -196,7 +196,7 @@ class Editor {
 }  // namespace
 
 Written edit_sdf(const Model& model) {
-  return Editor(model).result();
+  return SdfEditor(model).result();
 }
 
 }  // namespace plumbline::exchange

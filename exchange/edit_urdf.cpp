@@ -35,9 +35,9 @@ std::string link_of(const xml_node joint, const char* end) {
   return joint.child(end).attribute("link").value();
 }
 
-class Editor {
+class UrdfEditor {
  public:
-  explicit Editor(const Model& model)
+  explicit UrdfEditor(const Model& model)
       : model_(model),
         chain_(model, parsed(model.source, Format::urdf), Format::urdf, {}),
         n_(chain_.size()) {
@@ -184,7 +184,7 @@ class Editor {
 }  // namespace
 
 Written edit_urdf(const Model& model) {
-  return Editor(model).result();
+  return UrdfEditor(model).result();
 }
 
 }  // namespace plumbline::exchange

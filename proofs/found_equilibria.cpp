@@ -11,7 +11,7 @@
 namespace plumbline::proofs {
 namespace {
 
-constexpr std::size_t most = 1000;  ///< equilibria
+constexpr std::size_t most_equilibria = 1000;
 
 double middle(const Interval& x) {
   return static_cast<double>(x.middle());
@@ -89,7 +89,7 @@ FoundEquilibria find_equilibria(const CensusTask& task) {
   std::uniform_real_distribution<double> turn(-3.14159, 3.14159);
   Found found(chain, answer.window);
   const std::size_t trials = 1000 * chain.size();
-  for (; answer.starts < trials && found.all.size() < most; ++answer.starts) {
+  for (; answer.starts < trials && found.all.size() < most_equilibria; ++answer.starts) {
     std::vector<double> q = chain.rest();
     for (double& angle : q) angle += turn(random) * (answer.starts % 3 == 0 ? 1 : 0.4) * (1 + 2 * task.turns);
     if (answer.starts == 0) q = chain.rest();

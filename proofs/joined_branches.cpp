@@ -34,12 +34,12 @@ class Joiner {
 
   /// How far the ends of a gap are from what it is around.
   [[nodiscard]] double reach(std::size_t branch, const Gap& gap) const {
-    double most = 0;
+    double farthest = 0;
     for (const EndOfPiece& end : ends_of(branch, gap)) {
       const PieceEnd there = place(end);
-      most = std::max(most, (there.point - gap.crossing).cwiseAbs().maxCoeff() + there.distance);
+      farthest = std::max(farthest, (there.point - gap.crossing).cwiseAbs().maxCoeff() + there.distance);
     }
-    return most;
+    return farthest;
   }
 
  private:

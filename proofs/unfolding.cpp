@@ -9,7 +9,7 @@
 namespace plumbline::proofs {
 namespace {
 
-using Bounds = Vector<Interval>;
+using IntervalVector = Vector<Interval>;
 using Index = Eigen::Index;
 
 double middle_of(const Interval& x) {
@@ -24,7 +24,7 @@ Interval around(double centre, double radius) {
 
 /// E, its derivative by all unknowns, and psi · E''.
 struct Local {
-  Bounds value;
+  IntervalVector value;
   Matrix<Interval> derivative, bend;
 };
 
@@ -40,9 +40,9 @@ class Equations {
   /// How many equations: one less than unknowns.
   [[nodiscard]] Index size() const { return n_ + (held_ ? 2 : 0); }
 
-  [[nodiscard]] Local at(const Bounds& u, const Bounds& psi) const {
+  [[nodiscard]] Local at(const IntervalVector& u, const IntervalVector& psi) const {
     const Index m = size();
-    Local all{Bounds::Constant(m, Interval(0)), Matrix<Interval>::Constant(m, m + 1, Interval(0)),
+    Local all{IntervalVector::Constant(m, Interval(0)), Matrix<Interval>::Constant(m, m + 1, Interval(0)),
               Matrix<Interval>::Constant(m + 1, m + 1, Interval(0))};
     const Point<Interval>& d = loading_->direction;
     const Point<Interval> ray{loading_->start.x + u(m) * d.x, loading_->start.y + u(m) * d.y};
@@ -57,7 +57,7 @@ class Equations {
   }
 
  private:
-  void springs(const Bounds& u, Local& all) const {
+  void springs(const IntervalVector& u, Local& all) const {
     for (Index i = 0; i < n_; ++i) {
       const auto at = static_cast<std::size_t>(i);
       const Interval &k = chain_->stiffness()[at],
@@ -73,7 +73,7 @@ class Equations {
 
   /// What link i contributes: L (Fx sin theta - Fy cos theta) to its moment, L (cos, sin) theta to the end
   /// point.
-  void link(Index i, const Point<Interval>& force, const Interval& theta, const Bounds& psi,
+  void link(Index i, const Point<Interval>& force, const Interval& theta, const IntervalVector& psi,
             Local& all) const {
     const Index m = size();
     const Interval& L = chain_->length()[static_cast<std::size_t>(i)];
@@ -103,8 +103,8 @@ class Equations {
   bool held_;
 };
 
-Bounds product(const Eigen::MatrixXd& Y, const Bounds& x) {
-  Bounds result = Bounds::Constant(Y.rows(), Interval(0));
+IntervalVector product(const Eigen::MatrixXd& Y, const IntervalVector& x) {
+  IntervalVector result = IntervalVector::Constant(Y.rows(), Interval(0));
   for (Index i = 0; i < Y.rows(); ++i) {
     for (Index j = 0; j < Y.cols(); ++j) result(i) = result(i) + Interval::from_double(Y(i, j)) * x(j);
   }
@@ -115,7 +115,7 @@ Bounds product(const Eigen::MatrixXd& Y, const Bounds& x) {
 Matrix<Interval> defect(const Eigen::MatrixXd& Y, const Matrix<Interval>& A) {
   Matrix<Interval> D(Y.rows(), A.cols());
   for (Index j = 0; j < A.cols(); ++j) {
-    D.col(j) = -product(Y, Bounds(A.col(j)));
+    D.col(j) = -product(Y, IntervalVector(A.col(j)));
     D(j, j) = D(j, j) + Interval(1);
   }
   return D;
@@ -129,7 +129,7 @@ class Moore {
  public:
   Moore(const Equations& equations, const Vector<double>& crossing)
       : equations_(&equations), m_(equations.size()) {
-    const Bounds none = Bounds::Constant(m_, Interval(0));
+    const IntervalVector none = IntervalVector::Constant(m_, Interval(0));
     const Local here =
         equations.at(crossing.unaryExpr([](double x) { return Interval::from_double(x); }), none);
     const Eigen::MatrixXd A = here.derivative.leftCols(m_).unaryExpr(&middle_of);
@@ -139,8 +139,8 @@ class Moore {
   }
 
   /// All psi with psi^T dE/dx = 0, b · psi = 1 at any u in a box; nothing where that is open.
-  [[nodiscard]] std::optional<Bounds> null_vectors(const Bounds& u) const {
-    const Matrix<Interval> A = equations_->at(u, Bounds::Constant(m_, Interval(0))).derivative.leftCols(m_);
+  [[nodiscard]] std::optional<IntervalVector> null_vectors(const IntervalVector& u) const {
+    const Matrix<Interval> A = equations_->at(u, IntervalVector::Constant(m_, Interval(0))).derivative.leftCols(m_);
     Matrix<Interval> bordered = Matrix<Interval>::Constant(m_ + 1, m_ + 1, Interval(0));
     bordered.topLeftCorner(m_, m_) = A.transpose();
     for (Index i = 0; i < m_; ++i) {
@@ -159,17 +159,17 @@ class Moore {
       most = std::max(most, std::abs(Y(i, m_)));
     }
     if (!(norm < 0.5)) return std::nullopt;
-    Bounds psi(m_);
+    IntervalVector psi(m_);
     for (Index i = 0; i < m_; ++i) psi(i) = around(Y(i, m_), 3 * norm * most);
     return psi;
   }
 
   /// w = (u, psi, tau)
-  [[nodiscard]] std::pair<Bounds, Matrix<Interval>> operator()(const Bounds& w) const {
+  [[nodiscard]] std::pair<IntervalVector, Matrix<Interval>> operator()(const IntervalVector& w) const {
     const Index size = 2 * m_ + 2;
-    const Bounds psi = w.segment(m_ + 1, m_);
+    const IntervalVector psi = w.segment(m_ + 1, m_);
     const Local at = equations_->at(w.head(m_ + 1), psi);
-    Bounds f = Bounds::Constant(size, Interval(0));
+    IntervalVector f = IntervalVector::Constant(size, Interval(0));
     Matrix<Interval> D = Matrix<Interval>::Constant(size, size, Interval(0));
     f(size - 1) = Interval(-1);
     for (Index i = 0; i < m_; ++i) {
@@ -201,7 +201,7 @@ bool unfolded(const Chain<Interval>& chain, const Loading<Interval>& loading, co
   const Equations equations(bare, load);
   const Index m = equations.size();
   const Moore moore(equations, crossing);
-  Bounds w(2 * m + 2);
+  IntervalVector w(2 * m + 2);
   w.head(m + 1) = crossing.unaryExpr([=](double x) { return around(x, distance); });
   const auto psi = moore.null_vectors(w.head(m + 1));
   if (!psi) return false;
@@ -211,12 +211,12 @@ bool unfolded(const Chain<Interval>& chain, const Loading<Interval>& loading, co
   constexpr int rounds = 12;  // the width is squared in each
   bool one = false;           // root of Moore's system in the box
   for (int round = 0; round < rounds; ++round) {
-    const Bounds centre = w.unaryExpr([](const Interval& x) { return Interval(x.middle(), x.middle()); });
-    const Bounds step = moore(centre).first;
+    const IntervalVector centre = w.unaryExpr([](const Interval& x) { return Interval(x.middle(), x.middle()); });
+    const IntervalVector step = moore(centre).first;
     const Matrix<Interval> A = moore(w).second;
     const Eigen::MatrixXd Y = inverse_of_middle(A);
     if (!Y.allFinite()) return false;
-    Bounds image = centre - product(Y, step);
+    IntervalVector image = centre - product(Y, step);
     const Matrix<Interval> D = defect(Y, A);
     bool inside = true;
     for (Index i = 0; i < w.size(); ++i) {

@@ -24,7 +24,7 @@ using Column = py::array_t<double, py::array::c_style | py::array::forcecast>;
 constexpr const char* program = "plumbline " PLUMBLINE_VERSION " for Python";
 
 /// By name of the column, of one run.
-using Columns = std::vector<std::pair<std::string, Column>>;
+using Samples = std::vector<std::pair<std::string, Column>>;
 
 void put(toml::array& list, const py::handle& value);
 void put(toml::table& table, const std::string& key, const py::handle& value);
@@ -66,7 +66,7 @@ toml::table as_toml(const py::dict& settings) {
 }
 
 /// Columns of numbers as the fields of a sample file, each as the shortest decimal that is read as itself.
-diagnose::SampleTable table_of_columns(const Columns& columns) {
+diagnose::SampleTable table_of_columns(const Samples& columns) {
   diagnose::SampleTable table;
   table.header_line = 0;
   for (const auto& [name, values] : columns) table.header.push_back(name);
@@ -86,7 +86,7 @@ std::optional<NominalChain> model_of(const std::string& file) {
   return exchange::read_model(file).chain;
 }
 
-Experiment experiment_of(const py::dict& settings, const std::vector<Columns>& samples,
+Experiment experiment_of(const py::dict& settings, const std::vector<Samples>& samples,
                          const std::string& model) {
   const std::optional<NominalChain> nominal = model_of(model);
   const toml::table table = as_toml(settings);
@@ -166,11 +166,11 @@ class Diagnosed {
 };
 
 /// Of arrays the digest is that of their decimals.
-page::Provenance provenance(const py::dict& settings, const std::vector<Columns>& samples,
+page::Provenance provenance(const py::dict& settings, const std::vector<Samples>& samples,
                             const std::string& model, const std::string& effects) {
   std::ostringstream text;
   text << as_toml(settings);
-  for (const Columns& run : samples)
+  for (const Samples& run : samples)
     for (const auto& [name, values] : run) {
       text << "\n" << name;
       for (py::ssize_t row = 0; row < values.size(); ++row)
@@ -204,7 +204,7 @@ void add_diagnosis(py::module_& module) {
       .def("curves", &Diagnosed::curves);
   module.def(
       "diagnose",
-      [](const py::dict& settings, const std::vector<Columns>& samples, const std::string& model,
+      [](const py::dict& settings, const std::vector<Samples>& samples, const std::string& model,
          std::string effects, bool next, bool as_is, py::object progress) {
         page::Provenance from = provenance(settings, samples, model, effects);
         return std::make_unique<Diagnosed>(experiment_of(settings, samples, model),
