@@ -69,15 +69,12 @@ void hedge(Cause& cause, Reservation why) {
 /// Whether the values that tolerances hold are larger than their priors let them be.
 bool beyond_tolerance(const Study& study, const Fit& fit) {
   const std::vector<ParameterRange> ranges = study.ranges(fit.candidate);
-  double sum = 0, held = 0;
-  for (std::size_t p = 0; p < ranges.size(); ++p) {
-    if (!(ranges[p].tolerance > 0)) continue;
-    sum += std::pow(fit.parameters[p] / ranges[p].tolerance, 2);
-    held += 1;
-  }
+  const auto held = static_cast<double>(std::count_if(
+      ranges.begin(), ranges.end(), [](const ParameterRange& one) { return one.tolerance > 0; }));
   if (held == 0) return false;
   const boost::math::chi_squared_distribution<double> expected(held);
-  return boost::math::cdf(boost::math::complement(expected, sum)) < beliefs::gap_level;
+  return boost::math::cdf(boost::math::complement(expected, tolerance_charge(study, fit))) <
+         beliefs::gap_level;
 }
 
 /// Whether an explanation takes so many effects that it explains much that it is not.

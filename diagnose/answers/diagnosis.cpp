@@ -148,18 +148,27 @@ bool fails(const Shrink& shrink) {
   return shrink.tested() && !(shrink.ratio < 1);
 }
 
+/// Whether a law is no use: it does not predict, or no better than what explains a part of the gap.
+bool is_no_use(const OfferedLaw& law, const Diagnosis& diagnosis) {
+  if (!law.shrink) return false;
+  const bool partial = diagnosis.cause.verdict == CauseVerdict::unknown && diagnosis.shrink;
+  return fails(*law.shrink) || (partial && !(law.shrink->ratio < diagnosis.shrink->ratio));
+}
+
 /// Where no known effect explains the gap: a law that closes it, if one predicts.
-void offer_law_to(const Study& study, const HeldOut& heldout, const Findings& chosen, Diagnosis& diagnosis) {
-  std::vector<const Fit*> fits;
-  for (const Hypothesis& hypothesis : chosen.hypotheses) fits.push_back(&hypothesis.fit);
-  std::vector<Instance> bases;
-  if (!fits.empty()) {
-    const Fit& partial =
-        *fits[best_partial(study.of(without(study.experiment(), heldout)).measurements(), fits)];
+void offer_law_to(const Study& study, const Findings& chosen, Diagnosis& diagnosis) {
+  const auto best_part = [&](const Study& seen) {
+    const Findings findings = confirmed(seen, chosen);
+    std::vector<const Fit*> fits;
+    for (const Hypothesis& hypothesis : findings.hypotheses) fits.push_back(&hypothesis.fit);
+    std::vector<Instance> bases;
+    if (fits.empty()) return bases;
+    const Fit& partial = *fits[best_partial(seen.measurements(), fits)];
     bases.push_back({partial.candidate, partial.parameters});
-  }
-  diagnosis.law = offer_law(study, heldout, diagnosis.noise, bases);
-  if (diagnosis.law && diagnosis.law->shrink && fails(*diagnosis.law->shrink)) diagnosis.law.reset();
+    return bases;
+  };
+  diagnosis.law = offer_law(study, diagnosis.noise, best_part);
+  if (diagnosis.law && is_no_use(*diagnosis.law, diagnosis)) diagnosis.law.reset();
   if (diagnosis.offers_law()) diagnosis.shrink = diagnosis.law->shrink;
 }
 
@@ -177,7 +186,7 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
   if (chosen.hypotheses.empty()) {
     diagnosis.cause.verdict = CauseVerdict::unknown;
     diagnosis.cause.unknown = 1;
-    offer_law_to(study, heldout, chosen, diagnosis);
+    offer_law_to(study, chosen, diagnosis);
     return;
   }
   const bool structured = leaves_structure(seen.measurements(), chosen);
@@ -200,7 +209,7 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
       accept_tolerable(study, seen, chosen, findings, diagnosis.cause))
     test_best();
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.reservation != Reservation::none)
-    offer_law_to(study, heldout, chosen, diagnosis);
+    offer_law_to(study, chosen, diagnosis);
   offer_only_what_predicts(diagnosis);
   diagnosis.not_exercised = never_exercised(study, chosen);
   if (!diagnosis.cause.ranking.empty()) {

@@ -12,6 +12,12 @@ namespace {
 
 constexpr std::size_t most_parts = 4;
 
+/// Pairs of the eighths of a run, counted from 0, without its ends. No pair is the same stretch of the way on
+/// a run that goes and comes back (of these the numbers add up to 7), or goes to both sides and comes back
+/// from each (to 3 or 11): of what is held out on one way the other way is seen.
+using Eighths = std::array<std::size_t, 2>;
+constexpr std::array<Eighths, 3> pairs_of_eighths{{{1, 4}, {2, 6}, {3, 5}}};
+
 /// How far a run's command goes from where it begins.
 double reach_of_command(const Run& run) {
   double reach = 0;
@@ -57,7 +63,7 @@ std::vector<std::size_t> replaceable_runs(const Experiment& experiment) {
 }
 
 /// Two of the eighths of every run.
-HeldOut blocks(const Experiment& experiment, const std::array<std::size_t, 2>& eighths) {
+HeldOut blocks(const Experiment& experiment, const Eighths& eighths) {
   HeldOut heldout = nothing_held(experiment);
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
@@ -92,7 +98,7 @@ HeldOut choose_heldout(const Experiment& experiment) {
 }
 
 HeldOut choose_blocks(const Experiment& experiment) {
-  return blocks(experiment, {2, 5});
+  return blocks(experiment, pairs_of_eighths[1]);
 }
 
 Experiment without(const Experiment& experiment, const HeldOut& heldout) {
@@ -129,9 +135,8 @@ std::vector<HeldOut> run_parts(const Experiment& experiment) {
 
 std::vector<HeldOut> block_parts(const Experiment& experiment) {
   std::vector<HeldOut> parts;
-  for (std::size_t eighth = 1; eighth <= 3; ++eighth)
-    if (HeldOut part = blocks(experiment, {eighth, eighth + 3}); !part.empty())
-      parts.push_back(std::move(part));
+  for (const Eighths& pair : pairs_of_eighths)
+    if (HeldOut part = blocks(experiment, pair); !part.empty()) parts.push_back(std::move(part));
   return parts;
 }
 

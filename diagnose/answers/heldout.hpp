@@ -25,7 +25,8 @@ HeldOut nothing_held(const Experiment& experiment);
 /// run. Nothing where too little would be left.
 HeldOut choose_heldout(const Experiment& experiment);
 
-/// Two blocks of the path of every run.
+/// Two blocks of the path of every run. Where it goes and comes back, a block that is held out on one way is
+/// seen on the other.
 HeldOut choose_blocks(const Experiment& experiment);
 
 /// The parts, of all below, whose names are all among these.

@@ -1,37 +1,26 @@
 #include "diagnose/answers/offered_law.hpp"
 
-#include <cmath>
+#include "diagnose/answers/rotation.hpp"
 
 namespace plumbline::diagnose {
 
-namespace {
-
-/// A law with its blind test; no shrink where the readings held out bend the joints farther than those seen.
-std::optional<OfferedLaw> tested_law(const Study& study, const HeldOut& heldout, const NoiseModel& noise,
-                                     const std::vector<Instance>& bases) {
-  if (heldout.empty()) return std::nullopt;
-  const Study seen = study.of(without(study.experiment(), heldout));
-  const std::optional<TorqueLaw> law = fit_torque_law(seen, noise, bases);
+std::optional<OfferedLaw> offer_law(const Study& study, const NoiseModel& noise, const Bases& bases) {
+  const std::optional<TorqueLaw> law = fit_torque_law(study, noise, bases(study));
   if (!law) return std::nullopt;
   OfferedLaw offered{*law, {}, std::nullopt, law_traces(study, *law)};
   for (const JointTorqueLaw& one : law->laws) offered.pictures.push_back(picture_of(one, law->knots));
-  const Prediction after = predict_with_law(study, *law);
-  if (after.reached && covers(study, *law, heldout))
-    offered.shrink =
-        measure_shrink(study.measurements(), heldout, study.nominal_residual(), study.residual(after), noise);
-  if (offered.shrink) offered.shrink->chosen_blind = true;
+  const auto left_blind = [&](const Study& seen, const HeldOut& part) -> std::optional<std::vector<double>> {
+    const std::optional<TorqueLaw> blind = fit_torque_law(seen, noise, bases(seen));
+    if (!blind) return study.nominal_residual();
+    if (!covers(study, *blind, part)) return std::nullopt;
+    const Prediction predicted = predict_with_law(study, *blind);
+    return predicted.reached ? std::optional(study.residual(predicted)) : std::nullopt;
+  };
+  if (const std::optional<Rotated> blind = rotated(study, noise, left_blind)) {
+    offered.shrink = blind->shrink;
+    offered.shrink->chosen_blind = true;
+  }
   return offered;
-}
-
-}  // namespace
-
-std::optional<OfferedLaw> offer_law(const Study& study, const HeldOut& heldout, const NoiseModel& noise,
-                                    const std::vector<Instance>& bases) {
-  std::optional<OfferedLaw> offered = tested_law(study, heldout, noise, bases);
-  if (offered && offered->shrink) return offered;
-  // A run that bends the joints the other way is no test of a law. The bases have seen the blocks.
-  std::optional<OfferedLaw> by_blocks = tested_law(study, choose_blocks(study.experiment()), noise, {});
-  return by_blocks && by_blocks->shrink ? by_blocks : offered;
 }
 
 }  // namespace plumbline::diagnose

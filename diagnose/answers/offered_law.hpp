@@ -3,6 +3,8 @@
 /// Whether a free torque law is offered where no known effect explains the gap, how far it goes, and what it
 /// looks like.
 
+#include <functional>
+
 #include "diagnose/answers/torque_law.hpp"
 
 namespace plumbline::diagnose {
@@ -19,17 +21,20 @@ struct LawPicture {
 struct OfferedLaw {
   TorqueLaw law;
   std::vector<LawPicture> pictures;  ///< one a law
-  std::optional<Shrink> shrink;  ///< nothing where the readings held out bend a joint farther than those seen
+  std::optional<Shrink> shrink;      ///< nothing where no part can be held out to test it
   std::vector<LawTrace> traces;
 };
 
 /// The picture of one law.
 LawPicture picture_of(const JointTorqueLaw& law, Eigen::Index knots);
 
-/// A law chosen and fitted without the readings held out, measured on them; where those bend the joints
-/// farther than the others, without two blocks of every run. Nothing where none is better than `bases`, the
-/// explanations that were fitted to the readings seen, and the nominal model.
-std::optional<OfferedLaw> offer_law(const Study& study, const HeldOut& heldout, const NoiseModel& noise,
-                                    const std::vector<Instance>& bases);
+/// Explanations fitted to a study, on which a law may stand.
+using Bases = std::function<std::vector<Instance>(const Study&)>;
+
+/// A law chosen and fitted to all readings. Its shrink is that of laws chosen and fitted, with their bases,
+/// without each part of the readings in its turn; a part without which none is found keeps its residual, and
+/// one that bends the joints farther than the others is no test. Nothing where no law is better than the
+/// bases and the nominal model.
+std::optional<OfferedLaw> offer_law(const Study& study, const NoiseModel& noise, const Bases& bases);
 
 }  // namespace plumbline::diagnose

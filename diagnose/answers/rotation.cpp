@@ -26,22 +26,6 @@ double spread(const Study& study, const Prediction& predicted, const HeldOut& pa
   return count > 0 ? sum / count : 0;
 }
 
-/// What the explanation leaves of the residual, flat, where it is refitted without the part; nothing where
-/// what is left does not determine it.
-std::optional<std::vector<double>> left_blind(const Study& study, const HeldOut& part, const Fit& fitted,
-                                              const NoiseModel& noise) {
-  const Study seen = study.of(without(study.experiment(), part));
-  FitSettings settings;
-  settings.noise = noise;
-  const Fit blind = fit_from(seen, fitted.candidate, settings, fitted.parameters);
-  if (!blind.converged) return std::nullopt;
-  const Prediction predicted = predict(study, blind.candidate, blind.parameters, true);
-  if (!predicted.reached ||
-      spread(study, predicted, part, posterior_covariance(seen, blind), noise) > beliefs::undetermined)
-    return std::nullopt;
-  return study.residual(predicted);
-}
-
 /// Adds what is held out, and what is left there.
 void add(const Study& study, const HeldOut& part, const std::vector<double>& left, HeldOut& all,
          std::vector<double>& after) {
@@ -56,13 +40,14 @@ void add(const Study& study, const HeldOut& part, const std::vector<double>& lef
 
 }  // namespace
 
-std::optional<Rotated> rotated(const Study& study, const Fit& fitted, const NoiseModel& noise) {
+std::optional<Rotated> rotated(const Study& study, const NoiseModel& noise, const LeftBlind& left_blind) {
   for (const auto& parts : {run_parts(study.experiment()), block_parts(study.experiment())}) {
     HeldOut all = nothing_held(study.experiment());
     std::vector<double> after = study.nominal_residual();
     std::vector<HeldOut> used;
     for (const HeldOut& part : parts) {
-      const std::optional<std::vector<double>> left = left_blind(study, part, fitted, noise);
+      const std::optional<std::vector<double>> left =
+          left_blind(study.of(without(study.experiment(), part)), part);
       if (!left) continue;
       add(study, part, *left, all, after);
       used.push_back(part);
@@ -71,6 +56,21 @@ std::optional<Rotated> rotated(const Study& study, const Fit& fitted, const Nois
     return Rotated{measure_shrink(study.measurements(), all, study.nominal_residual(), after, noise), used};
   }
   return std::nullopt;
+}
+
+std::optional<Rotated> rotated(const Study& study, const Fit& fitted, const NoiseModel& noise) {
+  FitSettings settings;
+  settings.noise = noise;
+  return rotated(
+      study, noise, [&](const Study& seen, const HeldOut& part) -> std::optional<std::vector<double>> {
+        const Fit blind = fit_from(seen, fitted.candidate, settings, fitted.parameters);
+        if (!blind.converged) return std::nullopt;
+        const Prediction predicted = predict(study, blind.candidate, blind.parameters, true);
+        if (!predicted.reached ||
+            spread(study, predicted, part, posterior_covariance(seen, blind), noise) > beliefs::undetermined)
+          return std::nullopt;
+        return study.residual(predicted);
+      });
 }
 
 }  // namespace plumbline::diagnose

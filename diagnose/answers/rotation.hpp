@@ -2,6 +2,7 @@
 /// \file
 /// How an explanation predicts readings that it has not seen, in rotation over the parts of an experiment.
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -14,10 +15,18 @@ struct Rotated {
   std::vector<HeldOut> parts;  ///< that it was measured on
 };
 
-/// The explanation, refitted without each part in its turn, on that part; all parts together. A part is
-/// passed over where what is left does not determine what is fitted: the open parameters would spread the
-/// prediction by more than a part of the noise. Parts of the runs, or of blocks where none of those will do.
-/// Nothing where none of these will do either, or nothing can be held out.
+/// What is left of the whole experiment's residual, flat, by what was fitted to `seen`, which is without the
+/// part; nothing where `seen` does not tell.
+using LeftBlind = std::function<std::optional<std::vector<double>>(const Study& seen, const HeldOut& part)>;
+
+/// What is left of each part by what was fitted without it; all parts together. A part of which the others
+/// do not tell is passed over. Parts of the runs, or of blocks where none of those will do. Nothing where
+/// none of these will do either, or nothing can be held out.
+std::optional<Rotated> rotated(const Study& study, const NoiseModel& noise, const LeftBlind& left_blind);
+
+/// The explanation, refitted without each part in its turn. The others do not tell where they do not
+/// determine what is fitted: the open parameters would spread the prediction by more than a part of the
+/// noise.
 std::optional<Rotated> rotated(const Study& study, const Fit& fitted, const NoiseModel& noise);
 
 }  // namespace plumbline::diagnose

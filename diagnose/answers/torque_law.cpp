@@ -251,7 +251,7 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
   all_bases.insert(all_bases.end(), bases.begin(), bases.end());
   std::optional<TorqueLaw> best;
   LawShape best_shape;
-  double nominal = 0, left = 0, alone = std::numeric_limits<double>::infinity();
+  double nominal = 0, left = 0;
   for (const Instance& base : all_bases) {
     const Response rig = response(seen, rig_with(seen, base.candidate, base.parameters));
     if (!rig.given.reached) continue;
@@ -262,7 +262,6 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
       double before = 0;
       for (const LawSums& part : by_fold) before += part.residual;
       if (nominal == 0) nominal = before;
-      alone = std::min(alone, before);
       // Laws of their own take the shape of the one law that all joints share, which was looked at just
       // before.
       if (place.size() > 1 && !affordable(shape, place.size(), residual.size())) continue;
@@ -275,16 +274,14 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
           base.candidate.effects.empty() && place.size() == 1 && place.front().joints.size() == 1;
       if (best && !(chosen.left < (simple ? 1 : clearly) * left)) continue;
       left = chosen.left;
-      best = TorqueLaw{base, place, chosen.shape.knots, 1, 1};
+      best = TorqueLaw{base, place, chosen.shape.knots, 1};
       best_shape = chosen.shape;
       take(chosen.coefficients, *best);
     }
   }
   if (!best) return std::nullopt;
   best->cross_validated = std::sqrt(left / nominal);
-  best->without_law = std::sqrt(alone / nominal);
-  const double worth = worth_at_most(seen.measurements().size()) * best->without_law;
-  if (!(best->cross_validated < worth)) return std::nullopt;
+  if (!(best->cross_validated < worth_at_most(seen.measurements().size()))) return std::nullopt;
   return settled(seen, noise, *std::move(best), best_shape);
 }
 

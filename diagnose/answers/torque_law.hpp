@@ -26,7 +26,6 @@ struct TorqueLaw {
   std::vector<JointTorqueLaw> laws;
   Eigen::Index knots = 0;      ///< of each law
   double cross_validated = 1;  ///< rms left on blocks that the fit had not seen, over the nominal model's
-  double without_law = 1;      ///< rms that the best base leaves alone, over the nominal model's
 };
 
 /// Chooses a law blind and fits it: the joints, the number of knots, the sliders, the arms and how smooth it
@@ -39,7 +38,7 @@ struct TorqueLaw {
 /// \param bases  explanations fitted to the readings seen, on which the law may stand; the nominal model is
 ///               always one
 ///
-/// \returns nothing where no law predicts surely better than the nominal model and the bases
+/// \returns nothing where no law predicts surely better than the nominal model
 std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noise,
                                         const std::vector<Instance>& bases);
 

@@ -108,4 +108,12 @@ double log_evidence(const Study& study, const Fit& fit, const NoiseModel& noise)
   return value + unit.array().log().sum();
 }
 
+double tolerance_charge(const Study& study, const Fit& fit) {
+  const std::vector<ParameterRange> ranges = study.ranges(fit.candidate);
+  double sum = 0;
+  for (std::size_t p = 0; p < ranges.size(); ++p)
+    if (ranges[p].tolerance > 0) sum += std::pow(fit.parameters[p] / ranges[p].tolerance, 2);
+  return sum;
+}
+
 }  // namespace plumbline::diagnose

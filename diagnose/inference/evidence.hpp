@@ -30,4 +30,7 @@ Eigen::MatrixXd posterior_covariance(const Study& study, const Fit& fit);
 /// range.
 double log_evidence(const Study& study, const Fit& fit, const NoiseModel& noise);
 
+/// What the priors of tolerances charge the values that they hold: the sum of their squares, in tolerances.
+double tolerance_charge(const Study& study, const Fit& fit);
+
 }  // namespace plumbline::diagnose

@@ -33,8 +33,9 @@ void add(std::vector<Fit>& fits, std::vector<Fit> more) {
 
 /// How far a search goes. A second effect is looked for beside the twenty best effects alone: of two causes
 /// one is among them unless both hide behind more than a score that mimic their sum. A third is looked for
-/// beside the ten best pairs. The two dozen that promise most are fitted. Where an effect with many values
-/// fits, fewer will do: it is held against two with few values, and against what machining leaves.
+/// beside the ten best pairs. The two dozen that promise most are fitted. Where an effect with two values or
+/// more fits, fewer will do: it is held against two with few values, and one with many against what machining
+/// leaves.
 constexpr std::size_t single_seeds = 20, pair_seeds = 10, few_valued_seeds = 10, finalists = 24;
 
 /// So many of the best combinations are examined for simpler ones.
@@ -235,9 +236,12 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
       add(fits, searcher.parts(threes));
       add(fits, searcher.plainer(threes));
     }
-  } else if (!fits.empty() && many_valued(study, weighed(study, fits).hypotheses.front().fit.candidate) > 0) {
-    add(fits, searcher.extended(searcher.few_valued(fits), few_valued_seeds, 0));
-    add(fits, searcher.machined());
+  } else if (!fits.empty()) {
+    const Candidate best = weighed(study, fits).hypotheses.front().fit.candidate;
+    const bool many = many_valued(study, best) > 0;
+    if (many || study.ranges(best).size() > 1)
+      add(fits, searcher.extended(searcher.few_valued(fits), few_valued_seeds, 0));
+    if (many) add(fits, searcher.machined());
   }
   report(1);
   return weighed(study, std::move(fits));

@@ -150,15 +150,18 @@ double fit_p_value(const Measurements& measurements, const Findings& findings, c
                                                   dof * chi2_per_dof(measurements, fit, findings.noise)));
 }
 
-/// Log-likelihood that a fit gains over a simpler one, in the noise that the simpler one leaves, or in what
-/// is tolerated: in its own, what it has fitted of correlated noise would count for it.
-double gain(const Measurements& measurements, const Findings& findings, const Fit& simpler,
-            const Fit& fuller) {
+/// What a fit gains over a simpler one of log-likelihood, in the noise that the simpler one leaves, or in
+/// what is tolerated (in its own, what it has fitted of correlated noise would count for it), and of the
+/// log-prior of what tolerances hold: the simpler one may have stretched these to what the fuller one names.
+double gain(const Study& study, const Findings& findings, const Fit& simpler, const Fit& fuller) {
+  const Measurements& measurements = study.measurements();
   const NoiseModel noise =
       findings.tolerance ? findings.noise
                          : estimate_noise(measurements, without_outliers(measurements, simpler.residual));
-  return log_likelihood(measurements, fuller.residual, noise) -
-         log_likelihood(measurements, simpler.residual, noise);
+  const auto log_posterior = [&](const Fit& fit) {
+    return log_likelihood(measurements, fit.residual, noise) - tolerance_charge(study, fit) / 2;
+  };
+  return log_posterior(fuller) - log_posterior(simpler);
 }
 
 /// The simplest explanation that leaves no structure, unless one more effect is significant at all the places
@@ -180,7 +183,7 @@ std::size_t choose(const Study& study, const Findings& findings, std::vector<Ran
     }
     const Fit& simpler = ranking[chosen].hypothesis.fit;
     const auto more = static_cast<double>(effects - simpler.candidate.count());
-    if (gain(study.measurements(), findings, simpler, one.fit) > more * significant) chosen = place;
+    if (gain(study, findings, simpler, one.fit) > more * significant) chosen = place;
   }
   return chosen;
 }

@@ -10,7 +10,9 @@
 #include <set>
 
 #include "diagnose/report/report.hpp"
+#include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
+#include "tests/diagnose/simulated_noise.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
@@ -118,6 +120,62 @@ TEST_CASE("no reading is held out in two parts, and none at the ends of a run in
   }
   for (const HeldOut& part : block_parts(experiment))
     for (const std::vector<bool>& run : part.reading) CHECK_FALSE((run.front() || run.back()));
+}
+
+TEST_CASE("what is fitted without a part never sees it, and is measured on it alone") {
+  const Experiment experiment = measured(four_presses(), only("joint_stiffness", 2), {0.2}, 3);
+  const Study study(experiment);
+  // Each part's prediction is off by a size of its own, everywhere.
+  double size = 1, squares = 0, values = 0;
+  const auto blind = [&](const Study& seen, const HeldOut& part) {
+    for (std::size_t r = 0; r < experiment.runs.size(); ++r)
+      for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i) {
+        if (!part.reading[r][i]) continue;
+        squares += 2 * size * size, values += 2;  // Fx and Fy
+      }
+    for (const Run& run : seen.experiment().runs)
+      for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+        if (experiment.runs[r].id != run.id) continue;
+        for (std::size_t i = 0; i < run.readings.size(); ++i)
+          if (part.reading[r][i]) CHECK(std::isnan(run.readings[i].Fx));
+      }
+    return std::optional(std::vector<double>(study.measurements().size(), size++));
+  };
+  const auto found = rotated(study, {}, blind);
+  REQUIRE(found);
+  CHECK(found->parts.size() > 1);
+  CHECK(found->shrink.chi2_per_value_after == close_to(squares / values));
+}
+
+TEST_CASE("what a block holds out of one way, a run that comes back shows on the other") {
+  for (const auto& turns : {std::vector<double>{0, 1, 0}, {0, 1, -1, 0}}) {
+    // 64 steps, as many a unit of the way
+    double whole = 0;
+    for (std::size_t leg = 1; leg < turns.size(); ++leg) whole += std::abs(turns[leg] - turns[leg - 1]);
+    Experiment experiment = blank_experiment({65});
+    std::vector<Reading>& readings = experiment.runs[0].readings;
+    const double step = whole / 64;
+    double place = turns[0];
+    for (std::size_t i = 0, leg = 1; i < readings.size(); ++i) {
+      readings[i].x = 0.3 + 0.01 * place;
+      if (leg < turns.size() && std::abs(turns[leg] - place) < step / 2) ++leg;
+      if (leg < turns.size()) place += std::copysign(step, turns[leg] - place);
+    }
+    const std::vector<HeldOut> parts = block_parts(experiment);
+    REQUIRE(parts.size() == 3);
+    for (const HeldOut& part : parts) {
+      const std::vector<bool>& held = part.reading[0];
+      std::size_t alone = 0;
+      for (std::size_t i = 0; i < readings.size(); ++i) {
+        if (!held[i]) continue;
+        bool seen = false;
+        for (std::size_t other = 0; other < readings.size(); ++other)
+          seen = seen || (!held[other] && std::abs(readings[other].x - readings[i].x) < 0.011 * step);
+        alone += !seen;
+      }
+      CHECK(alone == 0);
+    }
+  }
 }
 
 TEST_CASE("what shrinks belongs to the cause that it is asked of") {

@@ -179,9 +179,9 @@ TEST_CASE("where every run is the one of its kind, two stretches of each are hel
   load(experiment, {0.2, 0.3, -0.3}, {0, 0}, {-2.0, 1.0}, 5);  // 6: too short
   const HeldOut held = choose_heldout(experiment);
   CHECK(held.names ==
-        std::vector<std::string>{"press-1[4:5]", "press-1[10:11]", "press-2[6:8]", "press-2[15:17]"});
-  for (std::size_t i = 0; i < 17; ++i) CHECK(held.reading[0][i] == (i == 4 || i == 5 || i == 10 || i == 11));
+        std::vector<std::string>{"press-1[4:5]", "press-1[12:13]", "press-2[6:8]", "press-2[18:20]"});
+  for (std::size_t i = 0; i < 17; ++i) CHECK(held.reading[0][i] == (i == 4 || i == 5 || i == 12 || i == 13));
   for (std::size_t i = 0; i < 25; ++i)
-    CHECK(held.reading[1][i] == ((i >= 6 && i <= 8) || (i >= 15 && i <= 17)));
+    CHECK(held.reading[1][i] == ((i >= 6 && i <= 8) || (i >= 18 && i <= 20)));
   for (const bool one : held.reading[2]) CHECK_FALSE(one);
 }

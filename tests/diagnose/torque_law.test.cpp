@@ -63,7 +63,7 @@ std::vector<double> cycle(double far, double back) {
 }
 
 std::optional<OfferedLaw> offered_for(const Experiment& experiment) {
-  return offer_law(Study(experiment), choose_blocks(experiment), NoiseModel(), {});
+  return offer_law(Study(experiment), NoiseModel(), [](const Study&) { return std::vector<Instance>(); });
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ TEST_CASE("nothing is offered for noise") {
 
 TEST_CASE("where nothing predicts what was held out, nothing is offered") {
   // A joint that answers each of eight readings in its own way.
-  const std::vector<double> wavers{9, -7, -6, 4, 8, 2, -9, 7};
+  const std::vector<double> wavers{9, -9, 8, -8, 9, -7, 8, -9};
   const auto torque = [&] {
     return [&, at = std::size_t{0}](double d) mutable {
       return stiffness * d + 10 * force_noise * lever * wavers[at++];
@@ -137,22 +137,6 @@ TEST_CASE("where nothing predicts what was held out, nothing is offered") {
   CHECK(diagnosis.nothing_predicts);
   CHECK_FALSE(diagnosis.shrink);
   CHECK_FALSE(diagnosis.offers_law());
-}
-
-TEST_CASE("readings held out are never seen: garbage there, and the law is the same") {
-  const auto truth = [](double d) { return stiffness * d * (1 + 4 * d * d); };
-  const Experiment experiment = hinge(
-      {cycle(0.4, -0.4)}, [&] { return truth; }, 4);
-  const HeldOut heldout = choose_blocks(experiment);
-  Experiment garbage = experiment;
-  for (std::size_t i = 0; i < heldout.reading[0].size(); ++i)
-    if (heldout.reading[0][i]) garbage.runs[0].readings[i].Fx = 1e3 * std::sin(static_cast<double>(i));
-  const auto clean = offer_law(Study(experiment), heldout, NoiseModel(), {});
-  const auto blind = offer_law(Study(garbage), heldout, NoiseModel(), {});
-  REQUIRE(clean);
-  REQUIRE(blind);
-  CHECK(clean->law.laws.front().coefficients == blind->law.laws.front().coefficients);
-  CHECK(clean->law.cross_validated == blind->law.cross_validated);
 }
 
 TEST_CASE("beyond what was exercised a law is not tested") {
@@ -195,7 +179,7 @@ TEST_CASE(
   law.coefficients(finest_knots + 1) = 0.03;
   law.coefficients(finest_knots + slip_places + 3) = 0.06;
   law.coefficients(finest_knots + slider_terms + 1) = 0.2;
-  const TorqueLaw chosen{{}, {law}, finest_knots, 1, 1};
+  const TorqueLaw chosen{{}, {law}, finest_knots, 1};
   const Prediction with = predict_with_law(study, chosen);
   const std::vector<double>& length = study.experiment().link_length;
   for (const LawTrace& trace : law_traces(study, chosen)) {
@@ -218,7 +202,7 @@ TEST_CASE("what a joint carries along a run has what the nominal model knows of 
   none.stiffness = experiment.joint_stiffness[1];
   none.span = {-1, 1, 100};
   none.coefficients = Eigen::VectorXd::Zero(law_terms_count);
-  const std::vector<LawTrace> traces = law_traces(study, TorqueLaw{{}, {none}, 3, 1, 1});
+  const std::vector<LawTrace> traces = law_traces(study, TorqueLaw{{}, {none}, 3, 1});
   REQUIRE(traces.size() == experiment.runs.size());
   // The same joint by statics: the moment of the end point's force about it.
   const std::vector<double>& length = experiment.link_length;

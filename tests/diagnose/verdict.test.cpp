@@ -174,3 +174,33 @@ TEST_CASE("not told apart: what is as likely, or of as much evidence, with as ma
   CHECK(cause.equivalent == std::vector<std::size_t>{1, 4});
   CHECK(judge(Study(experiment), {{best, behind}, {}}).verdict == CauseVerdict::identified);
 }
+
+TEST_CASE("what machining leaves is not stretched to what one cause beside it names") {
+  const Experiment experiment = blank_experiment({60});
+  const Study study(experiment);
+  const auto residual = white(Measurements(experiment));
+  const EffectAt springs("stiffness_spread"), lengths("length_spread"), rests("rest_spread"),
+      cause("joint_stiffness", 1);
+  // As far as tolerances let it, half of one each; the first spring by so many of its own.
+  const auto machined = [&](const Candidate& candidate, double first) {
+    Fit fit = found(experiment, candidate, residual);
+    const std::vector<ParameterRange> ranges = study.ranges(candidate);
+    for (std::size_t p = 0; p < ranges.size(); ++p)
+      if (ranges[p].tolerance > 0) fit.parameters[p] = ranges[p].tolerance / 2;
+    fit.parameters[0] *= 2 * first;
+    return fit;
+  };
+  const Fit beside = machined(of({springs, lengths, rests, cause}), 0.5);
+  const auto chosen = [&](double first) {
+    const Fit alone = machined(of({springs, lengths, rests}), first);
+    const Cause cause_of = judge(study, {{worth(beside, 0, 0), worth(alone, 0, -3.5)}, {}});
+    return cause_of.ranking.at(cause_of.best).hypothesis.fit.candidate;
+  };
+  // The charge is half the square: 2 for two tolerances, 18 for six. One more effect has to gain three, and
+  // the logarithm of how many are possible.
+  const double asked = 3 + std::log(static_cast<double>(possible_effects(study).size()));
+  REQUIRE(asked > 2);
+  REQUIRE(asked < 17);
+  CHECK(chosen(2) == of({springs, lengths, rests}));
+  CHECK(chosen(6) == beside.candidate);
+}
