@@ -35,6 +35,14 @@ bool known_to_itself(const Fit& fit, std::size_t parameter) {
   return fit.information(p, p) * fit.parameters[parameter] * fit.parameters[parameter] > 9;
 }
 
+/// Whether a set of effects is another one and more.
+bool contains(const Candidate& whole, const Candidate& part) {
+  return std::all_of(part.effects.begin(), part.effects.end(), [&](const EffectAt& at) {
+    return std::any_of(whole.effects.begin(), whole.effects.end(),
+                       [&](const EffectAt& other) { return covers(other, at); });
+  });
+}
+
 /// Posterior probabilities of the genuine hypotheses; of all where none is genuine.
 std::vector<Ranked> ranked(const Study& study, const Findings& findings) {
   const auto stands = [&](const Hypothesis& one) { return genuine(study, one.fit); };
@@ -119,8 +127,10 @@ Findings confirmed(const Study& study, const Findings& found) {
   settings.noise = found.noise;
   std::size_t standing = 0;
   for (const Hypothesis& hypothesis : found.hypotheses) {
-    const bool behind = hypothesis.log_evidence < found.hypotheses.front().log_evidence - hopeless;
-    if (behind && standing >= 2) break;
+    const Hypothesis& leading = found.hypotheses.front();
+    const bool behind = hypothesis.log_evidence < leading.log_evidence - hopeless,
+               part = contains(leading.fit.candidate, hypothesis.fit.candidate);
+    if (behind && standing >= 2 && !part) continue;
     Fit one = fit_from(study, hypothesis.fit.candidate, settings, hypothesis.fit.parameters);
     if (!one.converged) continue;
     standing += genuine(study, one);
@@ -201,14 +211,6 @@ double probability_of_unknown(double p_value) {
   return odds / (1 + odds);
 }
 
-/// Whether a set of effects is another one and more.
-bool contains(const Candidate& whole, const Candidate& part) {
-  return std::all_of(part.effects.begin(), part.effects.end(), [&](const EffectAt& at) {
-    return std::any_of(whole.effects.begin(), whole.effects.end(),
-                       [&](const EffectAt& other) { return covers(other, at); });
-  });
-}
-
 /// Whether an explanation, not the best one with something added, comes near the best: in evidence; or, of no
 /// more effects and parameters, and no refinement, in likelihood. More parameters always come as near as one
 /// likes.
@@ -227,8 +229,9 @@ double share_of_best(double nominal, const Ranked& best, const Ranked& other) {
   return (nominal - other.chi2_per_dof) / (nominal - best.chi2_per_dof);
 }
 
-/// Lists beside the best explanation the plainer ones of which it is a refinement, where these close the gap
-/// nearly as well: the refinement answers then to little, which may be anything.
+/// Lists beside the best explanation the plainer ones of which it is a refinement, or that it has one effect
+/// more than, where these close the gap nearly as well: what it adds answers then to little, which may be
+/// anything.
 void list_plainer(const Study& study, const NoiseModel& noise, Cause& cause) {
   Fit nothing;
   nothing.residual = study.nominal_residual();
@@ -239,8 +242,7 @@ void list_plainer(const Study& study, const NoiseModel& noise, Cause& cause) {
     const std::vector<std::size_t>& known = cause.equivalent;
     if (i == cause.best || std::find(known.begin(), known.end(), i) != known.end()) continue;
     const Candidate &refined = best.hypothesis.fit.candidate, &plainer = other.hypothesis.fit.candidate;
-    if (plainer.effects.size() == refined.effects.size() && contains(refined, plainer) &&
-        share_of_best(nominal, best, other) > beliefs::closes_alike)
+    if (contains(refined, plainer) && share_of_best(nominal, best, other) > beliefs::closes_alike)
       cause.equivalent.push_back(i);
   }
   if (!cause.equivalent.empty()) cause.verdict = CauseVerdict::ambiguous;

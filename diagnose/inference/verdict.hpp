@@ -47,7 +47,8 @@ struct Cause {
 /// joint, a relaxation slower than the experiment a stiffer spring).
 bool genuine(const Study& study, const Fit& fit);
 
-/// The hypotheses that a search on fewer readings left standing, two at least, fitted to all of them.
+/// The hypotheses that a search on fewer readings left standing, two at least, and those that are a part of
+/// the leading one, fitted to all readings.
 Findings confirmed(const Study& study, const Findings& found);
 
 /// Place of the explanation that is worth most where none is right: what it leaves is then taken as noise

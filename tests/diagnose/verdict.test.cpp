@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tests/close_to.hpp"
+#include "tests/diagnose/bench.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 
 using namespace plumbline;
@@ -203,4 +204,29 @@ TEST_CASE("what machining leaves is not stretched to what one cause beside it na
   REQUIRE(asked < 17);
   CHECK(chosen(2) == of({springs, lengths, rests}));
   CHECK(chosen(6) == beside.candidate);
+}
+
+TEST_CASE("an effect that adds less than a hundredth stands beside the explanation without it") {
+  // A gap of at most one standard deviation, so that few values count as outliers.
+  Experiment experiment = test::three_links();
+  test::press(experiment, {0.3, -0.5, 0.4}, {-0.05, 0}, 600, true);
+  const std::vector<double> unit =
+      Study(test::measured(experiment, test::only("force_gain"), {1}, 3)).nominal_residual();
+  double largest = 0;
+  for (const double one : unit) largest = std::max(largest, std::abs(one));
+  const Study study(test::measured(experiment, test::only("force_gain"), {1 / largest}, 3));
+  const auto residual = white(study.measurements(), 0.1);
+  const Hypothesis both =
+      worth(found(study.experiment(), of({{"force_gain"}, {"sensor_drift"}}), residual), 0, 0);
+  const auto class_with = [&](double left) {
+    std::vector<double> more = residual;
+    for (std::size_t i = 0; i < more.size(); ++i) more[i] += left * study.nominal_residual()[i];
+    const Hypothesis alone = worth(found(study.experiment(), of({EffectAt("force_gain")}), more), -60, -60);
+    const Cause cause = judge(study, {{both, alone}, {}});
+    CHECK(cause.ranking.at(cause.best).hypothesis.fit.candidate == both.fit.candidate);
+    return cause.verdict;
+  };
+  // squares: 0.0081 and 0.0121 of the gap
+  CHECK(class_with(0.09) == CauseVerdict::ambiguous);
+  CHECK(class_with(0.11) == CauseVerdict::identified);
 }
