@@ -43,6 +43,12 @@ bool contains(const Candidate& whole, const Candidate& part) {
   });
 }
 
+/// Whether a parameter is farther from zero than its standard deviation.
+bool is_beyond_zero(const Fit& fit, std::size_t parameter) {
+  const auto p = static_cast<Eigen::Index>(parameter);
+  return fit.parameters[parameter] * fit.parameters[parameter] > fit.covariance(p, p);
+}
+
 /// Posterior probabilities of the genuine hypotheses; of all where none is genuine.
 std::vector<Ranked> ranked(const Study& study, const Findings& findings) {
   const auto stands = [&](const Hypothesis& one) { return genuine(study, one.fit); };
@@ -101,19 +107,20 @@ bool genuine(const Study& study, const Fit& fit) {
   std::size_t p = 0;
   for (const EffectAt& at : fit.candidate.effects) {
     std::size_t acting = 0;
-    bool begins = false, seen = false;
+    bool begins = false, seen = false, beyond_zero = false;
     for (const ParameterRange& range : study.ranges(at)) {
       const bool natural_zero = zero_is_nominal(range);
       const bool at_zero = fit.at_bound[p] && natural_zero && std::abs(fit.parameters[p]) < range.scale;
       if (fit.at_bound[p] && !at_zero) return false;
       acting += (natural_zero && !at_zero) || range.coordinate == Coordinate::reciprocal;
+      beyond_zero = beyond_zero || !natural_zero || is_beyond_zero(fit, p);
       if (range.coordinate == Coordinate::plain && !natural_zero) {
         begins = true;
         seen = seen || known_to_itself(fit, p);
       }
       ++p;
     }
-    if (acting < at.effect->at_least || (begins && !seen)) return false;
+    if (acting < at.effect->at_least || (begins && !seen) || !beyond_zero) return false;
   }
   return true;
 }

@@ -42,7 +42,8 @@ struct Cause {
   std::vector<std::size_t> equivalent;  ///< places in the ranking that cannot be told apart from the best
 };
 
-/// Whether a hypothesis is what it says: none of its effects is switched off by a parameter at zero, and none
+/// Whether a hypothesis is what it says: none of its effects is switched off by a parameter at zero, or has
+/// every parameter nearer to zero than the readings tell, and none
 /// has run to the end of a range where it turns into another effect (a stop that always touches is a stiffer
 /// joint, a relaxation slower than the experiment a stiffer spring).
 bool genuine(const Study& study, const Fit& fit);

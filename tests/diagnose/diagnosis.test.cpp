@@ -230,9 +230,9 @@ TEST_CASE(
   };
   Experiment fine = bench();
   fine.noise = {0, 0, 0.0005, 0.0005, 0.00002};
-  // A ripple of half a declared sigma where readings repeat to a tenth of it; and one of some twenty sigmas
-  // beside a gap that is beyond fifty, of which 0.15, or 7.5 sigmas, and more are tolerated.
-  const std::vector<Lab> labs{{"declared", bench(), 0.2, 0.0007, 0.1, 1},
+  // A ripple of a third of a declared sigma where readings repeat to a tenth of it; and one of some twenty
+  // sigmas beside a gap that is beyond fifty, of which 0.15, or 7.5 sigmas, and more are tolerated.
+  const std::vector<Lab> labs{{"declared", bench(), 0.2, 0.0005, 0.1, 1},
                               {"a clear gap", fine, 0.5, 0.002, 1, 7.5}};
   for (const Lab& lab : labs) {
     CAPTURE(lab.what);

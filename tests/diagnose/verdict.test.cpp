@@ -23,6 +23,7 @@ Fit found(const Experiment& experiment, const Candidate& candidate, const std::v
   fit.at_bound.assign(fit.parameters.size(), false);
   const auto count = static_cast<Eigen::Index>(fit.parameters.size());
   fit.information = 1e6 * Eigen::MatrixXd::Identity(count, count);
+  fit.covariance = 1e-4 * Eigen::Map<Eigen::VectorXd>(fit.parameters.data(), count).cwiseAbs2().asDiagonal();
   fit.residual = residual;
   fit.converged = true;
   return fit;
@@ -66,6 +67,14 @@ TEST_CASE("an effect whose parameter is at zero, or at the end of its range, is 
   play.parameters = {0.0};
   play.at_bound = {true};
   CHECK_FALSE(genuine(Study(experiment), play));
+
+  // What the readings do not tell from zero is none.
+  Fit weak = found(experiment, of({{"nonlinear_spring"}}), residual);
+  weak.covariance(0, 0) = 4;
+  weak.parameters = {2.1};
+  CHECK(genuine(Study(experiment), weak));
+  weak.parameters = {-1.9};
+  CHECK_FALSE(genuine(Study(experiment), weak));
 
   // Play in one joint alone is that joint's.
   Fit all = found(experiment, of({{"play"}}), residual);
