@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/answers/acceptance.hpp"
@@ -155,19 +156,30 @@ bool is_no_use(const OfferedLaw& law, const Diagnosis& diagnosis) {
   return fails(*law.shrink) || (partial && !(law.shrink->ratio < diagnosis.shrink->ratio));
 }
 
-/// Where no known effect explains the gap: a law that closes it, if one predicts.
+/// The best of a few partial explanations, as it is fitted to a study.
+Instance best_part(const Study& study, const Findings& found) {
+  constexpr std::size_t few = 8;
+  Findings leading = found;
+  if (leading.hypotheses.size() > few) leading.hypotheses.resize(few);
+  const Findings findings = confirmed(study, leading);
+  std::vector<const Fit*> fits;
+  for (const Hypothesis& hypothesis : findings.hypotheses) fits.push_back(&hypothesis.fit);
+  if (fits.empty()) return {};
+  const Fit& partial = *fits[best_partial(study.measurements(), fits)];
+  return {partial.candidate, partial.parameters};
+}
+
+/// Where no known effect explains the gap: a law that closes it, if one predicts; on the nominal model,
+/// unless it predicts clearly better beside a partial explanation.
 void offer_law_to(const Study& study, const Findings& chosen, Diagnosis& diagnosis) {
-  const auto best_part = [&](const Study& seen) {
-    const Findings findings = confirmed(seen, chosen);
-    std::vector<const Fit*> fits;
-    for (const Hypothesis& hypothesis : findings.hypotheses) fits.push_back(&hypothesis.fit);
-    std::vector<Instance> bases;
-    if (fits.empty()) return bases;
-    const Fit& partial = *fits[best_partial(seen.measurements(), fits)];
-    bases.push_back({partial.candidate, partial.parameters});
-    return bases;
+  constexpr double clearly = 0.8;
+  diagnosis.law = offer_law(study, diagnosis.noise, [](const Study&) { return Instance(); });
+  std::optional<OfferedLaw> beside =
+      offer_law(study, diagnosis.noise, [&](const Study& seen) { return best_part(seen, chosen); });
+  const auto ratio = [](const std::optional<OfferedLaw>& law) {
+    return law && law->shrink ? law->shrink->ratio : std::numeric_limits<double>::infinity();
   };
-  diagnosis.law = offer_law(study, diagnosis.noise, best_part);
+  if (!diagnosis.law || ratio(beside) < clearly * ratio(diagnosis.law)) diagnosis.law = std::move(beside);
   if (diagnosis.law && is_no_use(*diagnosis.law, diagnosis)) diagnosis.law.reset();
   if (diagnosis.offers_law()) diagnosis.shrink = diagnosis.law->shrink;
 }

@@ -164,7 +164,8 @@ ChosenLaw choose_law(const std::vector<LawSums>& by_fold, std::size_t values) {
     for (const LawShape& other : neighbours(best.shape)) {
       if (!affordable(other, 1, values)) continue;
       const double asked = other.terms() > best.shape.terms() ? noticed : 0;
-      if (ChosenLaw trial = fit_law(other, 1, by_fold); trial.left < best.left - asked) best = std::move(trial);
+      if (ChosenLaw trial = fit_law(other, 1, by_fold); trial.left < best.left - asked)
+        best = std::move(trial);
     }
     if (!(best.left < before)) break;
   }

@@ -4,13 +4,13 @@
 
 namespace plumbline::diagnose {
 
-std::optional<OfferedLaw> offer_law(const Study& study, const NoiseModel& noise, const Bases& bases) {
-  const std::optional<TorqueLaw> law = fit_torque_law(study, noise, bases(study));
+std::optional<OfferedLaw> offer_law(const Study& study, const NoiseModel& noise, const Base& base) {
+  const std::optional<TorqueLaw> law = fit_torque_law(study, noise, base(study));
   if (!law) return std::nullopt;
   OfferedLaw offered{*law, {}, std::nullopt, law_traces(study, *law)};
   for (const JointTorqueLaw& one : law->laws) offered.pictures.push_back(picture_of(one, law->knots));
   const auto left_blind = [&](const Study& seen, const HeldOut& part) -> std::optional<std::vector<double>> {
-    const std::optional<TorqueLaw> blind = fit_torque_law(seen, noise, bases(seen));
+    const std::optional<TorqueLaw> blind = fit_torque_law(seen, noise, base(seen));
     if (!blind) return study.nominal_residual();
     if (!covers(study, *blind, part)) return std::nullopt;
     const Prediction predicted = predict_with_law(study, *blind);

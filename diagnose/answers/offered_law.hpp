@@ -28,13 +28,13 @@ struct OfferedLaw {
 /// The picture of one law.
 LawPicture picture_of(const JointTorqueLaw& law, Eigen::Index knots);
 
-/// Explanations fitted to a study, on which a law may stand.
-using Bases = std::function<std::vector<Instance>(const Study&)>;
+/// What a law stands beside, fitted to a study.
+using Base = std::function<Instance(const Study&)>;
 
-/// A law chosen and fitted to all readings. Its shrink is that of laws chosen and fitted, with their bases,
+/// A law chosen and fitted to all readings. Its shrink is that of laws chosen and fitted, with their base,
 /// without each part of the readings in its turn; a part without which none is found keeps its residual, and
 /// one that bends the joints farther than the others is no test. Nothing where no law is better than the
 /// bases and the nominal model.
-std::optional<OfferedLaw> offer_law(const Study& study, const NoiseModel& noise, const Bases& bases);
+std::optional<OfferedLaw> offer_law(const Study& study, const NoiseModel& noise, const Base& base);
 
 }  // namespace plumbline::diagnose

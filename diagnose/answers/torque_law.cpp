@@ -245,41 +245,31 @@ TorqueLaw settled(const Study& seen, const NoiseModel& noise, TorqueLaw law, con
 
 }  // namespace
 
-std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noise,
-                                        const std::vector<Instance>& bases) {
-  std::vector<Instance> all_bases{{}};
-  all_bases.insert(all_bases.end(), bases.begin(), bases.end());
+std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noise, const Instance& base) {
+  const Response rig = response(seen, rig_with(seen, base.candidate, base.parameters));
+  if (!rig.given.reached) return std::nullopt;
+  const std::vector<double> residual = without_outliers(seen.measurements(), seen.residual(rig.given));
   std::optional<TorqueLaw> best;
-  LawShape best_shape;
-  double nominal = 0, left = 0;
-  for (const Instance& base : all_bases) {
-    const Response rig = response(seen, rig_with(seen, base.candidate, base.parameters));
-    if (!rig.given.reached) continue;
-    const std::vector<double> residual = without_outliers(seen.measurements(), seen.residual(rig.given));
-    LawShape shape;
-    for (const Placement& place : placements(seen, rig)) {
-      const std::vector<LawSums> by_fold = sums_of(seen, rig, place, residual, noise);
-      double before = 0;
-      for (const LawSums& part : by_fold) before += part.residual;
-      if (nominal == 0) nominal = before;
-      // Laws of their own take the shape of the one law that all joints share, which was looked at just
-      // before.
-      if (place.size() > 1 && !affordable(shape, place.size(), residual.size())) continue;
-      const ChosenLaw chosen =
-          place.size() > 1 ? fit_law(shape, place.size(), by_fold) : choose_law(by_fold, residual.size());
-      shape = chosen.shape;
-      // One joint alone, on the nominal model, is the least that can be said.
-      constexpr double clearly = 0.8;
-      const bool simple =
-          base.candidate.effects.empty() && place.size() == 1 && place.front().joints.size() == 1;
-      if (best && !(chosen.left < (simple ? 1 : clearly) * left)) continue;
-      left = chosen.left;
-      best = TorqueLaw{base, place, chosen.shape.knots, 1};
-      best_shape = chosen.shape;
-      take(chosen.coefficients, *best);
-    }
+  LawShape shape, best_shape;
+  double left = std::numeric_limits<double>::infinity();
+  for (const Placement& place : placements(seen, rig)) {
+    const std::vector<LawSums> by_fold = sums_of(seen, rig, place, residual, noise);
+    // Laws of their own take the shape of the one law that all joints share, which was looked at just before.
+    if (place.size() > 1 && !affordable(shape, place.size(), residual.size())) continue;
+    const ChosenLaw chosen =
+        place.size() > 1 ? fit_law(shape, place.size(), by_fold) : choose_law(by_fold, residual.size());
+    shape = chosen.shape;
+    // One joint alone is the least that can be said.
+    constexpr double clearly = 0.8;
+    const bool simple = place.size() == 1 && place.front().joints.size() == 1;
+    if (best && !(chosen.left < (simple ? 1 : clearly) * left)) continue;
+    left = chosen.left;
+    best = TorqueLaw{base, place, chosen.shape.knots, 1};
+    best_shape = chosen.shape;
+    take(chosen.coefficients, *best);
   }
   if (!best) return std::nullopt;
+  const double nominal = squares(seen, noise, without_outliers(seen.measurements(), seen.nominal_residual()));
   best->cross_validated = std::sqrt(left / nominal);
   if (!(best->cross_validated < worth_at_most(seen.measurements().size()))) return std::nullopt;
   return settled(seen, noise, *std::move(best), best_shape);

@@ -35,12 +35,10 @@ struct TorqueLaw {
 ///
 /// \param seen   without the readings that are held out
 ///
-/// \param bases  explanations fitted to the readings seen, on which the law may stand; the nominal model is
-///               always one
+/// \param base   effects, fitted to the readings seen, that the law stands beside; none: the nominal model
 ///
 /// \returns nothing where no law predicts surely better than the nominal model
-std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noise,
-                                        const std::vector<Instance>& bases);
+std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noise, const Instance& base);
 
 /// The laws of the joints, each by itself, as the rig has them.
 std::vector<FreeLaw> free_laws(const Study& study, const TorqueLaw& law);

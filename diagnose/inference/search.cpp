@@ -214,13 +214,14 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
     if (progress) progress(share);
   };
   const Searcher searcher(study);
-  std::vector<Fit> fits = searcher.singles();
+  const std::vector<Fit> singles = searcher.singles();
+  std::vector<Fit> fits = singles;
   add(fits, searcher.again(known));
   const auto p_value = [&] { return test_gap(study.measurements(), fits.front().residual).p_value; };
   report(0.1);
   constexpr double look_further = 0.05;  // a search more costs time alone
   if (!fits.empty() && p_value() < look_further) {
-    std::vector<Fit> pairs = searcher.extended(fits, single_seeds);
+    std::vector<Fit> pairs = searcher.extended(singles, single_seeds);
     add(fits, pairs);
     add(fits, searcher.parts(pairs));
     add(fits, searcher.plainer(pairs));
@@ -240,7 +241,7 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
     const Candidate best = weighed(study, fits).hypotheses.front().fit.candidate;
     const bool many = many_valued(study, best) > 0;
     if (many || study.ranges(best).size() > 1)
-      add(fits, searcher.extended(searcher.few_valued(fits), few_valued_seeds, 0));
+      add(fits, searcher.extended(searcher.few_valued(singles), few_valued_seeds, 0));
     if (many) add(fits, searcher.machined());
   }
   report(1);

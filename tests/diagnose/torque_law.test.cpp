@@ -63,7 +63,7 @@ std::vector<double> cycle(double far, double back) {
 }
 
 std::optional<OfferedLaw> offered_for(const Experiment& experiment) {
-  return offer_law(Study(experiment), NoiseModel(), [](const Study&) { return std::vector<Instance>(); });
+  return offer_law(Study(experiment), NoiseModel(), [](const Study&) { return Instance(); });
 }
 
 }  // namespace

@@ -98,8 +98,8 @@ TEST_CASE("a law that slips, at a constant torque or at one that grows, is in Mu
         {2, {{-0.3, -0.05}, {0, 0}, {0.1, 0.1}, {0.4, 0}}, {{0.013, 0.02, 0}, widest}, {}}};
     const Prediction done = in_mujoco(written(truth, Format::mjcf).text, lab.experiment, Pace::on_the_way);
     const Study study(test::read_with_noise(lab.experiment, done, 6));
-    const std::optional<diagnose::OfferedLaw> offered = diagnose::offer_law(
-        study, diagnose::NoiseModel(), [](const Study&) { return std::vector<diagnose::Instance>(); });
+    const std::optional<diagnose::OfferedLaw> offered =
+        diagnose::offer_law(study, diagnose::NoiseModel(), [](const Study&) { return diagnose::Instance(); });
     REQUIRE(offered);
     REQUIRE(offered->shrink);
     CHECK_FALSE(offered->pictures.front().sliders.empty());
