@@ -28,9 +28,11 @@ Bench random_bench() {
   }
   if (held && n > 2 && *rc::gen::arbitrary<bool>()) stiffness[0] = 0;
   const Chain<double> chain(length, stiffness, rest);
-  const double way = random_hundredths(0, 6), last = held ? (random_hundredths(0, 1) + 0.1) * reach / 2 : (random_hundredths(0, 8) + 1) / reach;
+  const double way = random_hundredths(0, 6), last = held ? (random_hundredths(0, 1) + 0.1) * reach / 2
+                                                          : (random_hundredths(0, 8) + 1) / reach;
   const Point<double> start =
-      held ? end_point(chain, rest) : Point<double>{0.1 * random_hundredths(-1, 1) / reach, 0.1 * random_hundredths(-1, 1) / reach};
+      held ? end_point(chain, rest)
+           : Point<double>{0.1 * random_hundredths(-1, 1) / reach, 0.1 * random_hundredths(-1, 1) / reach};
   return {chain,
           {held ? Control::end_point : Control::force, start, {std::cos(way), std::sin(way)}},
           last,

@@ -50,7 +50,7 @@ Experiment unread_bench() {
 
 /// Fills in what the rig would have measured, and noise.
 Experiment with_readings(Experiment experiment, const Candidate& cause, const std::vector<double>& parameters,
-                    std::uint64_t seed, double noise_scale = 1) {
+                         std::uint64_t seed, double noise_scale = 1) {
   const Prediction truth = predict(Study(experiment), cause, parameters);
   REQUIRE(truth.reached);
   std::mt19937_64 random(seed);
@@ -97,7 +97,8 @@ std::vector<std::string> said(const Diagnosis& diagnosis) {
 }  // namespace
 
 TEST_CASE("a nominal experiment with a mis-declared sigma has no gap") {
-  const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {}, {}, 1, 1.4)));
+  const Diagnosis diagnosis =
+      plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {}, {}, 1, 1.4)));
   CHECK_FALSE(diagnosis.gap.present);
   CHECK(diagnosis.cause.verdict == CauseVerdict::none);
 }
@@ -123,8 +124,8 @@ TEST_CASE(
 }
 
 TEST_CASE("two causes at once are both named") {
-  const Diagnosis diagnosis = plumbline::diagnose::diagnose(
-      Study(with_readings(unread_bench(), {{{"joint_friction", 0}, {"joint_stiffness", 1}}}, {0.03, 0.3}, 3)));
+  const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(
+      with_readings(unread_bench(), {{{"joint_friction", 0}, {"joint_stiffness", 1}}}, {0.03, 0.3}, 3)));
   CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
   CHECK(said(diagnosis) == std::vector<std::string>{"joint_friction", "joint_stiffness(1)"});
 }
@@ -156,8 +157,8 @@ TEST_CASE("values of their own in each run do not stand for what machining leave
 }
 
 TEST_CASE("what no run can separate is one class") {
-  const Diagnosis diagnosis =
-      plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {{{"train_compliance", 0}}}, {0.002}, 4)));
+  const Diagnosis diagnosis = plumbline::diagnose::diagnose(
+      Study(with_readings(unread_bench(), {{{"train_compliance", 0}}}, {0.002}, 4)));
   CHECK(diagnosis.cause.verdict == CauseVerdict::ambiguous);
   CHECK(diagnosis.cause.equivalent.size() == 1);
   const auto& other = diagnosis.cause.ranking[diagnosis.cause.equivalent.front()].hypothesis.fit.candidate;
@@ -236,9 +237,9 @@ TEST_CASE(
                               {"a clear gap", fine, 0.5, 0.002, 1, 7.5}};
   for (const Lab& lab : labs) {
     CAPTURE(lab.what);
-    const Experiment experiment =
-        rippled(with_readings(lab.experiment, {{{"joint_stiffness", 1}}}, {lab.stiffness}, 9, lab.noise_scale),
-                lab.ripple);
+    const Experiment experiment = rippled(
+        with_readings(lab.experiment, {{{"joint_stiffness", 1}}}, {lab.stiffness}, 9, lab.noise_scale),
+        lab.ripple);
     const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(experiment));
     CHECK(diagnosis.cause.verdict == CauseVerdict::ambiguous);
     CHECK(diagnosis.cause.reservation == Reservation::beyond_noise);
@@ -249,8 +250,8 @@ TEST_CASE(
 }
 
 TEST_CASE("the report as JSON holds what its format asks for") {
-  const nlohmann::ordered_json json =
-      as_json(plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {{{"force_gain", 0}}}, {0.1}, 6))));
+  const nlohmann::ordered_json json = as_json(
+      plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {{{"force_gain", 0}}}, {0.1}, 6))));
   CHECK(json["format"] == "gap-diagnosis/1");
   CHECK(json["gap"]["present"] == true);
   CHECK(json["cause"]["verdict"] == "ambiguous");  // nothing else sets a scale of force
@@ -265,5 +266,6 @@ TEST_CASE("the report as JSON holds what its format asks for") {
     CHECK(sum == close_to(1));
   }
   CHECK(json["shrink"]["ratio"].get<double>() < 0.5);
-  CHECK_FALSE(as_text(plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {}, {}, 7)))).empty());
+  CHECK_FALSE(
+      as_text(plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {}, {}, 7)))).empty());
 }

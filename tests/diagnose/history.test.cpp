@@ -100,7 +100,8 @@ TEST_CASE("the nominal model balances k_i (q_i - rest_i) = [J^T F]_i and ends wh
             doctest::Approx(shape.moment(i)).epsilon(up_to_rounding).scale(1));
     }
     if (experiment.runs[run].control == Control::end_point) {
-      CHECK(shape.joint.back()[0] == close_to(experiment.runs[run].readings[reading].x).epsilon(up_to_rounding));
+      CHECK(shape.joint.back()[0] ==
+            close_to(experiment.runs[run].readings[reading].x).epsilon(up_to_rounding));
       CHECK(shape.joint.back()[1] ==
             doctest::Approx(experiment.runs[run].readings[reading].y).epsilon(up_to_rounding).scale(1));
     }

@@ -41,7 +41,8 @@ double moment(const Trace& trace, Eigen::Index row) {
   return arm_length * std::cos(angle(trace, row, 0)) * trace(row, column_Fy);
 }
 
-Trace predicted_run(const Experiment& experiment, const Candidate& candidate, const std::vector<double>& value) {
+Trace predicted_run(const Experiment& experiment, const Candidate& candidate,
+                    const std::vector<double>& value) {
   const Prediction prediction = predict(Study(experiment), candidate, value);
   REQUIRE(prediction.reached);
   return prediction.runs[0];
@@ -123,9 +124,11 @@ TEST_CASE("a Jenkins element: the way back is the way there twice as large, and 
   // There, back to a half, there again, and on: Masing's rules.
   const int steps = 50;
   const Trace trace = predicted_run(one_joint(steps_through({0, 0.4, 0.2, 0.4, 0.6}, steps)),
-                                only("hysteresis", 1), {0.5, 0.03, 0, 1, 0, 1});
+                                    only("hysteresis", 1), {0.5, 0.03, 0, 1, 0, 1});
   const double yield = 0.5 * spring_stiffness * 0.03;
-  const auto virgin = [&](double q) { return spring_stiffness * q + std::min(0.5 * spring_stiffness * q, yield); };
+  const auto virgin = [&](double q) {
+    return spring_stiffness * q + std::min(0.5 * spring_stiffness * q, yield);
+  };
   const auto branch = [&](double turn) {
     return spring_stiffness * turn + std::min(0.5 * spring_stiffness * turn, 2 * yield);
   };
@@ -155,7 +158,8 @@ TEST_CASE("a very stiff element is dry friction, and one that never yields is a 
 }
 
 TEST_CASE("friction that grows with the deflection") {
-  const Trace trace = predicted_run(one_joint(steps_through({0, 0.6, 0}, 40)), only("load_friction"), {0.03, 5});
+  const Trace trace =
+      predicted_run(one_joint(steps_through({0, 0.6, 0}, 40)), only("load_friction"), {0.03, 5});
   for (const Eigen::Index row : {20, 40, 75}) {
     const double q = angle(trace, row, 0), way = row > 40 ? -1 : 1;
     CHECK(moment(trace, row) - spring_stiffness * q == close_to(way * 0.03 * (1 + 5 * q)).epsilon(1e-6));
@@ -225,5 +229,6 @@ TEST_CASE("a tendon's loss is what exp(-mu) takes from each rest angle beyond th
   Experiment lost = commanded;
   for (std::size_t i = 0; i < 3; ++i)
     lost.runs[0].rest[i] = rest[i] * std::exp(-0.05 * static_cast<double>(i));
-  CHECK(difference(predicted_run(commanded, only("tendon_friction"), {0.05}), predicted_run(lost, {}, {})) < solver_accuracy);
+  CHECK(difference(predicted_run(commanded, only("tendon_friction"), {0.05}), predicted_run(lost, {}, {})) <
+        solver_accuracy);
 }

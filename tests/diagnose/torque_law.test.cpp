@@ -108,7 +108,9 @@ TEST_CASE("the loop of a spring with a slider is recovered") {
 }
 
 TEST_CASE("a joint that has slack is said to have it") {
-  const auto truth = [](double d) { return hinge_stiffness * std::copysign(std::max(0.0, std::abs(d) - 0.1), d); };
+  const auto truth = [](double d) {
+    return hinge_stiffness * std::copysign(std::max(0.0, std::abs(d) - 0.1), d);
+  };
   const std::optional<OfferedLaw> offered = offered_for(hinge(
       {cycle(0.4, -0.4), cycle(-0.4, 0.4)}, [&] { return truth; }, 3));
   REQUIRE(offered);

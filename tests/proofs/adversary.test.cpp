@@ -10,12 +10,12 @@
 #include <random>
 #include <set>
 
+#include "proofs/as_double.hpp"
 #include "proofs/critical_modes.hpp"
 #include "proofs/decimal.hpp"
 #include "proofs/equilibria_certificate.hpp"
 #include "proofs/span.hpp"
 #include "tests/close_to.hpp"
-#include "tests/proofs/as_double.hpp"
 #include "tests/proofs/stand_alone.hpp"
 
 using namespace plumbline;

@@ -9,8 +9,8 @@
 #include <plumbline/loaded/nominal_model.hpp>
 #include <random>
 
+#include "proofs/as_double.hpp"
 #include "proofs/equilibrium_box.hpp"
-#include "tests/proofs/as_double.hpp"
 
 using namespace plumbline;
 using namespace plumbline::proofs;
@@ -110,7 +110,7 @@ std::pair<Chain<Interval>, Point<Interval>> locked(const Chain<Interval>& chain,
 /// Whether the moments at the locked joints lie within ± k pi: the equilibrium of the shorter chain is
 /// critical for the energy of the whole one.
 bool critical_for_the_whole(const Chain<Interval>& chain, std::size_t set, const Chain<Interval>& shorter,
-              const Point<Interval>& place, const CertifiedEquilibrium& one) {
+                            const Point<Interval>& place, const CertifiedEquilibrium& one) {
   double theta = 0, x = as_double(place.x), y = as_double(place.y);
   bool within = true;
   for (std::size_t i = 0, free = 0; i < chain.size(); ++i) {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "proofs/as_double.hpp"
 #include "proofs/census.hpp"
 #include "proofs/certain_digits.hpp"
 #include "proofs/decimal.hpp"
 #include "proofs/span.hpp"
-#include "tests/proofs/as_double.hpp"
 
 using namespace plumbline;
 using namespace plumbline::proofs;

@@ -15,7 +15,8 @@ using namespace plumbline::proofs::test;
 
 namespace {
 
-constexpr double critical_deflection = 0.040735331464751;  // of the symmetric zigzag; see tests/core/trace.test.cpp
+constexpr double critical_deflection =
+    0.040735331464751;  // of the symmetric zigzag; see tests/core/trace.test.cpp
 
 }  // namespace
 

@@ -6,10 +6,10 @@
 #include <plumbline/branch/slow_loading.hpp>
 #include <plumbline/loaded/nominal_model.hpp>
 
+#include "proofs/as_double.hpp"
 #include "proofs/certified_path.hpp"
 
 #include "tests/close_to.hpp"
-#include "tests/proofs/as_double.hpp"
 
 using namespace plumbline;
 using namespace plumbline::proofs;

@@ -1,7 +1,7 @@
 #include "proofs/path_certificate.hpp"
 
+#include "proofs/as_double.hpp"
 #include "proofs/followed_path.hpp"
-#include "tests/proofs/as_double.hpp"
 #include "tests/proofs/stand_alone.hpp"
 #include "tests/property.hpp"
 

@@ -1,9 +1,9 @@
 #include "proofs/pitchfork.hpp"
 
+#include "proofs/as_double.hpp"
 #include "proofs/decimal.hpp"
 #include "proofs/joined_branches.hpp"
 #include "proofs/unfolding.hpp"
-#include "tests/proofs/as_double.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;

@@ -53,7 +53,8 @@ TEST_CASE("the document has every erratum once, the gravest first, and LaTeX in 
   const auto list = errata(judged_section());
   CHECK(std::is_sorted(list.begin(), list.end(),
                        [](const Erratum& a, const Erratum& b) { return a.severity < b.severity; }));
-  const std::string markdown = errata_as_markdown(judged_section()), latex = errata_as_latex(judged_section());
+  const std::string markdown = errata_as_markdown(judged_section()),
+                    latex = errata_as_latex(judged_section());
   CHECK(count(markdown, "\n### ") == list.size());
   CHECK(count(latex, "\\paragraph{") == list.size());
   CHECK(count(latex, "{") == count(latex, "}"));

@@ -4,6 +4,10 @@
 
 #include <plumbline/base/interval.hpp>
 
-inline double as_double(const plumbline::Interval& x) {
+namespace plumbline::proofs {
+
+inline double as_double(const Interval& x) {
   return static_cast<double>(x.middle());
 }
+
+}  // namespace plumbline::proofs
