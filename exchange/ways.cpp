@@ -11,10 +11,10 @@ constexpr Way stiffness{true, "as the stiffness of the joints"};
 constexpr Way springref{true, "as the angles at which the springs are at ease"};
 constexpr Way rest_shape{true,
                          "as the angles at which the springs are at ease, in the rest shape of the file"};
-constexpr Way place{true, "as the places of the bodies"};
-constexpr Way weight{true, "as masses and gravity"};
-constexpr Way base{true, "as slides on springs under the base"};
-constexpr Way base_alike{true, "as a slide on a spring under the base, which answers the same"};
+constexpr Way body_places{true, "as the places of the bodies"};
+constexpr Way masses{true, "as masses and gravity"};
+constexpr Way base_slides{true, "as slides on springs under the base"};
+constexpr Way base_slide{true, "as a slide on a spring under the base, which answers the same"};
 constexpr Way two_hinges{true, "as two hinges in series, one of them with a range"};
 constexpr Way frictionloss{true, "as the dry friction of the joints"};
 constexpr Way stop{true, "as a hinge with a range and a spring between it and the joint"};
@@ -55,13 +55,13 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"rest_offset", springref},
                                                    {"rest_spread", springref},
                                                    {"tendon_friction", rest_shape},
-                                                   {"link_length", place},
-                                                   {"length_scale", place},
-                                                   {"length_spread", place},
-                                                   {"gravity", weight},
-                                                   {"tip_payload", weight},
-                                                   {"base_compliance", base},
-                                                   {"train_compliance", base_alike},
+                                                   {"link_length", body_places},
+                                                   {"length_scale", body_places},
+                                                   {"length_spread", body_places},
+                                                   {"gravity", masses},
+                                                   {"tip_payload", masses},
+                                                   {"base_compliance", base_slides},
+                                                   {"train_compliance", base_slide},
                                                    {"backlash", two_hinges},
                                                    {"play", two_hinges},
                                                    {"joint_friction", frictionloss},

@@ -5,17 +5,12 @@
 #include "files/sha256.hpp"
 #include "proofs/decimal.hpp"
 #include "proofs/exact_chain.hpp"
+#include "proofs/exact_list.hpp"
 
 namespace plumbline::proofs {
 namespace {
 
 using nlohmann::json;
-
-json exact_list(const std::vector<Rational>& values) {
-  json list = json::array();
-  for (const Rational& x : values) list.push_back(to_exact(x));
-  return list;
-}
 
 json to_json(const ForceEnclosure& force, int digits) {
   return {{"mode", force.index},          {"digits", digits},

@@ -1,5 +1,6 @@
 #include "proofs/certified_path.hpp"
 
+#include "proofs/as_double.hpp"
 #include "proofs/measures.hpp"
 #include "proofs/regular_pieces.hpp"
 #include "proofs/regular_tube.hpp"
@@ -16,11 +17,8 @@ constexpr const char *turn_open = "whether the load turns stays open",
 constexpr double fine = 1e-5;  ///< a longer segment is halved around a fold, and where its stiffness is open
 constexpr double nearest = 1e-6;  ///< farther from the curve a point is none of it
 
-double middle_of(const Interval& x) {
-  return static_cast<double>(x.middle());
-}
 Point<double> middle_of(const Point<Interval>& p) {
-  return {middle_of(p.x), middle_of(p.y)};
+  return {as_double(p.x), as_double(p.y)};
 }
 
 int sign(const Span& x) {
@@ -40,10 +38,10 @@ struct Segment {
   int slope_change;  ///< then: sign of the second one, as it counts where the first vanishes
 };
 
-class Prover {
+class PathProver {
  public:
-  Prover(const Chain<Interval>& chain, const Loading<Interval>& loading)
-      : model_(convert<double>(chain, [](const Interval& x) { return middle_of(x); })),
+  PathProver(const Chain<Interval>& chain, const Loading<Interval>& loading)
+      : model_(convert<double>(chain, as_double)),
         brancher_(model_, {loading.control, middle_of(loading.start), middle_of(loading.direction)},
                   absolute_angles(model_.chain().rest())),
         equations_(chain, loading),
@@ -97,7 +95,7 @@ class Prover {
 };
 
 /// The unknowns without units.
-Vector<double> Prover::shares(const BranchPoint<double>& point) const {
+Vector<double> PathProver::shares(const BranchPoint<double>& point) const {
   Vector<double> u = scale_;
   u.head(point.theta.size()) = point.theta;
   if (u.size() > point.theta.size() + 1) u.tail<3>().head<2>() << point.force.x, point.force.y;
@@ -105,7 +103,7 @@ Vector<double> Prover::shares(const BranchPoint<double>& point) const {
   return u.cwiseQuotient(scale_);
 }
 
-BranchPoint<double> Prover::rounded(BranchPoint<double> point) const {
+BranchPoint<double> PathProver::rounded(BranchPoint<double> point) const {
   if (which_ == ProvedPoints::as_followed) return point;
   const Vector<double> u =
       shares(point).unaryExpr([](double x) { return std::round(x * 1e9) / 1e9; }).cwiseProduct(scale_);
@@ -115,8 +113,8 @@ BranchPoint<double> Prover::rounded(BranchPoint<double> point) const {
   return point;
 }
 
-std::optional<BranchPoint<double>> Prover::between(const BranchPoint<double>& a,
-                                                   const BranchPoint<double>& b) {
+std::optional<BranchPoint<double>> PathProver::between(const BranchPoint<double>& a,
+                                                       const BranchPoint<double>& b) {
   const double length = brancher_.length(chord(a, b));
   if (!(length > 4 * same_point)) return std::nullopt;  // neither part is too short
   for (const bool forwards : {true, false}) {
@@ -129,7 +127,7 @@ std::optional<BranchPoint<double>> Prover::between(const BranchPoint<double>& a,
   return std::nullopt;
 }
 
-std::optional<Segment> Prover::segment(const BranchPoint<double>& a, const BranchPoint<double>& b) {
+std::optional<Segment> PathProver::segment(const BranchPoint<double>& a, const BranchPoint<double>& b) {
   const Variation<double> along = chord(a, b);
   const double length = brancher_.length(along);
   const Eigen::Index size = equations_.unknowns();
@@ -162,7 +160,7 @@ std::optional<Segment> Prover::segment(const BranchPoint<double>& a, const Branc
 }
 
 /// Whether both segments are the same curve at a point, which is near it; what is known of the point.
-bool Prover::join(const BranchPoint<double>& at, const Segment& before, const Segment& after) {
+bool PathProver::join(const BranchPoint<double>& at, const Segment& before, const Segment& after) {
   const Vector<Span> point = equations_.at(at);
   const auto box = tube_at(equations_, point, hull(before.normal, after.normal));
   if (!box || (box->image.array() > before.tube.radius.array()).any() ||
@@ -190,7 +188,7 @@ bool Prover::join(const BranchPoint<double>& at, const Segment& before, const Se
 }
 
 /// The load is known to go one way at a place.
-bool Prover::settle(int way, double load) {
+bool PathProver::settle(int way, double load) {
   if (way != way_) {
     if (way_ != 0) {
       if (!typed_) return fail(load, type_open);
@@ -207,7 +205,7 @@ bool Prover::settle(int way, double load) {
   return true;
 }
 
-bool Prover::account(const Segment& segment, const BranchPoint<double>& a) {
+bool PathProver::account(const Segment& segment, const BranchPoint<double>& a) {
   ++result_.segments;
   result_.finite = result_.finite && segment.finite;
   result_.stiff = result_.stiff && segment.finite && segment.stiffness > 0;
@@ -222,7 +220,7 @@ bool Prover::account(const Segment& segment, const BranchPoint<double>& a) {
 
 /// Minima of the tangent stiffness: where its slope may vanish it is finite, and the slope only rises, or
 /// only falls, through zero.
-void Prover::count(const Segment& segment) {
+void PathProver::count(const Segment& segment) {
   if (segment.slope == 0) {
     const bool same = !least_ || least_->sign == segment.slope_change;
     if (!segment.finite || segment.slope_change == 0 || slope_ == 0 || !same) result_.counted = false;
@@ -235,7 +233,7 @@ void Prover::count(const Segment& segment) {
 }
 
 /// One curve through all the points.
-bool Prover::prove(Points points, bool closed) {
+bool PathProver::prove(Points points, bool closed) {
   way_ = 0;
   typed_ = false;
   bend_.reset();
@@ -293,7 +291,7 @@ bool Prover::prove(Points points, bool closed) {
   return true;
 }
 
-PathCertificate Prover::run(const Branch<double>& branch, ProvedPoints points, double gap) {
+PathCertificate PathProver::run(const Branch<double>& branch, ProvedPoints points, double gap) {
   which_ = points;
   RegularPieces pieces = regular_pieces(brancher_, branch, gap);
   const bool closed = branch.end == BranchEnd::closed && pieces.crossings.empty();
@@ -321,9 +319,9 @@ bool PathCertificate::regular() const {
 
 PathCertificate certify(const Chain<Interval>& chain, const Loading<Interval>& loading,
                         const Branch<double>& branch, ProvedPoints points, double gap) {
-  const Measures m = measures_of(convert<double>(chain, [](const Interval& x) { return middle_of(x); }));
-  PathCertificate proved =
-      Prover(measured(chain, m), measured(loading, m)).run(measured(branch, m, loading.control), points, gap);
+  const Measures m = measures_of(convert<double>(chain, as_double));
+  PathCertificate proved = PathProver(measured(chain, m), measured(loading, m))
+                               .run(measured(branch, m, loading.control), points, gap);
   const double unit = m.load(loading.control);  // a power of two
   const auto restore = [unit](Span& loads) { loads = {loads.low * unit, loads.high * unit}; };
   for (CertifiedRun& run : proved.runs) run.from *= unit, run.to *= unit;

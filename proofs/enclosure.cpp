@@ -14,12 +14,12 @@ namespace {
 
 /// Two units on either side of x in the digit after `kept` + `guard` significant ones, and whether the two
 /// ends round to the same decimal of `kept` digits.
-struct Bounds {
+struct DecimalBounds {
   Rational low, high;
   bool agree;
 };
 template <Floating Real>
-Bounds bounds(const Real& x, int kept, int guard) {
+DecimalBounds bounds(const Real& x, int kept, int guard) {
   long exponent = 0;
   const auto digits = static_cast<std::size_t>(kept) + static_cast<std::size_t>(guard);
   char* const text = mpfr_get_str(nullptr, &exponent, 10, digits, x.backend().data(), MPFR_RNDN);
@@ -53,7 +53,7 @@ void enclose_open(Found& found, const ExactCount& count, const std::vector<Real>
   for (std::size_t i = 0; i < std::min(found.size(), values.size()); ++i) {
     if (found[i]) continue;
     for (int guard = 3; digits + guard + 4 <= working_digits; guard += 6) {
-      const Bounds at = bounds(values[i], digits, guard);
+      const DecimalBounds at = bounds(values[i], digits, guard);
       if (!at.agree && guard < 20) continue;
       open.push_back(i);
       ends.push_back(at.low);

@@ -5,6 +5,7 @@
 
 #include "proofs/covering.hpp"
 #include "proofs/decimal.hpp"
+#include "proofs/exact_list.hpp"
 #include "proofs/exactly.hpp"
 #include "proofs/units.hpp"
 
@@ -12,12 +13,6 @@ namespace plumbline::proofs {
 namespace {
 
 using nlohmann::json;
-
-json exact_list(const std::vector<Rational>& values) {
-  json list = json::array();
-  for (const Rational& x : values) list.push_back(to_exact(x));
-  return list;
-}
 
 const char* name(Given given) {
   return given == Given::force ? "force" : given == Given::end_point ? "end_point" : "deflection";

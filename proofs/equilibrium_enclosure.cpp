@@ -36,19 +36,20 @@ std::vector<Mpfr50> refine(const Chain<Interval>& chain, Control control, const 
 }
 
 /// The equations and their derivative, dense, over intervals.
-struct Equations {
+struct LoadedEquations {
   Unknowns value;
   Matrix<Interval> derivative;
   Expansion<Interval, 1> at;
 };
 
-Equations equations(const Exact& model, Control control, const Point<Interval>& load, const Unknowns& z) {
+LoadedEquations equations(const Exact& model, Control control, const Point<Interval>& load,
+                          const Unknowns& z) {
   const auto n = static_cast<Eigen::Index>(model.size());
   const bool held = control == Control::end_point;
   Vector<Interval> theta(n);
   for (Eigen::Index j = 0; j < n; ++j) theta(j) = z[static_cast<std::size_t>(j)];
   const Point<Interval> force = held ? Point<Interval>{z[model.size()], z[model.size() + 1]} : load;
-  Equations e;
+  LoadedEquations e;
   model.expand(theta, force, e.at);
   const auto size = static_cast<Eigen::Index>(z.size());
   e.derivative = Matrix<Interval>::Constant(size, size, Interval(0));
@@ -82,8 +83,8 @@ std::optional<Unknowns> krawczyk(const Exact& model, Control control, const Poin
     point.emplace_back(centre, centre);
     box.emplace_back(low, high);
   }
-  const Equations at_point = equations(model, control, load, point),
-                  over_box = equations(model, control, load, box);
+  const LoadedEquations at_point = equations(model, control, load, point),
+                        over_box = equations(model, control, load, box);
   const Eigen::MatrixXd Y = middle(rounded(over_box.derivative)).inverse();
   const Eigen::Index size = Y.rows();
   if (!Y.allFinite()) return std::nullopt;
@@ -107,7 +108,7 @@ std::optional<Unknowns> krawczyk(const Exact& model, Control control, const Poin
 }
 
 /// K is symmetric in (theta, -F), where each border adds one negative eigenvalue.
-std::optional<std::size_t> negative_directions(const Equations& e, Control control) {
+std::optional<std::size_t> negative_directions(const LoadedEquations& e, Control control) {
   Matrix<Span> K = rounded(e.derivative);
   const Eigen::Index size = K.rows(), borders = control == Control::end_point ? 2 : 0;
   for (Eigen::Index a = size - borders; a < size; ++a) {
@@ -135,7 +136,7 @@ std::optional<CertifiedEquilibrium> enclose(const Chain<Interval>& chain, Contro
   for (std::size_t j = 0; j < z->size(); ++j) {
     if (!Span((*z)[j]).inside(isolated[j])) return std::nullopt;
   }
-  const Equations e = equations(model, control, load, *z);
+  const LoadedEquations e = equations(model, control, load, *z);
   CertifiedEquilibrium found;
   for (std::size_t j = 0; j < chain.size(); ++j) found.q.push_back(j > 0 ? (*z)[j] - (*z)[j - 1] : (*z)[j]);
   const bool held = control == Control::end_point;

@@ -5,6 +5,7 @@
 #include <plumbline/loaded/nominal_model.hpp>
 #include <random>
 
+#include "proofs/as_double.hpp"
 #include "proofs/span.hpp"
 #include "proofs/units.hpp"
 
@@ -12,10 +13,6 @@ namespace plumbline::proofs {
 namespace {
 
 constexpr std::size_t most_equilibria = 1000;
-
-double middle(const Interval& x) {
-  return static_cast<double>(x.middle());
-}
 
 /// A number in units of its own, in those of the chain.
 Interval::End times(double x, const Interval& unit) {
@@ -34,9 +31,9 @@ void require_reach(const NominalModel<double>& model, const Point<double>& place
 }
 
 /// What differs by more than full turns of passive joints.
-class Found {
+class DistinctShapes {
  public:
-  Found(const Chain<double>& chain, const Window& window) : chain_(&chain), window_(&window) {}
+  DistinctShapes(const Chain<double>& chain, const Window& window) : chain_(&chain), window_(&window) {}
 
   void add(Equilibrium<double> one) {
     auto q = joint_angles(one.theta);
@@ -76,18 +73,18 @@ class Found {
 FoundEquilibria find_equilibria(const CensusTask& task) {
   const Chain<Interval> given = enclosed_chain(task);
   const Units units = own_units(given);
-  const auto chain = convert<double>(in_units(given, units), middle);
+  const auto chain = convert<double>(in_units(given, units), as_double);
   const Point<Interval> measured = in_units(enclosed_load(task), task.control(), units);
   const NominalModel<double> model(chain);
   EquilibriumSolver<NominalModel<double>> solver(model);
-  const Point<double> at{middle(measured.x), middle(measured.y)};
+  const Point<double> at{as_double(measured.x), as_double(measured.y)};
   const bool held = task.control() == Control::end_point;
   if (held) require_reach(model, at, units.length);
   FoundEquilibria answer{{}, {}, 0, false};
   if (held) answer.window = unwound(given, task.turns);
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> turn(-3.14159, 3.14159);
-  Found found(chain, answer.window);
+  DistinctShapes found(chain, answer.window);
   const std::size_t trials = 1000 * chain.size();
   for (; answer.starts < trials && found.all.size() < most_equilibria; ++answer.starts) {
     std::vector<double> q = chain.rest();

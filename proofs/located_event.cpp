@@ -7,14 +7,14 @@ namespace plumbline::proofs {
 
 namespace {
 
-using Model = NominalModel<Located>;
+using LocatedModel = NominalModel<Located>;
 
 }  // namespace
 
 std::vector<BranchEvent<Located>> locate_events(const Chain<Located>& chain, const Loading<Located>& loading,
                                                 const Branch<double>& branch) {
-  const Model model(chain);
-  Brancher<Model> brancher(model, loading, absolute_angles(chain.rest()));
+  const LocatedModel model(chain);
+  Brancher<LocatedModel> brancher(model, loading, absolute_angles(chain.rest()));
   std::vector<BranchEvent<Located>> events;
   for (const BranchEvent<double>& event : branch.events) events.push_back(sharpen(brancher, event));
   return events;
@@ -22,8 +22,8 @@ std::vector<BranchEvent<Located>> locate_events(const Chain<Located>& chain, con
 
 BranchPoint<Located> locate_at(const Chain<Located>& chain, const Loading<Located>& loading,
                                const BranchPoint<double>& near, const Located& load) {
-  const Model model(chain);
-  Brancher<Model> brancher(model, loading, absolute_angles(chain.rest()));
+  const LocatedModel model(chain);
+  Brancher<LocatedModel> brancher(model, loading, absolute_angles(chain.rest()));
   const BranchPoint<Located> guess = lift<Located>(near);
   return brancher.start(load, guess.theta, guess.force);
 }

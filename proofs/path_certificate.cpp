@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "proofs/decimal.hpp"
+#include "proofs/exact_list.hpp"
 #include "proofs/measures.hpp"
 
 namespace plumbline::proofs {
@@ -19,12 +20,6 @@ std::string decimal(double x, double (*round)(double)) {
   const std::size_t last = text.find_last_not_of('0');
   const std::string short_text = text.substr(0, text[last] == '.' ? last : last + 1);
   return short_text == "-0" ? "0" : short_text;
-}
-
-json exact_list(const std::vector<Rational>& values) {
-  json list = json::array();
-  for (const Rational& x : values) list.push_back(to_exact(x));
-  return list;
 }
 
 json stated(const Vector<double>& point) {

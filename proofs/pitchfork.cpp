@@ -13,7 +13,7 @@ namespace {
 using Bounds = Vector<Span>;
 
 /// A x for an exact matrix.
-Bounds product(const Eigen::MatrixXd& A, const Bounds& x) {
+Bounds applied(const Eigen::MatrixXd& A, const Bounds& x) {
   Bounds result = Bounds::Constant(A.rows(), Span(0));
   for (Eigen::Index i = 0; i < A.rows(); ++i) {
     for (Eigen::Index j = 0; j < A.cols(); ++j) {
@@ -22,15 +22,15 @@ Bounds product(const Eigen::MatrixXd& A, const Bounds& x) {
   }
   return result;
 }
-Matrix<Span> product(const Eigen::MatrixXd& A, const Matrix<Span>& X) {
+Matrix<Span> applied(const Eigen::MatrixXd& A, const Matrix<Span>& X) {
   Matrix<Span> result(A.rows(), X.cols());
-  for (Eigen::Index j = 0; j < X.cols(); ++j) result.col(j) = product(A, Bounds(X.col(j)));
+  for (Eigen::Index j = 0; j < X.cols(); ++j) result.col(j) = applied(A, Bounds(X.col(j)));
   return result;
 }
 /// A^T X B
 Matrix<Span> between(const Eigen::MatrixXd& A, const Matrix<Span>& X, const Eigen::MatrixXd& B) {
-  const Matrix<Span> left = product(A.transpose(), X);
-  return product(B.transpose(), Matrix<Span>(left.transpose())).transpose();
+  const Matrix<Span> left = applied(A.transpose(), X);
+  return applied(B.transpose(), Matrix<Span>(left.transpose())).transpose();
 }
 
 Bounds widened(const Vector<double>& centre, const Vector<double>& radius) {
@@ -45,16 +45,16 @@ struct Linear {
 };
 
 /// Equations for symmetric shapes at a load, or for mean, load and bend at an amplitude.
-class Equations {
+class SymmetricEquations {
  public:
-  Equations(const SymmetricParts& system, Vector<double> scale)
+  SymmetricEquations(const SymmetricParts& system, Vector<double> scale)
       : system_(&system), scale_(std::move(scale)) {}
 
   [[nodiscard]] Linear symmetric(const Bounds& x, const Span& load) const {
     const Bounds none = Bounds::Constant(system_->size(), Span(0));
-    const Parts p = system_->at(product(system_->mean(), x), load, none, Span(0));
+    const Parts p = system_->at(applied(system_->mean(), x), load, none, Span(0));
     const auto& B = system_->mean();
-    return {product(B.transpose(), p.even), between(B, p.even_by_mean, B)};
+    return {applied(B.transpose(), p.even), between(B, p.even_by_mean, B)};
   }
 
   /// Unknowns: mean, load, bend.
@@ -62,19 +62,19 @@ class Equations {
     const Eigen::MatrixXd &B = system_->mean(), &N = system_->bend_basis();
     const Eigen::Index means = B.cols(), bends = N.cols();
     const Parts p =
-        system_->at(product(B, Bounds(w.head(means))), w(means), product(N, Bounds(w.tail(bends))), a);
+        system_->at(applied(B, Bounds(w.head(means))), w(means), applied(N, Bounds(w.tail(bends))), a);
     Linear all{Bounds(w.size()), Matrix<Span>::Constant(w.size(), w.size(), Span(0))};
-    all.value.head(means) = product(B.transpose(), p.even);
-    all.value.segment(means, bends) = product(N.transpose(), p.odd);
+    all.value.head(means) = applied(B.transpose(), p.even);
+    all.value.segment(means, bends) = applied(N.transpose(), p.odd);
     Span scaled(-1);
     for (Eigen::Index j = 0; j < bends; ++j) scaled += scale_(j) * w(means + 1 + j);
     all.value(w.size() - 1) = scaled;
     auto& D = all.derivative;
     D.topLeftCorner(means, means) = between(B, p.even_by_mean, B);
-    D.block(0, means, means, 1) = product(B.transpose(), p.even_by_load);
+    D.block(0, means, means, 1) = applied(B.transpose(), p.even_by_load);
     D.topRightCorner(means, bends) = between(B, p.even_by_bend, N);
     D.block(means, 0, bends, means) = between(N, p.odd_by_mean, B);
-    D.block(means, means, bends, 1) = product(N.transpose(), p.odd_by_load);
+    D.block(means, means, bends, 1) = applied(N.transpose(), p.odd_by_load);
     D.block(means, means + 1, bends, bends) = between(N, p.odd_by_bend, N);
     for (Eigen::Index j = 0; j < bends; ++j) D(w.size() - 1, means + 1 + j) = Span(scale_(j));
     return all;
@@ -84,10 +84,6 @@ class Equations {
   const SymmetricParts* system_;
   Vector<double> scale_;  ///< l
 };
-
-double magnitude(const Span& x) {
-  return x.magnitude();
-}
 
 /// A point and how far off in each entry: it is in there.
 Bounds around(const Vector<double>& x, double r) {
@@ -106,23 +102,23 @@ Vector<double> newton(const Function& function, Vector<double> x) {
 
 /// A box around a point, found by widening, that Krawczyk's operator maps into its inside: for every
 /// parameter it holds exactly one root, in `image`.
-struct Isolated {
+struct IsolatedRoot {
   Bounds box, image;
 };
 
 /// \param least  half the width to begin with
 template <class Function>
-std::optional<Isolated> isolated(const Function& function, const Vector<double>& centre,
-                                 const Vector<double>& least) {
+std::optional<IsolatedRoot> isolated(const Function& function, const Vector<double>& centre,
+                                     const Vector<double>& least) {
   const Linear here = function(around(centre, 0));
   const Eigen::MatrixXd Y = middle(here.derivative).inverse();
   if (!Y.allFinite()) return std::nullopt;
-  const Vector<double> z = product(Y, here.value).unaryExpr(&magnitude);
+  const Vector<double> z = applied(Y, here.value).unaryExpr(magnitude_of);
   Vector<double> radius = (2 * z).cwiseMax(least);
   constexpr int rounds = 8;
   for (int round = 0; round < rounds; ++round) {
     const Bounds box = widened(centre, radius);
-    Matrix<Span> defect = -product(Y, function(box).derivative);
+    Matrix<Span> defect = -applied(Y, function(box).derivative);
     for (Eigen::Index i = 0; i < z.size(); ++i) defect(i, i) += Span(1);
     Vector<double> image(z.size());
     for (Eigen::Index i = 0; i < z.size(); ++i) {
@@ -131,7 +127,7 @@ std::optional<Isolated> isolated(const Function& function, const Vector<double>&
       image(i) = sum.high;
     }
     if (!image.allFinite()) return std::nullopt;
-    if ((image.array() < radius.array()).all()) return Isolated{box, widened(centre, image)};
+    if ((image.array() < radius.array()).all()) return IsolatedRoot{box, widened(centre, image)};
     radius = (2 * image).cwiseMax(least);
   }
   return std::nullopt;
@@ -146,13 +142,13 @@ bool inside(const Bounds& a, const Bounds& b) {
 
 /// How far a box reaches from a point, entry by entry.
 Vector<double> reach(const Bounds& box, const Vector<double>& centre) {
-  return (box - centre.cast<Span>()).unaryExpr(&magnitude);
+  return (box - centre.cast<Span>()).unaryExpr(magnitude_of);
 }
 
 /// The crossing of a symmetric branch and a bent one.
-class Prover {
+class PitchforkProver {
  public:
-  Prover(const Chain<Interval>& chain, const Loading<Interval>& loading, const Symmetry& symmetry)
+  PitchforkProver(const Chain<Interval>& chain, const Loading<Interval>& loading, const Symmetry& symmetry)
       : system_(chain, loading, symmetry),
         means_(system_.mean().cols()),
         bends_(system_.bend_basis().cols()) {}
@@ -181,7 +177,7 @@ class Prover {
 };
 
 /// a = l · (a v) of an equilibrium near a point.
-Span Prover::amplitude_of(const PieceEnd& end, const Vector<double>& scale) const {
+Span PitchforkProver::amplitude_of(const PieceEnd& end, const Vector<double>& scale) const {
   const Bounds bend = around(bend_of(end.point), end.distance);
   Span amplitude(0);
   for (Eigen::Index j = 0; j < bends_; ++j) amplitude += scale(j) * bend(j);
@@ -189,7 +185,7 @@ Span Prover::amplitude_of(const PieceEnd& end, const Vector<double>& scale) cons
 }
 
 /// Mean, load and bend of an equilibrium near a point.
-Bounds Prover::on_bent_branch(const PieceEnd& end, const Vector<double>& scale) const {
+Bounds PitchforkProver::on_bent_branch(const PieceEnd& end, const Vector<double>& scale) const {
   Bounds reached(means_ + 1 + bends_);
   reached.head(means_) = around(mean_of(end.point), end.distance);
   reached(means_) = load_of(end);
@@ -201,7 +197,7 @@ Bounds Prover::on_bent_branch(const PieceEnd& end, const Vector<double>& scale) 
 
 /// Whether an equilibrium near a point is symmetric: the only one at its load in a box that the symmetry
 /// keeps.
-bool Prover::is_symmetric(const PieceEnd& end) const {
+bool PitchforkProver::is_symmetric(const PieceEnd& end) const {
   Eigen::MatrixXd both(system_.size(), system_.size());
   both << system_.mean(), system_.bend_basis();
   const Bounds none = Bounds::Constant(system_.size(), Span(0));
@@ -210,14 +206,14 @@ bool Prover::is_symmetric(const PieceEnd& end) const {
   const double off = bend_of(end.point).cwiseAbs().maxCoeff();
   const auto alone = isolated(
       [&](const Bounds& x) {
-        const Parts p = system_.at(product(both, x), load_of(end), none, Span(0));
-        return Linear{product(both.transpose(), p.even), between(both, p.even_by_mean, both)};
+        const Parts p = system_.at(applied(both, x), load_of(end), none, Span(0));
+        return Linear{applied(both.transpose(), p.even), between(both, p.even_by_mean, both)};
       },
       centre, Vector<double>::Constant(centre.size(), 2 * end.distance + 2 * off + 1e-14));
   return alone && inside(around(centre, end.distance + off), alone->box);
 }
 
-std::optional<Fork> Prover::run(const Vector<double>& crossing, const std::vector<PieceEnd>& ends) {
+std::optional<Fork> PitchforkProver::run(const Vector<double>& crossing, const std::vector<PieceEnd>& ends) {
   Vector<double> scale;  // l, along the largest bend
   double amplitude = 0;
   for (const PieceEnd& end : ends) {
@@ -227,7 +223,7 @@ std::optional<Fork> Prover::run(const Vector<double>& crossing, const std::vecto
     scale = bend / amplitude;
   }
   if (amplitude == 0) return std::nullopt;
-  const Equations equations(system_, scale);
+  const SymmetricEquations equations(system_, scale);
   Vector<double> centre(means_ + 1 + bends_);
   centre << mean_of(crossing), crossing(crossing.size() - 1), scale;
   const auto bent = [&](const Span& a) { return [&, a](const Bounds& w) { return equations.bent(w, a); }; };
@@ -275,7 +271,7 @@ std::optional<Fork> pitchfork(const Chain<Interval>& chain, const Loading<Interv
                               const Symmetry& symmetry, const Vector<double>& crossing,
                               const std::vector<PieceEnd>& ends) {
   const auto [bare, load] = without_units(chain, loading);
-  return Prover(bare, load, symmetry).run(crossing, ends);
+  return PitchforkProver(bare, load, symmetry).run(crossing, ends);
 }
 
 }  // namespace plumbline::proofs

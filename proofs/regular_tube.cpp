@@ -8,11 +8,7 @@ namespace plumbline::proofs {
 
 namespace {
 
-constexpr int rounds = 12;
-
-double magnitude(const Span& x) {
-  return x.magnitude();
-}
+constexpr int most_rounds = 12;
 
 /// R x for entries that are not negative, rounded up.
 Vector<double> bound(const Eigen::MatrixXd& R, const Vector<double>& x) {
@@ -31,7 +27,7 @@ Eigen::MatrixXd defect(const Eigen::MatrixXd& Y, const Matrix<Span>& M) {
       for (Eigen::Index i = 0; i < size; ++i) D(i, j) -= Y(i, l) * M(l, j);
     }
   }
-  return D.unaryExpr(&magnitude);
+  return D.unaryExpr(magnitude_of);
 }
 
 /// Widens a box around all the centres until it is mapped into its inside.
@@ -48,7 +44,7 @@ std::optional<Tube> inflate(BranchEquations& equations, const Vector<Span>& cent
     return margin * (m + Vector<double>::Constant(m.size(), 1e-15));
   };
   tube.radius = wider(z);
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < most_rounds; ++round) {
     const Matrix<Span> M = equations.derivative(widened(centres, tube.radius), normal);
     tube.defect = defect(tube.inverse, M);
     tube.image = bound(tube.defect, tube.radius);
@@ -87,7 +83,7 @@ std::optional<Tube> tube_along(BranchEquations& equations, const Vector<Span>& a
   return inflate(equations, chord, normal, 4, [&](const Eigen::MatrixXd& Y) -> Vector<double> {
     const Vector<Span> ends = hull(product(Y, first), product(Y, last)), between = product(Y, second);
     return ends.binaryExpr(between, [&](const Span& x, const Span& y) { return x - share * y; })
-        .unaryExpr(&magnitude);
+        .unaryExpr(magnitude_of);
   });
 }
 
@@ -95,20 +91,20 @@ std::optional<Tube> tube_at(BranchEquations& equations, const Vector<Span>& poin
                             const Vector<Span>& normals) {
   const Vector<Span> value = equations.value(point);
   return inflate(equations, point, normals, 1.25, [&](const Eigen::MatrixXd& Y) -> Vector<double> {
-    return product(Y, value).unaryExpr(&magnitude);
+    return product(Y, value).unaryExpr(magnitude_of);
   });
 }
 
 Vector<Span> solve(const Tube& tube, const Vector<Span>& preconditioned) {
   // x = Y y + (I - Y M) x, so that v = |x - Y y| <= R |Y y| + R v: whatever satisfies the inequality turned
   // round bounds v, for R contracts. A multiple of the radius does, and each round makes it less.
-  const Vector<double> size = preconditioned.unaryExpr(&magnitude), r = bound(tube.defect, size),
+  const Vector<double> size = preconditioned.unaryExpr(magnitude_of), r = bound(tube.defect, size),
                        Rm = bound(tube.defect, tube.radius);
   double factor = 0;
   for (Eigen::Index i = 0; i < r.size(); ++i)
     factor = std::max(factor, Span::up(r(i) / Span::down(tube.radius(i) - Rm(i)), 2));
   Vector<double> v = (factor * tube.radius).unaryExpr([](double x) { return Span::up(x); });
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < most_rounds; ++round) {
     const Vector<double> next = bound(tube.defect, v);
     for (Eigen::Index i = 0; i < v.size(); ++i) v(i) = std::min(v(i), Span::up(r(i) + next(i)));
   }

@@ -26,7 +26,7 @@ Rational lower(const MpfrInterval& x) {
 Rational upper(const MpfrInterval& x) {
   return fraction(&x.backend().data()->right);
 }
-Rational magnitude(const Rational& x) {
+Rational size_of(const Rational& x) {
   return x < 0 ? Rational(-x) : x;
 }
 
@@ -71,7 +71,7 @@ std::optional<ShapeEnclosure> enclose_shape(const Chain<Rational>& chain, const 
   const std::vector<MpfrInterval> q = angles(chain, part, between(low, high));
   std::size_t largest = part.first;
   for (std::size_t i = part.first; i <= part.last; ++i) {
-    if (magnitude(lower(q[i])) > magnitude(lower(q[largest]))) largest = i;
+    if (size_of(lower(q[i])) > size_of(lower(q[largest]))) largest = i;
   }
   if (lower(q[largest]) <= 0 && upper(q[largest]) >= 0) return std::nullopt;
 

@@ -83,6 +83,9 @@ struct Span {
   }
 };
 
+/// For the entries of a vector or a matrix.
+inline constexpr auto magnitude_of = [](const Span& x) { return x.magnitude(); };
+
 /// `[low, high]`, each end to so many digits and rounded outwards.
 inline std::string text(const Span& x, int digits) {
   return hull(Interval::from_double(x.low), Interval::from_double(x.high)).text(digits);

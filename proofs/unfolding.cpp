@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include "proofs/as_double.hpp"
 #include "proofs/certain_digits.hpp"
 #include "proofs/measures.hpp"
 
@@ -12,9 +13,6 @@ namespace {
 using IntervalVector = Vector<Interval>;
 using Index = Eigen::Index;
 
-double middle_of(const Interval& x) {
-  return static_cast<double>(x.middle());
-}
 double size_of(const Interval& x) {
   return static_cast<double>(magnitude(x));
 }
@@ -29,9 +27,9 @@ struct Local {
 };
 
 /// Equations and unknowns as in BranchEquations, in the numbers of Interval.
-class Equations {
+class IntervalEquations {
  public:
-  Equations(const Chain<Interval>& chain, const Loading<Interval>& loading)
+  IntervalEquations(const Chain<Interval>& chain, const Loading<Interval>& loading)
       : chain_(&chain),
         loading_(&loading),
         n_(static_cast<Index>(chain.size())),
@@ -122,17 +120,17 @@ Matrix<Interval> defect(const Eigen::MatrixXd& Y, const Matrix<Interval>& A) {
 }
 
 Eigen::MatrixXd inverse_of_middle(const Matrix<Interval>& A) {
-  return A.unaryExpr(&middle_of).inverse();
+  return A.unaryExpr(&as_double).inverse();
 }
 
 class Moore {
  public:
-  Moore(const Equations& equations, const Vector<double>& crossing)
+  Moore(const IntervalEquations& equations, const Vector<double>& crossing)
       : equations_(&equations), m_(equations.size()) {
     const IntervalVector none = IntervalVector::Constant(m_, Interval(0));
     const Local here =
         equations.at(crossing.unaryExpr([](double x) { return Interval::from_double(x); }), none);
-    const Eigen::MatrixXd A = here.derivative.leftCols(m_).unaryExpr(&middle_of);
+    const Eigen::MatrixXd A = here.derivative.leftCols(m_).unaryExpr(&as_double);
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(A, Eigen::ComputeFullU | Eigen::ComputeFullV);
     left_ = svd.matrixU().col(m_ - 1);
     right_ = svd.matrixV().col(m_ - 1);
@@ -140,7 +138,8 @@ class Moore {
 
   /// All psi with psi^T dE/dx = 0, b · psi = 1 at any u in a box; nothing where that is open.
   [[nodiscard]] std::optional<IntervalVector> null_vectors(const IntervalVector& u) const {
-    const Matrix<Interval> A = equations_->at(u, IntervalVector::Constant(m_, Interval(0))).derivative.leftCols(m_);
+    const Matrix<Interval> A =
+        equations_->at(u, IntervalVector::Constant(m_, Interval(0))).derivative.leftCols(m_);
     Matrix<Interval> bordered = Matrix<Interval>::Constant(m_ + 1, m_ + 1, Interval(0));
     bordered.topLeftCorner(m_, m_) = A.transpose();
     for (Index i = 0; i < m_; ++i) {
@@ -188,7 +187,7 @@ class Moore {
   }
 
  private:
-  const Equations* equations_;
+  const IntervalEquations* equations_;
   Index m_;
   Vector<double> left_, right_;
 };
@@ -198,7 +197,7 @@ class Moore {
 bool unfolded(const Chain<Interval>& chain, const Loading<Interval>& loading, const Vector<double>& crossing,
               double distance) {
   const auto [bare, load] = without_units(chain, loading);
-  const Equations equations(bare, load);
+  const IntervalEquations equations(bare, load);
   const Index m = equations.size();
   const Moore moore(equations, crossing);
   IntervalVector w(2 * m + 2);
@@ -211,7 +210,8 @@ bool unfolded(const Chain<Interval>& chain, const Loading<Interval>& loading, co
   constexpr int rounds = 12;  // the width is squared in each
   bool one = false;           // root of Moore's system in the box
   for (int round = 0; round < rounds; ++round) {
-    const IntervalVector centre = w.unaryExpr([](const Interval& x) { return Interval(x.middle(), x.middle()); });
+    const IntervalVector centre =
+        w.unaryExpr([](const Interval& x) { return Interval(x.middle(), x.middle()); });
     const IntervalVector step = moore(centre).first;
     const Matrix<Interval> A = moore(w).second;
     const Eigen::MatrixXd Y = inverse_of_middle(A);

@@ -7,7 +7,7 @@
 namespace plumbline::simulator {
 namespace {
 
-constexpr std::string_view common = "common to all joints", spread = "a value of its own at each joint";
+constexpr std::string_view common = "common to all joints";
 constexpr double machined_stiffness = 0.05, machined_length = 0.005, machined_angle = 0.0087;
 
 }  // namespace
@@ -69,7 +69,7 @@ std::vector<Kind> common_to_all_joints() {
          for (Place j = 0; j < v.size(); ++j) is.joint[j].stiffness *= std::max(0.2, 1 + v[j]);
        },
        {"a"},
-       spread},
+       one_at_each_joint},
       {"length_spread",
        "",
        false,
@@ -83,7 +83,7 @@ std::vector<Kind> common_to_all_joints() {
          for (Place j = 0; j < v.size(); ++j) is.length[j] *= 1 + v[j];
        },
        {"a"},
-       spread},
+       one_at_each_joint},
       {"rest_spread",
        "",
        false,
@@ -97,7 +97,7 @@ std::vector<Kind> common_to_all_joints() {
          for (Place j = 0; j < v.size(); ++j) is.joint[j].rest_error += v[j];
        },
        {"a"},
-       spread},
+       one_at_each_joint},
       {"play",
        "",
        false,
@@ -116,7 +116,7 @@ std::vector<Kind> common_to_all_joints() {
          for (Place j = 0; j < v.size(); ++j) is.joint[j].backlash += v[j];
        },
        {"b"},
-       spread},
+       one_at_each_joint},
   };
 }
 

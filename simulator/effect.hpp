@@ -32,6 +32,9 @@ struct Kind {
   [[nodiscard]] bool scales(std::size_t parameter) const;
 };
 
+/// The family of those with a value of its own at each joint.
+constexpr std::string_view one_at_each_joint = "a value of its own at each joint";
+
 /// Every effect that a diagnosis can name.
 const std::vector<Kind>& catalogue();
 /// Its parts.

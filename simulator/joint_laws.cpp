@@ -8,7 +8,7 @@
 namespace plumbline::simulator {
 namespace {
 
-constexpr std::string_view laws = "laws of joints", spread = "a value of its own at each joint";
+constexpr std::string_view laws = "laws of joints";
 
 /// Stiffness, over that of the joint, of one to five sliders beside a spring, and the turn after which each
 /// yields, one after the other.
@@ -64,7 +64,7 @@ std::vector<Kind> friction() {
          for (Place j = 0; j < v.size(); ++j) is.joint[j].friction.torque += v[j];
        },
        {"tau"},
-       spread},
+       one_at_each_joint},
       {"load_friction",
        "",
        false,
@@ -154,7 +154,7 @@ std::vector<Kind> friction() {
   };
 }
 
-std::vector<Kind> springs() {
+std::vector<Kind> further_laws() {
   return {
       {"hardening_spread",
        "",
@@ -169,7 +169,7 @@ std::vector<Kind> springs() {
          for (Place j = 0; j < v.size(); ++j) is.joint[j].hardening += v[j];
        },
        {"c"},
-       spread},
+       one_at_each_joint},
       {"joint_stops",
        "",
        false,
@@ -256,7 +256,7 @@ std::vector<Kind> springs() {
 
 std::vector<Kind> joint_laws() {
   std::vector<Kind> kinds = friction();
-  const std::vector<Kind> more = springs();
+  const std::vector<Kind> more = further_laws();
   kinds.insert(kinds.end(), more.begin(), more.end());
   return kinds;
 }

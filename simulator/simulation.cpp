@@ -95,9 +95,9 @@ double restlessness(const Physics& physics) {
   return most;
 }
 
-class Bench {
+class BenchAtWork {
  public:
-  Bench(const Plan& plan, const Physics& physics, const PlannedRun& run)
+  BenchAtWork(const Plan& plan, const Physics& physics, const PlannedRun& run)
       : physics_(physics),
         run_(run),
         timing_(timing(physics)),
@@ -269,7 +269,7 @@ class Bench {
 
 std::vector<State> simulate(const Plan& plan, const Physics& physics, const PlannedRun& run) {
   prepare_mujoco();
-  return Bench(plan, physics, run).work();
+  return BenchAtWork(plan, physics, run).work();
 }
 
 std::vector<std::vector<State>> simulate(const Plan& plan, const Physics& physics) {

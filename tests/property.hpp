@@ -18,3 +18,8 @@ void check_property(const std::string& description, Testable&& property) {
   INFO(report.str());
   CHECK(result.template is<rc::detail::SuccessResult>());
 }
+
+/// Hundredths from `low` to below `high`; to be called inside a property.
+inline double random_hundredths(int low, int high) {
+  return *rc::gen::inRange(low * 100, high * 100) / 100.0;
+}

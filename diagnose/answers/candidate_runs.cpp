@@ -12,9 +12,9 @@
 namespace plumbline::diagnose {
 namespace {
 
-constexpr int steps = 20;  // readings of a press
+constexpr int press_steps = 20;  // readings of a press
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
 struct Direction {
   const char* name;
@@ -47,14 +47,14 @@ double largest_force(const Trace& trace) {
 Run gone(Control control, const std::vector<double>& rest, const Vector2& start, const Vector2& by, bool back,
          double pause) {
   Run run{"proposed", control, rest, {}};
-  const int last = back ? 2 * steps : steps;
+  const int last = back ? 2 * press_steps : press_steps;
   for (int i = 0; i <= last; ++i) {
-    const double share = static_cast<double>(std::min(i, 2 * steps - i)) / steps;
+    const double share = static_cast<double>(std::min(i, 2 * press_steps - i)) / press_steps;
     const Vector2 to = start + share * by;
     if (control == Control::end_point) {
-      run.readings.push_back({i * pause, to.x(), to.y(), nothing, nothing, {}});
+      run.readings.push_back({i * pause, to.x(), to.y(), not_measured, not_measured, {}});
     } else {
-      run.readings.push_back({i * pause, nothing, nothing, to.x(), to.y(), {}});
+      run.readings.push_back({i * pause, not_measured, not_measured, to.x(), to.y(), {}});
     }
   }
   return run;

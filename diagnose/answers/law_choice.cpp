@@ -7,9 +7,6 @@
 namespace plumbline::diagnose {
 namespace {
 
-using Matrix = Eigen::MatrixXd;
-using Vector = Eigen::VectorXd;
-
 /// What is held against curvature, over the squares of a knot's term.
 constexpr double smoothnesses[] = {1e-6, 1e-4, 1e-2, 1.0};
 
@@ -40,8 +37,8 @@ std::vector<LawShape> neighbours(const LawShape& shape) {
 }
 
 /// The finest terms as combinations of a shape's, for one law.
-Matrix selection(const LawShape& shape) {
-  Matrix chosen = Matrix::Zero(law_terms_count, shape.terms());
+Eigen::MatrixXd selection(const LawShape& shape) {
+  Eigen::MatrixXd chosen = Eigen::MatrixXd::Zero(law_terms_count, shape.terms());
   const double stride = static_cast<double>(finest_knots - 1) / static_cast<double>(shape.knots - 1);
   for (Eigen::Index fine = 0; fine < finest_knots; ++fine)
     for (Eigen::Index k = 0; k < shape.knots; ++k)
@@ -55,18 +52,18 @@ Matrix selection(const LawShape& shape) {
 
 /// What is held against a law: curvature, and an even part that is no constant, so that a side that was never
 /// bent answers as the other; sliders and arms of any size a little.
-Matrix penalty(const LawShape& shape, double smoothness) {
+Eigen::MatrixXd penalty(const LawShape& shape, double smoothness) {
   constexpr double evenness = 1e-5, size = 1e-6;
-  Matrix weight = size * Matrix::Identity(shape.terms(), shape.terms());
+  Eigen::MatrixXd weight = size * Eigen::MatrixXd::Identity(shape.terms(), shape.terms());
   for (Eigen::Index k = 1; k + 1 < shape.knots; ++k) {
-    Vector bend = Vector::Zero(shape.terms());
+    Eigen::VectorXd bend = Eigen::VectorXd::Zero(shape.terms());
     bend(k - 1) = bend(k + 1) = 1;
     bend(k) = -2;
     weight += smoothness * bend * bend.transpose();
   }
   const Eigen::Index middle = shape.knots / 2;
   for (Eigen::Index k = 1; k <= middle; ++k) {
-    Vector even = Vector::Zero(shape.terms());
+    Eigen::VectorXd even = Eigen::VectorXd::Zero(shape.terms());
     even(middle + k) = even(middle - k) = 1;
     even(middle) = -2;
     weight += evenness * even * even.transpose();
@@ -76,24 +73,24 @@ Matrix penalty(const LawShape& shape, double smoothness) {
 }
 
 /// The same for each of several laws, along the diagonal.
-Matrix repeated(const Matrix& one, std::size_t laws) {
+Eigen::MatrixXd repeated(const Eigen::MatrixXd& one, std::size_t laws) {
   const auto count = static_cast<Eigen::Index>(laws);
-  Matrix all = Matrix::Zero(count * one.rows(), count * one.cols());
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(count * one.rows(), count * one.cols());
   for (Eigen::Index b = 0; b < count; ++b)
     all.block(b * one.rows(), b * one.cols(), one.rows(), one.cols()) = one;
   return all;
 }
 
-LawSums reduced(const Matrix& chosen, const LawSums& full) {
+LawSums reduced(const Eigen::MatrixXd& chosen, const LawSums& full) {
   return {chosen.transpose() * full.terms * chosen, chosen.transpose() * full.with_residual, full.residual};
 }
 
 /// Least squares in the coefficients of a shape; sliders and arms dissipate, so none is negative.
-Vector solve(const LawShape& shape, const LawSums& sums, const Matrix& held_against) {
-  Matrix normal = sums.terms + held_against;
-  Vector right = sums.with_residual;
+Eigen::VectorXd solve(const LawShape& shape, const LawSums& sums, const Eigen::MatrixXd& held_against) {
+  Eigen::MatrixXd normal = sums.terms + held_against;
+  Eigen::VectorXd right = sums.with_residual;
   while (true) {
-    const Vector solution = normal.ldlt().solve(right);
+    const Eigen::VectorXd solution = normal.ldlt().solve(right);
     Eigen::Index worst = -1;
     for (Eigen::Index i = 0; i < solution.size(); ++i)
       if (i % shape.terms() >= shape.knots && solution(i) < 0 && (worst < 0 || solution(i) < solution(worst)))
@@ -125,7 +122,7 @@ void LawSums::operator-=(const LawSums& other) {
   residual -= other.residual;
 }
 
-double LawSums::left(const Vector& c) const {
+double LawSums::left(const Eigen::VectorXd& c) const {
   return std::max(0.0, residual - 2 * c.dot(with_residual) + c.dot(terms * c));
 }
 
@@ -134,14 +131,15 @@ bool affordable(const LawShape& shape, std::size_t laws, std::size_t values) {
 }
 
 ChosenLaw fit_law(const LawShape& shape, std::size_t laws, const std::vector<LawSums>& by_fold) {
-  const Matrix chosen = repeated(selection(shape), laws);
+  const Eigen::MatrixXd chosen = repeated(selection(shape), laws);
   std::vector<LawSums> parts;
   for (const LawSums& part : by_fold) parts.push_back(reduced(chosen, part));
   LawSums whole = parts.front();
   for (std::size_t f = 1; f < parts.size(); ++f) whole += parts[f];
   ChosenLaw best;
   for (const double smoothness : smoothnesses) {
-    const Matrix held_against = knot_scale(shape, whole) * repeated(penalty(shape, smoothness), laws);
+    const Eigen::MatrixXd held_against =
+        knot_scale(shape, whole) * repeated(penalty(shape, smoothness), laws);
     double left = 0;
     for (const LawSums& part : parts) {
       LawSums rest = whole;

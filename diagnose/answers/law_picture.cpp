@@ -116,7 +116,7 @@ void add_memory(const LawPicture& picture, const LawSpan& span, Parts& parts) {
         fmt::format("{:.2g} N m/rad that relax within {:.2g} s", one.stiffness, one.time_constant));
 }
 
-std::string joined(const Parts& parts) {
+std::string in_words(const Parts& parts) {
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
   return text.empty() ? "close to the nominal spring" : text;
@@ -136,7 +136,7 @@ LawPicture picture_of(const JointTorqueLaw& law, Eigen::Index knots) {
     add_rest(picture.knots, law, parts);
   }
   add_memory(picture, law.span, parts);
-  picture.words = joined(parts);
+  picture.words = in_words(parts);
   return picture;
 }
 

@@ -12,7 +12,7 @@ namespace {
 using Places = std::vector<std::size_t>;
 
 /// Readings that differ by less than rounding and the tolerance of fits leave a lead of less.
-constexpr double exact = 1e-3;
+constexpr double same_effect = 1e-3;
 
 /// What runs show: which effects, and which two of these apart.
 struct Shown {
@@ -21,7 +21,7 @@ struct Shown {
 };
 
 /// \param suffice  whether the runs bring some contrasts far enough
-Shown shown(const Comparison& effects, const std::function<bool(const std::vector<Contrast>&)>& suffice) {
+Shown shown_by(const Comparison& effects, const std::function<bool(const std::vector<Contrast>&)>& suffice) {
   Shown result{{}, {effects.size(), std::vector<bool>(effects.size(), false)}};
   for (std::size_t i = 0; i < effects.size(); ++i)
     if (suffice({effects.gap(i)})) result.seen.push_back(i);
@@ -50,7 +50,7 @@ std::vector<Alike> alike(const Comparison& effects, const Shown& told, const Pla
       if (same) members.push_back(j);
     }
     one.exactly = members.size() > 1 && std::all_of(members.begin() + 1, members.end(), [&](std::size_t j) {
-                    return effects.apart(members.front(), j, all) < exact;
+                    return effects.apart(members.front(), j, all) < same_effect;
                   });
     result.push_back(std::move(one));
   }
@@ -78,7 +78,7 @@ Plan plan(const Experiment& bench, const std::function<void(double)>& progress) 
   const Rehearsal rehearsal = rehearse(bench);
   const Comparison effects(rehearsal, progress);
   const std::size_t count = rehearsal.descriptions.size();
-  const Shown told = shown(effects, [&](const std::vector<Contrast>& contrasts) {
+  const Shown told = shown_by(effects, [&](const std::vector<Contrast>& contrasts) {
     return few_suffice(contrasts, count, beliefs::told_apart, few_runs);
   });
   Plan result;
@@ -91,7 +91,7 @@ Plan plan(const Experiment& bench, const std::function<void(double)>& progress) 
       return std::all_of(contrasts.begin(), contrasts.end(),
                          [&](const Contrast& one) { return lead(one, planned) > beliefs::told_apart; });
     };
-    result.planned = blindness(effects, shown(effects, suffice), planned);
+    result.planned = blindness(effects, shown_by(effects, suffice), planned);
   }
   std::vector<Contrast> to_be_shown;
   for (const std::size_t i : told.seen) {

@@ -10,9 +10,6 @@
 namespace plumbline::diagnose {
 namespace {
 
-using Matrix = Eigen::MatrixXd;
-using Vector = Eigen::VectorXd;
-
 constexpr std::size_t folds = 5;
 
 /// A rig, what it gives, and how its channels answer to a torque at each elastic joint.
@@ -44,8 +41,8 @@ std::size_t place_of(const Response& rig, std::size_t joint) {
 }
 
 /// A joint's deflection along a run.
-Vector deflection(const Study& study, const Rig& rig, const Prediction& given, std::size_t run,
-                  std::size_t joint) {
+Eigen::VectorXd deflection(const Study& study, const Rig& rig, const Prediction& given, std::size_t run,
+                           std::size_t joint) {
   const Run& own = study.experiment().runs[run];
   const double rest = RunRig(in_run(rig, own.number), own.rest).joint[joint].rest;
   return given.runs[run].col(column_q + static_cast<Eigen::Index>(joint)).matrix().array() - rest;
@@ -112,11 +109,11 @@ std::size_t fold_of(std::size_t run, std::size_t reading, std::size_t readings) 
 std::vector<LawSums> sums_of(const Study& study, const Response& rig, const Placement& place,
                              const std::vector<double>& residual, const NoiseModel& noise) {
   const auto width = static_cast<Eigen::Index>(place.size()) * law_terms_count;
-  const LawSums none{Matrix::Zero(width, width), Vector::Zero(width), 0};
+  const LawSums none{Eigen::MatrixXd::Zero(width, width), Eigen::VectorXd::Zero(width), 0};
   std::vector<LawSums> by_fold(folds, none);
-  Matrix slopes = Matrix::Zero(static_cast<Eigen::Index>(residual.size()), width);
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(residual.size()), width);
   for (std::size_t b = 0; b < place.size(); ++b) {
-    for_each_part(study, rig, place[b], [&](std::size_t a, std::size_t run, const Matrix& terms) {
+    for_each_part(study, rig, place[b], [&](std::size_t a, std::size_t run, const Eigen::MatrixXd& terms) {
       for (const Series& series : study.measurements().series()) {
         if (series.run != run) continue;
         const auto answer = rig.per_torque[a][run].col(column_of(series.channel));
@@ -139,9 +136,9 @@ std::vector<LawSums> sums_of(const Study& study, const Response& rig, const Plac
       while (to < series.readings.size() && fold_of(series.run, series.readings[to], readings) == fold) ++to;
       const auto rows = slopes.middleRows(static_cast<Eigen::Index>(series.first + from),
                                           static_cast<Eigen::Index>(to - from));
-      const Vector part = Eigen::Map<const Vector>(residual.data() + series.first + from,
-                                                   static_cast<Eigen::Index>(to - from)) /
-                          noise.of(series.channel);
+      const Eigen::VectorXd part = Eigen::Map<const Eigen::VectorXd>(residual.data() + series.first + from,
+                                                                     static_cast<Eigen::Index>(to - from)) /
+                                   noise.of(series.channel);
       by_fold[fold] += {rows.transpose() * rows, rows.transpose() * part, part.squaredNorm()};
       from = to;
     }
@@ -183,8 +180,8 @@ double left_with(const Study& study, const NoiseModel& noise, const TorqueLaw& l
 std::vector<double> to_explain(const Study& study, const Response& with, const TorqueLaw& law) {
   std::vector<double> residual = without_outliers(study.measurements(), study.residual(with.given));
   for (const JointTorqueLaw& one : law.laws)
-    for_each_part(study, with, one, [&](std::size_t a, std::size_t run, const Matrix& terms) {
-      const Vector torque = terms * one.coefficients;
+    for_each_part(study, with, one, [&](std::size_t a, std::size_t run, const Eigen::MatrixXd& terms) {
+      const Eigen::VectorXd torque = terms * one.coefficients;
       for (const Series& series : study.measurements().series()) {
         if (series.run != run) continue;
         const auto answer = with.per_torque[a][run].col(column_of(series.channel));
@@ -197,7 +194,7 @@ std::vector<double> to_explain(const Study& study, const Response& with, const T
   return residual;
 }
 
-void take(const Vector& coefficients, TorqueLaw& law) {
+void take(const Eigen::VectorXd& coefficients, TorqueLaw& law) {
   for (std::size_t b = 0; b < law.laws.size(); ++b)
     law.laws[b].coefficients =
         coefficients.segment(static_cast<Eigen::Index>(b) * law_terms_count, law_terms_count);
@@ -293,12 +290,13 @@ std::vector<LawTrace> law_traces(const Study& study, const TorqueLaw& law) {
   const Rig base = rig_with(study, law.base.candidate, law.base.parameters);
   std::vector<LawTrace> traces;
   for (const JointTorqueLaw& one : law.laws)
-    for_each_part(study, with, one, [&](std::size_t a, std::size_t run, const Matrix& terms) {
+    for_each_part(study, with, one, [&](std::size_t a, std::size_t run, const Eigen::MatrixXd& terms) {
       const std::size_t joint = with.joints[a];
       const Run& own = study.experiment().runs[run];
       const JointLaw spring = RunRig(in_run(base, own.number), own.rest).joint[joint];
-      const Vector bent = deflection(study, base, with.given, run, joint);
-      const Vector carried = bent.unaryExpr([&](double d) { return spring.elastic(spring.rest + d).value; });
+      const Eigen::VectorXd bent = deflection(study, base, with.given, run, joint);
+      const Eigen::VectorXd carried =
+          bent.unaryExpr([&](double d) { return spring.elastic(spring.rest + d).value; });
       traces.push_back({joint + 1, run, bent, carried + terms * one.coefficients});
     });
   return traces;
@@ -312,7 +310,7 @@ bool covers(const Study& study, const TorqueLaw& law, const HeldOut& heldout) {
   for (const JointTorqueLaw& one : law.laws)
     for (const std::size_t joint : one.joints)
       for (std::size_t r = 0; r < heldout.reading.size(); ++r) {
-        const Vector bent = deflection(study, base, given, r, joint - 1);
+        const Eigen::VectorXd bent = deflection(study, base, given, r, joint - 1);
         for (std::size_t i = 0; i < heldout.reading[r].size(); ++i) {
           const double d = bent(static_cast<Eigen::Index>(i)), slack = margin * one.span.stroke();
           if (!heldout.reading[r][i] || !std::isfinite(d)) continue;

@@ -9,7 +9,7 @@
 namespace plumbline::diagnose {
 namespace {
 
-constexpr std::size_t wanted = 500, least = 40, short_enough = 1000;
+constexpr std::size_t wanted_readings = 500, least_readings = 40, short_enough = 1000;
 
 /// Draws the readings of one run together, group by group.
 class Condenser {
@@ -73,7 +73,8 @@ Experiment condensed(Experiment experiment) {
   for (const Run& run : experiment.runs) total += run.readings.size();
   if (total <= short_enough) return experiment;
   for (Run& run : experiment.runs) {
-    const std::size_t count = run.readings.size(), groups = std::max(least, count * wanted / total);
+    const std::size_t count = run.readings.size(),
+                      groups = std::max(least_readings, count * wanted_readings / total);
     const std::size_t size = (count + groups - 1) / groups;
     if (size > 2) run = Condenser(run, size).result();
   }

@@ -10,13 +10,13 @@ namespace {
 
 using Name = Channel::Name;
 
-constexpr std::array<Channel, 2> place{{{Name::x}, {Name::y}}};
-constexpr std::array<Channel, 2> force{{{Name::Fx}, {Name::Fy}}};
+constexpr std::array<Channel, 2> place_channels{{{Name::x}, {Name::y}}};
+constexpr std::array<Channel, 2> force_channels{{{Name::Fx}, {Name::Fy}}};
 
 }  // namespace
 
 std::array<Channel, 2> Run::imposed() const {
-  return holds_end_point() ? place : force;
+  return holds_end_point() ? place_channels : force_channels;
 }
 
 Eigen::Vector2d Run::command(const Reading& reading) const {
@@ -52,7 +52,7 @@ bool Run::counts_readings() const {
 }
 
 std::vector<Channel> Run::measured() const {
-  const std::array<Channel, 2>& answer = holds_end_point() ? force : place;
+  const std::array<Channel, 2>& answer = holds_end_point() ? force_channels : place_channels;
   std::vector<Channel> channels(answer.begin(), answer.end());
   for (std::size_t j = 0; !readings.empty() && j < readings.front().q.size(); ++j)
     channels.push_back({Name::q, j});

@@ -5,7 +5,7 @@
 namespace plumbline::diagnose {
 namespace {
 
-NominalEffect read_effect(const Section& section) {
+NominalEffect read_nominal_effect(const Section& section) {
   section.allow_only({"id", "joint", "parameters"});
   return {section.text("id", "an id of the effect catalogue"), section.count("joint"),
           section.named_numbers("parameters")};
@@ -79,7 +79,7 @@ NominalChain read_nominal(const Section& nominal) {
     chain.link_mass = nominal.numbers("link_mass", n, "zero or a positive mass", not_negative);
   if (nominal.has("gravity")) chain.gravity = nominal.pair("gravity");
   if (nominal.has("rest")) chain.rest = nominal.numbers("rest", n);
-  for (const Section& effect : nominal.tables("effect")) chain.effects.push_back(read_effect(effect));
+  for (const Section& effect : nominal.tables("effect")) chain.effects.push_back(read_nominal_effect(effect));
   for (const Section& law : nominal.tables("torque_law")) chain.laws.push_back(read_law(law, n));
   return chain;
 }

@@ -9,7 +9,7 @@
 namespace plumbline::diagnose {
 namespace {
 
-std::string joined(const std::vector<std::string>& fields) {
+std::string with_commas(const std::vector<std::string>& fields) {
   std::string text;
   for (const std::string& field : fields) text += (text.empty() ? "" : ",") + field;
   return text;
@@ -28,7 +28,7 @@ class Finder {
     const std::size_t all = format_.columns.size();
     if (!format_.header || table_.header == names(place_q1) || table_.header == names(all)) return;
     throw Error(header_line_, header(),
-                "'" + joined(names(place_q1)) + "' or '" + joined(names(all)) +
+                "'" + with_commas(names(place_q1)) + "' or '" + with_commas(names(all)) +
                     "', or a table [columns] that says which column is which" + hint());
   }
 
@@ -67,7 +67,7 @@ class Finder {
   }
 
   [[nodiscard]] std::string header() const {
-    return format_.header ? "the header '" + files::shown(joined(table_.header)) + "'" : "no header";
+    return format_.header ? "the header '" + files::shown(with_commas(table_.header)) + "'" : "no header";
   }
 
   [[nodiscard]] std::string hint() const { return other_delimiter(table_, format_); }

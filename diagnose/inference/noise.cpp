@@ -30,7 +30,7 @@ double robust_variance(const std::vector<double>& differences) {
 
 using Name = Channel::Name;
 
-constexpr std::array<Name, channel_names> names{Name::x, Name::y, Name::Fx, Name::Fy, Name::q};
+constexpr std::array<Name, channel_names> all_names{Name::x, Name::y, Name::Fx, Name::Fy, Name::q};
 
 /// Differences of values `lag` apart, of all series of one name.
 std::vector<double> differences(const Measurements& measurements, const std::vector<double>& residual,
@@ -131,7 +131,7 @@ std::vector<bool> marks(const Measurements& measurements, const std::vector<doub
 std::vector<double> with_kin(const Measurements& measurements, const std::vector<double>& residual,
                              Name name) {
   std::vector<double> all;
-  for (const Name other : names) {
+  for (const Name other : all_names) {
     if (Channel{other, 0}.sensor() != Channel{name, 0}.sensor()) continue;
     const std::vector<double> steps = differences(measurements, residual, other, 1);
     all.insert(all.end(), steps.begin(), steps.end());
@@ -164,7 +164,7 @@ std::array<double, channel_names> rough_scales(const Measurements& measurements,
   constexpr double least = 2.0 / 3.0;  // of the declared sigma
   constexpr std::size_t few = 30;      // a step and an outlier are then less than a sixth of them
   std::array<double, channel_names> scale{};
-  for (const Name name : names) {
+  for (const Name name : all_names) {
     std::vector<double> steps = differences(measurements, residual, name, 1);
     if (steps.size() < few) steps = with_kin(measurements, residual, name);
     // An outlier spoils two differences: one in twelve readings would carry Huber's variance away.
@@ -235,7 +235,7 @@ RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& 
   RawNoise noise;
   double ratio = 0, weight = 0;
   std::array<Steps, channel_names> steps;
-  for (const Name name : names) {
+  for (const Name name : all_names) {
     const auto c = static_cast<std::size_t>(name);
     steps[c] = steps_of(measurements, residual, name);
     noise.values[c] = steps[c].values;
@@ -271,7 +271,7 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
     noise.scale[c] = raw.values[c] > 0 && scale > 0 ? with_prior(scale, raw.values[c] / 2) : 1.0;
     // Large and slow at once is a gap, not noise.
     if (noise.correlation > 0.5) noise.scale[c] = std::min(noise.scale[c], 1.5);
-    noise.scale[c] = std::min(noise.scale[c], scale_bound(measurements, names[c]));
+    noise.scale[c] = std::min(noise.scale[c], scale_bound(measurements, all_names[c]));
   }
   return noise;
 }

@@ -10,7 +10,7 @@ namespace plumbline::diagnose {
 namespace {
 
 /// Sum of squares of the coefficients 1, -3, 3, -1.
-constexpr double squares = 20;
+constexpr double third_difference_squares = 20;
 
 /// Mean of the products of neighbours over the larger of their squares, so that a step in a curve counts no
 /// more than noise does.
@@ -74,8 +74,8 @@ double twice_log_likelihood(const std::vector<ThirdDifferences>& series, double 
 ThirdDifferences::ThirdDifferences(const std::vector<double>& values, double sigma) {
   for (std::size_t i = 3; i < values.size(); ++i) {
     const double a = values[i - 3], b = values[i - 2], c = values[i - 1], d = values[i];
-    sizes.push_back((d - 3 * c + 3 * b - a) / (std::sqrt(squares) * sigma));
-    levels.push_back(std::sqrt((a * a + 9 * b * b + 9 * c * c + d * d) / squares));
+    sizes.push_back((d - 3 * c + 3 * b - a) / (std::sqrt(third_difference_squares) * sigma));
+    levels.push_back(std::sqrt((a * a + 9 * b * b + 9 * c * c + d * d) / third_difference_squares));
   }
 }
 

@@ -11,6 +11,8 @@
 namespace plumbline::diagnose {
 namespace {
 
+using Name = Channel::Name;
+
 std::string percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
 }
@@ -24,7 +26,6 @@ std::string by_channel(const std::map<Channel, double>& values) {
 
 /// How the noise compares with the declared; said in words where it is another.
 std::string scatter(const NoiseModel& noise, const std::map<Channel, double>& measured) {
-  using Name = Channel::Name;
   std::string text = "  noise over declared:", words;
   for (const Name name : {Name::x, Name::y, Name::Fx, Name::Fy, Name::q}) {
     const auto carries = [&](const auto& one) { return one.first.name == name; };

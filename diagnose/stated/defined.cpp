@@ -12,13 +12,13 @@ namespace plumbline::diagnose {
 namespace {
 
 /// Parameters with which an expression is tried.
-struct Trial {
+struct TriedValues {
   std::vector<double> parameters;
   bool nothing;  ///< all that grows is zero
 };
 
-std::vector<Trial> trials(const StatedEffect& stated, const Study& study) {
-  std::vector<Trial> all;
+std::vector<TriedValues> trials(const StatedEffect& stated, const Study& study) {
+  std::vector<TriedValues> all;
   for (const std::vector<double>& start :
        row_of(std::make_shared<StatedEffect>(stated)).starts({study.sizes(), 0}, study.exercise()).from) {
     all.push_back({start, false});
@@ -38,7 +38,7 @@ std::string spelled(const StatedEffect& stated, const std::vector<double>& value
 }
 
 /// \throws Error unless the value is finite, and nothing where nothing is asked for
-void require(double value, const Trial& trial, const StatedEffect& stated, const std::string& key,
+void require(double value, const TriedValues& trial, const StatedEffect& stated, const std::string& key,
              const std::string& where) {
   if (std::isfinite(value) && (!trial.nothing || value == 0)) return;
   throw Error(stated.place + ": " + stated.id + "." + key,
@@ -47,7 +47,7 @@ void require(double value, const Trial& trial, const StatedEffect& stated, const
                                    : "a finite number at every reading of the nominal model");
 }
 
-void require_torque(const StatedEffect& stated, const Study& study, const Trial& trial) {
+void require_torque(const StatedEffect& stated, const Study& study, const TriedValues& trial) {
   const Experiment& experiment = study.experiment();
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
@@ -70,7 +70,7 @@ void require_torque(const StatedEffect& stated, const Study& study, const Trial&
   }
 }
 
-void require_readings(const StatedEffect& stated, const Study& study, const Trial& trial) {
+void require_readings(const StatedEffect& stated, const Study& study, const TriedValues& trial) {
   const Experiment& experiment = study.experiment();
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
@@ -101,7 +101,7 @@ void require_defined(const StatedEffect& stated, const Study& study) {
       throw Error(stated.place + ": " + stated.id + ".reading", one.key,
                   fmt::format("q, or q1 to q{}: the chain has {} joints", joints, joints));
   if (!study.nominal().reached) return;
-  for (const Trial& trial : trials(stated, study)) {
+  for (const TriedValues& trial : trials(stated, study)) {
     if (stated.torque) require_torque(stated, study, trial);
     require_readings(stated, study, trial);
   }

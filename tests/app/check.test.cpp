@@ -6,12 +6,6 @@
 
 #include "tests/app/process.hpp"
 
-namespace {
-
-const std::string sources = PLUMBLINE_SOURCE_DIR;
-
-}  // namespace
-
 TEST_CASE("the published forces agree with the reference, to all their digits") {
   const Workplace here;
   const Outcome outcome = here.plumbline("check " + sources + "/reference/forces.csv --json");

@@ -15,6 +15,8 @@
 
 #include "tests/folder.hpp"
 
+inline const std::string sources = PLUMBLINE_SOURCE_DIR;
+
 struct Outcome {
   int status;
   std::string out, err;

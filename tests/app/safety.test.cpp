@@ -12,8 +12,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string sources = PLUMBLINE_SOURCE_DIR;
-
 /// Something of every kind that a verb reads.
 void furnish(const Workplace& here) {
   fs::copy(sources + "/examples/four-link.toml", here.path() / "c.toml");

@@ -7,7 +7,6 @@
 
 namespace {
 
-const std::string sources = PLUMBLINE_SOURCE_DIR;
 const std::string friction =
     R"({"effects": [{"id": "joint_friction", "joint": null, "parameters": {"tau_c": 0.035}}], "strength_sigma": 10})";
 

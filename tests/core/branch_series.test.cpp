@@ -8,9 +8,6 @@ using namespace plumbline;
 
 namespace {
 
-template <class Real>
-using Nominal = NominalModel<Real>;
-
 /// A chain of up to nine links in a plane, bent at rest, loaded along a ray.
 struct Bench {
   Chain<double> chain;
@@ -18,26 +15,24 @@ struct Bench {
   double last, reach;
 };
 
-double share(int low, int high) {
-  return *rc::gen::inRange(low * 100, high * 100) / 100.0;
-}
-
 Bench random_bench() {
   const bool held = *rc::gen::arbitrary<bool>();
   const auto n = static_cast<std::size_t>(*rc::gen::inRange(held ? 2 : 1, 10));
   std::vector<double> length, stiffness, rest;
   double reach = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    length.push_back(share(0, 2) + 0.3);
-    stiffness.push_back(share(0, 3) + 0.3);
-    rest.push_back(share(-1, 1) + 0.005);  // never straight: at the edge of its reach
+    length.push_back(random_hundredths(0, 2) + 0.3);
+    stiffness.push_back(random_hundredths(0, 3) + 0.3);
+    rest.push_back(random_hundredths(-1, 1) + 0.005);  // never straight: at the edge of its reach
     reach += length.back();
   }
   if (held && n > 2 && *rc::gen::arbitrary<bool>()) stiffness[0] = 0;
   const Chain<double> chain(length, stiffness, rest);
-  const double way = share(0, 6), last = held ? (share(0, 1) + 0.1) * reach / 2 : (share(0, 8) + 1) / reach;
+  const double way = random_hundredths(0, 6), last = held ? (random_hundredths(0, 1) + 0.1) * reach / 2
+                                                          : (random_hundredths(0, 8) + 1) / reach;
   const Point<double> start =
-      held ? end_point(chain, rest) : Point<double>{0.1 * share(-1, 1) / reach, 0.1 * share(-1, 1) / reach};
+      held ? end_point(chain, rest)
+           : Point<double>{0.1 * random_hundredths(-1, 1) / reach, 0.1 * random_hundredths(-1, 1) / reach};
   return {chain,
           {held ? Control::end_point : Control::force, start, {std::cos(way), std::sin(way)}},
           last,
@@ -47,18 +42,18 @@ Bench random_bench() {
 /// What follows the branches of a bench, and where they start: unloaded.
 struct Start {
   Bench bench = random_bench();
-  Nominal<double> model{bench.chain};
-  Brancher<Nominal<double>> brancher{model, bench.loading, absolute_angles(bench.chain.rest())};
+  NominalModel<double> model{bench.chain};
+  Brancher<NominalModel<double>> brancher{model, bench.loading, absolute_angles(bench.chain.rest())};
   BranchPoint<double> point = brancher.start(0, absolute_angles(bench.chain.rest()));
 
   Branch<double> follow(double longest) {
-    return Tracer<Nominal<double>>(brancher, {0, bench.last, longest, 100000}).run(point);
+    return Tracer<NominalModel<double>>(brancher, {0, bench.last, longest, 100000}).run(point);
   }
 };
 
 /// Torque and place out of balance, beside the terms that they are sums of.
 template <class Real>
-Real imbalance(const Nominal<Real>& model, const Loading<Real>& loading, const BranchPoint<Real>& point,
+Real imbalance(const NominalModel<Real>& model, const Loading<Real>& loading, const BranchPoint<Real>& point,
                const Real& reach) {
   using std::abs, std::max;
   Expansion<Real, 1> at;
@@ -81,7 +76,7 @@ TEST_CASE("a series is the branch: within its reach every place is an equilibriu
     brancher.refresh(at);
     BranchSeries<double> series;
     brancher.expand(at, series);
-    const double s = std::min(series.reach, 0.5) * share(-1, 1);
+    const double s = std::min(series.reach, 0.5) * random_hundredths(-1, 1);
     const auto point = brancher.along(series, s);
     // order + 1 terms a quantity, each rounded once, twice over by Horner's scheme, and the truncation
     const double rounding = 4 * static_cast<double>(series.order()) * std::numeric_limits<double>::epsilon();
@@ -123,7 +118,7 @@ TEST_CASE("what happens on a branch does not depend on the spacing of its points
 }
 
 TEST_CASE("fifty digits take a higher order, not shorter strides") {
-  using Exact = Nominal<Mpfr50>;
+  using Exact = NominalModel<Mpfr50>;
   const Chain<Mpfr50> chain({1, 1, 1, 1}, {1, 1, 1, 1},
                             {Mpfr50("-0.2417"), Mpfr50("0.6821"), Mpfr50("-0.7958"), Mpfr50("0.517")});
   const Exact model(chain);

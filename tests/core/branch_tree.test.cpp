@@ -7,7 +7,11 @@
 
 using namespace plumbline;
 
+namespace {
+
 using Nominal = NominalModel<double>;
+
+}  // namespace
 
 TEST_CASE("a straight chain has two branches a mode, which begin at its critical forces") {
   const Nominal model(Chain<double>({1, 2, 1, 1.5}, {1, 0.5, 2, 1}));
@@ -66,10 +70,6 @@ TEST_CASE("branches switch at a bifurcation: a symmetric zigzag and the two arch
 
 namespace {
 
-double share(int low, int high) {
-  return *rc::gen::inRange(low * 100, high * 100) / 100.0;
-}
-
 /// A chain on a passive base that looks the same from both ends, held at its unloaded end points.
 struct SymmetricChain {
   std::vector<double> length, stiffness, rest;
@@ -82,11 +82,11 @@ struct SymmetricChain {
     std::vector<double> theta(n);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t twin = n - 1 - i;
-      theta[i] = twin < i ? theta[twin] : 0.8 * share(-1, 1) + 0.004;
+      theta[i] = twin < i ? theta[twin] : 0.8 * random_hundredths(-1, 1) + 0.004;
       rest[i] = theta[i] - (i > 0 ? theta[i - 1] : 0);
       if (equal) continue;
-      length[i] = twin < i ? length[twin] : share(0, 1) + 0.5;
-      if (i > 0) stiffness[i] = n - i < i ? stiffness[n - i] : share(0, 2) + 0.5;
+      length[i] = twin < i ? length[twin] : random_hundredths(0, 1) + 0.5;
+      if (i > 0) stiffness[i] = n - i < i ? stiffness[n - i] : random_hundredths(0, 2) + 0.5;
     }
     stiffness[0] = 0;
     const auto p = end_point(Chain<double>(length, stiffness, rest), rest);
@@ -154,7 +154,7 @@ TEST_CASE("a branch's points are close together, and its type changes where some
 TEST_CASE("folds and crossings do not depend on how far apart the points of a branch are") {
   check_property("events of branch trees", [] {
     const SymmetricChain chain(true);
-    const auto fine = chain.tree(0.02), coarse = chain.tree(share(0, 1) + 0.05);
+    const auto fine = chain.tree(0.02), coarse = chain.tree(random_hundredths(0, 1) + 0.05);
     const auto singular_points = [](const std::vector<Branch<double>>& tree) {
       std::vector<std::pair<EventKind, double>> all;
       for (const auto& branch : tree) {

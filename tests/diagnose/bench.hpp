@@ -136,4 +136,9 @@ inline double angle(const Trace& trace, Eigen::Index row, std::size_t i) {
   return trace(row, column_q + static_cast<Eigen::Index>(i));
 }
 
+/// The largest by which two predicted runs differ.
+inline double difference(const Trace& a, const Trace& b) {
+  return (a - b).abs().maxCoeff();
+}
+
 }  // namespace plumbline::diagnose::test

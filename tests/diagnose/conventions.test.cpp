@@ -30,7 +30,7 @@ std::vector<std::string> names(const Doubt& doubt) {
 }
 
 /// A full bench whose joint 2 is a tenth stiffer than believed, so that there is a gap beside the slip.
-Experiment bench() {
+Experiment stiffer_bench() {
   return measured(full_bench(), only("joint_stiffness", 2), {0.1}, 5);
 }
 
@@ -71,10 +71,10 @@ TEST_CASE("a slip of unit, sign, axis or order is named beside a gap") {
          for (double& a : r.q) a = -a;
        })},
   };
-  REQUIRE_FALSE(doubtful_convention(Study(bench())));
+  REQUIRE_FALSE(doubtful_convention(Study(stiffer_bench())));
   for (const auto& [expected, spoil] : slips) {
     CAPTURE(expected);
-    Experiment experiment = bench();
+    Experiment experiment = stiffer_bench();
     spoil(experiment);
     const auto doubt = doubtful_convention(Study(experiment));
     REQUIRE(doubt);
@@ -86,7 +86,7 @@ TEST_CASE("a slip of unit, sign, axis or order is named beside a gap") {
 }
 
 TEST_CASE("one run in another unit is named alone") {
-  Experiment experiment = bench();
+  Experiment experiment = stiffer_bench();
   for (Reading& r : experiment.runs[1].readings) r.Fx /= 9.80665, r.Fy /= 9.80665;
   const auto doubt = doubtful_convention(Study(experiment));
   REQUIRE(doubt);
@@ -98,7 +98,7 @@ TEST_CASE(
     "what other runs refute is asked of one where it mends that nearly whole, and of all where it mends "
     "much") {
   const auto asked = [](double share, std::size_t from) {
-    Experiment experiment = bench();
+    Experiment experiment = stiffer_bench();
     for (std::size_t r = from; r < experiment.runs.size(); ++r)
       for (Reading& reading : experiment.runs[r].readings) reading.Fx *= -share, reading.Fy *= -share;
     return doubtful_convention(Study(experiment)).has_value();
@@ -112,7 +112,7 @@ TEST_CASE(
 TEST_CASE("stiffnesses six or four times too large are no unit") {
   for (const double factor : {6.0, 4.0, 2.0, 1 / 6.0, 1 / 4.0}) {
     CAPTURE(factor);
-    Experiment experiment = bench();
+    Experiment experiment = stiffer_bench();
     for (double& k : experiment.joint_stiffness) k *= factor;
     CHECK_FALSE(doubtful_convention(Study(experiment)));
   }
@@ -120,7 +120,7 @@ TEST_CASE("stiffnesses six or four times too large are no unit") {
 
 TEST_CASE("readings that cannot be are met with the unit that they look like") {
   const auto said = [](const Spoil& spoil) -> std::string {
-    Experiment experiment = bench();
+    Experiment experiment = stiffer_bench();
     spoil(experiment);
     try {
       require_physical(experiment);
@@ -146,7 +146,7 @@ TEST_CASE("readings that cannot be are met with the unit that they look like") {
 }
 
 TEST_CASE("what is declared in a unit is asked about in the others") {
-  Experiment experiment = bench();
+  Experiment experiment = stiffer_bench();
   for (Run& run : experiment.runs) run.origins = {{"Fx", "Kraft", "kgf", 9.80665}};
   forces_over(1 / 9.80665)(experiment);  // newtons, said to be kgf
   const auto doubt = doubtful_convention(Study(experiment));

@@ -21,7 +21,7 @@ using namespace plumbline::diagnose;
 namespace {
 
 /// A bench of three links pressed from two shapes and back, without readings yet.
-Experiment bench() {
+Experiment unread_bench() {
   Experiment experiment{{{0.25, 0.2, 0.25}, {2.0, 1.5, 2.0}, {0, 0, 0}, {0, 0}, {}, {}},
                         "bench",
                         {Bench::Plane::horizontal, {0, 0}, false},
@@ -49,8 +49,8 @@ Experiment bench() {
 }
 
 /// Fills in what the rig would have measured, and noise.
-Experiment measured(Experiment experiment, const Candidate& cause, const std::vector<double>& parameters,
-                    std::uint64_t seed, double noise_scale = 1) {
+Experiment with_readings(Experiment experiment, const Candidate& cause, const std::vector<double>& parameters,
+                         std::uint64_t seed, double noise_scale = 1) {
   const Prediction truth = predict(Study(experiment), cause, parameters);
   REQUIRE(truth.reached);
   std::mt19937_64 random(seed);
@@ -97,14 +97,15 @@ std::vector<std::string> said(const Diagnosis& diagnosis) {
 }  // namespace
 
 TEST_CASE("a nominal experiment with a mis-declared sigma has no gap") {
-  const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(measured(bench(), {}, {}, 1, 1.4)));
+  const Diagnosis diagnosis =
+      plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {}, {}, 1, 1.4)));
   CHECK_FALSE(diagnosis.gap.present);
   CHECK(diagnosis.cause.verdict == CauseVerdict::none);
 }
 
 TEST_CASE(
     "one cause is identified, with its joint, its parameter within bounds, and the shrink at the noise") {
-  const Study study(measured(bench(), {{{"backlash", 2}}}, {0.04}, 2));
+  const Study study(with_readings(unread_bench(), {{{"backlash", 2}}}, {0.04}, 2));
   const Diagnosis diagnosis = plumbline::diagnose::diagnose(study);
   CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
   CHECK(said(diagnosis) == std::vector<std::string>{"backlash(2)"});
@@ -123,14 +124,14 @@ TEST_CASE(
 }
 
 TEST_CASE("two causes at once are both named") {
-  const Diagnosis diagnosis = plumbline::diagnose::diagnose(
-      Study(measured(bench(), {{{"joint_friction", 0}, {"joint_stiffness", 1}}}, {0.03, 0.3}, 3)));
+  const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(
+      with_readings(unread_bench(), {{{"joint_friction", 0}, {"joint_stiffness", 1}}}, {0.03, 0.3}, 3)));
   CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
   CHECK(said(diagnosis) == std::vector<std::string>{"joint_friction", "joint_stiffness(1)"});
 }
 
 TEST_CASE("values of their own in each run do not stand for what machining leaves") {
-  Experiment two_runs = bench();
+  Experiment two_runs = unread_bench();
   two_runs.runs.resize(2);
   const Candidate machined{{{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}}};
   std::mt19937_64 random(1);
@@ -139,7 +140,7 @@ TEST_CASE("values of their own in each run do not stand for what machining leave
     std::vector<double> parameters;
     for (const double tolerance : {0.03, 0.003, 0.006})
       for (int joint = 0; joint < 3; ++joint) parameters.push_back(tolerance * normal(random));
-    Experiment experiment = measured(two_runs, machined, parameters, 5);
+    Experiment experiment = with_readings(two_runs, machined, parameters, 5);
     for (Run& run : experiment.runs)
       for (Reading& reading : run.readings) reading.q.clear();
     const Diagnosis answer = diagnose::diagnose(Study(experiment));
@@ -156,8 +157,8 @@ TEST_CASE("values of their own in each run do not stand for what machining leave
 }
 
 TEST_CASE("what no run can separate is one class") {
-  const Diagnosis diagnosis =
-      plumbline::diagnose::diagnose(Study(measured(bench(), {{{"train_compliance", 0}}}, {0.002}, 4)));
+  const Diagnosis diagnosis = plumbline::diagnose::diagnose(
+      Study(with_readings(unread_bench(), {{{"train_compliance", 0}}}, {0.002}, 4)));
   CHECK(diagnosis.cause.verdict == CauseVerdict::ambiguous);
   CHECK(diagnosis.cause.equivalent.size() == 1);
   const auto& other = diagnosis.cause.ranking[diagnosis.cause.equivalent.front()].hypothesis.fit.candidate;
@@ -169,7 +170,7 @@ TEST_CASE("what no run can separate is one class") {
 TEST_CASE("a cause that one run alone shows is found, and nothing is claimed to shrink") {
   // Joint 3 reaches its stop in the last run alone: without it nothing is known of the stop, and the others
   // have no gap.
-  Experiment experiment = bench();
+  Experiment experiment = unread_bench();
   const auto farther = [](Run& run, double times) {
     const double start = run.readings.front().x;
     for (Reading& reading : run.readings) reading.x = start + times * (reading.x - start);
@@ -183,7 +184,7 @@ TEST_CASE("a cause that one run alone shows is found, and nothing is claimed to 
   REQUIRE(*std::max_element(reach.begin(), reach.end()) == reach[3]);
   const double stop = (reach[3] + *std::max_element(reach.begin(), reach.begin() + 3)) / 2;
   const Diagnosis diagnosis =
-      plumbline::diagnose::diagnose(Study(measured(experiment, {{{"joint_stop", 3}}}, {stop, 20}, 8)));
+      plumbline::diagnose::diagnose(Study(with_readings(experiment, {{{"joint_stop", 3}}}, {stop, 20}, 8)));
   const auto& heldout = diagnosis.shrink->heldout;
   CHECK(std::set<std::string>(heldout.begin(), heldout.end()) == std::set<std::string>{"u", "u-aside", "z"});
   CHECK(said(diagnosis) == std::vector<std::string>{"joint_stop(3)"});
@@ -193,7 +194,7 @@ TEST_CASE("a cause that one run alone shows is found, and nothing is claimed to 
 
 TEST_CASE("probabilities of all that is ranked and of the unknown sum to one") {
   const Diagnosis diagnosis =
-      plumbline::diagnose::diagnose(Study(measured(bench(), {{{"force_gain", 0}}}, {0.1}, 6)));
+      plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {{{"force_gain", 0}}}, {0.1}, 6)));
   double sum = diagnosis.cause.unknown;
   for (const Ranked& one : diagnosis.cause.ranking) sum += one.probability;
   CHECK(sum == close_to(1));
@@ -201,7 +202,7 @@ TEST_CASE("probabilities of all that is ranked and of the unknown sum to one") {
 
 TEST_CASE("the next run is proposed on request where the cause is clear") {
   // So weak that the second best is not out of sight.
-  const Experiment experiment = measured(bench(), {{{"joint_coupling", 0}}}, {0.006}, 2);
+  const Experiment experiment = with_readings(unread_bench(), {{{"joint_coupling", 0}}}, {0.006}, 2);
   const Diagnosis plain = plumbline::diagnose::diagnose(Study(experiment));
   REQUIRE(plain.cause.verdict == CauseVerdict::identified);
   REQUIRE(plain.cause.ranking.size() > 1);
@@ -210,7 +211,7 @@ TEST_CASE("the next run is proposed on request where the cause is clear") {
 }
 
 TEST_CASE("a joint whose spring does what no effect does is unknown, and the joint is named") {
-  const Experiment experiment = rippled(measured(bench(), {}, {}, 5), 0.05);
+  const Experiment experiment = rippled(with_readings(unread_bench(), {}, {}, 5), 0.05);
   const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(experiment));
   CHECK(diagnosis.cause.verdict == CauseVerdict::unknown);
   CHECK(diagnosis.where.joints.front().joint == 2);
@@ -228,17 +229,17 @@ TEST_CASE(
     Experiment experiment;
     double stiffness, ripple, noise_scale, tolerated;
   };
-  Experiment fine = bench();
+  Experiment fine = unread_bench();
   fine.noise = {0, 0, 0.0005, 0.0005, 0.00002};
   // A ripple of a third of a declared sigma where readings repeat to a tenth of it; and one of some twenty
   // sigmas beside a gap that is beyond fifty, of which 0.15, or 7.5 sigmas, and more are tolerated.
-  const std::vector<Lab> labs{{"declared", bench(), 0.2, 0.0005, 0.1, 1},
+  const std::vector<Lab> labs{{"declared", unread_bench(), 0.2, 0.0005, 0.1, 1},
                               {"a clear gap", fine, 0.5, 0.002, 1, 7.5}};
   for (const Lab& lab : labs) {
     CAPTURE(lab.what);
-    const Experiment experiment =
-        rippled(measured(lab.experiment, {{{"joint_stiffness", 1}}}, {lab.stiffness}, 9, lab.noise_scale),
-                lab.ripple);
+    const Experiment experiment = rippled(
+        with_readings(lab.experiment, {{{"joint_stiffness", 1}}}, {lab.stiffness}, 9, lab.noise_scale),
+        lab.ripple);
     const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(experiment));
     CHECK(diagnosis.cause.verdict == CauseVerdict::ambiguous);
     CHECK(diagnosis.cause.reservation == Reservation::beyond_noise);
@@ -249,8 +250,8 @@ TEST_CASE(
 }
 
 TEST_CASE("the report as JSON holds what its format asks for") {
-  const nlohmann::ordered_json json =
-      as_json(plumbline::diagnose::diagnose(Study(measured(bench(), {{{"force_gain", 0}}}, {0.1}, 6))));
+  const nlohmann::ordered_json json = as_json(
+      plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {{{"force_gain", 0}}}, {0.1}, 6))));
   CHECK(json["format"] == "gap-diagnosis/1");
   CHECK(json["gap"]["present"] == true);
   CHECK(json["cause"]["verdict"] == "ambiguous");  // nothing else sets a scale of force
@@ -265,5 +266,6 @@ TEST_CASE("the report as JSON holds what its format asks for") {
     CHECK(sum == close_to(1));
   }
   CHECK(json["shrink"]["ratio"].get<double>() < 0.5);
-  CHECK_FALSE(as_text(plumbline::diagnose::diagnose(Study(measured(bench(), {}, {}, 7)))).empty());
+  CHECK_FALSE(
+      as_text(plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {}, {}, 7)))).empty());
 }

@@ -43,7 +43,7 @@ Eigen::MatrixXd variance(double value) {
 }  // namespace
 
 /// How many plain rows the catalogue is worth: what refines another is a tenth as common.
-const double rows = [] {
+const double plain_rows = [] {
   double sum = 0;
   for (const Effect& row : catalogue()) sum += row.special.empty() ? 1 : 0.1;
   return sum;
@@ -54,8 +54,8 @@ TEST_CASE(
     "places") {
   const Experiment experiment = blank_experiment({3});  // two links
   CHECK(log_prior(Study(experiment), {}) == 0.0);
-  CHECK(log_prior(Study(experiment), {{{"gravity"}}}) == close_to(std::log(0.75 / rows)));
-  CHECK(log_prior(Study(experiment), {{{"backlash", 2}}}) == close_to(std::log(0.75 / rows / 2)));
+  CHECK(log_prior(Study(experiment), {{{"gravity"}}}) == close_to(std::log(0.75 / plain_rows)));
+  CHECK(log_prior(Study(experiment), {{{"backlash", 2}}}) == close_to(std::log(0.75 / plain_rows / 2)));
   double sum = 0;
   for (const Effect& row : catalogue()) {
     if (!row.at_joint) sum += std::exp(log_prior(Study(experiment), {{EffectAt(row)}}));
@@ -69,9 +69,9 @@ TEST_CASE("two causes have 1/5, three 1/20, in any order") {
   const Experiment experiment = blank_experiment({3});
   // of 23^2 ordered pairs an unordered one holds two, of 23^3 triples six; a joint is one of two
   CHECK(log_prior(Study(experiment), {{{"gravity"}, {"force_gain"}}}) ==
-        close_to(std::log(0.20 * 2 / (rows * rows))));
+        close_to(std::log(0.20 * 2 / (plain_rows * plain_rows))));
   CHECK(log_prior(Study(experiment), {{{"gravity"}, {"backlash", 1}, {"rest_angle", 2}}}) ==
-        close_to(std::log(0.05 * 6 / (rows * rows * rows) / 4)));
+        close_to(std::log(0.05 * 6 / (plain_rows * plain_rows * plain_rows) / 4)));
 }
 
 TEST_CASE("the likelihood of one value: normal, and two in a hundred ten times as wide") {

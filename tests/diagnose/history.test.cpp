@@ -14,20 +14,20 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-using Point = std::array<double, 2>;
+using InPlane = std::array<double, 2>;
 
-double cross(const Point& a, const Point& b) {
+double cross(const InPlane& a, const InPlane& b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
 /// One predicted reading, read in relative joint angles: what the statics of the effect catalogue is written
 /// in.
-struct Shape {
+struct Posture {
   std::vector<double> q;
-  std::vector<Point> joint;  ///< positions of joints 1 … n and of the end point
-  Point force;
+  std::vector<InPlane> joint;  ///< positions of joints 1 … n and of the end point
+  InPlane force;
 
-  Shape(const Trace& trace, Eigen::Index row, const std::vector<double>& length)
+  Posture(const Trace& trace, Eigen::Index row, const std::vector<double>& length)
       : joint{{0, 0}}, force{trace(row, column_Fx), trace(row, column_Fy)} {
     double theta = 0;
     for (std::size_t j = 0; j < length.size(); ++j) {
@@ -39,11 +39,11 @@ struct Shape {
   }
 
   /// [J^T F]_i: moment of a force at a point about joint i.
-  [[nodiscard]] double moment(std::size_t i, const Point& at, const Point& f) const {
+  [[nodiscard]] double moment(std::size_t i, const InPlane& at, const InPlane& f) const {
     return cross({at[0] - joint[i][0], at[1] - joint[i][1]}, f);
   }
   [[nodiscard]] double moment(std::size_t i) const { return moment(i, joint.back(), force); }
-  [[nodiscard]] Point middle(std::size_t j) const {
+  [[nodiscard]] InPlane middle(std::size_t j) const {
     return {(joint[j][0] + joint[j + 1][0]) / 2, (joint[j][1] + joint[j + 1][1]) / 2};
   }
   [[nodiscard]] double orientation(std::size_t j) const {
@@ -59,14 +59,14 @@ void each_reading(const Experiment& experiment, const Prediction& predicted, Che
   REQUIRE(predicted.reached);
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     for (Eigen::Index i = 0; i < predicted.runs[r].rows(); ++i) {
-      check(Shape(predicted.runs[r], i, experiment.link_length), experiment.runs[r].rest, r,
+      check(Posture(predicted.runs[r], i, experiment.link_length), experiment.runs[r].rest, r,
             static_cast<std::size_t>(i));
     }
   }
 }
 
 // Newton stops with steps below 1e-7 rad, which leaves errors of their square: what is left is rounding.
-constexpr double exact = 1e-9;
+constexpr double up_to_rounding = 1e-9;
 
 /// A value of each parameter that is clearly felt on the full bench.
 std::vector<double> sizeable(const Experiment& experiment, const EffectAt& at) {
@@ -94,15 +94,16 @@ double largest_difference(const Prediction& a, const Prediction& b) {
 TEST_CASE("the nominal model balances k_i (q_i - rest_i) = [J^T F]_i and ends where it is told") {
   const Experiment experiment = full_bench();
   const Prediction predicted = predict(Study(experiment), {}, {});
-  each_reading(experiment, predicted, [&](const Shape& shape, const auto& rest, auto run, auto reading) {
+  each_reading(experiment, predicted, [&](const Posture& shape, const auto& rest, auto run, auto reading) {
     for (std::size_t i = 0; i < 3; ++i) {
       CHECK(experiment.joint_stiffness[i] * (shape.q[i] - rest[i]) ==
-            doctest::Approx(shape.moment(i)).epsilon(exact).scale(1));
+            doctest::Approx(shape.moment(i)).epsilon(up_to_rounding).scale(1));
     }
     if (experiment.runs[run].control == Control::end_point) {
-      CHECK(shape.joint.back()[0] == close_to(experiment.runs[run].readings[reading].x).epsilon(exact));
+      CHECK(shape.joint.back()[0] ==
+            close_to(experiment.runs[run].readings[reading].x).epsilon(up_to_rounding));
       CHECK(shape.joint.back()[1] ==
-            doctest::Approx(experiment.runs[run].readings[reading].y).epsilon(exact).scale(1));
+            doctest::Approx(experiment.runs[run].readings[reading].y).epsilon(up_to_rounding).scale(1));
     }
   });
 }
@@ -160,35 +161,35 @@ TEST_CASE("joint effects balance as their definitions say") {
   const auto torque = [](double value) { return doctest::Approx(value).epsilon(1e-8).scale(1); };
 
   each_reading(experiment, predict(Study(experiment), only("joint_stiffness", 2), {0.3}),
-               [&](const Shape& shape, const auto& rest, auto, auto) {
+               [&](const Posture& shape, const auto& rest, auto, auto) {
                  CHECK(k[1] * 1.3 * (shape.q[1] - rest[1]) == torque(shape.moment(1)));
                  CHECK(k[2] * (shape.q[2] - rest[2]) == torque(shape.moment(2)));
                });
   each_reading(experiment, predict(Study(experiment), only("rest_angle", 3), {0.07}),
-               [&](const Shape& shape, const auto& rest, auto, auto) {
+               [&](const Posture& shape, const auto& rest, auto, auto) {
                  CHECK(k[2] * (shape.q[2] - rest[2] - 0.07) == torque(shape.moment(2)));
                });
   each_reading(experiment, predict(Study(experiment), only("nonlinear_spring"), {1.7}),
-               [&](const Shape& shape, const auto& rest, auto, auto) {
+               [&](const Posture& shape, const auto& rest, auto, auto) {
                  for (std::size_t i = 0; i < 3; ++i) {
                    const double d = shape.q[i] - rest[i];
                    CHECK(k[i] * d * (1 + 1.7 * d * d) == torque(shape.moment(i)));
                  }
                });
   each_reading(experiment, predict(Study(experiment), only("backlash", 1), {0.05}),
-               [&](const Shape& shape, const auto& rest, auto, auto) {
+               [&](const Posture& shape, const auto& rest, auto, auto) {
                  const double d = shape.q[0] - rest[0];
                  const double engaged = std::max(0.0, std::abs(d) - 0.05);
                  CHECK(std::copysign(k[0] * engaged, d) == torque(shape.moment(0)));
                });
   each_reading(experiment, predict(Study(experiment), only("joint_stop", 2), {0.1, 4.0}),
-               [&](const Shape& shape, const auto& rest, auto, auto) {
+               [&](const Posture& shape, const auto& rest, auto, auto) {
                  const double d = shape.q[1] - rest[1];
                  const double excess = std::max(0.0, std::abs(d) - 0.1);
                  CHECK(k[1] * d + std::copysign(4.0 * excess, d) == torque(shape.moment(1)));
                });
   each_reading(experiment, predict(Study(experiment), only("joint_coupling"), {0.4}),
-               [&](const Shape& shape, const auto& rest, auto, auto) {
+               [&](const Posture& shape, const auto& rest, auto, auto) {
                  const auto d = [&](std::size_t i) { return shape.q[i] - rest[i]; };
                  CHECK(k[0] * d(0) - 0.4 * d(1) == torque(shape.moment(0)));
                  CHECK(k[1] * d(1) - 0.4 * (d(0) + d(2)) == torque(shape.moment(1)));
@@ -202,7 +203,7 @@ TEST_CASE("weights, an eccentric load and a held tip balance as their definition
   const auto torque = [](double value) { return doctest::Approx(value).epsilon(1e-8).scale(1); };
 
   each_reading(experiment, predict(Study(experiment), only("gravity"), {0.8}),
-               [&](const Shape& shape, const auto& rest, auto, auto) {
+               [&](const Posture& shape, const auto& rest, auto, auto) {
                  for (std::size_t i = 0; i < 3; ++i) {
                    double moment = shape.moment(i);
                    for (std::size_t j = i; j < 3; ++j)
@@ -211,21 +212,21 @@ TEST_CASE("weights, an eccentric load and a held tip balance as their definition
                  }
                });
   each_reading(experiment, predict(Study(experiment), only("tip_payload"), {0.6}),
-               [&](const Shape& shape, const auto& rest, auto, auto) {
+               [&](const Posture& shape, const auto& rest, auto, auto) {
                  for (std::size_t i = 0; i < 3; ++i) {
                    const double moment = shape.moment(i) + shape.moment(i, shape.joint.back(), {0, -0.6});
                    CHECK(k[i] * (shape.q[i] - rest[i]) == torque(moment));
                  }
                });
   each_reading(experiment, predict(Study(experiment), only("eccentric_load"), {0.02}),
-               [&](const Shape& shape, const auto& rest, auto, auto) {
+               [&](const Posture& shape, const auto& rest, auto, auto) {
                  const double theta = shape.orientation(2);
                  const double extra = 0.02 * cross({-std::sin(theta), std::cos(theta)}, shape.force);
                  for (std::size_t i = 0; i < 3; ++i)
                    CHECK(k[i] * (shape.q[i] - rest[i]) == torque(shape.moment(i) + extra));
                });
   each_reading(experiment, predict(Study(experiment), only("tip_stiffness"), {0.5}),
-               [&](const Shape& shape, const auto& rest, auto, auto) {
+               [&](const Posture& shape, const auto& rest, auto, auto) {
                  const double turned = shape.orientation(2) - (rest[0] + rest[1] + rest[2]);
                  for (std::size_t i = 0; i < 3; ++i)
                    CHECK(k[i] * (shape.q[i] - rest[i]) == torque(shape.moment(i) - 0.5 * turned));
@@ -238,7 +239,7 @@ TEST_CASE("compliances move the end point as their definitions say") {
   const auto imposed = [&](std::size_t run) { return experiment.runs[run].control == Control::end_point; };
 
   each_reading(experiment, predict(Study(experiment), only("link_length", 2), {0.02}),
-               [&](const Shape& shape, const auto&, auto run, auto reading) {
+               [&](const Posture& shape, const auto&, auto run, auto reading) {
                  if (!imposed(run)) return;
                  const double extra = 0.02 * experiment.link_length[1];
                  const double theta = shape.orientation(1);
@@ -246,23 +247,23 @@ TEST_CASE("compliances move the end point as their definitions say") {
                        place(experiment.runs[run].readings[reading].x));
                });
   const Prediction base = predict(Study(experiment), only("base_compliance"), {1e-3, 2e-3});
-  each_reading(experiment, base, [&](const Shape& shape, const auto&, auto run, auto reading) {
+  each_reading(experiment, base, [&](const Posture& shape, const auto&, auto run, auto reading) {
     const double x = base.runs[run](static_cast<Eigen::Index>(reading), column_x);
     const double y = base.runs[run](static_cast<Eigen::Index>(reading), column_y);
     CHECK(shape.joint.back()[0] + 1e-3 * shape.force[0] == place(x));
     CHECK(shape.joint.back()[1] + 2e-3 * shape.force[1] == place(y));
   });
   each_reading(experiment, predict(Study(experiment), only("train_compliance"), {1e-3}),
-               [&](const Shape& shape, const auto&, auto run, auto reading) {
+               [&](const Posture& shape, const auto&, auto run, auto reading) {
                  if (!imposed(run)) return;
                  CHECK(shape.joint.back()[0] ==
                        place(experiment.runs[run].readings[reading].x - 1e-3 * shape.force[0]));
                });
   const Prediction axial = predict(Study(experiment), only("axial_compliance"), {2e-3});
-  each_reading(experiment, axial, [&](const Shape& shape, const auto&, auto run, auto reading) {
-    Point end{0, 0};
+  each_reading(experiment, axial, [&](const Posture& shape, const auto&, auto run, auto reading) {
+    InPlane end{0, 0};
     for (std::size_t j = 0; j < 3; ++j) {
-      const Point u{std::cos(shape.orientation(j)), std::sin(shape.orientation(j))};
+      const InPlane u{std::cos(shape.orientation(j)), std::sin(shape.orientation(j))};
       const double tension = u[0] * shape.force[0] + u[1] * shape.force[1];
       for (std::size_t a : {0U, 1U}) end[a] += experiment.link_length[j] * (1 + 2e-3 * tension) * u[a];
     }
@@ -284,9 +285,9 @@ TEST_CASE("a servo that loads shares the load cell's errors, weights do not") {
   load(experiment, {0.2, 0.3, -0.3}, {0, 0}, {-1.0, 0.5}, 10);
   const auto end = [&](const char* id, const std::vector<double>& parameters) {
     const Trace trace = predict(Study(experiment), id ? only(id) : Candidate{}, parameters).runs[0];
-    return Point{trace(10, column_x), trace(10, column_y)};
+    return InPlane{trace(10, column_x), trace(10, column_y)};
   };
-  const Point nominal = end(nullptr, {});
+  const InPlane nominal = end(nullptr, {});
   const std::vector<std::pair<const char*, std::vector<double>>> errors{{"force_gain", {0.1}},
                                                                         {"force_bias", {0.1, 0.1}},
                                                                         {"sensor_drift", {0.02, 0.01}},
@@ -308,7 +309,7 @@ TEST_CASE("rig and load-cell effects act on what is commanded and on what is rea
   const Trace nominal = predict(Study(experiment), {}, {}).runs[0];
   const auto force = [&](const char* id, std::vector<double> parameters, Eigen::Index row) {
     const Trace trace = predict(Study(experiment), only(id), parameters).runs[0];
-    return Point{trace(row, column_Fx), trace(row, column_Fy)};
+    return InPlane{trace(row, column_Fx), trace(row, column_Fy)};
   };
   const Eigen::Index loading = 4, unloading = 14;
   const auto fx = [&](Eigen::Index row) { return nominal(row, column_Fx); };
@@ -331,7 +332,7 @@ TEST_CASE("rig and load-cell effects act on what is commanded and on what is rea
     reading.y = start.y + std::sin(eps) * dx + std::cos(eps) * dy;
   }
   const Trace along = predict(Study(turned), {}, {}).runs[0];
-  const Point read = force("rail_misalignment", {eps}, 6);
+  const InPlane read = force("rail_misalignment", {eps}, 6);
   CHECK(read[0] == close_to(std::cos(eps) * along(6, column_Fx) + std::sin(eps) * along(6, column_Fy)));
   CHECK(read[1] == close_to(-std::sin(eps) * along(6, column_Fx) + std::cos(eps) * along(6, column_Fy)));
 
@@ -340,7 +341,7 @@ TEST_CASE("rig and load-cell effects act on what is commanded and on what is rea
     reading.x += 0.002;
     reading.y -= 0.001;
   }
-  const Point offset = force("position_offset", {0.002, -0.001}, 6);
+  const InPlane offset = force("position_offset", {0.002, -0.001}, 6);
   CHECK(offset[0] == close_to(predict(Study(shifted), {}, {}).runs[0](6, column_Fx)));
 }
 
@@ -355,7 +356,7 @@ TEST_CASE("the guide friction of a run that was brought to its first reading act
 namespace {
 
 /// The bench's run of imposed force alone, from one force to another in 15 s.
-Experiment pushed(const Point& from, const Point& to) {
+Experiment pushed(const InPlane& from, const InPlane& to) {
   Experiment experiment = three_links();
   load(experiment, {0.2, 0.3, -0.3}, from, to, 15);
   return experiment;
@@ -375,9 +376,9 @@ Trace response(const Experiment& experiment, const Candidate& candidate,
 }  // namespace
 
 TEST_CASE("an imposed force is what the load cell reads: the true one is without its bias, drift and gain") {
-  const Point from{-0.2, 0.1}, to{-2.0, 1.0};
+  const InPlane from{-0.2, 0.1}, to{-2.0, 1.0};
   const Experiment experiment = pushed(from, to);
-  const auto close = [](const Trace& a, const Trace& b) { return (a - b).abs().maxCoeff() < exact; };
+  const auto close = [](const Trace& a, const Trace& b) { return (a - b).abs().maxCoeff() < up_to_rounding; };
   CHECK(close(response(experiment, only("force_bias"), {0.3, -0.2}),
               response(pushed({from[0] - 0.3, from[1] + 0.2}, {to[0] - 0.3, to[1] + 0.2}), {}, {})));
   CHECK(close(response(experiment, only("sensor_drift"), {0.02, -0.03}),
@@ -390,10 +391,10 @@ TEST_CASE("under an imposed force the end point is read less its offset, and wit
   const Experiment experiment = pushed({-0.2, 0.1}, {-2.0, 1.0});
   const Trace nominal = predict(Study(experiment), {}, {}).runs[0];
   const Trace offset = predict(Study(experiment), only("position_offset"), {0.01, -0.02}).runs[0];
-  CHECK((offset.col(column_x) - (nominal.col(column_x) - 0.01)).abs().maxCoeff() < exact);
-  CHECK((offset.col(column_y) - (nominal.col(column_y) + 0.02)).abs().maxCoeff() < exact);
+  CHECK((offset.col(column_x) - (nominal.col(column_x) - 0.01)).abs().maxCoeff() < up_to_rounding);
+  CHECK((offset.col(column_y) - (nominal.col(column_y) + 0.02)).abs().maxCoeff() < up_to_rounding);
   const Trace yielding = predict(Study(experiment), only("train_compliance"), {0.003}).runs[0];
   CHECK((yielding.col(column_x) - (nominal.col(column_x) + 0.003 * nominal.col(column_Fx))).abs().maxCoeff() <
-        exact);
-  CHECK((yielding.col(column_y) - nominal.col(column_y)).abs().maxCoeff() < exact);
+        up_to_rounding);
+  CHECK((yielding.col(column_y) - nominal.col(column_y)).abs().maxCoeff() < up_to_rounding);
 }

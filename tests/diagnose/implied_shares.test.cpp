@@ -12,7 +12,7 @@ using namespace plumbline::diagnose::test;
 namespace {
 
 /// Presses from three shapes, without joint angles.
-Experiment presses() {
+Experiment presses_without_angles() {
   Experiment experiment = three_links();
   experiment.noise.q = 0;
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
@@ -24,7 +24,7 @@ Experiment presses() {
 }
 
 std::size_t named_joint(const EffectAt& at, const std::vector<double>& parameters) {
-  const Experiment experiment = measured(presses(), {{at}}, parameters, 7);
+  const Experiment experiment = measured(presses_without_angles(), {{at}}, parameters, 7);
   const Measurements measurements(experiment);
   const std::vector<double> residual = measurements.residual(experiment, predict(Study(experiment), {}, {}));
   return shares_by_torque_law(Study(experiment), residual, NoiseModel()).front().joint;
@@ -43,7 +43,7 @@ TEST_CASE("the best torque law sits at the joint where the torque is missing") {
 TEST_CASE("a stiffer spring implies that torque is missing at its joint and nowhere else") {
   // The statics of the true rig are k_i d_i = [J^T F]_i but for k_2 (1 + a) d_2, so the nominal ones miss
   // a k_2 d_2 at joint 2 and nothing elsewhere.
-  const Experiment experiment = measured(presses(), {{{"joint_stiffness", 2}}}, {0.3}, 8);
+  const Experiment experiment = measured(presses_without_angles(), {{{"joint_stiffness", 2}}}, {0.3}, 8);
   const Fit found = fit(Study(experiment), {{{"joint_stiffness", 2}}}, {});
   const std::vector<JointShare> shares = shares_by_fits(Study(experiment), {found}, {1.0});
   CHECK(shares.front().joint == 2);

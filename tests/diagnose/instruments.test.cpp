@@ -21,10 +21,6 @@ Prediction predicted(const Experiment& experiment, const Candidate& candidate,
   return prediction;
 }
 
-double difference(const Trace& a, const Trace& b) {
-  return (a - b).abs().maxCoeff();
-}
-
 /// Three presses that differ.
 Experiment presses() {
   Experiment experiment = three_links();

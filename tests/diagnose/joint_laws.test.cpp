@@ -13,13 +13,13 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-constexpr double stiffness = 2, length = 0.5;
+constexpr double spring_stiffness = 2, arm_length = 0.5;
 
 /// One joint under a transverse force that takes these values one after the other.
 Experiment one_joint(const std::vector<double>& forces, double interval = 1) {
   Experiment experiment = three_links();
-  experiment.link_length = {length};
-  experiment.joint_stiffness = {stiffness};
+  experiment.link_length = {arm_length};
+  experiment.joint_stiffness = {spring_stiffness};
   experiment.link_mass = {0};
   Run run{"load", Control::force, {0.0}, {}};
   for (const double force : forces)
@@ -38,10 +38,11 @@ std::vector<double> steps_through(const std::vector<double>& corners, int steps)
 }
 
 double moment(const Trace& trace, Eigen::Index row) {
-  return length * std::cos(angle(trace, row, 0)) * trace(row, column_Fy);
+  return arm_length * std::cos(angle(trace, row, 0)) * trace(row, column_Fy);
 }
 
-Trace predicted(const Experiment& experiment, const Candidate& candidate, const std::vector<double>& value) {
+Trace predicted_run(const Experiment& experiment, const Candidate& candidate,
+                    const std::vector<double>& value) {
   const Prediction prediction = predict(Study(experiment), candidate, value);
   REQUIRE(prediction.reached);
   return prediction.runs[0];
@@ -74,18 +75,14 @@ Experiment cycle() {
   return experiment;
 }
 
-double difference(const Trace& a, const Trace& b) {
-  return (a - b).abs().maxCoeff();
-}
-
-constexpr double solved = 1e-8;
+constexpr double solver_accuracy = 1e-8;
 
 }  // namespace
 
 TEST_CASE("each joint slips at its own friction, and all alike are joint_friction") {
   const Experiment experiment = cycle();
   const std::vector<double> tau{0.01, 0.03, 0.005};
-  const Trace trace = predicted(experiment, only("friction_spread"), tau);
+  const Trace trace = predicted_run(experiment, only("friction_spread"), tau);
   std::array<int, 3> slips{};
   for (const Balance& one : balances(experiment, trace)) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -95,45 +92,47 @@ TEST_CASE("each joint slips at its own friction, and all alike are joint_frictio
     }
   }
   for (const int count : slips) CHECK(count > 10);
-  CHECK(difference(predicted(experiment, only("friction_spread"), {0.02, 0.02, 0.02}),
-                   predicted(experiment, only("joint_friction"), {0.02})) == 0);
+  CHECK(difference(predicted_run(experiment, only("friction_spread"), {0.02, 0.02, 0.02}),
+                   predicted_run(experiment, only("joint_friction"), {0.02})) == 0);
 }
 
 TEST_CASE("joints that harden each on its own, that are stiffer to one side, and stops at all of them") {
   const Experiment experiment = cycle();
   const std::vector<double> c{1.5, -0.5, 4};
   const std::vector<double>& k = experiment.joint_stiffness;
-  const auto torque = [](double value) { return doctest::Approx(value).epsilon(solved).scale(1); };
-  for (const Balance& one : balances(experiment, predicted(experiment, only("hardening_spread"), c)))
+  const auto torque = [](double value) { return doctest::Approx(value).epsilon(solver_accuracy).scale(1); };
+  for (const Balance& one : balances(experiment, predicted_run(experiment, only("hardening_spread"), c)))
     for (std::size_t i = 0; i < 3; ++i) {
       const double d = one.deflection[i];
       CHECK(one.moment[i] == torque(k[i] * d * (1 + c[i] * d * d)));
     }
-  for (const Balance& one : balances(experiment, predicted(experiment, only("asymmetric_spring"), {0.2})))
+  for (const Balance& one : balances(experiment, predicted_run(experiment, only("asymmetric_spring"), {0.2})))
     for (std::size_t i = 0; i < 3; ++i) {
       const double d = one.deflection[i];
       CHECK(one.moment[i] == torque(k[i] * d * (d > 0 ? 1.2 : 0.8)));
     }
-  for (const Balance& one : balances(experiment, predicted(experiment, only("joint_stops"), {0.1, 3.0})))
+  for (const Balance& one : balances(experiment, predicted_run(experiment, only("joint_stops"), {0.1, 3.0})))
     for (std::size_t i = 0; i < 3; ++i) {
       const double d = one.deflection[i], excess = std::max(0.0, std::abs(d) - 0.1);
       CHECK(one.moment[i] == torque(k[i] * d + std::copysign(3.0 * excess, d)));
     }
-  CHECK(difference(predicted(experiment, only("hardening_spread"), {2, 2, 2}),
-                   predicted(experiment, only("nonlinear_spring"), {2})) == 0);
+  CHECK(difference(predicted_run(experiment, only("hardening_spread"), {2, 2, 2}),
+                   predicted_run(experiment, only("nonlinear_spring"), {2})) == 0);
 }
 
 TEST_CASE("a Jenkins element: the way back is the way there twice as large, and a closed loop is forgotten") {
   // There, back to a half, there again, and on: Masing's rules.
   const int steps = 50;
-  const Trace trace = predicted(one_joint(steps_through({0, 0.4, 0.2, 0.4, 0.6}, steps)),
-                                only("hysteresis", 1), {0.5, 0.03, 0, 1, 0, 1});
-  const double yield = 0.5 * stiffness * 0.03;
-  const auto virgin = [&](double q) { return stiffness * q + std::min(0.5 * stiffness * q, yield); };
-  const auto branch = [&](double turn) {
-    return stiffness * turn + std::min(0.5 * stiffness * turn, 2 * yield);
+  const Trace trace = predicted_run(one_joint(steps_through({0, 0.4, 0.2, 0.4, 0.6}, steps)),
+                                    only("hysteresis", 1), {0.5, 0.03, 0, 1, 0, 1});
+  const double yield = 0.5 * spring_stiffness * 0.03;
+  const auto virgin = [&](double q) {
+    return spring_stiffness * q + std::min(0.5 * spring_stiffness * q, yield);
   };
-  const auto torque = [](double value) { return doctest::Approx(value).epsilon(solved).scale(1); };
+  const auto branch = [&](double turn) {
+    return spring_stiffness * turn + std::min(0.5 * spring_stiffness * turn, 2 * yield);
+  };
+  const auto torque = [](double value) { return doctest::Approx(value).epsilon(solver_accuracy).scale(1); };
   const Eigen::Index turn = steps, back = 2 * steps, closed = 3 * steps;
   for (Eigen::Index row = 0; row <= turn; ++row)
     CHECK(moment(trace, row) == torque(virgin(angle(trace, row, 0))));
@@ -143,7 +142,7 @@ TEST_CASE("a Jenkins element: the way back is the way there twice as large, and 
   for (Eigen::Index row = back; row <= closed; ++row)
     CHECK(moment(trace, row) - moment(trace, back) ==
           torque(branch(angle(trace, row, 0) - angle(trace, back, 0))));
-  CHECK(angle(trace, closed, 0) == close_to(angle(trace, turn, 0)).epsilon(solved));
+  CHECK(angle(trace, closed, 0) == close_to(angle(trace, turn, 0)).epsilon(solver_accuracy));
   for (Eigen::Index row = closed; row < trace.rows(); ++row)
     CHECK(moment(trace, row) == torque(virgin(angle(trace, row, 0))));
 }
@@ -152,27 +151,28 @@ TEST_CASE("a very stiff element is dry friction, and one that never yields is a 
   const Experiment experiment = cycle();
   // r k is as stiff as a contact that sticks; a joint of mean stiffness 1.5 yields at 0.02 N m.
   const double r = 1e5;
-  CHECK(difference(predicted(experiment, only("hysteresis"), {r, 0.02 / (r * 1.5), 0, 1, 0, 1}),
-                   predicted(experiment, only("joint_friction"), {0.02})) < solved);
-  CHECK(difference(predicted(experiment, only("hysteresis", 2), {0.3, 9, 0, 1, 0, 1}),
-                   predicted(experiment, only("joint_stiffness", 2), {0.3})) < solved);
+  CHECK(difference(predicted_run(experiment, only("hysteresis"), {r, 0.02 / (r * 1.5), 0, 1, 0, 1}),
+                   predicted_run(experiment, only("joint_friction"), {0.02})) < solver_accuracy);
+  CHECK(difference(predicted_run(experiment, only("hysteresis", 2), {0.3, 9, 0, 1, 0, 1}),
+                   predicted_run(experiment, only("joint_stiffness", 2), {0.3})) < solver_accuracy);
 }
 
 TEST_CASE("friction that grows with the deflection") {
-  const Trace trace = predicted(one_joint(steps_through({0, 0.6, 0}, 40)), only("load_friction"), {0.03, 5});
+  const Trace trace =
+      predicted_run(one_joint(steps_through({0, 0.6, 0}, 40)), only("load_friction"), {0.03, 5});
   for (const Eigen::Index row : {20, 40, 75}) {
     const double q = angle(trace, row, 0), way = row > 40 ? -1 : 1;
-    CHECK(moment(trace, row) - stiffness * q == close_to(way * 0.03 * (1 + 5 * q)).epsilon(1e-6));
+    CHECK(moment(trace, row) - spring_stiffness * q == close_to(way * 0.03 * (1 + 5 * q)).epsilon(1e-6));
   }
-  CHECK(difference(predicted(cycle(), only("load_friction"), {0.02, 0}),
-                   predicted(cycle(), only("joint_friction"), {0.02})) == 0);
+  CHECK(difference(predicted_run(cycle(), only("load_friction"), {0.02, 0}),
+                   predicted_run(cycle(), only("joint_friction"), {0.02})) == 0);
 }
 
 TEST_CASE("friction that is larger in one direction") {
   const Trace trace =
-      predicted(one_joint(steps_through({0, 0.6, 0}, 40)), only("direction_friction"), {0.03, 0.4});
+      predicted_run(one_joint(steps_through({0, 0.6, 0}, 40)), only("direction_friction"), {0.03, 0.4});
   for (const Eigen::Index row : {20, 40, 75})
-    CHECK(moment(trace, row) - stiffness * angle(trace, row, 0) ==
+    CHECK(moment(trace, row) - spring_stiffness * angle(trace, row, 0) ==
           close_to(row > 40 ? -0.03 * 0.6 : 0.03 * 1.4).epsilon(1e-6));
 }
 
@@ -182,27 +182,27 @@ TEST_CASE("friction that changes with the speed: that of the step before, as fas
   // After a steady drive the last steps take seven times as long.
   for (std::size_t r = 38; r < readings.size(); ++r) readings[r].t += 6.0 * static_cast<double>(r - 37);
   const double speed = 0.01;
-  const Trace trace = predicted(experiment, only("speed_friction"), {0.03, -0.5, std::log(speed)});
+  const Trace trace = predicted_run(experiment, only("speed_friction"), {0.03, -0.5, std::log(speed)});
   for (const std::size_t r : {20U, 37U, 38U, 40U}) {
     const auto row = static_cast<Eigen::Index>(r);
     // The force grows by the same in every step.
     const double v =
         (angle(trace, row - 1, 0) - angle(trace, row - 2, 0)) / (readings[r].t - readings[r - 1].t);
-    CHECK(moment(trace, row) - stiffness * angle(trace, row, 0) ==
+    CHECK(moment(trace, row) - spring_stiffness * angle(trace, row, 0) ==
           close_to(0.03 * (1 - 0.5 * std::exp(-v / speed))).epsilon(1e-6));
   }
 }
 
 TEST_CASE("a torque beyond the yield leaves the rest angle moved by slope times the excess over k") {
   const Trace trace =
-      predicted(one_joint(steps_through({0, 0.6, 0, 0.3}, 30)), only("plastic_set"), {0.15, 0.25});
-  const double largest = moment(trace, 30), set = 0.25 * (largest - 0.15) / stiffness;
+      predicted_run(one_joint(steps_through({0, 0.6, 0, 0.3}, 30)), only("plastic_set"), {0.15, 0.25});
+  const double largest = moment(trace, 30), set = 0.25 * (largest - 0.15) / spring_stiffness;
   CHECK(largest > 0.25);
-  CHECK(angle(trace, 10, 0) == close_to(moment(trace, 10) / stiffness));
-  CHECK(angle(trace, 30, 0) == close_to(largest / stiffness + set));
+  CHECK(angle(trace, 10, 0) == close_to(moment(trace, 10) / spring_stiffness));
+  CHECK(angle(trace, 30, 0) == close_to(largest / spring_stiffness + set));
   CHECK(angle(trace, 60, 0) == close_to(set));
   // Below what it has carried it is a spring about its new rest.
-  CHECK(angle(trace, 90, 0) - set == close_to(moment(trace, 90) / stiffness));
+  CHECK(angle(trace, 90, 0) - set == close_to(moment(trace, 90) / spring_stiffness));
 }
 
 TEST_CASE("a held chain relaxes in two times, and two arms of one time are one arm") {
@@ -214,8 +214,8 @@ TEST_CASE("a held chain relaxes in two times, and two arms of one time are one a
     run.readings.back().t = 1e-6 + 5.0 * i;
   }
   const Trace trace =
-      predicted(experiment, only("relaxation_spectrum"), {0.4, std::log(10.0), 0.2, std::log(60.0)});
-  const double nominal = predicted(experiment, {}, {})(1, column_Fx);
+      predicted_run(experiment, only("relaxation_spectrum"), {0.4, std::log(10.0), 0.2, std::log(60.0)});
+  const double nominal = predicted_run(experiment, {}, {})(1, column_Fx);
   for (Eigen::Index row = 1; row < trace.rows(); ++row) {
     const double held = 5.0 * static_cast<double>(row - 1);
     CHECK(trace(row, column_Fx) ==
@@ -229,5 +229,6 @@ TEST_CASE("a tendon's loss is what exp(-mu) takes from each rest angle beyond th
   Experiment lost = commanded;
   for (std::size_t i = 0; i < 3; ++i)
     lost.runs[0].rest[i] = rest[i] * std::exp(-0.05 * static_cast<double>(i));
-  CHECK(difference(predicted(commanded, only("tendon_friction"), {0.05}), predicted(lost, {}, {})) < solved);
+  CHECK(difference(predicted_run(commanded, only("tendon_friction"), {0.05}), predicted_run(lost, {}, {})) <
+        solver_accuracy);
 }

@@ -15,7 +15,7 @@ using namespace plumbline::diagnose;
 namespace {
 
 /// A press: the force rises, yields and rises again.
-double press(double along) {
+double press_force(double along) {
   return 80 * std::sin(2.2 * along) + 30 * along * along;
 }
 
@@ -25,7 +25,7 @@ std::vector<double> readings(std::size_t count, double share, double correlation
   std::vector<double> values;
   double state = normal(random);
   for (std::size_t i = 0; i < count; ++i) {
-    const double force = press(static_cast<double>(i) / static_cast<double>(count));
+    const double force = press_force(static_cast<double>(i) / static_cast<double>(count));
     values.push_back(force + std::hypot(1.0, share * force) * state);
     state = correlation * state + std::sqrt(1 - correlation * correlation) * normal(random);
   }
@@ -101,7 +101,7 @@ TEST_CASE("readings that scatter in proportion weigh less, and are no gap") {
       for (std::size_t i = 0; i < series.sigmas.size(); ++i) {
         const double value = series.channel.of(experiment.runs[series.run].readings[i]);
         CHECK(series.sigmas[i] == std::hypot(1.0, series.proportion * value));
-        residual.push_back((value - press(static_cast<double>(i) / 70)) / series.sigmas[i]);
+        residual.push_back((value - press_force(static_cast<double>(i) / 70)) / series.sigmas[i]);
       }
     }
     alarms += test_gap(measurements, residual).p_value < 0.01 ? 1 : 0;

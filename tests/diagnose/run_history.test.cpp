@@ -41,7 +41,7 @@ Experiment one_link() {
 
 /// A press and back in steps so fine that the trapezoidal rule, which errs by the square of the step, is
 /// right to four digits.
-Experiment cycle() {
+Experiment fine_cycle() {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0.01}, 400, true, 0.1);
   return experiment;
@@ -50,7 +50,7 @@ Experiment cycle() {
 }  // namespace
 
 TEST_CASE("without friction the work of the environment is stored") {
-  const Experiment experiment = cycle();
+  const Experiment experiment = fine_cycle();
   const Trace trace = predict(Study(experiment), {}, {}).runs[0];
   const double stored = elastic_energy(experiment, trace, 400);
   CHECK(work(trace, 0, 400) == close_to(stored).epsilon(1e-4));
@@ -58,7 +58,7 @@ TEST_CASE("without friction the work of the environment is stored") {
 }
 
 TEST_CASE("dry friction dissipates tau_c times the way of every joint, and no joint carries more") {
-  const Experiment experiment = cycle();
+  const Experiment experiment = fine_cycle();
   const double tau_c = 0.03;
   const Trace trace = predict(Study(experiment), only("joint_friction"), {tau_c}).runs[0];
   double way = 0, stuck = 0;

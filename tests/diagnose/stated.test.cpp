@@ -41,7 +41,7 @@ Rows rows_of(const std::string& text) {
   return std::make_shared<const std::vector<Effect>>(std::move(rows));
 }
 
-Experiment presses() {
+Experiment two_presses() {
   Experiment experiment = three_links();
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
   press(experiment, {-0.4, 0.3, 0.5}, {-0.05, 0.03}, 15, false, 2.5);
@@ -80,7 +80,7 @@ std::vector<Restated> restated() {
 TEST_CASE("what the catalogue says too is fitted as the catalogue's row is") {
   for (const Restated& one : restated()) {
     CAPTURE(one.id);
-    const Experiment experiment = measured(presses(), only(one.id), one.truth, 5);
+    const Experiment experiment = measured(two_presses(), only(one.id), one.truth, 5);
     const Rows rows = rows_of(one.text);
     const Study study(experiment, rows);
     // From one start: where a search stops depends on where it comes from by more than a millionth.
@@ -104,7 +104,7 @@ TEST_CASE("a screen forecasts what is stated as it forecasts the catalogue's row
     if (std::string(one.id) == "joint_friction") continue;  // its large steps are of other lengths
     CAPTURE(one.id);
     const Rows rows = rows_of(one.text);
-    const Study study(measured(presses(), only(one.id), one.truth, 5), rows);
+    const Study study(measured(two_presses(), only(one.id), one.truth, 5), rows);
     double cost[2] = {0, 0};
     for (const Prospect& prospect : screen(study, fit_nominal(study, {}), {})) {
       if (prospect.effect == EffectAt(one.id)) cost[0] = prospect.cost;
@@ -161,7 +161,7 @@ TEST_CASE("corrections know run, time and the joint's own angle, and leave what 
   const Rows rows = rows_of(
       effect_text("odd", "[effect.reading]\nq2 = \"a * q\"\nq = \"b * run\"\nFx = \"b * t\"\nx = \"a\"\n",
                   parameter("a", 0.02, -1, 1) + parameter("b", 0.1, -1, 1)));
-  Experiment experiment = presses();
+  Experiment experiment = two_presses();
   const Study study(experiment, rows);
   const Prediction corrected = predict(study, {{EffectAt(rows->front())}}, {0.5, 0.25});
   for (std::size_t r : {0U, 1U}) {

@@ -12,7 +12,7 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-constexpr double stiffness = 50, lever = 0.2, force_noise = 0.1;
+constexpr double hinge_stiffness = 50, lever = 0.2, force_noise = 0.1;
 
 /// A hinge on a rig that leads a rod, which pushes along x, by its end: its angle is known from the end point
 /// and its torque from the force alone, T = -lever sin(q) Fx. \param torque  at the hinge by deflection,
@@ -22,7 +22,7 @@ Experiment hinge(const std::vector<std::vector<double>>& deflections,
   Experiment experiment;
   experiment.name = "hinge";
   experiment.link_length = {lever, lever};
-  experiment.joint_stiffness = {stiffness, 0};
+  experiment.joint_stiffness = {hinge_stiffness, 0};
   experiment.link_mass = {0, 0};
   experiment.gravity = {0, 0};
   experiment.bench = {Bench::Plane::horizontal, {0, 0}, false};
@@ -69,7 +69,7 @@ std::optional<OfferedLaw> offered_for(const Experiment& experiment) {
 }  // namespace
 
 TEST_CASE("a hardening law is recovered, and said") {
-  const auto truth = [](double d) { return stiffness * d * (1 + 4 * d * d); };
+  const auto truth = [](double d) { return hinge_stiffness * d * (1 + 4 * d * d); };
   const Experiment experiment = hinge(
       {cycle(0.4, -0.4), cycle(-0.4, 0.4)}, [&] { return truth; }, 1);
   const std::optional<OfferedLaw> offered = offered_for(experiment);
@@ -79,7 +79,7 @@ TEST_CASE("a hardening law is recovered, and said") {
   // Straight between knots h apart, the law is off by h^2/12 T'' at the knots and less between; T'' is at
   // most 24 k 0.4 and h 0.05 where the choice is fine enough to reach the noise. Five standard deviations of
   // one reading beside, at the ends, where few readings bear a knot.
-  const double tolerance = 0.05 * 0.05 / 12 * 24 * stiffness * 0.4 + 5 * force_noise * lever;
+  const double tolerance = 0.05 * 0.05 / 12 * 24 * hinge_stiffness * 0.4 + 5 * force_noise * lever;
   for (const FreeLaw::Knot& knot : offered->pictures.front().knots)
     if (std::abs(knot.deflection) <= 0.4) CHECK(std::abs(knot.torque - truth(knot.deflection)) < tolerance);
   CHECK(offered->pictures.front().words.find("hardening") != std::string::npos);
@@ -92,7 +92,7 @@ TEST_CASE("the loop of a spring with a slider is recovered") {
     return [=, carried = 0.0, last = 0.0](double d) mutable {
       carried = std::clamp(carried + slip / turn * (d - last), -slip, slip);
       last = d;
-      return stiffness * d + carried;
+      return hinge_stiffness * d + carried;
     };
   };
   const Experiment experiment = hinge({cycle(0.4, -0.3), cycle(-0.4, 0.2), cycle(0.3, 0.1)}, truth, 2);
@@ -108,7 +108,9 @@ TEST_CASE("the loop of a spring with a slider is recovered") {
 }
 
 TEST_CASE("a joint that has slack is said to have it") {
-  const auto truth = [](double d) { return stiffness * std::copysign(std::max(0.0, std::abs(d) - 0.1), d); };
+  const auto truth = [](double d) {
+    return hinge_stiffness * std::copysign(std::max(0.0, std::abs(d) - 0.1), d);
+  };
   const std::optional<OfferedLaw> offered = offered_for(hinge(
       {cycle(0.4, -0.4), cycle(-0.4, 0.4)}, [&] { return truth; }, 3));
   REQUIRE(offered);
@@ -118,7 +120,7 @@ TEST_CASE("a joint that has slack is said to have it") {
 TEST_CASE("nothing is offered for noise") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const Experiment experiment = hinge(
-        {cycle(0.4, -0.4)}, [] { return [](double d) { return stiffness * d; }; }, seed);
+        {cycle(0.4, -0.4)}, [] { return [](double d) { return hinge_stiffness * d; }; }, seed);
     CHECK_FALSE(offered_for(experiment));
   }
 }
@@ -128,7 +130,7 @@ TEST_CASE("where nothing predicts what was held out, nothing is offered") {
   const std::vector<double> wavers{9, -9, 8, -8, 9, -7, 8, -9};
   const auto torque = [&] {
     return [&, at = std::size_t{0}](double d) mutable {
-      return stiffness * d + 10 * force_noise * lever * wavers[at++];
+      return hinge_stiffness * d + 10 * force_noise * lever * wavers[at++];
     };
   };
   const Experiment experiment = hinge({{0, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35}}, torque, 1);
@@ -140,7 +142,7 @@ TEST_CASE("where nothing predicts what was held out, nothing is offered") {
 }
 
 TEST_CASE("beyond what was exercised a law is not tested") {
-  const auto truth = [](double d) { return stiffness * d * (1 + 4 * d * d); };
+  const auto truth = [](double d) { return hinge_stiffness * d * (1 + 4 * d * d); };
   const Experiment experiment = hinge(
       {cycle(0.2, 0), cycle(-0.4, 0)}, [&] { return truth; }, 5);
   HeldOut heldout = choose_blocks(experiment);

@@ -82,14 +82,6 @@ inline Prediction in_mujoco(const std::string& text, const Experiment& experimen
   return all;
 }
 
-/// Root mean square of what two predictions differ by, in standard deviations of the noise.
-inline double apart(const Study& study, const Prediction& a, const Prediction& b) {
-  std::vector<double> one = study.residual(a);
-  const std::vector<double> other = study.residual(b);
-  for (std::size_t i = 0; i < one.size(); ++i) one[i] -= other[i];
-  return rms(one);
-}
-
 /// The lab's bench, as an effect needs it.
 inline Experiment bench_in(const Lab& lab, const EffectAt& at) {
   Experiment experiment = lab.experiment;

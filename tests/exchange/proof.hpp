@@ -56,6 +56,14 @@ inline double rms(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
+/// Root mean square of what two predictions differ by, in standard deviations of the noise.
+inline double apart(const Study& study, const Prediction& a, const Prediction& b) {
+  std::vector<double> one = study.residual(a);
+  const std::vector<double> other = study.residual(b);
+  for (std::size_t i = 0; i < one.size(); ++i) one[i] -= other[i];
+  return rms(one);
+}
+
 /// As much of the effect as nobody would miss.
 inline std::vector<double> amount_of(const Study& study, const EffectAt& at) {
   std::vector<double> amount = sizeable(study, at);

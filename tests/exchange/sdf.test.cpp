@@ -14,7 +14,7 @@
 namespace plumbline::exchange {
 namespace {
 
-using diagnose::EffectAt, diagnose::Experiment, diagnose::Prediction, diagnose::Study;
+using diagnose::EffectAt, diagnose::Experiment, diagnose::Prediction, diagnose::Study, test::apart;
 
 /// A robot of somebody's that stands upright in another corner, links along z as it is drawn, a joint that
 /// turns the other way, a mesh, a camera, a plugin; at rest it has the angles 0.3, -0.5, 0.4.
@@ -117,13 +117,6 @@ Prediction in_mujoco(const Folder& folder, const char* name, const std::string& 
   return all;
 }
 
-double apart(const Study& study, const Prediction& a, const Prediction& b) {
-  std::vector<double> one = study.residual(a);
-  const std::vector<double> other = study.residual(b);
-  for (std::size_t i = 0; i < one.size(); ++i) one[i] -= other[i];
-  return test::rms(one);
-}
-
 /// The effects that a format carries, at joint 2 where they sit at one.
 std::vector<EffectAt> carried(const Study& study, Format format) {
   std::vector<EffectAt> all;
@@ -133,9 +126,9 @@ std::vector<EffectAt> carried(const Study& study, Format format) {
 }
 
 /// A bench on which the robot rests as it is drawn, with its nominal chain.
-Experiment lab(const std::filesystem::path& robot) {
+Experiment lab(const std::filesystem::path& model) {
   Experiment experiment = diagnose::test::full_bench();
-  static_cast<diagnose::NominalChain&>(experiment) = read_model(robot).chain;
+  static_cast<diagnose::NominalChain&>(experiment) = read_model(model).chain;
   experiment.runs.clear();
   diagnose::test::press(experiment, rest, {-0.06, 0}, 12, true);
   diagnose::test::press(experiment, rest, {-0.05, 0.03}, 10, false, 2.5);

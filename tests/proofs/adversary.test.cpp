@@ -10,6 +10,7 @@
 #include <random>
 #include <set>
 
+#include "proofs/as_double.hpp"
 #include "proofs/critical_modes.hpp"
 #include "proofs/decimal.hpp"
 #include "proofs/equilibria_certificate.hpp"
@@ -25,10 +26,6 @@ namespace {
 std::size_t asked(const char* variable, std::size_t otherwise) {
   const char* const text = std::getenv(variable);
   return text != nullptr ? std::stoul(text) : otherwise;
-}
-
-double middle(const Interval& x) {
-  return static_cast<double>(x.middle());
 }
 
 /// A chain under a load.
@@ -158,7 +155,7 @@ using Signature = std::vector<std::pair<double, std::optional<std::size_t>>>;
 Signature signature(const Census& census, int stiffness = 0) {
   Signature list;
   for (const auto& one : census.equilibria)
-    list.emplace_back(middle(one.energy * Interval(shifted(Rational(1), -stiffness))),
+    list.emplace_back(as_double(one.energy * Interval(shifted(Rational(1), -stiffness))),
                       one.negative_directions);
   std::sort(list.begin(), list.end());
   return list;
@@ -182,7 +179,7 @@ bool accounted(const Census& census, const Case& one, const std::vector<double>&
   const auto near = [&](const auto& angles, double slack) {
     for (std::size_t i = 0; i < q.size(); ++i) {
       const bool turns = one.stiffness[i] == 0;
-      double off = q[i] - middle(angles[i]);
+      double off = q[i] - as_double(angles[i]);
       if (turns) off = std::remainder(off, 2 * M_PI);
       if (std::abs(off) > slack + static_cast<double>(angles[i].width())) return false;
     }

@@ -9,6 +9,7 @@
 #include <plumbline/loaded/nominal_model.hpp>
 #include <random>
 
+#include "proofs/as_double.hpp"
 #include "proofs/equilibrium_box.hpp"
 
 using namespace plumbline;
@@ -43,12 +44,8 @@ std::vector<Interval> enclosed(const std::vector<Rational>& values) {
   return {values.begin(), values.end()};
 }
 
-double middle(const Interval& x) {
-  return static_cast<double>(x.middle());
-}
-
 Chain<double> rounded(const Chain<Interval>& chain) {
-  return convert<double>(chain, middle);
+  return convert<double>(chain, as_double);
 }
 
 /// Whether an equilibrium that floating point found is among the certified ones, up to full turns.
@@ -57,7 +54,7 @@ bool listed(const Census& census, const Equilibrium<double>& found) {
       census.equilibria.begin(), census.equilibria.end(), [&](const CertifiedEquilibrium& one) {
         double theta = 0;
         for (std::size_t j = 0; j < one.q.size(); ++j) {
-          theta += middle(one.q[j]);
+          theta += as_double(one.q[j]);
           if (std::abs(std::remainder(theta - found.theta(static_cast<Eigen::Index>(j)), 2 * M_PI)) > 1e-6)
             return false;
         }
@@ -112,22 +109,22 @@ std::pair<Chain<Interval>, Point<Interval>> locked(const Chain<Interval>& chain,
 
 /// Whether the moments at the locked joints lie within ± k pi: the equilibrium of the shorter chain is
 /// critical for the energy of the whole one.
-bool critical(const Chain<Interval>& chain, std::size_t set, const Chain<Interval>& shorter,
-              const Point<Interval>& place, const CertifiedEquilibrium& one) {
-  double theta = 0, x = middle(place.x), y = middle(place.y);
+bool critical_for_the_whole(const Chain<Interval>& chain, std::size_t set, const Chain<Interval>& shorter,
+                            const Point<Interval>& place, const CertifiedEquilibrium& one) {
+  double theta = 0, x = as_double(place.x), y = as_double(place.y);
   bool within = true;
   for (std::size_t i = 0, free = 0; i < chain.size(); ++i) {
-    theta += middle(chain.rest()[i]);
+    theta += as_double(chain.rest()[i]);
     if (has(set, i)) {
       theta += M_PI;
-      const double moment = x * middle(one.fy) - y * middle(one.fx);
-      within = within && std::abs(moment) < middle(chain.stiffness()[i]) * M_PI;
+      const double moment = x * as_double(one.fy) - y * as_double(one.fx);
+      within = within && std::abs(moment) < as_double(chain.stiffness()[i]) * M_PI;
     } else {
-      theta += middle(one.q[free]) - middle(shorter.rest()[free]);
+      theta += as_double(one.q[free]) - as_double(shorter.rest()[free]);
       ++free;
     }
-    x -= middle(chain.length()[i]) * std::cos(theta);
-    y -= middle(chain.length()[i]) * std::sin(theta);
+    x -= as_double(chain.length()[i]) * std::cos(theta);
+    y -= as_double(chain.length()[i]) * std::sin(theta);
   }
   CHECK(std::abs(x) + std::abs(y) < 1e-9);  // the whole chain closes
   return within;
@@ -151,7 +148,7 @@ int sum_over_faces(const Chain<Interval>& chain, const Point<Interval>& place) {
     }
     REQUIRE(census.complete());
     for (const auto& one : census.equilibria) {
-      if (critical(chain, set, shorter, place, one))
+      if (critical_for_the_whole(chain, set, shorter, place, one))
         sum += (one.negative_directions.value() + locks) % 2 == 0 ? 1 : -1;
     }
   }
@@ -164,7 +161,7 @@ std::size_t newton_finds(const Census& census, const Chain<Interval>& chain, Con
                          const Point<Interval>& load, std::size_t starts, std::mt19937& random) {
   const NominalModel<double> model(rounded(chain));
   EquilibriumSolver<NominalModel<double>> solver(model);
-  const Point<double> at{middle(load.x), middle(load.y)};
+  const Point<double> at{as_double(load.x), as_double(load.y)};
   std::uniform_real_distribution<double> turn(-M_PI, M_PI);
   std::vector<Equilibrium<double>> found;
   for (std::size_t start = 0; start < starts; ++start) {
@@ -227,8 +224,8 @@ TEST_CASE(
     REQUIRE(loaded.complete());
     CHECK(morse_count(loaded) == 1);
     if (n <= 4) {
-      std::vector<double> sides{std::hypot(middle(place.x), middle(place.y))};
-      for (const auto& L : chain.length()) sides.push_back(middle(L));
+      std::vector<double> sides{std::hypot(as_double(place.x), as_double(place.y))};
+      for (const auto& L : chain.length()) sides.push_back(as_double(L));
       CHECK(sum_over_faces(chain, place) == euler_characteristic_of_polygons(sides));
       ++faces;
     }
@@ -332,8 +329,8 @@ TEST_CASE("with the end point held the count with signs is the Euler characteris
       const auto rest = random_decimals(random, n, -900, 900);
       const Chain<Interval> chain(enclosed(length), enclosed(stiffness), enclosed(rest));
       const Point<Interval> place{Interval(Rational(1013 + 97 * trial, 1000)), Interval(Rational(307, 1000))};
-      std::vector<double> sides{std::hypot(middle(place.x), middle(place.y))};
-      for (const auto& L : chain.length()) sides.push_back(middle(L));
+      std::vector<double> sides{std::hypot(as_double(place.x), as_double(place.y))};
+      for (const auto& L : chain.length()) sides.push_back(as_double(L));
       CAPTURE(n);
       CAPTURE(trial);
       CHECK(sum_over_faces(chain, place) == euler_characteristic_of_polygons(sides));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "proofs/as_double.hpp"
 #include "proofs/census.hpp"
 #include "proofs/certain_digits.hpp"
 #include "proofs/decimal.hpp"
@@ -44,13 +45,9 @@ std::size_t stable(const Census& census) {
                     [](const auto& one) { return one.negative_directions == std::size_t{0}; }));
 }
 
-double middle(const Interval& x) {
-  return static_cast<double>(x.middle());
-}
-
 bool near(const CertifiedEquilibrium& one, const std::vector<double>& q) {
   for (std::size_t i = 0; i < q.size(); ++i) {
-    if (std::abs(middle(one.q[i]) - q[i]) > 1e-5) return false;
+    if (std::abs(as_double(one.q[i]) - q[i]) > 1e-5) return false;
   }
   return true;
 }
@@ -87,10 +84,10 @@ TEST_CASE("a wider window keeps what a narrower one has") {
   CHECK(wide.balanced);  // 9 copies of a circle
   std::size_t inside = 0;
   for (const auto& one : wide.equilibria)
-    inside += std::abs(middle(one.q[1])) < M_PI && std::abs(middle(one.q[2])) < M_PI ? 1 : 0;
+    inside += std::abs(as_double(one.q[1])) < M_PI && std::abs(as_double(one.q[2])) < M_PI ? 1 : 0;
   CHECK(inside == narrow.equilibria.size());
   for (const auto& one : narrow.equilibria)
-    CHECK(lists(wide, {middle(one.q[0]), middle(one.q[1]), middle(one.q[2])}));
+    CHECK(lists(wide, {as_double(one.q[0]), as_double(one.q[1]), as_double(one.q[2])}));
 }
 
 TEST_CASE("what is stable under a force is found at its own end point, in a window that it lies in") {
@@ -100,7 +97,7 @@ TEST_CASE("what is stable under a force is found at its own end point, in a wind
   std::size_t wound = 0;
   for (const auto& one : forced.equilibria) {
     if (one.negative_directions != std::size_t{0}) continue;
-    const std::vector<double> q{middle(one.q[0]), middle(one.q[1])};
+    const std::vector<double> q{as_double(one.q[0]), as_double(one.q[1])};
     const double turned = std::max(std::abs(q[0]), std::abs(q[1]));
     if (turned > 3 * M_PI) continue;  // wound up by more than one turn beyond the window
     const bool beyond = turned > M_PI;
@@ -158,7 +155,7 @@ TEST_CASE("a shape on the cut of a passive joint's circle is counted once") {
                                     "0.797862331003372323806352902764462810802298607474109892888622"));
   CHECK(census.complete());
   CHECK(census.equilibria.size() == 2);
-  for (const auto& one : census.equilibria) CHECK(std::abs(middle(one.q[0])) <= M_PI);
+  for (const auto& one : census.equilibria) CHECK(std::abs(as_double(one.q[0])) <= M_PI);
 }
 
 TEST_CASE("both shapes of two links are counted wherever the passive base has to point") {
@@ -237,7 +234,7 @@ TEST_CASE("digits are shown as far as the enclosure goes") {
     for (const Interval& q : one.q) {
       const bool zero = certain_digits(q, 50) == "0";
       zeros += zero ? 1 : 0;
-      CHECK((zero || std::abs(middle(q)) > 1e-3));
+      CHECK((zero || std::abs(as_double(q)) > 1e-3));
     }
   }
   CHECK(zeros > 0);

@@ -15,7 +15,8 @@ using namespace plumbline::proofs::test;
 
 namespace {
 
-constexpr double critical = 0.040735331464751;  // of the symmetric zigzag; see tests/core/trace.test.cpp
+constexpr double critical_deflection =
+    0.040735331464751;  // of the symmetric zigzag; see tests/core/trace.test.cpp
 
 }  // namespace
 
@@ -149,19 +150,19 @@ TEST_CASE("a bifurcation is left out, and said to be; without its event it is re
   REQUIRE(proved.certified());
   CHECK_FALSE(proved.regular());
   REQUIRE(proved.gaps.size() == 1);
-  CHECK(proved.gaps[0].loads.contains(critical));
+  CHECK(proved.gaps[0].loads.contains(critical_deflection));
   CHECK(proved.gaps[0].loads.width() < 1e-4);
   REQUIRE(proved.runs.size() == 2);
   CHECK(proved.runs[0].negative_directions == 0);
   CHECK(proved.runs[1].negative_directions == 1);
 
   std::erase_if(branch.points,
-                [](const BranchPoint<double>& p) { return std::abs(p.load - critical) < 1e-9; });
+                [](const BranchPoint<double>& p) { return std::abs(p.load - critical_deflection) < 1e-9; });
   branch.events.clear();
   const PathCertificate refused = exact.certificate(branch);
   REQUIRE(refused.failed_at);
-  CHECK(refused.failed_at->low < critical + 1e-6);
-  CHECK(refused.failed_at->high > critical - 1e-6);
+  CHECK(refused.failed_at->low < critical_deflection + 1e-6);
+  CHECK(refused.failed_at->high > critical_deflection - 1e-6);
 }
 
 TEST_CASE("points of two branches are not one") {
@@ -171,19 +172,19 @@ TEST_CASE("points of two branches are not one") {
   const Branch<double> stable = near.follow(1), symmetric = exact.follow(1);
   Branch<double> joined{{}, {}, BranchEnd::load};
   for (const auto& point : stable.points) {
-    if (point.load < critical - 1e-4) joined.points.push_back(point);
+    if (point.load < critical_deflection - 1e-4) joined.points.push_back(point);
   }
   REQUIRE(joined.points.size() > 3);
   CHECK(near.certificate(joined).regular());
   for (const auto& point : symmetric.points) {
-    if (point.load > critical + 1e-3)
+    if (point.load > critical_deflection + 1e-3)
       joined.points.push_back(near.brancher.start(point.load, point.theta, point.force));
   }
   REQUIRE(joined.points.back().negative_directions == 1);
   const PathCertificate refused = near.certificate(joined);
   REQUIRE(refused.failed_at);
-  CHECK(refused.failed_at->low > critical - 1e-3);
-  CHECK(refused.failed_at->high < critical + 2e-3);
+  CHECK(refused.failed_at->low > critical_deflection - 1e-3);
+  CHECK(refused.failed_at->high < critical_deflection + 2e-3);
 
   // the mirrored shape at the same load, at one point of the stable branch
   Branch<double> jumping = stable;
@@ -333,7 +334,7 @@ TEST_CASE("where a certified path ends the census has the same equilibrium, of t
     for (const auto& one : census.equilibria) {
       double theta = 0, off = 0;
       for (std::size_t j = 0; j < n; ++j) {
-        theta += middle(one.q[j]);
+        theta += as_double(one.q[j]);
         off = std::max(off,
                        std::abs(std::remainder(theta - last.theta(static_cast<Eigen::Index>(j)), 2 * M_PI)));
       }

@@ -8,15 +8,13 @@
 #include <plumbline/loaded/nominal_model.hpp>
 #include <random>
 
+#include "proofs/as_double.hpp"
 #include "proofs/certified_path.hpp"
 
 namespace plumbline::proofs::test {
 
 using Nominal = NominalModel<double>;
 
-inline double middle(const Interval& x) {
-  return static_cast<double>(x.middle());
-}
 inline Interval decimal(int digits, int unit) {
   return Interval(Rational(digits, unit));
 }
@@ -40,12 +38,12 @@ struct Loaded {
   Loaded(Chain<Interval> chain_, Loading<Interval> loading_, const std::vector<double>& q)
       : chain(std::move(chain_)),
         loading(std::move(loading_)),
-        model(convert<double>(chain, middle)),
+        model(convert<double>(chain, as_double)),
         shape(absolute_angles(q)),
         brancher(model,
                  {loading.control,
-                  {middle(loading.start.x), middle(loading.start.y)},
-                  {middle(loading.direction.x), middle(loading.direction.y)}},
+                  {as_double(loading.start.x), as_double(loading.start.y)},
+                  {as_double(loading.direction.x), as_double(loading.direction.y)}},
                  shape) {}
   Loaded(const Loaded&) = delete;
   Loaded& operator=(const Loaded&) = delete;
@@ -60,7 +58,7 @@ struct Loaded {
 
 inline std::vector<double> rest_of(const Chain<Interval>& chain) {
   std::vector<double> q;
-  for (const Interval& angle : chain.rest()) q.push_back(middle(angle));
+  for (const Interval& angle : chain.rest()) q.push_back(as_double(angle));
   return q;
 }
 
@@ -85,7 +83,7 @@ inline Loaded zigzag(double off) {
   const Chain<Interval> chain({1, 1, 1}, {0, 1, 1}, {0, first, -angle});
   const Point<Interval> p = end_point(chain, chain.rest());
   std::vector<double> q = rest_of(chain);
-  q[0] = -std::atan2(middle(p.y), middle(p.x));
+  q[0] = -std::atan2(as_double(p.y), as_double(p.x));
   return {
       chain, {Control::end_point, {sqrt(sqr(p.x) + sqr(p.y)), Interval(0)}, {Interval(-1), Interval(0)}}, q};
 }

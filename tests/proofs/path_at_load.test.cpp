@@ -6,6 +6,7 @@
 #include <plumbline/branch/slow_loading.hpp>
 #include <plumbline/loaded/nominal_model.hpp>
 
+#include "proofs/as_double.hpp"
 #include "proofs/certified_path.hpp"
 
 #include "tests/close_to.hpp"
@@ -17,10 +18,6 @@ namespace {
 
 using Nominal = NominalModel<double>;
 
-double middle(const Interval& x) {
-  return static_cast<double>(x.middle());
-}
-
 /// Four links that snap: the deflection turns near 1.1424 and again.
 const std::vector<Rational> snapping_rest{Rational(6, 10), Rational(-12, 10), Rational(6, 10), 0};
 
@@ -31,10 +28,10 @@ TEST_CASE("across a fold the stiffness is not finite, and so does not fall all a
       from_rational<Interval>(Chain<Rational>({1, 1, 1, 1}, {5, 5, 5, 6}, snapping_rest));
   const Loading<Interval> loading{
       Control::end_point, end_point(chain, chain.rest()), {Interval(-1), Interval(0)}};
-  const Nominal model(convert<double>(chain, middle));
+  const Nominal model(convert<double>(chain, as_double));
   const Vector<double> shape = absolute_angles(model.chain().rest());
   Brancher<Nominal> brancher(
-      model, {Control::end_point, {middle(loading.start.x), middle(loading.start.y)}, {-1, 0}}, shape);
+      model, {Control::end_point, {as_double(loading.start.x), as_double(loading.start.y)}, {-1, 0}}, shape);
   const Branch<double> branch = Tracer<Nominal>(brancher, {0, 1.3}).run(brancher.start(0, shape));
   const auto fold = std::find_if(branch.events.begin(), branch.events.end(),
                                  [](const auto& event) { return event.kind == EventKind::fold; });

@@ -1,5 +1,6 @@
 #include "proofs/path_certificate.hpp"
 
+#include "proofs/as_double.hpp"
 #include "proofs/followed_path.hpp"
 #include "tests/proofs/stand_alone.hpp"
 #include "tests/property.hpp"
@@ -13,15 +14,14 @@ namespace {
 /// What is proved of a path, all branches or the slow loading.
 json certified(const Chain<Rational>& chain, Control control, const Point<Rational>& direction, double last,
                bool all) {
-  const auto middle = [](const Interval& x) { return static_cast<double>(x.middle()); };
   const auto exact = from_rational<Interval>(chain);
   const Interval x(direction.x), y(direction.y), size = sqrt(sqr(x) + sqr(y));
   Loading<Interval> loading{control, {0, 0}, {x / size, y / size}};
   if (control == Control::end_point) loading.start = end_point(exact, exact.rest());
-  const PathTask task{convert<double>(exact, middle),
+  const PathTask task{convert<double>(exact, as_double),
                       {control,
-                       {middle(loading.start.x), middle(loading.start.y)},
-                       {middle(loading.direction.x), middle(loading.direction.y)}},
+                       {as_double(loading.start.x), as_double(loading.start.y)},
+                       {as_double(loading.direction.x), as_double(loading.direction.y)}},
                       last,
                       0.2};
   const PathReport followed = all ? follow_all(task) : follow_slowly(task);

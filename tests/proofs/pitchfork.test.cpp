@@ -1,5 +1,6 @@
 #include "proofs/pitchfork.hpp"
 
+#include "proofs/as_double.hpp"
 #include "proofs/decimal.hpp"
 #include "proofs/joined_branches.hpp"
 #include "proofs/unfolding.hpp"
@@ -19,12 +20,11 @@ struct Path {
 
 /// What is proved of a load along -x.
 JoinedBranches proved(const Path& path) {
-  const auto middle = [](const Interval& x) { return static_cast<double>(x.middle()); };
   const auto exact = from_rational<Interval>(path.chain);
   Loading<Interval> loading{path.control, {0, 0}, {-1, 0}};
   if (path.control == Control::end_point) loading.start = end_point(exact, exact.rest());
-  const Point<double> start{middle(loading.start.x), middle(loading.start.y)};
-  const PathTask task{convert<double>(exact, middle), {path.control, start, {-1, 0}}, path.last, 0.05};
+  const Point<double> start{as_double(loading.start.x), as_double(loading.start.y)};
+  const PathTask task{convert<double>(exact, as_double), {path.control, start, {-1, 0}}, path.last, 0.05};
   return certify(path.all ? follow_all(task) : follow_slowly(task), exact, loading,
                  symmetries(path.chain, path.control, {-1, 0}));
 }

@@ -22,19 +22,19 @@ Case one(const std::string& name, std::vector<TrueEffect> effects, double streng
   return made;
 }
 
-const std::vector<TrueEffect> gravity{{"gravity", 0, {}, 0}}, stop{{"joint_stop", 1, {}, 0}},
-    outside{{"unknown", 0, {}, 0}};
+const std::vector<TrueEffect> only_gravity{{"gravity", 0, {}, 0}}, only_stop{{"joint_stop", 1, {}, 0}},
+    only_outside{{"unknown", 0, {}, 0}};
 
 std::vector<Case> a_trial() {
   std::vector<Case> cases{one("a", {}, 0, Answer::right, "none"),
                           one("b", {}, 0, Answer::false_alarm, "identified gravity"),
-                          one("c", gravity, 4, Answer::right, "identified gravity"),
-                          one("d", gravity, 30, Answer::right, "identified gravity"),
-                          one("e", stop, 7, Answer::wrong_sure, "identified gravity"),
-                          one("f", stop, 2, Answer::missed_gap, "none"),
-                          one("g", outside, 12, Answer::right, "unknown"),
-                          one("h", {gravity[0], stop[0]}, 12, Answer::part, "identified gravity"),
-                          one("i", stop, 50, Answer::no_report, "killed by signal 11")};
+                          one("c", only_gravity, 4, Answer::right, "identified gravity"),
+                          one("d", only_gravity, 30, Answer::right, "identified gravity"),
+                          one("e", only_stop, 7, Answer::wrong_sure, "identified gravity"),
+                          one("f", only_stop, 2, Answer::missed_gap, "none"),
+                          one("g", only_outside, 12, Answer::right, "unknown"),
+                          one("h", {only_gravity[0], only_stop[0]}, 12, Answer::part, "identified gravity"),
+                          one("i", only_stop, 50, Answer::no_report, "killed by signal 11")};
   cases[2].judgement.covered = {{"rho", true}};
   cases[3].judgement.covered = {{"rho", false}};
   cases[2].judgement.stated = {0.95, true};
@@ -69,7 +69,7 @@ TEST_CASE("what is counted for what") {
 
 TEST_CASE("the confusion table counts what was said best, and tells a wrong joint") {
   std::vector<Case> cases = a_trial();
-  cases.push_back(one("j", stop, 9, Answer::wrong_sure, "identified joint_stop"));
+  cases.push_back(one("j", only_stop, 9, Answer::wrong_sure, "identified joint_stop"));
   const Score s = score(cases);
   CHECK(s.confusion.at("joint_stop").at("gravity") == 1);
   CHECK(s.confusion.at("joint_stop").at("joint_stop at another joint") == 1);

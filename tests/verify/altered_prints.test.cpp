@@ -20,7 +20,7 @@ using namespace plumbline::verify;
 namespace {
 
 /// What a check makes of a print; "error" for what cannot be judged.
-std::string verdict_on(const Claim& claim, const Printed& printed) {
+std::string verdict_or_error(const Claim& claim, const Printed& printed) {
   try {
     return std::string(name(judge_print(claim, printed, 10).verdict));
   } catch (const std::exception&) {
@@ -52,7 +52,7 @@ bool known_to_be_true(const std::string& id, const AlteredPrint& altered) {
 /// Whether the check takes an altered print for as true as the claim's own, on which the verdict is `own`:
 /// imprecise and convention are no worse where it is that too.
 bool survives(const Claim& claim, const std::string& own, const AlteredPrint& altered) {
-  const std::string verdict = verdict_on(claim, altered.printed);
+  const std::string verdict = verdict_or_error(claim, altered.printed);
   return verdict == "confirmed" || (verdict == own && own != "refuted" && own != "error");
 }
 
@@ -68,7 +68,7 @@ TEST_CASE("an altered print is not taken for what is true") {
   std::map<std::string, Count> counts;
   std::size_t number = 0;
   for (const Claim& claim : all_claims()) {
-    const std::string own = verdict_on(claim, claim.printed);
+    const std::string own = verdict_or_error(claim, claim.printed);
     for (const AlteredPrint& altered : altered_prints(claim)) {
       if (!all && ++number % 20 != 1) continue;
       Count& count = counts[altered.what];
@@ -93,7 +93,7 @@ TEST_CASE("what is listed as a survivor survives, and is no correction") {
   for (const Survivor& one : survivors()) {
     INFO(one.id, ", ", one.what, " ", one.entry, ": ", one.reason);
     const Claim claim = with_id(all_claims(), one.id).front();
-    const std::string own = verdict_on(claim, claim.printed);
+    const std::string own = verdict_or_error(claim, claim.printed);
     const auto prints = altered_prints(claim);
     CHECK(std::any_of(prints.begin(), prints.end(), [&](const AlteredPrint& altered) {
       return is_meant(one, one.id, altered) && !is_correction(one.id, altered) &&

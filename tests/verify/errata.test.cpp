@@ -13,7 +13,7 @@ using namespace plumbline::verify;
 namespace {
 
 /// Section 4.2's, which take no time.
-const std::vector<Judged>& judged() {
+const std::vector<Judged>& judged_section() {
   static const std::vector<Judged> all = judge(in_section(all_claims(), "4.2"), 10);
   return all;
 }
@@ -27,7 +27,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("the signs of (24), (36) and step 4 are one erratum, found by trying") {
-  const auto list = errata(judged());
+  const auto list = errata(judged_section());
   const auto sign =
       std::find_if(list.begin(), list.end(), [](const Erratum& e) { return e.cause.id == "sign-of-force"; });
   REQUIRE(sign != list.end());
@@ -50,15 +50,16 @@ TEST_CASE("causes: each has claims that are wrong, and what it says to stand is 
 }
 
 TEST_CASE("the document has every erratum once, the gravest first, and LaTeX in ASCII") {
-  const auto list = errata(judged());
+  const auto list = errata(judged_section());
   CHECK(std::is_sorted(list.begin(), list.end(),
                        [](const Erratum& a, const Erratum& b) { return a.severity < b.severity; }));
-  const std::string markdown = errata_as_markdown(judged()), latex = errata_as_latex(judged());
+  const std::string markdown = errata_as_markdown(judged_section()),
+                    latex = errata_as_latex(judged_section());
   CHECK(count(markdown, "\n### ") == list.size());
   CHECK(count(latex, "\\paragraph{") == list.size());
   CHECK(count(latex, "{") == count(latex, "}"));
   CHECK(std::all_of(latex.begin(), latex.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80; }));
-  CHECK(errata_as_markdown(judged()) == markdown);
+  CHECK(errata_as_markdown(judged_section()) == markdown);
 }
 
 TEST_CASE("LaTeX has indices and exponents, and one formula where two would meet") {
