@@ -151,7 +151,7 @@ std::string system_of(const Question& question) {
 
 struct Peer {
   double seconds = 0;                     ///< processor time
-  std::size_t paths = 0;                  ///< that are followed: all complex roots
+  std::size_t paths = 0;                  ///< that are followed: to all complex roots
   std::size_t roots = 0;                  ///< of them found
   std::vector<std::vector<double>> real;  ///< theta, and the force where the end point is held
 };
@@ -213,8 +213,8 @@ Peer phc(const fs::path& folder, const Question& question) {
                                           system.string(), output.string(), (folder / "words").string());
   const bool done = std::system(command.c_str()) == 0;
   Peer peer{children_seconds() - before, number_in(output, "mixed volume"), 0, {}};
-  if (peer.paths == 0)
-    peer.paths = number_in(output, "2-homogeneous Bezout number");  // it has no mixed volume
+  // with many variables it may find no mixed volume
+  if (peer.paths == 0) peer.paths = number_in(output, "2-homogeneous Bezout number");
   if (!done && peer.seconds < most_seconds / 2.0) throw Error("phc -b", "a failure", "solutions");
   if (!done) return peer;
   peer.roots = number_in(output, "Number of regular solutions");
