@@ -58,7 +58,8 @@ tests=(
   "${docs[@]}"
 )
 fuzz=(clang)
-bench=(liblapack-dev libopenblas-dev libspectra-dev python3-scipy auto-07p gfortran gnuplot-nox)
+bench=(liblapack-dev libopenblas-dev libspectra-dev libflint-dev libflint-arb-dev phcpack python3-scipy auto-07p gfortran
+       gnuplot-nox)
 
 packages=("${program[@]}")
 case "${1:-}" in

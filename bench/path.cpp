@@ -198,11 +198,18 @@ std::string report(const fs::path& folder) {
       peer.own, 1e6 * peer.own / static_cast<double>(peer.all.points), script_points[1],
       reached(script_ratio[1], 300), script_points[0], reached(script_ratio[0], 300),
       reached(fine_ratio, 40));
+  double of_a_thousand = 0, last = 0;  // a link
   for (const std::size_t n : {4U, 10U, 100U, 1000U, 10000U, 100000U}) {
     const double each = long_chain(n);
-    text += fmt::format("| {} | {:.2f} | {:.1f} |\n", n, each, 1000 * each / static_cast<double>(n));
+    last = each / static_cast<double>(n);
+    if (n == 1000) of_a_thousand = last;
+    text += fmt::format("| {} | {:.2f} | {:.1f} |\n", n, each, 1000 * last);
   }
-  return text;
+  constexpr double aim = 1.5;
+  const double ratio = last / of_a_thousand;
+  return text +
+         fmt::format("\nA link of 10^5 takes {:.2g} times as long as one of 1000; aimed at is {:.2g}: {}.\n",
+                     ratio, aim, ratio <= aim ? "reached" : "missed");
 }
 
 int main_program() {

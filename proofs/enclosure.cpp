@@ -70,6 +70,42 @@ void enclose_open(Found& found, const ExactCount& count, const std::vector<Real>
   share_ties(found);
 }
 
+/// Roots to so many digits from those to a third of them, and so on down to what double leads to: a run with
+/// three derivatives makes more than three times as many digits right, and the last one costs most.
+detail::RootsOfPieces<Mpfr> roots_in_steps(const Chain<Rational>& chain, std::size_t lowest, int digits) {
+  constexpr int few = 80, lost = 8;
+  if (digits <= few) {
+    const WorkingPrecision precision(digits);
+    return detail::lowest_roots(from_rational<Mpfr>(chain), lowest);
+  }
+  const auto near = roots_in_steps(chain, lowest, digits / 3 + lost);
+  const WorkingPrecision precision(digits);
+  const auto rounded = from_rational<Mpfr>(chain);
+  const detail::BeadString<Mpfr> string(rounded);
+  detail::RootsOfPieces<Mpfr> roots;
+  for (const auto& piece : string.pieces()) {
+    std::vector<Mpfr>& own = roots.emplace_back();
+    for (const Mpfr& value : near[roots.size() - 1]) {
+      Mpfr start(0);  // of this precision
+      mpfr_set(start.backend().data(), value.backend().data(), MPFR_RNDN);
+      const auto root = detail::refined(piece, own.size(), start);
+      if (!root) return detail::lowest_roots(rounded, lowest);
+      own.push_back(*root);
+    }
+  }
+  return roots;
+}
+
+/// The lowest critical forces, computed with so many digits.
+std::vector<Mpfr> forces_in_steps(const Chain<Rational>& chain, std::size_t lowest, int digits) {
+  std::vector<Mpfr> forces;
+  for (const auto& roots : roots_in_steps(chain, lowest, digits))
+    forces.insert(forces.end(), roots.begin(), roots.end());
+  std::sort(forces.begin(), forces.end());
+  forces.resize(std::min(lowest, forces.size()));
+  return forces;
+}
+
 bool complete(const Found& found) {
   return std::all_of(found.begin(), found.end(), [](const auto& one) { return one.has_value(); });
 }
@@ -90,8 +126,7 @@ std::vector<ForceEnclosure> enclose_critical_forces(const Chain<Rational>& chain
                  wide_digits);
   for (int working_digits = digits + 12; !complete(found); working_digits += 12) {
     const WorkingPrecision precision(working_digits);
-    enclose_open(found, count, critical_forces(from_rational<Mpfr>(chain), found.size()), digits,
-                 working_digits);
+    enclose_open(found, count, forces_in_steps(chain, found.size(), working_digits), digits, working_digits);
   }
   std::vector<ForceEnclosure> result;
   for (const auto& one : found) result.push_back(*one);

@@ -31,9 +31,15 @@ Rational clear_denominators(const std::vector<Rational>& values, std::vector<Int
   return {multiple, divisor};
 }
 
-/// From so many joints on rounded numbers are faster than integers, whose length grows along the chain; from
-/// fewer where there are many forces to share what it takes to begin.
-constexpr std::size_t long_part = 64, long_part_of_many = 16, many = 16;
+/// Whether rounded numbers are faster than integers, whose length grows along the chain: from so many joints
+/// on, from fewer where many forces share what it takes to begin, or where each has many digits.
+bool rounding_pays(std::size_t joints, const std::vector<Rational>& forces) {
+  constexpr std::size_t long_part = 64, long_part_of_many = 16, many = 16, joints_times_digits = 4000;
+  if (forces.empty()) return false;
+  const std::size_t digits = mpz_sizeinbase(mpq_numref(forces.front().backend().data()), 10);
+  return joints >= (forces.size() < many ? long_part : long_part_of_many) ||
+         joints * digits >= joints_times_digits;
+}
 
 }  // namespace
 
@@ -75,7 +81,7 @@ std::vector<std::size_t> ExactCount::below(const std::vector<Rational>& forces, 
   std::vector<Rational> scaled;
   for (const Rational& F : forces) scaled.push_back(F * per_force_);
   RoundedCount::Counts counts(forces.size());
-  if (parts_[part].last - parts_[part].first >= (forces.size() < many ? long_part : long_part_of_many))
+  if (rounding_pays(parts_[part].last - parts_[part].first, scaled))
     counts = RoundedCount(length_, stiffness_, part).below(scaled);
   std::vector<std::size_t> result(forces.size());
   in_parallel(forces.size(), threads_for(forces.size(), length_.size()), [&](std::size_t i) {

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <plumbline/straight/critical_force.hpp>
+
 #include "proofs/decimal.hpp"
 
 using namespace plumbline;
@@ -46,5 +48,29 @@ TEST_CASE("two forces closer than the digits asked for have the same bounds, als
     CHECK(found[0].high == found[1].high);
     CHECK(found[0].below_low == 0);
     CHECK(found[0].below_high == 2);
+  }
+}
+
+TEST_CASE("a thousand digits of any chain are what counts in fractions say, and so are the counts") {
+  for (const std::size_t n : {2U, 5U, 9U, 17U}) {
+    for (const std::size_t passive : {n, std::size_t{0}, n / 2}) {
+      CAPTURE(n);
+      CAPTURE(passive);
+      std::vector<Rational> length, stiffness;
+      for (std::size_t i = 0; i < n; ++i) {
+        length.emplace_back(3 + static_cast<long>(i * i % 7), 7);
+        stiffness.emplace_back(i == passive ? 0 : 1 + static_cast<long>(i * i * i % 11), 10);
+      }
+      const Chain<Rational> chain(length, stiffness);
+      const auto found = enclose_critical_forces(chain, 3, 1000);
+      REQUIRE(found.size() == std::min<std::size_t>(3, n - 1));
+      for (const ForceEnclosure& force : found) {
+        CHECK(to_decimal(force.low, 1000) == to_decimal(force.high, 1000));
+        CHECK(force.below_low == count_below(chain, force.low));
+        CHECK(force.below_high == count_below(chain, force.high));
+        CHECK(force.below_low < force.index);
+        CHECK(force.index <= force.below_high);
+      }
+    }
   }
 }
