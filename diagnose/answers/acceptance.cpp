@@ -82,9 +82,9 @@ bool takes_three(const Ranked& one) {
   return one.hypothesis.fit.candidate.count() >= 3;
 }
 
-}  // namespace
-
-bool accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause) {
+/// Settles on the best partial explanation, of one effect before two, that leaves of held-out readings at
+/// most so many times the noise, where that is clearly less than the gap.
+bool accept_what_leaves(const Study& study, const NoiseModel& noise, double times, Cause& cause) {
   if (cause.verdict != CauseVerdict::unknown) return false;
   for (const std::size_t effects : {std::size_t{1}, std::size_t{2}}) {
     const std::optional<std::size_t> place = best_partial_of(study, cause, effects);
@@ -92,12 +92,24 @@ bool accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause)
     const std::optional<Rotated> blind = rotated(study, cause.ranking[*place].hypothesis.fit, noise);
     if (!blind) continue;
     const double left = blind->shrink.ratio, floor = blind->shrink.noise_floor_ratio;
-    if (!predicts(blind->shrink, beliefs::nearly) || floor > beliefs::clear) continue;
+    if (!predicts(blind->shrink, times) || floor > beliefs::clear) continue;
     settle_on(cause, *place, beliefs::other_than_nearly);
     cause.remainder = std::sqrt(std::max(0.0, left * left - floor * floor));
     return true;
   }
   return false;
+}
+
+}  // namespace
+
+bool accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause) {
+  return accept_what_leaves(study, noise, beliefs::nearly, cause);
+}
+
+bool accept_doubtful(const Study& study, const NoiseModel& noise, Cause& cause) {
+  if (!accept_what_leaves(study, noise, beliefs::predicts, cause)) return false;
+  hedge(cause, Reservation::beyond_noise);
+  return true;
 }
 
 bool step_down(const std::optional<Shrink>& blind, Cause& cause) {

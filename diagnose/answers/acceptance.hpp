@@ -15,6 +15,10 @@ namespace plumbline::diagnose {
 /// clearly, is what was looked for, with a remainder. Answers whether there is one.
 bool accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause);
 
+/// Where nothing better was found: names beside a cause outside the catalogue the best partial explanation
+/// that predicts them to one and a half times the noise. Answers whether there is one.
+bool accept_doubtful(const Study& study, const NoiseModel& noise, Cause& cause);
+
 /// Makes the best explanation of fewer effects that leaves no structure the one that stands out, where the
 /// best takes three and does not predict. Answers whether there is one.
 bool step_down(const std::optional<Shrink>& blind, Cause& cause);

@@ -218,7 +218,8 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
   if (step_down(diagnosis.shrink, diagnosis.cause)) test_best();
   demand_prediction(study, diagnosis.shrink, diagnosis.cause);
   if (accept_remainder(study, findings.noise, diagnosis.cause) ||
-      accept_tolerable(study, seen, chosen, findings, diagnosis.cause))
+      accept_tolerable(study, seen, chosen, findings, diagnosis.cause) ||
+      accept_doubtful(study, findings.noise, diagnosis.cause))
     test_best();
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.reservation != Reservation::none)
     offer_law_to(study, chosen, diagnosis);

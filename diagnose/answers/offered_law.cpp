@@ -5,18 +5,22 @@
 namespace plumbline::diagnose {
 
 std::optional<OfferedLaw> offer_law(const Study& study, const NoiseModel& noise, const Base& base) {
-  const std::optional<TorqueLaw> law = fit_torque_law(study, noise, base(study));
+  std::optional<TorqueLaw> law = fit_torque_law(study, noise, base(study));
   if (!law) return std::nullopt;
-  OfferedLaw offered{*law, {}, std::nullopt, law_traces(study, *law)};
-  for (const JointTorqueLaw& one : law->laws) offered.pictures.push_back(picture_of(one, law->knots));
+  double least = left_with(study, noise, *law);
   const auto left_blind = [&](const Study& seen, const HeldOut& part) -> std::optional<std::vector<double>> {
     const std::optional<TorqueLaw> blind = fit_torque_law(seen, noise, base(seen));
     if (!blind) return study.nominal_residual();
+    // A fit to all readings may end in a worse minimum than one to most of them.
+    if (const double left = left_with(study, noise, *blind); left < least) least = left, law = blind;
     if (!covers(study, *blind, part)) return std::nullopt;
     const Prediction predicted = predict_with_law(study, *blind);
     return predicted.reached ? std::optional(study.residual(predicted)) : std::nullopt;
   };
-  if (const std::optional<Rotated> blind = rotated(study, noise, left_blind)) {
+  const std::optional<Rotated> blind = rotated(study, noise, left_blind);
+  OfferedLaw offered{*law, {}, std::nullopt, law_traces(study, *law)};
+  for (const JointTorqueLaw& one : law->laws) offered.pictures.push_back(picture_of(one, law->knots));
+  if (blind) {
     offered.shrink = blind->shrink;
     offered.shrink->chosen_blind = true;
   }

@@ -169,13 +169,6 @@ double squares(const Study& study, const NoiseModel& noise, const std::vector<do
   return sum;
 }
 
-/// What is left with the law in the rig; infinite where that cannot follow the experiment.
-double left_with(const Study& study, const NoiseModel& noise, const TorqueLaw& law) {
-  const Prediction with = predict_with_law(study, law);
-  if (!with.reached) return std::numeric_limits<double>::infinity();
-  return squares(study, noise, without_outliers(study.measurements(), study.residual(with)));
-}
-
 /// What laws of the places of `law` are to explain: what is left with it in the rig, and what it gives there.
 std::vector<double> to_explain(const Study& study, const Response& with, const TorqueLaw& law) {
   std::vector<double> residual = without_outliers(study.measurements(), study.residual(with.given));
@@ -241,6 +234,12 @@ TorqueLaw settled(const Study& seen, const NoiseModel& noise, TorqueLaw law, con
 }
 
 }  // namespace
+
+double left_with(const Study& study, const NoiseModel& noise, const TorqueLaw& law) {
+  const Prediction with = predict_with_law(study, law);
+  if (!with.reached) return std::numeric_limits<double>::infinity();
+  return squares(study, noise, without_outliers(study.measurements(), study.residual(with)));
+}
 
 std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noise, const Instance& base) {
   const Response rig = response(seen, rig_with(seen, base.candidate, base.parameters));

@@ -46,6 +46,10 @@ std::vector<FreeLaw> free_laws(const Study& study, const TorqueLaw& law);
 /// What the rig gives with this law in it.
 Prediction predict_with_law(const Study& study, const TorqueLaw& law);
 
+/// Sum of squares, in the noise, of what is left with the law in the rig; infinite where that cannot follow
+/// the experiment.
+double left_with(const Study& study, const NoiseModel& noise, const TorqueLaw& law);
+
 /// What one joint carries along one run: the law and its spring, with what the base and the nominal model
 /// know of that.
 struct LawTrace {

@@ -74,7 +74,7 @@ def loaded_chains(folder):
 
 
 def dragged():
-    """A joint whose torque ripples, and which drags against its motion here and there."""
+    """A joint whose torque ripples, and which drags against its motion."""
     last = {}
 
     def law(joint, d, k):
@@ -82,7 +82,7 @@ def dragged():
         last[joint] = d
         if joint == 0 or way == 0:
             return k * d
-        return k * d + 0.12 * math.sin(25 * d) + math.copysign(0.2 * abs(math.sin(9 * d)), way)
+        return k * d + 0.2 * math.sin(12 * d) + math.copysign(0.15, way)
     return law
 
 

@@ -107,8 +107,11 @@ TEST_CASE("a law that slips, at a constant torque or at one that grows, is in Mu
     corrected.experiment.laws = free_laws(study, offered->law);
     const Written file = written(corrected, Format::mjcf);
     CHECK(file.effects.front().carried);
+    const diagnose::HeldOut heldout = diagnose::named(study.experiment(), offered->shrink->heldout);
     const auto left = [&](const Prediction& prediction) {
-      return rms(study.residual(prediction)) / rms(study.nominal_residual());
+      return measure_shrink(study.measurements(), heldout, study.nominal_residual(),
+                            study.residual(prediction), diagnose::NoiseModel())
+          .ratio;
     };
     const double said = left(predict_with_law(study, offered->law));
     CHECK(offered->shrink->ratio < 0.2);
