@@ -34,7 +34,7 @@ using Base = std::function<Instance(const Study&)>;
 /// A law chosen and fitted to all readings, or to all but a part where that leaves less of all. Its shrink is
 /// that of laws chosen and fitted, with their base, without each part of the readings in its turn; a part
 /// without which none is found keeps its residual, and one that bends the joints farther than the others is
-/// no test. Nothing where no law is better than the bases and the nominal model.
+/// no test. Nothing where no law is better than the nominal model.
 std::optional<OfferedLaw> offer_law(const Study& study, const NoiseModel& noise, const Base& base);
 
 }  // namespace plumbline::diagnose
