@@ -10,24 +10,17 @@
 
 #include "bench/flint_peers.hpp"
 #include "bench/race.hpp"
+#include "bench/random_chain.hpp"
 #include "bench/results.hpp"
 #include "proofs/critical_modes.hpp"
 
 namespace plumbline::bench {
 namespace {
 
-/// Lengths and stiffnesses of five decimals, log-uniform over a factor of 4.
+/// The chains of this table, always the same.
 Chain<Rational> random_chain(std::size_t links) {
   std::mt19937 random(1);
-  std::uniform_real_distribution<double> exponent(0, 2);
-  const auto list = [&] {
-    std::vector<Rational> values;
-    for (std::size_t i = 0; i < links; ++i)
-      values.emplace_back(std::lround(1e5 * std::exp2(exponent(random))), 100000);
-    return values;
-  };
-  std::vector<Rational> length = list(), stiffness = list();
-  return Chain<Rational>(std::move(length), std::move(stiffness));
+  return bench::random_chain(links, random);
 }
 
 std::vector<std::string> ours(const Chain<Rational>& chain, int digits) {
