@@ -174,6 +174,8 @@ bool minimise(Problem& problem, const std::vector<std::size_t>& free, double out
   options.logging_type = ceres::SILENT;
   // What fails stands in the summary; Ceres's warnings, silent or not, would go to standard error.
   FLAGS_minloglevel = google::GLOG_FATAL;
+  // Steps are cut at the bounds; a search along them as well would look twice at each place.
+  options.max_num_line_search_step_size_iterations = 0;
   options.max_num_iterations = 30;
   options.function_tolerance = 1e-5;
   options.parameter_tolerance = 1e-7;
