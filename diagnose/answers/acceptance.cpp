@@ -153,6 +153,8 @@ bool accept_tolerable(const Study& study, const Study& seen, Findings chosen, Fi
   chosen.tolerance = tolerance(study, findings.noise);
   if (!chosen.tolerance) return false;
   weigh(seen, chosen);
+  // What fewer readings refuse, more do.
+  if (judge(seen, chosen).verdict == CauseVerdict::unknown) return false;
   Findings tolerable = confirmed(study, chosen);
   Cause within = judge(study, tolerable);
   if (within.verdict == CauseVerdict::unknown) return false;

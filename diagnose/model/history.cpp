@@ -13,6 +13,7 @@ namespace plumbline::diagnose {
 namespace {
 
 Vector2 turned(const Vector2& v, double angle) {
+  if (angle == 0) return v;
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
@@ -75,19 +76,19 @@ struct Traveller {
     for (std::size_t i = 0; i < memory.size(); ++i) {
       const JointLaw& law = on.joint[i];
       const double q = layout.joint_angle(posture.angle, i);
-      const JointMemory last = memory[i];
-      JointMemory& now = memory[i];
-      now.angle = q;
-      // Of the way to the first reading no speed is known.
-      now.turn = std::abs(during.relaxed ? q : q - last.angle);
-      law.flow_to(q, now);
+      JointMemory& own = memory[i];
+      // Sliders and arms look at the angle before, which is overwritten last.
       for (std::size_t s = 0; s < law.slider.size(); ++s)
         if (law.slider[s].acts() && (law.slider[s].from_rest || !during.relaxed))
-          now.slider.at(s) =
-              law.along(law.slider[s], last.slider[s], q, last, posture.contact[layout.contact(i, s)]).value;
-      if (during.relaxed) continue;
-      for (std::size_t a = 0; a < on.arm_time.size(); ++a)
-        now.arm[a] = law.viscous(a, q, last, during.decay[a], during.gain[a]).value;
+          own.slider.at(s) =
+              law.along(law.slider[s], own.slider[s], q, own, posture.contact[layout.contact(i, s)]).value;
+      if (!during.relaxed)
+        for (std::size_t a = 0; a < on.arm_time.size(); ++a)
+          own.arm[a] = law.viscous(a, q, own, during.decay[a], during.gain[a]).value;
+      law.flow_to(q, own);
+      // Of the way to the first reading no speed is known.
+      own.turn = std::abs(during.relaxed ? q : q - own.angle);
+      own.angle = q;
     }
   }
 
@@ -119,6 +120,7 @@ class RunWalk {
   RunWalk(const Experiment& experiment, const Run& run, const Layout& layout, const Rig& rig,
           const std::vector<Rig>& variations)
       : run_(run), experiment_(experiment), layout_(layout), solver_(layout), main_(rig, run) {
+    beside_.reserve(variations.size());
     for (const Rig& other : variations) beside_.emplace_back(other, run);
     start();
   }

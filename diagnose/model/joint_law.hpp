@@ -40,7 +40,8 @@ struct JointSlider {
   [[nodiscard]] double lever(double deflection) const { return widens ? deflection : 1; }
   /// By which side and speed multiply it.
   [[nodiscard]] double share(double side, double speed) const {
-    return (1 + side * law.uneven) * (1 + law.fall * std::exp(-speed / law.speed));
+    const double moving = law.fall == 0 ? 1 : 1 + law.fall * std::exp(-speed / law.speed);
+    return (1 + side * law.uneven) * moving;
   }
 };
 

@@ -6,25 +6,26 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// What a short piece of a link, of orientation phi, contributes.
+/// What a short piece of a link contributes.
 struct Piece {
   double residual, stiffness, energy;
   Vector2 moved, arm;  // its share of the end point and of its derivative
-  Vector2 along;       // the unit vector along it
 };
 
+Vector2 unit_vector(double orientation) {
+  return {std::cos(orientation), std::sin(orientation)};
+}
+
+/// \param u        the unit vector along it
 /// \param carried  weight, beside the end force
-inline Piece piece(double length, double phi, const Vector2& force, const Vector2& carried, double axial) {
-  const Vector2 u(std::cos(phi), std::sin(phi));
+inline Piece piece(double length, const Vector2& u, const Vector2& force, const Vector2& carried,
+                   double axial) {
   const Vector2 n(-u.y(), u.x());
   const double pull = u.dot(carried), tension = u.dot(force) + pull, shear = n.dot(force + carried);
   const double stretch = 1 + axial * tension;
-  return {-length * stretch * shear,
-          length * (stretch * tension - axial * shear * shear),
-          length * (axial * tension * tension / 2 - stretch * pull),
-          length * stretch * u,
-          length * (stretch * n + axial * shear * u),
-          u};
+  return {-length * stretch * shear, length * (stretch * tension - axial * shear * shear),
+          length * (axial * tension * tension / 2 - stretch * pull), length * stretch * u,
+          length * (stretch * n + axial * shear * u)};
 }
 
 template <class At>
@@ -177,10 +178,15 @@ template <int Bandwidth>
 template <bool derivatives>
 void RigModel<Bandwidth>::add_rigid_links(const Vector<double>& angle, const Vector2& force, At& at) const {
   const RunRig& run = step_->run;
+  if (angle.size() != along_at_.size() || angle != along_at_) {
+    along_at_ = angle;
+    along_.resize(layout_.links);
+    for (std::size_t j = 0; j < layout_.links; ++j) along_[j] = unit_vector(angle(index(j)));
+  }
   for (std::size_t j = 0; j < layout_.links; ++j) {
     const Eigen::Index i = index(j);
     const Vector2 carried = run.beyond[j] + 0.5 * run.rig.weight[j];
-    const Piece link = piece(run.rig.length[j], angle(i), force, carried, run.rig.axial);
+    const Piece link = piece(run.rig.length[j], along_[j], force, carried, run.rig.axial);
     at.residual(i) += link.residual;
     at.end_point.x += link.moved.x();
     at.end_point.y += link.moved.y();
@@ -189,7 +195,7 @@ void RigModel<Bandwidth>::add_rigid_links(const Vector<double>& angle, const Vec
     at.hessian(0, i) += link.stiffness;
     at.end_point_gradient(i, 0) = link.arm.x();
     at.end_point_gradient(i, 1) = link.arm.y();
-    at.compliance += run.rig.length[j] * run.rig.axial * link.along * link.along.transpose();
+    at.compliance += run.rig.length[j] * run.rig.axial * along_[j] * along_[j].transpose();
   }
 }
 
@@ -219,13 +225,14 @@ void RigModel<Bandwidth>::add_bending_link(std::size_t j, const Vector<double>& 
     const Eigen::Vector3d shape((1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1));
     const double phi = shape.dot(angle.segment<3>(first));
     const Vector2 carried = run.beyond[j] + (1 - s) * run.rig.weight[j];
-    const Piece part = piece(weight[g] * length, phi, force, carried, run.rig.axial);
+    const Vector2 along = unit_vector(phi);
+    const Piece part = piece(weight[g] * length, along, force, carried, run.rig.axial);
     at.residual.template segment<3>(first) += part.residual * shape;
     at.end_point.x += part.moved.x();
     at.end_point.y += part.moved.y();
     if constexpr (!derivatives) continue;
     at.energy += part.energy;
-    at.compliance += weight[g] * length * run.rig.axial * part.along * part.along.transpose();
+    at.compliance += weight[g] * length * run.rig.axial * along * along.transpose();
     at.end_point_gradient.template middleRows<3>(first) += shape * part.arm.transpose();
     for (Eigen::Index a = 0; a < 3; ++a)
       for (Eigen::Index b = 0; b <= a; ++b)

@@ -66,6 +66,9 @@ class RigModel {
   Layout layout_;
   const RigStep* step_ = nullptr;
   const std::vector<Contact>* contact_ = nullptr;
+  /// Unit vectors along rigid links at the shape that was looked at last: rigs side by side look at one.
+  mutable std::vector<Vector2> along_;
+  mutable Vector<double> along_at_;
 };
 
 extern template class RigModel<1>;

@@ -160,8 +160,8 @@ void RigSolver<Bandwidth>::neighbour(const RigStep& step, const Imposed& imposed
 
 template <int Bandwidth>
 Vector2 RigSolver<Bandwidth>::end_point(const RunRig& run, const Posture& posture) {
-  const std::vector<JointMemory> none(run.joint.size());
-  const RigStep step{run, {}, none};
+  nothing_remembered_.resize(run.joint.size());
+  const RigStep step{run, {}, nothing_remembered_};
   model_.become(step, posture.contact);
   system_.balance(posture.angle, posture.force);
   return {system_.at().end_point.x, system_.at().end_point.y};

@@ -52,6 +52,7 @@ class RigSolver {
   RigModel<Bandwidth> model_;
   LoadedSystem<RigModel<Bandwidth>> system_;
   Posture trial_;
+  std::vector<JointMemory> nothing_remembered_;
   Vector<double> prepared_turn_;  ///< that rounding still asks for where follow() ended
   Point<double> prepared_push_{0, 0};
   bool snapped_ = false;
