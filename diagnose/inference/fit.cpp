@@ -8,8 +8,6 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnose/inference/start.hpp"
-
 namespace plumbline::diagnose {
 namespace {
 
@@ -131,13 +129,28 @@ class Scaled final : public ceres::CostFunction {
             slope * problem_.jacobian()(i, static_cast<Eigen::Index>(p)) * problem_.ranges()[p].scale;
       }
     }
-    add_priors(
-        scaled[0], residuals + white.size(),
-        jacobians == nullptr || jacobians[0] == nullptr ? nullptr : jacobians[0] + white.size() * columns);
+    const bool sloped = jacobians != nullptr && jacobians[0] != nullptr;
+    add_priors(scaled[0], residuals + white.size(), sloped ? jacobians[0] + white.size() * columns : nullptr);
+    if (sloped) hold_at_bounds(scaled[0], residuals, jacobians[0]);
     return true;
   }
 
  private:
+  /// Takes the slopes of parameters away that stand at a bound and would go beyond it: the others then go
+  /// their way as if these were fixed.
+  void hold_at_bounds(const double* scaled, const double* residuals, double* jacobian) const {
+    const auto columns = static_cast<Eigen::Index>(free_.size());
+    Eigen::Map<RowMatrix> slopes(jacobian, num_residuals(), columns);
+    const Eigen::VectorXd uphill =
+        slopes.transpose() * Eigen::Map<const Eigen::VectorXd>(residuals, num_residuals());
+    for (Eigen::Index f = 0; f < columns; ++f) {
+      const ParameterRange& range = problem_.ranges()[free_[static_cast<std::size_t>(f)]];
+      if ((scaled[f] <= range.low / range.scale && uphill(f) > 0) ||
+          (scaled[f] >= range.high / range.scale && uphill(f) < 0))
+        slopes.col(f).setZero();
+    }
+  }
+
   void add_priors(const double* scaled, double* residuals, double* jacobian) const {
     for (std::size_t f = 0; f < free_.size(); ++f) {
       const ParameterRange& range = problem_.ranges()[free_[f]];
@@ -176,7 +189,7 @@ bool minimise(Problem& problem, const std::vector<std::size_t>& free, double out
   FLAGS_minloglevel = google::GLOG_FATAL;
   // Steps are cut at the bounds; a search along them as well would look twice at each place.
   options.max_num_line_search_step_size_iterations = 0;
-  options.max_num_iterations = 30;
+  options.max_num_iterations = 50;  // of them some are refused
   options.function_tolerance = 1e-5;
   options.parameter_tolerance = 1e-7;
   ceres::Solver::Summary summary;
@@ -233,20 +246,6 @@ std::vector<std::vector<double>> best_first(const Problem& problem, std::vector<
   return from;
 }
 
-Fit best_of(const Study& study, const Candidate& candidate, const FitSettings& settings,
-            const Starts& known) {
-  const Problem problem(study, candidate, settings);
-  Fit best;
-  best.candidate = candidate;
-  std::vector<std::vector<double>> order = best_first(problem, known.from);
-  if (order.size() > known.basins) order.resize(known.basins);
-  for (const std::vector<double>& start : order) {
-    Fit one = fit_from(study, candidate, settings, start);
-    if (one.converged && (!best.converged || one.cost < best.cost)) best = std::move(one);
-  }
-  return best;
-}
-
 }  // namespace
 
 double huber(double residual, double bound) {
@@ -275,8 +274,21 @@ Fit fit_nominal(const Study& study, const FitSettings& settings) {
   return fit_from(study, {}, settings, {});
 }
 
+Fit fit(const Study& study, const Candidate& candidate, const FitSettings& settings, const Starts& known) {
+  const Problem problem(study, candidate, settings);
+  Fit best;
+  best.candidate = candidate;
+  std::vector<std::vector<double>> order = best_first(problem, known.from);
+  if (order.size() > known.basins) order.resize(known.basins);
+  for (const std::vector<double>& start : order) {
+    Fit one = fit_from(study, candidate, settings, start);
+    if (one.converged && (!best.converged || one.cost < best.cost)) best = std::move(one);
+  }
+  return best;
+}
+
 Fit fit(const Study& study, const Candidate& candidate, const FitSettings& settings) {
-  return best_of(study, candidate, settings, starts(study, candidate));
+  return fit(study, candidate, settings, starts(study, candidate));
 }
 
 Fit refit_with(const Study& study, const Fit& fitted, const EffectAt& newcomer, const FitSettings& settings) {
@@ -285,7 +297,7 @@ Fit refit_with(const Study& study, const Fit& fitted, const EffectAt& newcomer, 
   Starts known = starts(study, newcomer);
   for (std::vector<double>& start : known.from)
     start.insert(start.begin(), fitted.parameters.begin(), fitted.parameters.end());
-  return best_of(study, candidate, settings, known);
+  return fit(study, candidate, settings, known);
 }
 
 Profile profile(const Study& study, const Fit& fitted, std::size_t parameter, const FitSettings& settings,

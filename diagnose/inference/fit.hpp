@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnose/inference/noise.hpp"
+#include "diagnose/inference/start.hpp"
 #include "diagnose/model/measurement.hpp"
 #include "diagnose/model/study.hpp"
 
@@ -37,8 +38,10 @@ struct Fit {
   bool converged = false;        ///< a minimum was found, at which the rig can follow the experiment
 };
 
-/// Fits from the given start, or from the starts that `starts()` names, and returns the best.
+/// Fits from the given start; or from those of several where least is left, or of those that `starts()`
+/// names, and returns the best.
 Fit fit(const Study& study, const Candidate& candidate, const FitSettings& settings);
+Fit fit(const Study& study, const Candidate& candidate, const FitSettings& settings, const Starts& known);
 Fit fit_from(const Study& study, const Candidate& candidate, const FitSettings& settings,
              const std::vector<double>& start);
 

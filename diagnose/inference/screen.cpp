@@ -45,13 +45,20 @@ bool rides_along(const Probe& probe) {
   return probe.to.empty();
 }
 
-/// Whitened derivatives of the prediction, with the rows that are not visible or count as outliers left out.
+/// Whitened derivatives of the prediction, with the rows that are not visible or count as outliers left out,
+/// and beneath them a row for each of the fit's own parameters that a tolerance holds: what a newcomer takes
+/// off these counts for it.
 class Weighing {
  public:
-  Weighing(const Measurements& measurements, const Fit& fitted, const FitSettings& settings)
-      : measurements_(measurements), settings_(settings), used_(measurements.size()) {
-    residual_.resize(static_cast<Eigen::Index>(measurements.size()));
-    own_ = fitted.jacobian;
+  Weighing(const Study& study, const Fit& fitted, const FitSettings& settings)
+      : measurements_(study.measurements()), settings_(settings), used_(measurements_.size()) {
+    const std::vector<ParameterRange> ranges = study.ranges(fitted.candidate);
+    const auto values = static_cast<Eigen::Index>(used_.size()),
+               held = static_cast<Eigen::Index>(std::count_if(
+                   ranges.begin(), ranges.end(), [](const auto&one) { return one.tolerance > 0; }));
+    residual_.setZero(values + held);
+    Eigen::MatrixXd own = Eigen::MatrixXd::Zero(values + held, fitted.jacobian.cols());
+    own.topRows(values) = fitted.jacobian;
     // Beside a large gap nothing is an outlier that is not far out of the gap too.
     const double size = std::sqrt(fitted.cost / static_cast<double>(std::max<std::size_t>(1, used_.size())));
     const double bound = settings.outlier_bound * std::max(1.0, 3 * size);
@@ -62,12 +69,19 @@ class Weighing {
       // Huber's weight: an outlier pulls as hard as one at the bound, and no harder.
       weight_.push_back(used_[i] ? std::min(1.0, std::sqrt(bound / std::abs(z))) : 0.0);
       residual_(row) = weight_.back() * z;
-      own_.row(row) *= weight_.back();
+      own.row(row) *= weight_.back();
     }
-    if (own_.cols() > 0)
-      basis_ =
-          own_.colPivHouseholderQr().householderQ() * Eigen::MatrixXd::Identity(own_.rows(), own_.cols());
-    project(residual_);
+    Eigen::Index row = values;
+    for (std::size_t p = 0; p < ranges.size(); ++p) {
+      if (!(ranges[p].tolerance > 0)) continue;
+      residual_(row) = fitted.parameters[p] / ranges[p].tolerance;
+      own(row++, static_cast<Eigen::Index>(p)) = 1 / ranges[p].tolerance;
+    }
+    if (own.cols() > 0) {
+      own_.compute(own);
+      basis_ = own_.householderQ() * Eigen::MatrixXd::Identity(own.rows(), own.cols());
+    }
+    residual_ = beyond_own(residual_);
   }
 
   [[nodiscard]] const Eigen::VectorXd& residual() const { return residual_; }
@@ -75,25 +89,32 @@ class Weighing {
   [[nodiscard]] Eigen::VectorXd column(const std::vector<Trace>& sensitivity) const {
     const std::vector<double> white =
         whiten(measurements_, measurements_.in_sigmas(sensitivity), settings_.noise);
-    Eigen::VectorXd result(static_cast<Eigen::Index>(white.size()));
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(residual_.size());
     for (std::size_t i = 0; i < white.size(); ++i)
       result(static_cast<Eigen::Index>(i)) = weight_[i] * white[i];
-    project(result);
     return result;
   }
 
- private:
-  /// Takes away what the fit's own parameters explain.
-  void project(Eigen::VectorXd& vector) const {
-    if (basis_.cols() > 0) vector -= basis_ * (basis_.transpose() * vector);
+  /// What the fit's own parameters cannot follow of a change.
+  [[nodiscard]] Eigen::VectorXd beyond_own(const Eigen::VectorXd& change) const {
+    if (basis_.cols() == 0) return change;
+    return change - basis_ * (basis_.transpose() * change);
   }
 
+  /// By how much the fit's own parameters move, in coordinates, to make up for a change of the prediction.
+  [[nodiscard]] Eigen::VectorXd made_up(const Eigen::VectorXd& change) const {
+    if (basis_.cols() == 0) return {};
+    return own_.solve(change);
+  }
+
+ private:
   const Measurements& measurements_;
   const FitSettings& settings_;
   std::vector<bool> used_;
   std::vector<double> weight_;
   Eigen::VectorXd residual_;
-  Eigen::MatrixXd own_, basis_;
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> own_;
+  Eigen::MatrixXd basis_;
 };
 
 /// Best step within bounds along the columns, one after the other where a bound is met, and the cost it
@@ -205,22 +226,61 @@ class Screen {
   Prediction main_;
 };
 
+/// What a probe changes when it goes from nothing to `start`.
+Eigen::VectorXd change_of(const Probe& probe, const std::vector<Eigen::VectorXd>& columns,
+                          const std::vector<double>& start) {
+  Eigen::VectorXd change = Eigen::VectorXd::Zero(columns.front().size());
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const std::size_t p = probe.growing[c];
+    const double way = rides_along(probe) ? 1 : probe.to[p] - probe.at[p];
+    if (way != 0) change += (start[p] - probe.at[p]) / way * columns[c];
+  }
+  return change;
+}
+
+/// The fit's own parameters within their bounds, moved.
+std::vector<double> moved(const Study& study, const Fit& fitted, const Eigen::VectorXd& by) {
+  const std::vector<ParameterRange> ranges = study.ranges(fitted.candidate);
+  std::vector<double> parameters = fitted.parameters;
+  for (std::size_t p = 0; p < ranges.size(); ++p)
+    parameters[p] =
+        std::clamp(parameters[p] + by(static_cast<Eigen::Index>(p)), ranges[p].low, ranges[p].high);
+  return parameters;
+}
+
+std::vector<double> joined(std::vector<double> first, const std::vector<double>& last) {
+  first.insert(first.end(), last.begin(), last.end());
+  return first;
+}
+
+/// What one probe promises. \param columns  none where the rig cannot follow it
+Prospect prospect_of(const Study& study, const Fit& fitted, const Weighing& weighing, const Probe& probe,
+                     const std::vector<Eigen::VectorXd>& columns) {
+  std::vector<Eigen::VectorXd> beyond;
+  for (const Eigen::VectorXd& column : columns) beyond.push_back(weighing.beyond_own(column));
+  const std::vector<ParameterRange> ranges = study.ranges(probe.effect);
+  const bool small_steps = rides_along(probe) || columns.empty();
+  std::vector<double> start;
+  const double left = small_steps ? best_step(weighing, beyond, ranges, probe, start)
+                                  : best_share(weighing, beyond.front(), ranges, probe, start);
+  Prospect prospect{probe.effect, {joined(fitted.parameters, start)}, fitted.cost * left};
+  if (small_steps) prospect.from.push_back(joined(fitted.parameters, probe.at));
+  if (!columns.empty()) {
+    const Eigen::VectorXd by = weighing.made_up(change_of(probe, columns, start));
+    prospect.from.push_back(joined(moved(study, fitted, by), start));
+  }
+  return prospect;
+}
+
 }  // namespace
 
 std::vector<Prospect> screen(const Study& study, const Fit& fitted, const FitSettings& settings) {
   const Screen side(study, fitted);
-  const Weighing weighing(study.measurements(), fitted, settings);
+  const Weighing weighing(study, fitted, settings);
   std::vector<Prospect> prospects;
   for (std::size_t i = 0; i < side.all().size(); ++i) {
-    const Probe& probe = side.all()[i];
-    Prospect prospect{probe.effect, {}, 0};
-    const std::vector<Eigen::VectorXd> columns = side.columns(i, weighing);
-    const std::vector<ParameterRange> ranges = study.ranges(probe.effect);
-    prospect.cost =
-        fitted.cost * (rides_along(probe) || columns.empty()
-                           ? best_step(weighing, columns, ranges, probe, prospect.start)
-                           : best_share(weighing, columns.front(), ranges, probe, prospect.start));
-    if (prospects.empty() || prospects.back().effect != probe.effect) {
+    Prospect prospect = prospect_of(study, fitted, weighing, side.all()[i], side.columns(i, weighing));
+    if (prospects.empty() || prospects.back().effect != prospect.effect) {
       prospects.push_back(std::move(prospect));
     } else if (prospect.cost < prospects.back().cost) {
       prospects.back() = std::move(prospect);

@@ -11,8 +11,11 @@ namespace plumbline::diagnose {
 /// An effect that might act beside those of a fit.
 struct Prospect {
   EffectAt effect;
-  std::vector<double> start;  ///< its parameters, as far as the forecast knows
-  double cost;                ///< forecast of the cost with it, the fit's own parameters readjusted
+  /// Where a fit of both may start, the parameters of the fit's own effects first: these as they are, beside
+  /// as much of the newcomer as is forecast; where a little of it acts as much of it does, beside nothing of
+  /// it, from where a fit cannot end with more than is left now; and readjusted to what is forecast.
+  std::vector<std::vector<double>> from;
+  double cost;  ///< forecast of the cost with it, the fit's own parameters readjusted
 };
 
 /// Forecasts every possible effect beside a fit, the most promising first: the score test of each. All of

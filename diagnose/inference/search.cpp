@@ -35,16 +35,16 @@ void add(std::vector<Fit>& fits, std::vector<Fit> more) {
 /// one is among them unless both hide behind more than a score that mimic their sum. A third is looked for
 /// beside the ten best pairs. The two dozen that promise most are fitted. Where an effect with two values or
 /// more fits, fewer will do: it is held against two with few values, and one with many against what machining
-/// leaves.
+/// leaves, alone and beside one effect more.
 constexpr std::size_t single_seeds = 20, pair_seeds = 10, few_valued_seeds = 10, finalists = 24;
 
 /// So many of the best combinations are examined for simpler ones.
 constexpr std::size_t examined = 3;
 
-/// Effects that might act together, and where their fit should start.
+/// Effects that might act together, and where their fit may start.
 struct Combination {
   Candidate candidate;
-  std::vector<double> start;
+  Starts starts;
   double cost;  ///< forecast
 };
 
@@ -93,7 +93,7 @@ class Searcher {
               [](const Combination& a, const Combination& b) { return a.cost < b.cost; });
     std::vector<Fit> fits;
     for (std::size_t c = 0; c < std::min(finalists, combinations.size()); ++c)
-      keep(fits, fit_from(study_, combinations[c].candidate, settings_, combinations[c].start));
+      keep(fits, fit(study_, combinations[c].candidate, settings_, combinations[c].starts));
     std::sort(fits.begin(), fits.end(), better);
     return fits;
   }
@@ -159,9 +159,8 @@ class Searcher {
   }
 
   static Combination joined(const Fit& base, const Prospect& prospect) {
-    Combination both{base.candidate, base.parameters, prospect.cost};
+    Combination both{base.candidate, {prospect.from, 1}, prospect.cost};
     both.candidate.effects.push_back(prospect.effect);
-    both.start.insert(both.start.end(), prospect.start.begin(), prospect.start.end());
     return both;
   }
 
@@ -242,7 +241,11 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
     const bool many = many_valued(study, best) > 0;
     if (many || study.ranges(best).size() > 1)
       add(fits, searcher.extended(searcher.few_valued(singles), few_valued_seeds, 0));
-    if (many) add(fits, searcher.machined());
+    if (many) {
+      const std::vector<Fit> machined = searcher.machined();
+      add(fits, searcher.extended(machined, 1));
+      add(fits, machined);
+    }
   }
   report(1);
   return weighed(study, std::move(fits));

@@ -34,7 +34,9 @@ std::vector<ParameterRange> element_ranges(double deflection) {
 }
 
 Starts element_starts(double deflection) {
-  return {{{0.1, 0.02 * deflection, 0.1, 0.1 * deflection, 0.1, 0.5 * deflection}}, 1};
+  return {{{0.1, 0.02 * deflection, 0.1, 0.1 * deflection, 0.1, 0.5 * deflection},
+           {0.1, 0.05 * deflection, 0.1, 0.2 * deflection, 0.1, 1.0 * deflection}},
+          2};
 }
 
 /// \param stiffness  of the joint that yields at the turn of the parameters
