@@ -45,6 +45,8 @@ GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
     const Series& series = measurements.series()[one.series];
     gap.hum.push_back({study.experiment().runs[series.run].id, series.channel, one.period, one.rms()});
   }
+  for (const Series& series : measurements.series())
+    if (series.times > 1) gap.uneven[series.channel] = series.times;
   for (const Series& series : measurements.series()) {
     if (series.proportion == 0) continue;
     double& share = gap.proportional[series.channel.name];

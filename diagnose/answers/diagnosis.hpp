@@ -30,6 +30,8 @@ struct GapAnswer {
   std::vector<HummingChannel> hum;
   /// Of channels that scatter in proportion to their readings: the share of the reading, beside the rest.
   std::map<Channel::Name, double> proportional;
+  /// Of joints whose angles scatter more than those of the others: how many times.
+  std::map<Channel, double> uneven;
 };
 
 /// A parameter of the best explanation with its 95 % bounds, in catalogue units.

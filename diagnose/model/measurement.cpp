@@ -8,6 +8,7 @@
 
 #include "diagnose/bench/median.hpp"
 #include "diagnose/model/proportional_noise.hpp"
+#include "diagnose/model/uneven_noise.hpp"
 
 namespace plumbline::diagnose {
 
@@ -61,8 +62,8 @@ Measurements::Measurements(const Experiment& experiment) {
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     for (const Channel& channel : run.measured()) {
-      Series series{r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, {}, 0, 0,
-                    0, {}};
+      Series series{
+          r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, {}, 0, 0, 0, 1, {}};
       for (std::size_t i = 0; i < run.readings.size(); ++i)
         if (!std::isnan(channel.of(run.readings[i]))) series.readings.push_back(i);
       if (series.readings.empty()) continue;
@@ -75,7 +76,29 @@ Measurements::Measurements(const Experiment& experiment) {
       all.push_back(std::move(values));
     }
   }
+  weigh_joints(experiment, all);
   weigh(experiment, all);
+}
+
+/// Gives the angles of a joint that scatters more than the others a sigma to match.
+void Measurements::weigh_joints(const Experiment& experiment,
+                                const std::vector<std::vector<double>>& values) {
+  std::vector<std::vector<double>> sizes(experiment.link_length.size());
+  for (std::size_t s = 0; s < series_.size(); ++s) {
+    const Series& series = series_[s];
+    if (series.channel.name != Channel::Name::q) continue;
+    const std::vector<bool> evenly = goes_evenly(experiment.runs[series.run], series.readings);
+    const ThirdDifferences found = ThirdDifferences(values[s], series.sigma).where(evenly);
+    std::vector<double>& all = sizes[series.channel.joint];
+    all.insert(all.end(), found.sizes.begin(), found.sizes.end());
+  }
+  const std::vector<double> times = uneven_noise(sizes);
+  for (Series& series : series_) {
+    if (series.channel.name != Channel::Name::q) continue;
+    series.times = times[series.channel.joint];
+    series.sigma *= series.times;
+    series.step /= series.times;
+  }
 }
 
 /// Gives every value its sigma. What scatters in proportion does so in all runs of a channel.

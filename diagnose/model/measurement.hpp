@@ -14,7 +14,7 @@ namespace plumbline::diagnose {
 struct Series {
   std::size_t run;
   Channel channel;
-  double sigma;                       ///< declared noise
+  double sigma;                       ///< declared noise, times `times`
   std::size_t first;                  ///< place of its first value in the flat list
   std::vector<std::size_t> readings;  ///< index of each value's reading in the run
   /// Of each value: the declared one, wider where the readings scatter in proportion to themselves.
@@ -22,6 +22,8 @@ struct Series {
   double proportion;  ///< that part over the declared sigma, per unit of the reading; mostly 0
   double step;        ///< that coarse readings are rounded to, declared sigmas; 0 where none shows
   double roughness;   ///< of the readings themselves, in sigmas: their noise is hardly larger
+  /// How many times more it scatters than the angles of the other joints do; mostly 1.
+  double times;
   /// Its own, made of its readings: begins random numbers that do not depend on the order of the runs.
   std::vector<std::uint32_t> seed;
 };
@@ -43,6 +45,7 @@ class Measurements {
 
  private:
   void weigh(const Experiment& experiment, const std::vector<std::vector<double>>& values);
+  void weigh_joints(const Experiment& experiment, const std::vector<std::vector<double>>& values);
 
   std::vector<Series> series_;
   std::size_t size_ = 0;

@@ -42,7 +42,8 @@ Json gap(const GapAnswer& answer, const NoiseModel& model) {
           {"chi2_per_dof", answer.chi2_per_value},
           {"rms", by_label(answer.rms)},
           {"noise", noise(model, answer.rms)},
-          {"proportional_noise", proportional}};
+          {"proportional_noise", proportional},
+          {"uneven_noise", by_label(answer.uneven)}};
 }
 
 Json where(const Where& places) {

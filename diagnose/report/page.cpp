@@ -225,6 +225,8 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
     if (sensor != "correlation") view["noise"].push_back({{"sensor", sensor}, {"scale", scale}});
   for (const auto& [sensor, share] : view["gap"]["proportional_noise"].items())
     view["proportional"].push_back({{"sensor", sensor}, {"share", share}});
+  for (const auto& [sensor, times] : view["gap"]["uneven_noise"].items())
+    view["uneven"].push_back({{"sensor", sensor}, {"times", times}});
   view["channels_rms"] = gap_channels(diagnosis.gap, view["gap"]["rms"]);
   add_where(view, report, explained);
   add_cause(view, report, explained);

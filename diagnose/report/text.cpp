@@ -51,6 +51,9 @@ std::string gap(const Diagnosis& diagnosis) {
   for (const auto& [name, share] : answer.proportional)
     text += fmt::format("  the readings of {} scatter by a further {:.2g} % of themselves\n", label(name),
                         100 * share);
+  for (const auto& [channel, times] : answer.uneven)
+    text += fmt::format("  the readings of {} scatter {:.1f} times as much as those of the other joints\n",
+                        channel.label(), times);
   if (answer.present) return text;
   for (const HummingChannel& one : answer.hum)
     text +=
