@@ -95,7 +95,7 @@ Json for_script(const Task& one) {
 }
 
 Json run_script(const std::vector<Task>& tasks) {
-  const TemporaryFolder folder;
+  const files::TemporaryFolder folder;
   const std::string in = folder / "in.json", out = folder / "out.json";
   Json all = Json::array();
   for (const Task& one : tasks) all.push_back(for_script(one));
@@ -140,6 +140,7 @@ void compare(const std::vector<Task>& tasks) {
 
 int main() {
   using namespace plumbline;
+  using diagnose::EffectAt;
   std::vector<bench::Task> tasks;
   for (const EffectAt& at : std::vector<EffectAt>{{"joint_stiffness", 2},
                                                   {"link_length", 3},

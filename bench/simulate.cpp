@@ -192,7 +192,7 @@ std::vector<double> parameters_at(Random random, const Experiment& experiment, c
     if (range.coordinate == Coordinate::logarithm) value = between(random, range.low + 1.5, range.high - 2.5);
     values.push_back(value);
   }
-  if (at.effect == "joint_stop") {
+  if (at.effect->id == "joint_stop") {
     // The stop moves in as the effect grows.
     values[0] = between(random, 0.2, 0.6) / (1 + size);
     values[1] = Study(experiment).ranges(at)[1].scale * log_between(random, 0.5, 20);
@@ -230,7 +230,7 @@ Cause catalogue_cause(const Random& random, const Experiment& experiment,
     all.insert(all.end(), own.begin(), own.end());
     cause.effects.push_back(labelled(experiment, at, own));
   }
-  cause.rigs.assign(experiment.runs.size(), rig_with(experiment, candidate, all));
+  cause.rigs.assign(experiment.runs.size(), rig_with(Study(experiment), candidate, all));
   return cause;
 }
 
@@ -269,16 +269,16 @@ std::optional<Scenario> draw(std::uint64_t seed) {
   const Prediction nominal = predict(Study(experiment), {}, {});
   write_readings(experiment, nominal);
   const double wanted = log_between(random, 2.5, 25), kind = between(random, 0, 1);
-  const std::vector<EffectAt> possible = possible_effects(experiment);
+  const std::vector<EffectAt> possible = possible_effects(Study(experiment));
   std::vector<EffectAt> effects;
   if (kind > 0.1) {
     // First the kind of effect, then its place.
     while (effects.size() < (kind > 0.97 ? 3U : kind > 0.85 ? 2U : 1U)) {
-      const auto id = static_cast<EffectId>(choice(random, effect_count));
+      const Effect* drawn = &catalogue()[choice(random, catalogue().size())];
       std::vector<EffectAt> places;
       for (const EffectAt& at : possible)
-        if (at.effect == id && std::none_of(effects.begin(), effects.end(),
-                                            [&](const EffectAt& other) { return other.effect == id; }))
+        if (at.effect == drawn && std::none_of(effects.begin(), effects.end(),
+                                               [&](const EffectAt& other) { return other.effect == drawn; }))
           places.push_back(at);
       if (!places.empty()) effects.push_back(places[choice(random, places.size())]);
     }
