@@ -99,6 +99,7 @@ Ended run_program(const std::vector<std::string>& words, const std::string& inpu
   in.fill(input);
   std::vector<std::string> copy = words;
   std::vector<char*> arguments;
+  arguments.reserve(copy.size() + 1);
   for (std::string& word : copy) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   std::array<int, 2> complaint{};
