@@ -53,9 +53,9 @@ class Weighing {
   Weighing(const Study& study, const Fit& fitted, const FitSettings& settings)
       : measurements_(study.measurements()), settings_(settings), used_(measurements_.size()) {
     const std::vector<ParameterRange> ranges = study.ranges(fitted.candidate);
-    const auto values = static_cast<Eigen::Index>(used_.size()),
-               held = static_cast<Eigen::Index>(std::count_if(
-                   ranges.begin(), ranges.end(), [](const auto&one) { return one.tolerance > 0; }));
+    const auto is_held = [](const ParameterRange& range) { return range.tolerance > 0; };
+    const auto values = static_cast<Eigen::Index>(used_.size());
+    const Eigen::Index held = std::count_if(ranges.begin(), ranges.end(), is_held);
     residual_.setZero(values + held);
     Eigen::MatrixXd own = Eigen::MatrixXd::Zero(values + held, fitted.jacobian.cols());
     own.topRows(values) = fitted.jacobian;
