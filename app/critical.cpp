@@ -102,7 +102,7 @@ Results compute(ChainTable& table, const Options& options) {
   std::vector<std::optional<Result>> found(count);
   std::vector<std::string> errors(count);
   Progress progress(count > 1 ? "chains" : "critical forces", count > 1 ? count : 0);
-  in_parallel(count, std::thread::hardware_concurrency(), [&](std::size_t i) {
+  in_parallel(count, available_threads(), [&](std::size_t i) {
     try {
       found[i] = compute(table.chains[i], options);
     } catch (const Error& error) {

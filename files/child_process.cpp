@@ -15,6 +15,7 @@
 #include <csignal>
 #include <cstring>
 #include <plumbline/base/error.hpp>
+#include <string_view>
 
 namespace plumbline::files {
 namespace {
@@ -56,14 +57,32 @@ class MemoryFile {
   int number_;
 };
 
+/// Ours, in which a program has one core: those that we start share the machine.
+std::vector<std::string> environment_of_programs() {
+  constexpr std::string_view threads = "OMP_NUM_THREADS=";
+  std::vector<std::string> all{std::string(threads) + "1"};
+  for (char** entry = environ; *entry != nullptr; ++entry)
+    if (!std::string_view(*entry).starts_with(threads)) all.emplace_back(*entry);
+  return all;
+}
+
+/// Pointers to texts, and the null that ends them.
+std::vector<char*> pointers(std::vector<std::string>& texts) {
+  std::vector<char*> all;
+  all.reserve(texts.size() + 1);
+  for (std::string& text : texts) all.push_back(text.data());
+  all.push_back(nullptr);
+  return all;
+}
+
 /// In the new process: becomes the program, or says by its status why it cannot.
-[[noreturn]] void become(char* const* words, const char* folder, int in, int out, int err, int complain,
-                         pid_t parent) {
+[[noreturn]] void become(char* const* words, char* const* environment, const char* folder, int in, int out,
+                         int err, int complain, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);  // it died before that
   if (dup2(in, STDIN_FILENO) >= 0 && dup2(out, STDOUT_FILENO) >= 0 && dup2(err, STDERR_FILENO) >= 0 &&
       chdir(folder) == 0)
-    execvp(words[0], words);
+    execvpe(words[0], words, environment);
   const int failure = errno;
   static_cast<void>(!write(complain, &failure, sizeof failure));
   _exit(1);
@@ -97,17 +116,15 @@ Ended run_program(const std::vector<std::string>& words, const std::string& inpu
                   const std::filesystem::path& folder) {
   const MemoryFile in("input"), out("output"), err("complaints");
   in.fill(input);
-  std::vector<std::string> copy = words;
-  std::vector<char*> arguments;
-  arguments.reserve(copy.size() + 1);
-  for (std::string& word : copy) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+  std::vector<std::string> own_words = words, own_environment = environment_of_programs();
+  const std::vector<char*> arguments = pointers(own_words), environment = pointers(own_environment);
   std::array<int, 2> complaint{};
   if (pipe2(complaint.data(), O_CLOEXEC) != 0) throw Error(words[0], std::strerror(errno), "a pipe");
   const pid_t parent = getpid();
   const pid_t process = fork();
   if (process == 0)
-    become(arguments.data(), folder.c_str(), in.number(), out.number(), err.number(), complaint[1], parent);
+    become(arguments.data(), environment.data(), folder.c_str(), in.number(), out.number(), err.number(),
+           complaint[1], parent);
   int failure = process < 0 ? errno : 0;
   close(complaint[1]);
   if (process > 0 && read(complaint[0], &failure, sizeof failure) > 0) waitpid(process, nullptr, 0);

@@ -87,7 +87,7 @@ void RoundedCount::in_turn(const std::vector<Rational>& forces, Counts& counts) 
   const auto chain = rounded<Real>(length_, stiffness_);
   const detail::BeadString<Real> string(chain);
   const auto piece = string.pieces()[part_];
-  in_parallel(open.size(), std::thread::hardware_concurrency(), [&](std::size_t o) {
+  in_parallel(open.size(), available_threads(), [&](std::size_t o) {
     const std::size_t i = open[o];
     const auto [low, high] = around(forces[i], length_.size(), epsilon<Real>());
     const std::size_t below = count_below(piece, low);

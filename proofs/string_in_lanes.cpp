@@ -119,7 +119,7 @@ ForcesInLanes::ForcesInLanes(const StringInWords& string, const std::vector<Wide
 
 unsigned threads_for(std::size_t forces, std::size_t beads) {
   constexpr std::size_t worth_a_thread = 1 << 14;
-  return forces * beads < worth_a_thread ? 1 : std::thread::hardware_concurrency();
+  return forces * beads < worth_a_thread ? 1 : available_threads();
 }
 
 std::vector<RunInLanes> run_in_lanes(const StringInWords& string, const std::vector<Wide>& forces) {

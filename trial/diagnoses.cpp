@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 #include <plumbline/base/parallel.hpp>
-#include <thread>
 
 #include "files/experiment_files.hpp"
 #include "files/json_file.hpp"
@@ -33,7 +32,7 @@ std::string as_item(const Assignment& one, const std::string& digest) {
 
 std::vector<std::string> as_items(const std::vector<Assignment>& assignments, bool digests) {
   std::vector<std::string> items(assignments.size());
-  in_parallel(items.size(), std::thread::hardware_concurrency(), [&](std::size_t i) {
+  in_parallel(items.size(), available_threads(), [&](std::size_t i) {
     items[i] = as_item(assignments[i], digests ? digest_of_inputs(assignments[i]) : "");
   });
   return items;

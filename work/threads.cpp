@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <plumbline/base/parallel.hpp>
-#include <thread>
 
 #include "work/turns.hpp"
 
@@ -10,7 +9,7 @@ namespace plumbline::work {
 
 void share_among_threads(const Task& task, std::size_t count, const Exchange& exchange) {
   Turns turns(count, exchange);
-  const unsigned workers = task.by_threads ? std::max(1U, std::thread::hardware_concurrency()) : 1;
+  const unsigned workers = task.by_threads ? available_threads() : 1;
   in_parallel(std::min<std::size_t>(workers, count), workers, [&](std::size_t) { turns.work_through(task); });
   turns.end();
 }

@@ -1,5 +1,7 @@
 #include "diagnose/answers/rotation.hpp"
 
+#include <plumbline/base/parallel.hpp>
+
 #include "diagnose/beliefs.hpp"
 #include "diagnose/inference/evidence.hpp"
 
@@ -45,12 +47,14 @@ std::optional<Rotated> rotated(const Study& study, const NoiseModel& noise, cons
     HeldOut all = nothing_held(study.experiment());
     std::vector<double> after = study.nominal_residual();
     std::vector<HeldOut> used;
-    for (const HeldOut& part : parts) {
-      const std::optional<std::vector<double>> left =
-          left_blind(study.of(without(study.experiment(), part)), part);
-      if (!left) continue;
-      add(study, part, *left, all, after);
-      used.push_back(part);
+    std::vector<std::optional<std::vector<double>>> left(parts.size());
+    in_parallel(parts.size(), study.threads(), [&](std::size_t p) {
+      left[p] = left_blind(study.of(without(study.experiment(), parts[p])), parts[p]);
+    });
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      if (!left[p]) continue;
+      add(study, parts[p], *left[p], all, after);
+      used.push_back(parts[p]);
     }
     if (used.empty()) continue;
     return Rotated{measure_shrink(study.measurements(), all, study.nominal_residual(), after, noise), used};

@@ -16,7 +16,7 @@ struct Rotated {
 };
 
 /// What is left of the whole experiment's residual, flat, by what was fitted to `seen`, which is without the
-/// part; nothing where `seen` does not tell.
+/// part; nothing where `seen` does not tell. Parts are asked for side by side.
 using LeftBlind = std::function<std::optional<std::vector<double>>(const Study& seen, const HeldOut& part)>;
 
 /// What is left of each part by what was fitted without it; all parts together. A part of which the others

@@ -1,6 +1,7 @@
 #include "diagnose/inference/search.hpp"
 
 #include <algorithm>
+#include <plumbline/base/parallel.hpp>
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/inference/rival.hpp"
@@ -58,8 +59,9 @@ class Searcher {
   }
 
   [[nodiscard]] std::vector<Fit> singles() const {
-    std::vector<Fit> fits;
-    for (const EffectAt& at : possible_effects(study_)) keep(fits, fit(study_, Candidate{{at}}, settings_));
+    const std::vector<EffectAt> effects = possible_effects(study_);
+    std::vector<Fit> fits = side_by_side(
+        effects.size(), [&](std::size_t e) { return fit(study_, Candidate{{effects[e]}}, settings_); });
     std::sort(fits.begin(), fits.end(), better);
     return fits;
   }
@@ -72,28 +74,31 @@ class Searcher {
 
   /// What is known already, from where it stands.
   [[nodiscard]] std::vector<Fit> again(const Findings& known) const {
-    std::vector<Fit> fits;
-    for (const Hypothesis& one : known.hypotheses)
-      keep(fits, fit_from(study_, one.fit.candidate, settings_, one.fit.parameters));
-    return fits;
+    return side_by_side(known.hypotheses.size(), [&](std::size_t h) {
+      const Fit& one = known.hypotheses[h].fit;
+      return fit_from(study_, one.candidate, settings_, one.parameters);
+    });
   }
 
   /// Adds one more effect to each of the best so far.
   /// \param most  so many of the effects may have many values
   [[nodiscard]] std::vector<Fit> extended(const std::vector<Fit>& from, std::size_t seeds,
                                           std::size_t most = 1) const {
+    std::vector<std::vector<Prospect>> prospects(std::min(seeds, from.size()));
+    in_parallel(prospects.size(), study_.threads(),
+                [&](std::size_t s) { prospects[s] = screen(study_, from[s], settings_); });
     std::vector<Combination> combinations;
-    for (std::size_t s = 0; s < std::min(seeds, from.size()); ++s) {
-      for (const Prospect& prospect : screen(study_, from[s], settings_))
+    for (std::size_t s = 0; s < prospects.size(); ++s) {
+      for (const Prospect& prospect : prospects[s])
         // Two effects with many values follow anything.
         if (Combination both = joined(from[s], prospect); many_valued(study_, both.candidate) <= most)
           offer(combinations, std::move(both));
     }
     std::sort(combinations.begin(), combinations.end(),
               [](const Combination& a, const Combination& b) { return a.cost < b.cost; });
-    std::vector<Fit> fits;
-    for (std::size_t c = 0; c < std::min(finalists, combinations.size()); ++c)
-      keep(fits, fit(study_, combinations[c].candidate, settings_, combinations[c].starts));
+    std::vector<Fit> fits = side_by_side(std::min(finalists, combinations.size()), [&](std::size_t c) {
+      return fit(study_, combinations[c].candidate, settings_, combinations[c].starts);
+    });
     std::sort(fits.begin(), fits.end(), better);
     return fits;
   }
@@ -105,26 +110,24 @@ class Searcher {
     Candidate candidate;
     for (const EffectAt& at : possible_effects(study_))
       if (at.effect->of_machining) candidate.effects.push_back(at);
-    std::vector<Fit> fits;
-    if (candidate.machined() && study_.ranges(candidate).size() <= most_values)
-      keep(fits, fit(study_, candidate, settings_));
-    return fits;
+    const bool can_be = candidate.machined() && study_.ranges(candidate).size() <= most_values;
+    return side_by_side(can_be ? 1 : 0, [&](std::size_t) { return fit(study_, candidate, settings_); });
   }
 
   /// The best combinations with one effect left out, started where the combination stands: a search that went
   /// astray alone may have found its place in company.
   [[nodiscard]] std::vector<Fit> parts(const std::vector<Fit>& combinations) const {
-    std::vector<Fit> fits;
+    std::vector<std::pair<const Fit*, EffectAt>> cuts;
     for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c)
       for (const EffectAt& left_out : combinations[c].candidate.effects)
-        keep(fits, without(combinations[c], left_out));
-    return fits;
+        cuts.emplace_back(&combinations[c], left_out);
+    return side_by_side(cuts.size(), [&](std::size_t i) { return without(*cuts[i].first, cuts[i].second); });
   }
 
   /// The best combinations with one effect made a special case of it: a tare of each run that is alike in
   /// all, say, is one tare.
   [[nodiscard]] std::vector<Fit> plainer(const std::vector<Fit>& combinations) const {
-    std::vector<Fit> fits;
+    std::vector<Candidate> plain_ones;
     for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c) {
       const Candidate& whole = combinations[c].candidate;
       for (std::size_t e = 0; e < whole.effects.size(); ++e) {
@@ -133,13 +136,13 @@ class Searcher {
           const auto& known = whole.effects;
           if (!covers(known[e], plain) || std::find(known.begin(), known.end(), plain) != known.end())
             continue;
-          Candidate candidate = whole;
-          candidate.effects[e] = plain;
-          keep(fits, fit(study_, candidate, settings_));
+          plain_ones.push_back(whole);
+          plain_ones.back().effects[e] = plain;
         }
       }
     }
-    return fits;
+    return side_by_side(plain_ones.size(),
+                        [&](std::size_t i) { return fit(study_, plain_ones[i], settings_); });
   }
 
  private:
@@ -149,13 +152,21 @@ class Searcher {
     return fit_from(study_, rest.candidate, settings_, rest.parameters);
   }
 
-  /// Keeps what converged, unless its parameters are too many for so few readings: three for each. Those
-  /// that are held by tolerances count as one.
-  void keep(std::vector<Fit>& fits, Fit one) const {
+  /// So many fits, shared among the cores; in their order those that are of use.
+  template <class Make>
+  [[nodiscard]] std::vector<Fit> side_by_side(std::size_t count, const Make& make) const {
+    std::vector<Fit> fits(count);
+    in_parallel(count, study_.threads(), [&](std::size_t i) { fits[i] = make(i); });
+    std::erase_if(fits, [&](const Fit& one) { return !of_use(one); });
+    return fits;
+  }
+
+  /// What converged, unless its parameters are too many for so few readings: three for each. Those that are
+  /// held by tolerances count as one.
+  [[nodiscard]] bool of_use(const Fit& one) const {
     std::size_t free = 0, held = 0;
     for (const ParameterRange& range : study_.ranges(one.candidate)) ++(range.tolerance > 0 ? held : free);
-    if (one.converged && 3 * (free + std::min<std::size_t>(held, 1)) <= study_.measurements().size())
-      fits.push_back(std::move(one));
+    return one.converged && 3 * (free + std::min<std::size_t>(held, 1)) <= study_.measurements().size();
   }
 
   static Combination joined(const Fit& base, const Prospect& prospect) {

@@ -4,6 +4,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <numbers>
+#include <plumbline/base/parallel.hpp>
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/inference/rival.hpp"
@@ -126,22 +127,33 @@ bool genuine(const Study& study, const Fit& fit) {
 }
 
 Findings confirmed(const Study& study, const Findings& found) {
-  // More readings cannot lift what fell behind by so much.
+  // More readings cannot lift what fell behind by so much, unless it is a part of what leads.
   constexpr double hopeless = 50;
-  Findings all;
-  all.tolerance = found.tolerance;
+  const auto is_behind = [&](const Hypothesis& one) {
+    const Hypothesis& leading = found.hypotheses.front();
+    return one.log_evidence < leading.log_evidence - hopeless &&
+           !contains(leading.fit.candidate, one.fit.candidate);
+  };
   FitSettings settings;
   settings.noise = found.noise;
+  const auto refitted = [&](const Fit& one) {
+    return fit_from(study, one.candidate, settings, one.parameters);
+  };
+  std::vector<Fit> fits(found.hypotheses.size());
+  in_parallel(fits.size(), study.threads(), [&](std::size_t i) {
+    if (!is_behind(found.hypotheses[i])) fits[i] = refitted(found.hypotheses[i].fit);
+  });
+  Findings all;
+  all.tolerance = found.tolerance;
   std::size_t standing = 0;
-  for (const Hypothesis& hypothesis : found.hypotheses) {
-    const Hypothesis& leading = found.hypotheses.front();
-    const bool behind = hypothesis.log_evidence < leading.log_evidence - hopeless,
-               part = contains(leading.fit.candidate, hypothesis.fit.candidate);
-    if (behind && standing >= 2 && !part) continue;
-    Fit one = fit_from(study, hypothesis.fit.candidate, settings, hypothesis.fit.parameters);
-    if (!one.converged) continue;
-    standing += genuine(study, one);
-    all.hypotheses.push_back({std::move(one), 0, 0, {}});
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    if (is_behind(found.hypotheses[i])) {
+      if (standing >= 2) continue;
+      fits[i] = refitted(found.hypotheses[i].fit);
+    }
+    if (!fits[i].converged) continue;
+    standing += genuine(study, fits[i]);
+    all.hypotheses.push_back({std::move(fits[i]), 0, 0, {}});
   }
   weigh(study, all);
   return all;

@@ -93,6 +93,10 @@ bool RigSolver<Bandwidth>::descend(const RigStep& step, const Imposed& imposed, 
   model_.become(step, posture.contact);
   const auto contacts = [&] { settle_contacts(step, false, posture); };
   const auto at_rest = [&] {
+    // Where the tangent is not that of a minimum yet, Newton's method would go uphill.
+    system_.expand(posture.angle, posture.force);
+    if (!system_.factor(imposed.control, hold * step.run.largest_stiffness)) return false;
+    if (system_.negative_directions() > 0) return false;
     trial_ = posture;
     const bool found = newton(step, imposed, Pace::careful, trial_);
     if (found) posture = trial_;

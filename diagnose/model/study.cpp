@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <plumbline/base/parallel.hpp>
 
 #include "diagnose/model/nominal.hpp"
 
@@ -61,9 +62,13 @@ Study Study::of(Experiment other) const {
   return Study(std::move(other), experiment_.stated);
 }
 
+unsigned Study::threads() const {
+  return experiment_.stated && !experiment_.stated->empty() ? 1 : available_threads();
+}
+
 const Prediction& Study::nominal() const {
-  if (!nominal_) nominal_ = simulate(experiment_, nominal_rig_, {});
-  return *nominal_;
+  std::call_once(late_->predicted, [&] { late_->nominal = simulate(experiment_, nominal_rig_, {}); });
+  return late_->nominal;
 }
 
 std::vector<double> Study::residual(const Prediction& predicted) const {
@@ -75,8 +80,8 @@ std::vector<double> Study::nominal_residual() const {
 }
 
 const Exercise& Study::exercise() const {
-  if (!exercise_) exercise_ = exercise_of(experiment_, nominal());
-  return *exercise_;
+  std::call_once(late_->exercised, [&] { late_->exercise = exercise_of(experiment_, nominal()); });
+  return late_->exercise;
 }
 
 std::vector<ParameterRange> Study::ranges(const EffectAt& at) const {

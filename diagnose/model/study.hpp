@@ -3,7 +3,7 @@
 /// An experiment under study: what was measured, and what follows from it once and for all.
 
 #include <memory>
-#include <optional>
+#include <mutex>
 
 #include "diagnose/model/effect.hpp"
 #include "diagnose/model/history.hpp"
@@ -27,6 +27,10 @@ class Study {
   /// The rows that are looked at: the catalogue's, and behind them those that the user states.
   [[nodiscard]] const std::vector<const Effect*>& effects() const { return effects_; }
 
+  /// So many predictions may be made at once: as many as there are cores, but the user's expressions are
+  /// evaluated one at a time.
+  [[nodiscard]] unsigned threads() const;
+
   /// The rig that the nominal model believes in.
   [[nodiscard]] const Rig& nominal_rig() const { return nominal_rig_; }
   /// What the nominal model predicts; computed when it is first asked for.
@@ -47,8 +51,13 @@ class Study {
   Measurements measurements_;
   Sizes sizes_;
   Rig nominal_rig_;
-  mutable std::optional<Prediction> nominal_;
-  mutable std::optional<Exercise> exercise_;
+  /// What is computed when it is first asked for, by whichever thread.
+  struct Late {
+    std::once_flag predicted, exercised;
+    Prediction nominal;
+    Exercise exercise;
+  };
+  std::shared_ptr<Late> late_ = std::make_shared<Late>();
 };
 
 /// Every effect at every place of this chain where it can change anything at all: no stiffness error at a

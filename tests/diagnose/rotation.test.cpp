@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <mutex>
 #include <set>
 
 #include "diagnose/report/report.hpp"
@@ -127,7 +128,9 @@ TEST_CASE("what is fitted without a part never sees it, and is measured on it al
   const Study study(experiment);
   // Each part's prediction is off by a size of its own, everywhere.
   double size = 1, squares = 0, values = 0;
+  std::mutex one_at_a_time;
   const auto blind = [&](const Study& seen, const HeldOut& part) {
+    const std::scoped_lock lock(one_at_a_time);
     for (std::size_t r = 0; r < experiment.runs.size(); ++r)
       for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i) {
         if (!part.reading[r][i]) continue;

@@ -43,6 +43,16 @@ TEST_CASE("words are words: no shell reads them") {
   CHECK(run_program({"echo", "$(id)", "'; exit 3", "a b"}, "").out == "$(id) '; exit 3 a b\n");
 }
 
+TEST_CASE("a program has our environment, and one core") {
+  setenv("OMP_NUM_THREADS", "7", 1);
+  setenv("OF_OUR_OWN", "a = b", 1);
+  const Ended ended =
+      run_program({"sh", "-c", "env | grep -c ^OMP_NUM_THREADS; echo $OMP_NUM_THREADS $OF_OUR_OWN"}, "");
+  unsetenv("OMP_NUM_THREADS");
+  unsetenv("OF_OUR_OWN");
+  CHECK(ended.out == "1\n1 a = b\n");
+}
+
 TEST_CASE("a program that takes too long is given up") {
   CHECK(run_program({"sleep", "60"}, "", std::chrono::duration<double>(0.1)).failure ==
         "not done after 0.1 s");

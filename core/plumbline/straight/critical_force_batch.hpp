@@ -9,8 +9,8 @@
 /// assert(std::abs(forces[0] - 2) < 1e-15 && std::abs(forces[1] - 1.5) < 1e-15);
 /// \endcode
 
+#include <plumbline/base/parallel.hpp>
 #include <plumbline/straight/critical_force.hpp>
-#include <thread>
 
 namespace plumbline {
 
@@ -122,8 +122,7 @@ inline void lowest_forces(const ChainBatch& batch, std::size_t first, std::size_
 /// The lowest critical force of each chain of a batch.
 /// \param threads  at most so many at once
 /// \throws Error for lists that are not whole chains, and for the first chain that critical_forces() refuses
-inline std::vector<double> lowest_forces(const ChainBatch& batch,
-                                         unsigned threads = std::thread::hardware_concurrency()) {
+inline std::vector<double> lowest_forces(const ChainBatch& batch, unsigned threads = available_threads()) {
   if (batch.links < 2) throw Error("batch", "chains of fewer than two links", "two links or more");
   if (batch.length.size() % batch.links != 0 || batch.length.size() != batch.stiffness.size()) {
     throw Error("batch",
@@ -134,28 +133,9 @@ inline std::vector<double> lowest_forces(const ChainBatch& batch,
   std::vector<double> forces(batch.size());
   const std::size_t most = (batch.size() + 1023) / 1024;  // a thread is not worth it for fewer
   const std::size_t parts = std::max<std::size_t>(1, std::min<std::size_t>(threads, most));
-  std::vector<std::exception_ptr> failures(parts);
-  {
-    std::vector<std::jthread> workers;
-    for (std::size_t part = 0; part < parts; ++part) {
-      const auto work = [&, part] {
-        try {
-          detail::lowest_forces(batch, batch.size() * part / parts, batch.size() * (part + 1) / parts,
-                                forces);
-        } catch (...) {
-          failures[part] = std::current_exception();
-        }
-      };
-      if (part + 1 < parts) {
-        workers.emplace_back(work);
-      } else {
-        work();
-      }
-    }
-  }
-  for (const auto& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
-  }
+  in_parallel(parts, threads, [&](std::size_t part) {
+    detail::lowest_forces(batch, batch.size() * part / parts, batch.size() * (part + 1) / parts, forces);
+  });
   return forces;
 }
 
