@@ -41,7 +41,7 @@ python=(
 # the site: the reference, and the drawings of the gallery
 docs=(doxygen gnuplot-nox)
 tests=(
-  ccache doctest-dev librapidcheck-dev python3-jsonschema
+  ccache doctest-dev librapidcheck-dev python3-jsonschema python3-mpmath
   # the simulated bench of the blind trial, and the models of simulators
   "${models[@]}"
   # many machines

@@ -39,8 +39,8 @@ inline double time_once(const std::function<std::vector<double>()>& run, std::si
   return (processor_seconds() - start) / static_cast<double>(calls);
 }
 
-/// Rounds in which each runs in turn, as many as fit into about `budget` seconds, three at least; a runner
-/// that takes longer than a second runs once.
+/// Rounds in which each runs in turn for a millisecond or one call, as many as fit into about `budget` seconds,
+/// three at least; a runner that takes longer than a second runs once.
 inline void race(std::vector<Runner>& runners, double budget) {
   std::vector<std::size_t> calls;
   std::vector<std::vector<double>> times(runners.size()), ratios(runners.size());
@@ -50,8 +50,9 @@ inline void race(std::vector<Runner>& runners, double budget) {
     runner.result = runner.run();
     const double first = std::max(processor_seconds() - start, 1e-8);
     times[calls.size()].push_back(first);
-    calls.push_back(first > 1 ? 0 : static_cast<std::size_t>(std::clamp(1e-4 / first, 1.0, 1e4)));
-    round += static_cast<double>(calls.back()) * first;
+    const double warm = first > 1 ? first : std::max(time_once(runner.run, 1), 1e-8);
+    calls.push_back(first > 1 ? 0 : static_cast<std::size_t>(std::clamp(1e-3 / warm, 1.0, 1e5)));
+    round += static_cast<double>(calls.back()) * warm;
   }
   const auto rounds = static_cast<std::size_t>(std::clamp(budget / round, 3.0, 200.0));
   for (std::size_t r = 0; r < rounds; ++r) {

@@ -2,7 +2,11 @@
 /// \file
 /// The links of a chain along a branch, as power series.
 
+#include <cstring>
+#include <plumbline/base/lanes.hpp>
+#include <plumbline/base/widest.hpp>
 #include <plumbline/chain/kinematics.hpp>
+#include <type_traits>
 #include <utility>
 
 namespace plumbline {
@@ -39,36 +43,16 @@ class LinkSeries {
   /// \param x, y    of the sums over all links
   template <class Branch>
   void lower_orders(Eigen::Index k, const Branch& branch, Vector<Real>& moment, Real& x, Real& y) {
-    using Links = Eigen::Array<Real, width, 1>;
-    const Real share = Real(1) / Real(static_cast<int>(k));
-    Links sum_x = Links::Constant(Real(0)), sum_y = sum_x;
-    for (Eigen::Index block = 0; block < x_.cols(); ++block) {
-      const auto at = [block](Matrix<Real>& of, Eigen::Index order) {
-        return of.col(block).template segment<width>(width * order).array();
-      };
-      Links fall = Links::Constant(Real(0)), rise = fall, by_fx = fall, by_fy = fall;
-      for (Eigen::Index j = 1; j < k; ++j) {
-        const Links before_x = at(x_, k - j), before_y = at(y_, k - j), turned = at(turn_, j);
-        fall += turned * before_y;
-        rise += turned * before_x;
-        by_fx += before_y * branch.force_x(j);
-        by_fy += before_x * branch.force_y(j);
-      }
-      const Links dx = fall * -share, dy = rise * share;
-      at(x_, k) = dx;
-      at(y_, k) = dy;
-      sum_x += dx;
-      sum_y += dy;
-      moment_.template segment<width>(width * block) =
-          (by_fx + dy * branch.force_x(0)) - (by_fy + dx * branch.force_y(0));
+    if constexpr (std::same_as<Real, double>) {
+      detail::in_widest([&] { add_lower_orders(k, branch, x, y); });
+    } else {
+      add_lower_orders(k, branch, x, y);
     }
     moment = moment_.head(links_);
     for (std::size_t j = 0; j < carried_->size(); ++j) {
       const auto i = static_cast<Eigen::Index>(j);
       moment(i) += entry(y_, k, i) * (*carried_)[j].x - entry(x_, k, i) * (*carried_)[j].y;
     }
-    x = y = Real(0);
-    for (Eigen::Index lane = 0; lane < width; ++lane) x += sum_x(lane), y += sum_y(lane);
   }
 
   /// Completes order k by the links' own turn of that order, theta_k.
@@ -84,7 +68,64 @@ class LinkSeries {
   }
 
  private:
-  static constexpr Eigen::Index width = std::same_as<Real, double> ? 4 : 1;
+  static constexpr bool in_lanes = std::same_as<Real, double>;
+  static constexpr Eigen::Index width = in_lanes ? detail::lane_count : 1;
+  using Links = std::conditional_t<in_lanes, detail::Lanes, Real>;
+
+  static Links load(const Real* from) {
+    if constexpr (in_lanes) {
+      Links links;
+      std::memcpy(&links, from, sizeof links);
+      return links;
+    } else {
+      return *from;
+    }
+  }
+  static void store(const Links& links, Real* to) {
+    if constexpr (in_lanes) {
+      std::memcpy(to, &links, sizeof links);
+    } else {
+      *to = links;
+    }
+  }
+  static Real sum(const Links& links) {
+    if constexpr (in_lanes) {
+      return detail::suffix_sums(links)[0];
+    } else {
+      return links;
+    }
+  }
+
+  template <class Branch>
+  void add_lower_orders(Eigen::Index k, const Branch& branch, Real& x, Real& y) {
+    const Real share = Real(1) / Real(static_cast<int>(k));
+    const Links none = Links{} + Real(0);
+    Links sum_x = none, sum_y = none;
+    for (Eigen::Index block = 0; block < x_.cols(); ++block) {
+      const Eigen::Index first = block * x_.rows();
+      Real *const xs = x_.data() + first, *const ys = y_.data() + first;
+      const Real* const turns = turn_.data() + first;
+      Links fall = none, rise = none, by_fx = none, by_fy = none;
+      for (Eigen::Index j = 1; j < k; ++j) {
+        const Links before_x = load(xs + width * (k - j)), before_y = load(ys + width * (k - j)),
+                    turned = load(turns + width * j);
+        fall += turned * before_y;
+        rise += turned * before_x;
+        by_fx += before_y * branch.force_x(j);
+        by_fy += before_x * branch.force_y(j);
+      }
+      const Links dx = fall * -share, dy = rise * share;
+      store(dx, xs + width * k);
+      store(dy, ys + width * k);
+      sum_x += dx;
+      sum_y += dy;
+      store((by_fx + dy * branch.force_x(0)) - (by_fy + dx * branch.force_y(0)),
+            moment_.data() + width * block);
+    }
+    x = sum(sum_x);
+    y = sum(sum_y);
+  }
+
   static Real& entry(Matrix<Real>& of, Eigen::Index order, Eigen::Index link) {
     return of(width * order + link % width, link / width);
   }
