@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "files/csv_file.hpp"
 #include "proofs/decimal.hpp"
 
@@ -43,12 +45,13 @@ std::string brief_signs(const std::string& signs) {
 
 /// Rows of right-aligned angles with so many to a line.
 std::string angles(std::size_t number, const proofs::CriticalMode& mode) {
-  constexpr std::size_t to_a_line = 8;
+  constexpr std::size_t to_a_line = 8, most = 1000;
   std::string text = fmt::format("{:4}", number);
-  for (std::size_t i = 0; i < mode.q.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(most, mode.q.size()); ++i) {
     if (i > 0 && i % to_a_line == 0) text += "\n    ";
     text += fmt::format(" {:8.4f}", mode.q[i]);
   }
+  if (mode.q.size() > most) text += fmt::format("\n    and {} more: --json", mode.q.size() - most);
   return text + fmt::format("   Fy {}\n", proofs::to_decimal(mode.fy, 4));
 }
 

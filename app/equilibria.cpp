@@ -163,7 +163,9 @@ Answer sampled(const Options& options, const proofs::CensusTask& task) {
 }
 
 Answer answer_of(const Options& options, const proofs::CensusTask& task) {
-  const Progress progress(options.certify ? "census" : "equilibria", 0);
+  const std::string bound = fmt::format("census (given up after {:.0e} boxes, a minute or two)",
+                                        static_cast<double>(proofs::CensusLimits().boxes));
+  const Progress progress(options.certify ? bound : "equilibria", 0);
   return options.certify ? certified(options, task) : sampled(options, task);
 }
 

@@ -117,8 +117,9 @@ std::string result_of(const std::string& item) {
 
 /// About a thousand items, that many may share them to the end; of a billion chains more, for none may take
 /// long.
+/// A thousand blocks at least, none of which takes longer than a second until they are a million.
 std::size_t usual_block(std::size_t chains) {
-  return std::clamp<std::size_t>(chains / 1000, 1, 10000);
+  return std::clamp<std::size_t>(chains / 1000, 1, std::max<std::size_t>(100, chains / 1000000));
 }
 
 std::vector<Block> blocks_of(std::size_t chains, std::uint64_t seed, std::size_t size) {

@@ -83,10 +83,10 @@ class Chain {
       return certainly_negative(x);
     }
   }
-  static std::string entry(const std::string& list, std::size_t i) {
-    return list + ", entry " + std::to_string(i + 1);
+  static std::string entry(const char* list, std::size_t i) {
+    return std::string(list) + ", entry " + std::to_string(i + 1);
   }
-  static void require_finite(const std::string& list, std::size_t i, const Real& x) {
+  static void require_finite(const char* list, std::size_t i, const Real& x) {
     if (!is_finite(x)) throw Error(entry(list, i), "a value that is not finite", "a finite number");
   }
   void require_count(const std::string& list, const std::vector<Real>& values) const {

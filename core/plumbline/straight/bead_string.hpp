@@ -15,6 +15,7 @@
 #include <cmath>
 #include <plumbline/base/lanes.hpp>
 #include <plumbline/base/scratch.hpp>
+#include <plumbline/base/widest.hpp>
 #include <plumbline/chain/chain.hpp>
 #include <span>
 
@@ -74,7 +75,7 @@ class BeadString {
   explicit BeadString(const Chain<Real>& chain)
       : chain_(chain), mass_(mode_count(chain)), spacing_(chain.size()) {
     if constexpr (std::same_as<Real, double>) {
-      hang_in_lanes();
+      in_widest([&] { hang_in_lanes(); });
     } else {
       hang();
     }

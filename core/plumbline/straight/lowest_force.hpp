@@ -5,6 +5,7 @@
 /// two runs are enough.
 
 #include <optional>
+#include <plumbline/base/widest.hpp>
 #include <plumbline/straight/laguerre.hpp>
 
 namespace plumbline::detail {
@@ -114,7 +115,8 @@ inline double lowest_force(const StringPiece<double>& string,
   if (string.size() > 32) {
     const CoarseString coarse(string);
     const double near = lowest_force(coarse.piece(), 1e-6);
-    force = lowest_root([&](double F) { return sweep_from_both_ends<4>(string, F); }, near, degree, enough);
+    const auto run = [&](double F) { return in_widest([&] { return sweep_from_both_ends<4>(string, F); }); };
+    force = lowest_root(run, near, degree, enough);
   } else {
     force =
         lowest_root([&](double F) { return sweep<3>(string, F); }, close_to_lowest(string), degree, enough);
