@@ -1,8 +1,10 @@
 #include "diagnose/inference/hum.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/inference/slow.hpp"
@@ -41,6 +43,11 @@ Eigen::VectorXd innovations(const Eigen::VectorXd& values, double correlation) {
   return values.tail(rest) - correlation * values.head(rest);
 }
 
+/// Frequency a reading below which a tone of so many readings is slow.
+double slowest_tone(std::size_t count) {
+  return (static_cast<double>(slow_components(count)) / 2 + 1) / static_cast<double>(count);
+}
+
 /// The loudest tone in these values, and the chance that noise alone has one as loud.
 struct Loudest {
   Hum tone;
@@ -52,7 +59,7 @@ Loudest loudest(const Eigen::VectorXd& values, double correlation) {
   const auto count = static_cast<std::size_t>(values.size());
   const Eigen::VectorXd fast = fast_part(values), white = innovations(fast, correlation);
   const auto m = static_cast<double>(count);
-  const double slowest = (static_cast<double>(slow_components(count)) / 2 + 1) / m;
+  const double slowest = slowest_tone(count);
   double best = 0, at = slowest;
   const auto looks = static_cast<int>(std::ceil((0.5 - slowest) * per_ordinate * m));
   for (int i = 0; i < looks; ++i) {
@@ -90,6 +97,52 @@ double correlation_beside_tones(const Measurements& measurements, const std::vec
   return estimate_noise(measurements, without_hum(measurements, residual, all)).correlation;
 }
 
+/// A tone that is known from another run, where it is slow in this one: once around at least, as loud as
+/// there within a factor of two, and not by chance.
+std::optional<Hum> known_tone(const Series& series, const Series& heard_in, const Hum& heard,
+                              const Eigen::VectorXd& values, double level) {
+  constexpr int looks = 9;  // within half an ordinate of the run where it was heard, to either side
+  const auto m = static_cast<double>(series.readings.size());
+  const double ratio = series.interval / heard_in.interval;
+  const double off = 0.5 / static_cast<double>(heard_in.readings.size());
+  const double middle = values.mean(), energy = (values.array() - middle).square().sum();
+  double least = energy;
+  Hum found = heard;
+  for (int i = 0; i < looks; ++i) {
+    const double frequency = ratio * (1 / heard.period + off * (2.0 * i / (looks - 1) - 1));
+    if (!(frequency * m > 1) || !(frequency < slowest_tone(series.readings.size()))) continue;
+    Eigen::MatrixX3d waves(values.size(), 3);
+    waves << tone(series.readings.size(), frequency), Eigen::VectorXd::Ones(values.size());
+    const Eigen::Vector3d size = waves.completeOrthogonalDecomposition().solve(values);
+    const double left = (values - waves * size).squaredNorm();
+    if (left < least) least = left, found = {heard.series, 1 / frequency, size(0), size(1)};
+  }
+  const double chance = looks * std::pow(least / energy, (m - 3) / 2);
+  const double louder = found.rms() / heard.rms();
+  if (!(chance < level) || !(louder > 0.5 && louder < 2)) return std::nullopt;
+  return found;
+}
+
+/// Adds to the tones that were heard in some run those that others of its channel then have too.
+void add_known(const Measurements& measurements, const std::vector<double>& residual, double level,
+               std::vector<Hum>& all) {
+  const std::vector<Hum> heard = all;
+  const std::vector<Series>& series = measurements.series();
+  for (std::size_t s = 0; s < series.size(); ++s) {
+    const auto is_here = [&](const Hum& one) { return one.series == s; };
+    if (!long_enough(series[s]) || std::any_of(heard.begin(), heard.end(), is_here)) continue;
+    for (const Hum& one : heard) {
+      const Series& there = series[one.series];
+      if (there.channel != series[s].channel || !(there.interval > 0 && series[s].interval > 0)) continue;
+      std::optional<Hum> found = known_tone(series[s], there, one, values_of(series[s], residual), level);
+      if (!found) continue;
+      found->series = s;
+      all.push_back(*found);
+      break;
+    }
+  }
+}
+
 }  // namespace
 
 double Hum::rms() const {
@@ -113,6 +166,7 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
       all.push_back(one);
     }
   }
+  add_known(measurements, residual, level, all);
   return all;
 }
 

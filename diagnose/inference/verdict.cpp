@@ -105,6 +105,9 @@ std::string reservation_words(Reservation reservation) {
 }
 
 bool genuine(const Study& study, const Fit& fit) {
+  // What machining leaves is one cause: of its three kinds one may be nothing here.
+  const bool machined = fit.candidate.machined();
+  bool some_machining = false;
   std::size_t p = 0;
   for (const EffectAt& at : fit.candidate.effects) {
     std::size_t acting = 0;
@@ -121,9 +124,11 @@ bool genuine(const Study& study, const Fit& fit) {
       }
       ++p;
     }
-    if (acting < at.effect->at_least || (begins && !seen) || !beyond_zero) return false;
+    const bool of_machining = machined && at.effect->of_machining;
+    some_machining = some_machining || (of_machining && beyond_zero);
+    if (acting < at.effect->at_least || (begins && !seen) || !(beyond_zero || of_machining)) return false;
   }
-  return true;
+  return some_machining || !machined;
 }
 
 Findings confirmed(const Study& study, const Findings& found) {

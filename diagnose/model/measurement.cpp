@@ -57,16 +57,27 @@ double roughness(const ThirdDifferences& differences, double proportion) {
 
 }  // namespace
 
+namespace {
+
+double mean_interval(const Run& run, const std::vector<std::size_t>& readings) {
+  const double time = run.readings[readings.back()].t - run.readings[readings.front()].t;
+  return readings.size() > 1 ? time / static_cast<double>(readings.size() - 1) : 0;
+}
+
+}  // namespace
+
 Measurements::Measurements(const Experiment& experiment) {
   std::vector<std::vector<double>> all;
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     for (const Channel& channel : run.measured()) {
       Series series{
-          r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, {}, 0, 0, 0, 1, {}};
+          r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, 0, {}, 0, 0, 0,
+          1, {}};
       for (std::size_t i = 0; i < run.readings.size(); ++i)
         if (!std::isnan(channel.of(run.readings[i]))) series.readings.push_back(i);
       if (series.readings.empty()) continue;
+      series.interval = mean_interval(run, series.readings);
       std::vector<double> values;
       for (const std::size_t i : series.readings) values.push_back(channel.of(run.readings[i]));
       series.seed = seed_of(channel, values);

@@ -46,6 +46,38 @@ TEST_CASE("a tone of two sigmas is found with its period and size, and is no gap
   }
 }
 
+TEST_CASE("a tone that is fast in one run is known in another of its channel where it is slow") {
+  // Twenty seconds: seven readings of the first run, where they are 3 s apart, 24 of the other, two and a
+  // half times round.
+  Experiment experiment = blank_experiment({40, 60});
+  for (Reading& reading : experiment.runs[0].readings) reading.t *= 3;
+  for (Reading& reading : experiment.runs[1].readings) reading.t *= 20.0 / 24;
+  const Measurements measurements(experiment);
+  std::mt19937_64 random(43);
+  int alarms = 0, slow_alone = 0, others = 0;
+  constexpr int draws = 20;
+  for (int draw = 0; draw < draws; ++draw) {
+    const auto residual = [&](double in_first, double period) {
+      std::vector<double> all = correlated_noise(measurements, 1, 0, random);
+      for (const Series& series : measurements.series())
+        for (std::size_t i = 0; i < series.readings.size(); ++i) {
+          const double t = experiment.runs[series.run].readings[i].t;
+          all[series.first + i] += (series.run == 0 ? in_first : 2) *
+                                   std::sin(0.7 + 2 * std::numbers::pi * t / (series.run == 0 ? 20 : period));
+        }
+      return all;
+    };
+    alarms += test_gap(measurements, residual(2, 20)).p_value < beliefs::gap_level;
+    // What nothing else vouches for stays a gap: alone, of another period, or four times as loud.
+    slow_alone += test_gap(measurements, residual(0, 20)).p_value < beliefs::gap_level;
+    others += test_gap(measurements, residual(2, 40)).p_value < beliefs::gap_level;
+    others += test_gap(measurements, residual(0.5, 20)).p_value < beliefs::gap_level;
+  }
+  CHECK(alarms <= 3);  // of 20 where one in a hundred is meant: four have a chance of 4e-5
+  CHECK(slow_alone == draws);
+  CHECK(others == 2 * draws);
+}
+
 TEST_CASE("noise has no tone, of whatever correlation; a ripple larger than noise may be is none either") {
   const Measurements measurements(blank_experiment({60, 90}));
   std::mt19937_64 random(42);

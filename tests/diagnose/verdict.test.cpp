@@ -85,6 +85,22 @@ TEST_CASE("an effect whose parameter is at zero, or at the end of its range, is 
   }
   CHECK_FALSE(genuine(Study(experiment), all));
 
+  // What machining leaves is one cause: that of its three kinds one is nothing here does not end it, and all
+  // are.
+  Fit machining = found(experiment, of({{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}}), residual);
+  const std::size_t joints = machining.parameters.size() / 3;
+  const auto shrink = [&](std::size_t kind) {
+    for (std::size_t p = kind * joints; p < (kind + 1) * joints; ++p) machining.parameters[p] *= 1e-6;
+  };
+  CHECK(genuine(Study(experiment), machining));
+  shrink(1);
+  CHECK(genuine(Study(experiment), machining));
+  shrink(0), shrink(2);
+  CHECK_FALSE(genuine(Study(experiment), machining));
+  Fit lengths = found(experiment, of({{"length_spread"}, {"force_gain"}}), residual);
+  for (std::size_t p = 0; p < joints; ++p) lengths.parameters[p] *= 1e-6;
+  CHECK_FALSE(genuine(Study(experiment), lengths));
+
   Fit stop = found(experiment, of({{"joint_stop", 1}}), residual);
   CHECK(genuine(Study(experiment), stop));
   stop.information(0, 0) = 0;  // nothing touched it
