@@ -39,8 +39,8 @@ inline double time_once(const std::function<std::vector<double>()>& run, std::si
   return (processor_seconds() - start) / static_cast<double>(calls);
 }
 
-/// Rounds in which each runs in turn for a millisecond or one call, as many as fit into about `budget` seconds,
-/// three at least; a runner that takes longer than a second runs once.
+/// Rounds in which each runs in turn for a millisecond or one call, as many as fit into about `budget`
+/// seconds, three at least; a runner that takes longer than a second runs once.
 inline void race(std::vector<Runner>& runners, double budget) {
   std::vector<std::size_t> calls;
   std::vector<std::vector<double>> times(runners.size()), ratios(runners.size());

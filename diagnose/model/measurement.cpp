@@ -11,7 +11,6 @@
 #include "diagnose/model/uneven_noise.hpp"
 
 namespace plumbline::diagnose {
-
 namespace {
 
 /// What coarse readings are rounded to: the smallest difference of two values that differ by more than double
@@ -52,12 +51,9 @@ double roughness(const ThirdDifferences& differences, double proportion) {
   for (std::size_t i = 0; i < differences.sizes.size(); ++i)
     sizes.push_back(differences.sizes[i] / std::hypot(1.0, proportion * differences.levels[i]));
   const double deviation = median_deviation(std::move(sizes));
-  return deviation > 0 ? deviation : unknown;
+  if (deviation > 0) return deviation;
+  return unknown;
 }
-
-}  // namespace
-
-namespace {
 
 double mean_interval(const Run& run, const std::vector<std::size_t>& readings) {
   const double time = run.readings[readings.back()].t - run.readings[readings.front()].t;
