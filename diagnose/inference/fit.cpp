@@ -185,8 +185,9 @@ bool minimise(Problem& problem, const std::vector<std::size_t>& free, double out
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
-  // What fails stands in the summary; Ceres's warnings, silent or not, would go to standard error.
-  FLAGS_minloglevel = google::GLOG_FATAL;
+  // What fails stands in the summary; Ceres's warnings, silent or not, would go to standard error. Set once,
+  // for all threads.
+  [[maybe_unused]] static const auto level = FLAGS_minloglevel = google::GLOG_FATAL;
   // Steps are cut at the bounds; a search along them as well would look twice at each place.
   options.max_num_line_search_step_size_iterations = 0;
   options.max_num_iterations = 50;  // of them some are refused
