@@ -43,10 +43,10 @@ class LinkSeries {
   /// \param x, y    of the sums over all links
   template <class Branch>
   void lower_orders(Eigen::Index k, const Branch& branch, Vector<Real>& moment, Real& x, Real& y) {
-    if constexpr (std::same_as<Real, double>) {
-      detail::in_widest([&] { add_lower_orders(k, branch, x, y); });
+    if constexpr (in_lanes) {
+      detail::in_widest([&] { sum_lower_orders(k, branch, x, y); });
     } else {
-      add_lower_orders(k, branch, x, y);
+      sum_lower_orders(k, branch, x, y);
     }
     moment = moment_.head(links_);
     for (std::size_t j = 0; j < carried_->size(); ++j) {
@@ -70,6 +70,7 @@ class LinkSeries {
  private:
   static constexpr bool in_lanes = std::same_as<Real, double>;
   static constexpr Eigen::Index width = in_lanes ? detail::lane_count : 1;
+  /// One number of `width` links.
   using Links = std::conditional_t<in_lanes, detail::Lanes, Real>;
 
   static Links load(const Real* from) {
@@ -96,8 +97,9 @@ class LinkSeries {
     }
   }
 
+  /// lower_orders() but for what the links carry, `width` links at a time.
   template <class Branch>
-  void add_lower_orders(Eigen::Index k, const Branch& branch, Real& x, Real& y) {
+  void sum_lower_orders(Eigen::Index k, const Branch& branch, Real& x, Real& y) {
     const Real share = Real(1) / Real(static_cast<int>(k));
     const Links none = Links{} + Real(0);
     Links sum_x = none, sum_y = none;
