@@ -8,7 +8,7 @@ namespace plumbline::app {
 
 namespace {
 
-constexpr int digits = 12;
+constexpr int shown_digits = 12;
 
 std::string text(const proofs::CertifiedRun& run) {
   return fmt::format(
@@ -65,21 +65,23 @@ std::string as_text(const proofs::JoinedBranches& proved) {
         fmt::format("part {}: {} in {} segments; the points are within {:.1e} rad of it, the chords {:.1e}\n",
                     b + 1, title(one), one.segments, one.distance, one.tube);
     for (const proofs::CertifiedRun& run : one.runs) all += text(run);
-    for (const proofs::Span& fold : one.folds) all += "  the load turns once in " + text(fold, digits) + "\n";
+    for (const proofs::Span& fold : one.folds)
+      all += "  the load turns once in " + text(fold, shown_digits) + "\n";
     for (const proofs::Span& least : one.softest)
-      all += "  the tangent stiffness has one local minimum in " + text(least, digits) + "\n";
+      all += "  the tangent stiffness has one local minimum in " + text(least, shown_digits) + "\n";
     if (one.certified()) all += stiffness_elsewhere(one);
     for (const proofs::Gap& gap : one.gaps)
       all += fmt::format("  not covered, {}, {}\n",
                          gap.unfolded ? "a bifurcation unfolded (it is proved that none is there)"
                                       : "a bifurcation or nearly one (not decided)",
-                         text(gap.loads, digits));
+                         text(gap.loads, shown_digits));
     if (one.failed_at)
-      all += fmt::format("  NOT proved from {} on: {}\n", text(*one.failed_at, digits), one.failure);
+      all += fmt::format("  NOT proved from {} on: {}\n", text(*one.failed_at, shown_digits), one.failure);
   }
   for (const proofs::ProvedFork& fork : proved.forks)
-    all += fmt::format("a symmetric pitchfork in {}: part{} {} without a gap\n", text(fork.load, digits),
-                       joined(fork).size() == 1 ? "" : "s", fmt::join(joined(fork), " and "));
+    all +=
+        fmt::format("a symmetric pitchfork in {}: part{} {} without a gap\n", text(fork.load, shown_digits),
+                    joined(fork).size() == 1 ? "" : "s", fmt::join(joined(fork), " and "));
   return all;
 }
 

@@ -21,7 +21,7 @@
 namespace plumbline::app {
 namespace {
 
-struct Options {
+struct CheckOptions {
   std::string values, chains, json;
 };
 
@@ -124,7 +124,7 @@ nlohmann::json as_json(const std::vector<verify::ForceAgreement>& values, std::s
           {"values", std::move(list)}};
 }
 
-void run(const Options& options, const CLI::App& verb) {
+void run(const CheckOptions& options, const CLI::App& verb) {
   Outputs outputs(verb, {options.values, options.chains});
   files::OutputFile* const json = outputs.open("--json", options.json);
   const std::string text = files::read_text(options.values);
@@ -148,7 +148,7 @@ void run(const Options& options, const CLI::App& verb) {
 void add_check(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("check", "How many digits of your critical forces agree with the reference");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CheckOptions>();
   verb->add_option("values", options->values,
                    "CSV with the columns chain,mode,force, as `plumbline critical --all --csv` writes it; - "
                    "is standard "

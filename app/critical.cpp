@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct CriticalOptions {
   std::string input, csv, json, certify;
   int digits = 15;
   bool all = false;
@@ -38,17 +38,17 @@ bool is_table(const std::string& path) {
 }
 
 /// How many modes of a chain to compute, whatever is written: of one chain some, of many the lowest.
-std::size_t wanted(const Options& options) {
+std::size_t wanted(const CriticalOptions& options) {
   if (options.all) return std::numeric_limits<std::size_t>::max();
   return options.table ? 1 : 20;
 }
 
 /// Rows of numbers alone have the forces alone.
-bool needs_shapes(const Options& options) {
+bool needs_shapes(const CriticalOptions& options) {
   return options.csv.empty() || !options.json.empty();
 }
 
-ChainTable read(Options& options) {
+ChainTable read(CriticalOptions& options) {
   const std::string& path = options.input;
   if (path.empty())
     return {{{"four-link", example_chain_name, parse_chain(example_chain, example_chain_name)}}, {}};
@@ -83,7 +83,7 @@ struct Result {
   nlohmann::json certificate;
 };
 
-Result compute(NamedChain& entry, const Options& options) {
+Result compute(NamedChain& entry, const CriticalOptions& options) {
   require_straight(entry.chain);
   const auto modes = needs_shapes(options) ? proofs::modes_in_decimals : proofs::forces_in_decimals;
   auto found = modes(entry.chain, wanted(options), options.digits);
@@ -97,7 +97,7 @@ Result compute(NamedChain& entry, const Options& options) {
 }
 
 /// Computes every chain of the table, which is used up; what cannot be computed joins its errors.
-Results compute(ChainTable& table, const Options& options) {
+Results compute(ChainTable& table, const CriticalOptions& options) {
   const std::size_t count = table.chains.size();
   std::vector<std::optional<Result>> found(count);
   std::vector<std::string> errors(count);
@@ -138,7 +138,7 @@ bool holds_chains(const std::string& path) {
 }
 
 /// `critical --csv CHAINS.csv` means that file as the chain, not as the output.
-void sort_out_files(Options& options) {
+void sort_out_files(CriticalOptions& options) {
   for (std::string* output : {&options.csv, &options.json}) {
     if (!options.input.empty() || !holds_chains(*output)) continue;
     options.input = *output;
@@ -146,7 +146,7 @@ void sort_out_files(Options& options) {
   }
 }
 
-void run(Options options, const CLI::App& verb) {
+void run(CriticalOptions options, const CLI::App& verb) {
   sort_out_files(options);
   Outputs outputs(verb, {options.input});
   files::OutputFile *const csv = outputs.open("--csv", options.csv),
@@ -172,7 +172,7 @@ void run(Options options, const CLI::App& verb) {
 void add_critical(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("critical", "Critical forces and shapes of a straight chain, to any digits");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<CriticalOptions>();
   verb->add_option("chain", options->input,
                    "CHAIN.toml with the lists lengths and stiffness, or\n"
                    "CHAINS.csv with the columns chain,lengths,stiffness,\n"

@@ -17,7 +17,7 @@
 namespace plumbline::app {
 namespace {
 
-struct Options {
+struct DiagnoseOptions {
   std::vector<std::string> experiments;
   std::string effects, model, corrected, json, html, reports;
   bool next = false, as_is = false, plan = false;
@@ -37,7 +37,7 @@ auto with_progress(const std::string& name, auto work) {
   });
 }
 
-void run_plan(const Options& options, const CLI::App& verb) {
+void run_plan(const DiagnoseOptions& options, const CLI::App& verb) {
   if (options.experiments.size() > 1) throw Error("--plan", "several experiments", "one bench");
   const ExperimentInput input = options.input();
   const diagnose::Experiment read = bench_of(input);
@@ -51,7 +51,7 @@ void run_plan(const Options& options, const CLI::App& verb) {
   if (options.json != "-") fmt::print("{}", as_text(plan));
 }
 
-void run_many(const Options& options, const CLI::App& verb) {
+void run_many(const DiagnoseOptions& options, const CLI::App& verb) {
   if (!options.corrected.empty())
     throw Error("--corrected", "several experiments, or --reports",
                 "one experiment, whose model is corrected");
@@ -72,7 +72,7 @@ const char* nothing_next(const diagnose::Diagnosis& diagnosis) {
   return "What next?  No press or load that the explanations could follow would tell them apart\n";
 }
 
-void run_diagnosis(const Options& options, const CLI::App& verb) {
+void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {
   const ExperimentInput input = options.input();
   const diagnose::Experiment experiment = experiment_of(input);
   Outputs outputs(verb, input.files());
@@ -95,7 +95,7 @@ void run_diagnosis(const Options& options, const CLI::App& verb) {
   if (options.next && diagnosis.proposals.empty()) fmt::print("\n{}", nothing_next(diagnosis));
 }
 
-void run(const Options& options, const CLI::App& verb) {
+void run(const DiagnoseOptions& options, const CLI::App& verb) {
   if (options.plan) return run_plan(options, verb);
   return options.experiments.size() > 1 || !options.reports.empty() ? run_many(options, verb)
                                                                     : run_diagnosis(options, verb);
@@ -107,7 +107,7 @@ void add_diagnose(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "diagnose",
       "Where the gap between an experiment and its model lies, what causes it, how far it shrinks");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<DiagnoseOptions>();
   verb->add_option(
           "experiment", options->experiments,
           "A folder with experiment.toml and its sample files. Without it: a small bundled example. Of "

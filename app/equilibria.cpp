@@ -21,7 +21,7 @@
 namespace plumbline::app {
 namespace {
 
-struct Options {
+struct EquilibriaOptions {
   LoadedChain chain;
   std::vector<std::string> at, place, force;
   std::string json, certificate;
@@ -56,7 +56,7 @@ Point<Rational> exact(const std::vector<std::string>& pair, const char* option) 
   return {number(pair[0]), number(pair[1])};
 }
 
-proofs::CensusTask task_of(const Options& options) {
+proofs::CensusTask task_of(const EquilibriaOptions& options) {
   proofs::CensusTask task{options.chain.name, options.chain.exact, false, {}, {}, options.turns};
   if (!options.force.empty()) {
     task.given = proofs::Given::force;
@@ -106,7 +106,7 @@ std::string completeness(const proofs::Census& census) {
                                : "certified: these are all with joint angles in the window";
 }
 
-Answer certified(const Options& options, const proofs::CensusTask& task) {
+Answer certified(const EquilibriaOptions& options, const proofs::CensusTask& task) {
   const proofs::Census census = proofs::take_census(task);
   Decimals text(options.digits);
   Answer answer;
@@ -139,7 +139,7 @@ Answer certified(const Options& options, const proofs::CensusTask& task) {
 }
 
 /// Newton's method from many random shapes: fast, for any n, and never sure to be complete.
-Answer sampled(const Options& options, const proofs::CensusTask& task) {
+Answer sampled(const EquilibriaOptions& options, const proofs::CensusTask& task) {
   const proofs::FoundEquilibria found = proofs::find_equilibria(task);
   const int digits = std::min(options.digits, 15);
   const auto text = [&](const Interval::End& x) { return x.str(digits); };
@@ -162,7 +162,7 @@ Answer sampled(const Options& options, const proofs::CensusTask& task) {
   return answer;
 }
 
-Answer answer_of(const Options& options, const proofs::CensusTask& task) {
+Answer answer_of(const EquilibriaOptions& options, const proofs::CensusTask& task) {
   const std::string bound = fmt::format("census (given up after {:.0e} boxes, a minute or two)",
                                         static_cast<double>(proofs::CensusLimits().boxes));
   const Progress progress(options.certify ? bound : "equilibria", 0);
@@ -192,7 +192,8 @@ nlohmann::ordered_json window_json(const Answer& answer) {
   return list;
 }
 
-std::string as_text(const Answer& answer, const Options& options, const proofs::CensusTask& task) {
+std::string answer_text(const Answer& answer, const EquilibriaOptions& options,
+                        const proofs::CensusTask& task) {
   const Point<Interval> load = proofs::enclosed_load(task);
   std::string text =
       fmt::format("{}: {} ({}, {})\n{} equilibria, by energy; {}\n", options.chain.name,
@@ -216,7 +217,8 @@ std::string as_text(const Answer& answer, const Options& options, const proofs::
   return text;
 }
 
-nlohmann::ordered_json as_json(const Answer& answer, const Options& options, const proofs::CensusTask& task) {
+nlohmann::ordered_json answer_json(const Answer& answer, const EquilibriaOptions& options,
+                                   const proofs::CensusTask& task) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Entry& one : answer.equilibria) {
     list.push_back({{"type", one.type},
@@ -232,7 +234,7 @@ nlohmann::ordered_json as_json(const Answer& answer, const Options& options, con
       {"equilibria", list},           {"undecided", answer.undecided}};
 }
 
-void run(Options options, const CLI::App& verb) {
+void run(EquilibriaOptions options, const CLI::App& verb) {
   Outputs outputs(verb, {options.chain.path});
   files::OutputFile *const json = outputs.open("--json", options.json), *const certificate =
                                                                             outputs.open("--certificate",
@@ -241,10 +243,10 @@ void run(Options options, const CLI::App& verb) {
   options.chain.read();
   const proofs::CensusTask task = task_of(options);
   const Answer answer = answer_of(options, task);
-  if (json) json->write(page::json_text(as_json(answer, options, task), outputs.provenance()));
+  if (json) json->write(page::json_text(answer_json(answer, options, task), outputs.provenance()));
   if (certificate) certificate->write(certificate_of(answer, outputs.provenance()));
   outputs.commit();
-  if (!json) fmt::print("{}", as_text(answer, options, task));
+  if (!json) fmt::print("{}", answer_text(answer, options, task));
   if (options.certify && !answer.complete) throw CLI::RuntimeError(1);
 }
 
@@ -253,7 +255,7 @@ void run(Options options, const CLI::App& verb) {
 void add_equilibria(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "equilibria", "All equilibria of a chain at a deflection or under a force: shape, force, energy, type");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<EquilibriaOptions>();
   options->chain.add_to(*verb);
   const auto pair = [&](const char* flag, std::vector<std::string>& target, const char* names,
                         const char* what) {

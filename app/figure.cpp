@@ -19,11 +19,11 @@ namespace plumbline::app {
 
 namespace {
 
-struct Options {
+struct FigureOptions {
   std::string which = "all", out = ".";
 };
 
-void run(const Options& options, const CLI::App& verb) {
+void run(const FigureOptions& options, const CLI::App& verb) {
   namespace fs = std::filesystem;
   std::vector<const verify::Figure*> chosen;
   std::string numbers;
@@ -50,7 +50,7 @@ void run(const Options& options, const CLI::App& verb) {
 
 void add_figure(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("figure", "Redraw a figure of the paper from computation, as SVG");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<FigureOptions>();
   verb->add_option("number", options->which, "2, 3, ... 16, or all")->type_name("N")->capture_default_str();
   add_output(*verb, "--out", options->out, "Folder for figure-NN.svg, made if it is not there", "DIR")
       ->capture_default_str();

@@ -18,7 +18,7 @@
 namespace plumbline::app {
 namespace {
 
-struct Options {
+struct PathOptions {
   LoadedChain chain;
   double to = 0, dy = 0, step = 0.005;
   std::vector<double> force;
@@ -27,7 +27,7 @@ struct Options {
   bool certify = false;
 };
 
-proofs::PathLoad load_of(const Options& options) {
+proofs::PathLoad load_of(const PathOptions& options) {
   return options.force.empty() ? proofs::PathLoad{Control::end_point, {-options.to, options.dy}}
                                : proofs::PathLoad{Control::force, {options.force[0], options.force[1]}};
 }
@@ -38,7 +38,7 @@ struct Followed {
   proofs::JoinedBranches certified;
 };
 
-Followed follow(const Options& options, const proofs::PathTask& task) {
+Followed follow(const PathOptions& options, const proofs::PathTask& task) {
   const Progress progress("path", 0);
   Followed all{options.branches == "stable" ? proofs::follow_slowly(task) : proofs::follow_all(task), {}, {}};
   all.report.chain = options.chain.name;
@@ -53,7 +53,7 @@ Followed follow(const Options& options, const proofs::PathTask& task) {
   return all;
 }
 
-std::string certificate_of(const Options& options, const proofs::JoinedBranches& certified,
+std::string certificate_of(const PathOptions& options, const proofs::JoinedBranches& certified,
                            const page::Provenance& from) {
   const proofs::PathLoad way = load_of(options);
   const proofs::PathGiven given{options.chain.name, options.chain.exact, false, way.control, way.direction()};
@@ -64,7 +64,7 @@ std::string certificate_of(const Options& options, const proofs::JoinedBranches&
          "\n";
 }
 
-void run(Options options, const CLI::App& verb) {
+void run(PathOptions options, const CLI::App& verb) {
   Outputs outputs(verb, {options.chain.path});
   files::OutputFile *const csv = outputs.open("--csv", options.csv),
                            *const json = outputs.open("--json", options.json),
@@ -98,7 +98,7 @@ void run(Options options, const CLI::App& verb) {
 void add_path(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "path", "Force-deflection curve of a loaded chain, with stability, buckling and quasi-buckling points");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<PathOptions>();
   options->chain.add_to(*verb);
   auto* to =
       verb->add_option("--to", options->to, "Move the end point by DX against x: compression is positive")

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ReferenceOptions {
   std::string out;
   bool compact = false;
   std::uint64_t seed = verify::reference_seed;
@@ -30,13 +30,13 @@ struct Options {
   }
 };
 
-std::vector<std::string> compute(const Options& options, work::Journal& unfinished) {
+std::vector<std::string> compute(const ReferenceOptions& options, work::Journal& unfinished) {
   const work::WorkList list = verify::reference_work(options.wish());
   Progress progress("chains", list.items.size());
   return work::results(list, &unfinished, [&] { progress.advance(); });
 }
 
-void run(const Options& options, const CLI::App& verb) {
+void run(const ReferenceOptions& options, const CLI::App& verb) {
   files::require_folder(options.out);
   files::make_folder(options.out);
   work::Journal unfinished(fs::path(options.out) / work::unfinished_name, options.command());
@@ -57,7 +57,7 @@ void run(const Options& options, const CLI::App& verb) {
 void add_reference(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("reference", "Write the reference values for other implementations, certified");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ReferenceOptions>();
   add_output(*verb, "--out", options->out, "Directory to write into; what was cut off goes on there", "DIR")
       ->required();
   verb->add_flag("--compact", options->compact, "About a hundred chains instead of a few thousand");

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr double usual_patience = 30;  // s for one diagnosis
 
-struct Options {
+struct TrialOptions {
   std::size_t trials = 20;
   std::uint64_t seed = 1;
   bool second = false;
@@ -34,7 +34,7 @@ struct Options {
 };
 
 /// The command that gives the same result again.
-std::string command(const Options& options) {
+std::string command(const TrialOptions& options) {
   const std::string patience =
       options.patience == usual_patience ? "" : fmt::format(" --patience {}", options.patience);
   if (!options.experiments.empty()) return "plumbline trial --experiments " + options.experiments + patience;
@@ -44,20 +44,20 @@ std::string command(const Options& options) {
 
 /// Where the trial takes place: the folder that the user names, new, empty or with the same trial unfinished
 /// in it, or one for a while.
-ResultsFolder place_of(const Options& options) {
+ResultsFolder place_of(const TrialOptions& options) {
   const fs::path folder = options.out;
   if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / work::unfinished_name))
     throw Error(options.out, "something there already", "a new or an empty folder, or a trial to go on with");
   return {"--out", options.out, command(options)};
 }
 
-SecretExperiments make(const Options& options, const fs::path& folder) {
+SecretExperiments make(const TrialOptions& options, const fs::path& folder) {
   Progress progress("experiments", options.trials);
   return make_experiments(options.second ? BlindTrial::second : BlindTrial::first, options.trials,
                           options.seed, folder, [&] { progress.advance(); });
 }
 
-std::vector<trial::Diagnosed> diagnose_all(const Options& options, const trial::SealedFolder& folder,
+std::vector<trial::Diagnosed> diagnose_all(const TrialOptions& options, const trial::SealedFolder& folder,
                                            const fs::path& reports, work::Journal* journal) {
   Progress progress("diagnoses", folder.names().size());
   return trial::diagnose_all(folder, reports, std::chrono::duration<double>(options.patience), journal,
@@ -72,7 +72,7 @@ trial::Catalogue catalogue() {
   return all;
 }
 
-trial::Circumstances circumstances(const Options& options, const trial::SealedFolder& folder,
+trial::Circumstances circumstances(const TrialOptions& options, const trial::SealedFolder& folder,
                                    const SecretExperiments& secret) {
   trial::Circumstances all{command(options), folder.digest(), folder.sealed(), secret.nominal_errors.size()};
   std::vector<double> errors = secret.nominal_errors;
@@ -83,7 +83,7 @@ trial::Circumstances circumstances(const Options& options, const trial::SealedFo
   return all;
 }
 
-void run(const Options& options, const CLI::App& verb) {
+void run(const TrialOptions& options, const CLI::App& verb) {
   Outputs outputs(verb, files::files_of(options.experiments));
   files::OutputFile *const json = outputs.open("--json", options.json), *const markdown = outputs.open(
                                                                             "--markdown", options.markdown);
@@ -122,7 +122,7 @@ void add_trial(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "trial",
       "The blind trial: experiments whose effect is withheld from the diagnosis, then unsealed and scored");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<TrialOptions>();
   auto* trials = verb->add_option("--trials", options->trials, "How many experiments the simulated rig makes")
                      ->check(whole_number(1, 100000))
                      ->capture_default_str();

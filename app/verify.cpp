@@ -21,7 +21,7 @@
 namespace plumbline::app {
 namespace {
 
-struct Options {
+struct VerifyOptions {
   std::string section, claim, json, html, errata, unfinished;
   int precision = 50;
   std::size_t chains = 0;
@@ -44,7 +44,7 @@ std::vector<verify::DrawnFigure> draw_figures(const std::vector<verify::Judged>&
   return drawn;
 }
 
-std::vector<verify::Judged> judge_random_chains(const Options& options,
+std::vector<verify::Judged> judge_random_chains(const VerifyOptions& options,
                                                 std::optional<work::Journal>& unfinished) {
   Progress progress("random chains", options.chains);
   return verify::judge_sampled(
@@ -53,7 +53,7 @@ std::vector<verify::Judged> judge_random_chains(const Options& options,
       options.seed);
 }
 
-void run(const Options& options, const CLI::App& verb) {
+void run(const VerifyOptions& options, const CLI::App& verb) {
   Outputs outputs(verb, {});
   const std::string form = std::filesystem::path(options.errata).extension();
   if (!options.errata.empty() && form != ".md" && form != ".tex")
@@ -101,7 +101,7 @@ void run(const Options& options, const CLI::App& verb) {
 
 void add_verify(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("verify", "Every claim of the paper, judged, with the evidence");
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<VerifyOptions>();
   verb->add_option("--section", options->section, "Only the claims of one section, such as 4.1")
       ->type_name("S");
   verb->add_option("--claim", options->claim, "Everything about one claim")

@@ -1,11 +1,12 @@
 #include "diagnose/answers/implied_shares.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "diagnose/answers/torque_balance.hpp"
+#include "diagnose/inference/least_squares.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -91,7 +92,7 @@ double criterion(const Measurements& measurements, const TorqueEffect& effect, c
       slope.row(row) = effect.per_torque(row) * terms.row(static_cast<Eigen::Index>(series.readings[i]));
     }
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(slope);
+  const LeastSquares factors(slope);
   // Fewer readings than terms leave nothing, which is less than one squared deviation of noise.
   const double left = std::max(1.0, (effect.residual - slope * factors.solve(effect.residual)).squaredNorm());
   const double independent = std::max(2.0, static_cast<double>(effect.residual.size()) / 4);

@@ -1,12 +1,13 @@
 #include "diagnose/inference/hum.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 #include "diagnose/beliefs.hpp"
+#include "diagnose/inference/least_squares.hpp"
 #include "diagnose/inference/slow.hpp"
 
 namespace plumbline::diagnose {
@@ -23,7 +24,7 @@ Eigen::MatrixX2d tone(std::size_t count, double frequency) {
 }
 
 Eigen::Vector2d amplitudes(const Eigen::VectorXd& values, const Eigen::MatrixX2d& waves) {
-  return waves.completeOrthogonalDecomposition().solve(values);
+  return LeastSquares(waves).solve(values);
 }
 
 /// What is left of values without their slow components.
@@ -113,7 +114,7 @@ std::optional<Hum> known_tone(const Series& series, const Series& heard_in, cons
     if (!(frequency * m > 1) || !(frequency < slowest_tone(series.readings.size()))) continue;
     Eigen::MatrixX3d waves(values.size(), 3);
     waves << tone(series.readings.size(), frequency), Eigen::VectorXd::Ones(values.size());
-    const Eigen::Vector3d size = waves.completeOrthogonalDecomposition().solve(values);
+    const Eigen::Vector3d size = LeastSquares(waves).solve(values);
     const double left = (values - waves * size).squaredNorm();
     if (left < least) least = left, found = {heard.series, 1 / frequency, size(0), size(1)};
   }

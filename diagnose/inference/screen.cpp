@@ -1,11 +1,12 @@
 #include "diagnose/inference/screen.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "diagnose/inference/least_squares.hpp"
 #include "diagnose/inference/start.hpp"
 
 namespace plumbline::diagnose {
@@ -77,10 +78,8 @@ class Weighing {
       residual_(row) = fitted.parameters[p] / ranges[p].tolerance;
       own(row++, static_cast<Eigen::Index>(p)) = 1 / ranges[p].tolerance;
     }
-    if (own.cols() > 0) {
-      own_.compute(own);
-      basis_ = own_.householderQ() * Eigen::MatrixXd::Identity(own.rows(), own.cols());
-    }
+    own_ = LeastSquares(own);
+    basis_ = own_.orthonormal();
     residual_ = beyond_own(residual_);
   }
 
@@ -102,10 +101,7 @@ class Weighing {
   }
 
   /// By how much the fit's own parameters move, in coordinates, to make up for a change of the prediction.
-  [[nodiscard]] Eigen::VectorXd made_up(const Eigen::VectorXd& change) const {
-    if (basis_.cols() == 0) return {};
-    return own_.solve(change);
-  }
+  [[nodiscard]] Eigen::VectorXd made_up(const Eigen::VectorXd& change) const { return own_.solve(change); }
 
  private:
   const Measurements& measurements_;
@@ -113,7 +109,7 @@ class Weighing {
   std::vector<bool> used_;
   std::vector<double> weight_;
   Eigen::VectorXd residual_;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> own_;
+  LeastSquares own_{{}};
   Eigen::MatrixXd basis_;
 };
 

@@ -1,7 +1,8 @@
 #include "diagnose/inference/separation.hpp"
 
-#include <Eigen/Dense>
-#include <algorithm>
+#include <Eigen/Core>
+
+#include "diagnose/inference/least_squares.hpp"
 
 namespace plumbline::diagnose {
 
@@ -25,7 +26,7 @@ double separation(const Imitation& rows) {
   // Columns of unit length: parameters of any unit weigh alike in the rank decision.
   const Eigen::VectorXd norm = rows.slope.colwise().norm().cwiseMax(1e-300);
   const Eigen::MatrixXd unit = rows.slope * norm.cwiseInverse().asDiagonal();
-  const Eigen::VectorXd step = unit.colPivHouseholderQr().solve(rows.difference);
+  const Eigen::VectorXd step = LeastSquares(unit).solve(rows.difference);
   return (rows.difference - unit * step).squaredNorm();
 }
 
@@ -34,9 +35,7 @@ Imitation condensed(const Imitation& rows) {
   Eigen::MatrixXd all(rows.difference.size(), count + 1);
   all.leftCols(count) = rows.slope;
   all.rightCols(1) = rows.difference;
-  const Eigen::Index kept = std::min(all.rows(), all.cols());
-  const Eigen::MatrixXd factor =
-      Eigen::HouseholderQR<Eigen::MatrixXd>(all).matrixQR().topRows(kept).triangularView<Eigen::Upper>();
+  const Eigen::MatrixXd factor = triangular_factor(all);
   return {factor.col(count), factor.leftCols(count)};
 }
 

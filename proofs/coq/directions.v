@@ -139,7 +139,7 @@ exists ([seq (weight z k F i, first_row F i) | i <- iota 0 c] ++
   have over N (g : nat -> R) : \sum_(i <- iota 0 N) g i = \sum_(i < N) g i.
     by rewrite -[in LHS](subn0 N) -/(index_iota 0 N) big_mkord.
   rewrite /squares big_cat !big_map !over /=.
-  by congr (_ + _); apply: eq_bigr => i _; rewrite ?first_rowE ?second_rowE.
+  by congr (_ + _); apply: eq_bigr => i _; [rewrite first_rowE | rewrite second_rowE].
 move=> q /axisP; have [f ->] := as_function q; move/on_axis => fn zero.
 have at_first i : (i < c)%N -> part z k f (deflection n L f) F i = 0.
   move=> i_c; rewrite -first_rowE // zero ?mxE // map_cat mem_cat -!map_comp; apply/orP; left.

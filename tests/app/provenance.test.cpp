@@ -53,10 +53,9 @@ TEST_CASE("an experiment's digest is of its settings and its samples") {
   std::string all;
   for (const char* name : {"experiment.toml", "u-press.csv", "z-press.csv", "u-aside.csv", "u-again.csv"})
     all += here.read("E/" + std::string(name));
-  CHECK(here.plumbline("diagnose E --plan --json plan.json").status == 0);
-  const json plan = json::parse(here.read("plan.json"))["provenance"];
-  CHECK(plan["command"] == "plumbline diagnose E --plan");
-  CHECK(plan["inputs_sha256"] == plumbline::files::sha256(all));
+  const json report = provenance(here, "diagnose E --json");
+  CHECK(report["command"] == "plumbline diagnose E");
+  CHECK(report["inputs_sha256"] == plumbline::files::sha256(all));
 }
 
 TEST_CASE("what goes in by standard input or a pipe counts like a file") {

@@ -32,8 +32,7 @@ TEST_CASE("a robot's own file is edited: every effect that MJCF carries does in 
   // What lags is taken to go straight from reading to reading: these are close for it.
   const Lab lab, fine(40);
   CHECK(lab.experiment.rest[1] == close_to(-0.5));
-  for (const EffectAt& at : possible_effects(Study(lab.experiment))) {
-    if (!way_of(Format::mjcf, at.effect->id).carried || at.joint == 1 || at.joint == 3) continue;
+  for (const EffectAt& at : test::carried(Study(lab.experiment), Format::mjcf, 1)) {
     CAPTURE(at.label());
     const Experiment experiment = test::bench_in(at.effect->id == "sensor_lag" ? fine : lab, at);
     const Study bare(experiment);

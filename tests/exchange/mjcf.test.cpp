@@ -15,8 +15,7 @@ using diagnose::EffectAt, diagnose::Experiment, diagnose::Prediction, diagnose::
 
 TEST_CASE("what MJCF carries does in MuJoCo what the diagnosis found") {
   const Study bare(diagnose::test::full_bench());
-  for (const EffectAt& at : possible_effects(bare)) {
-    if (!way_of(Format::mjcf, at.effect->id).carried || at.joint == 1 || at.joint == 3) continue;
+  for (const EffectAt& at : test::carried(bare, Format::mjcf, 0)) {
     CAPTURE(at.label());
     const auto [nominal, found, mujoco] = test::residuals(at);
     CAPTURE(nominal);

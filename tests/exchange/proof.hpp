@@ -3,11 +3,14 @@
 /// Whether a corrected model does in MuJoCo what the diagnosis says.
 
 #include <algorithm>
+#include <cstdlib>
 #include <random>
+#include <string_view>
 
 #include "diagnose/answers/diagnosis.hpp"
 #include "exchange/corrected.hpp"
 #include "exchange/mjcf.hpp"
+#include "exchange/ways.hpp"
 #include "tests/exchange/found.hpp"
 #include "tests/exchange/mujoco_bench.hpp"
 
@@ -26,6 +29,20 @@ inline Pace pace_of(std::string_view effect) {
 
 inline bool takes_time(const EffectAt& at) {
   return pace_of(at.effect->id) == Pace::by_the_clock;
+}
+
+/// The effects that a format carries, at joint 2 where they sit at one: each third from the one with this
+/// number on, so that what is not tried in one way is in another; all with PLUMBLINE_EFFECTS=all.
+inline std::vector<EffectAt> carried(const Study& study, Format format, std::size_t first) {
+  const char* asked = std::getenv("PLUMBLINE_EFFECTS");
+  const bool all = asked != nullptr && std::string_view(asked) == "all";
+  std::vector<EffectAt> taken;
+  std::size_t count = 0;
+  for (const EffectAt& at : possible_effects(study)) {
+    if (!way_of(format, at.effect->id).carried || at.joint == 1 || at.joint == 3) continue;
+    if (const std::size_t number = count++; all || number % 3 == first) taken.push_back(at);
+  }
+  return taken;
 }
 
 /// What MuJoCo makes of a model in every run.

@@ -64,8 +64,7 @@ TEST_CASE("attributes of a robot's MJCF changed by hand are named, and the corre
 TEST_CASE("round trips: every effect that MJCF carries") {
   // What lags is taken to go straight from reading to reading: these are close for it.
   const Lab lab(12), fine(40);
-  for (const EffectAt& at : possible_effects(Study(lab.experiment))) {
-    if (!way_of(Format::mjcf, at.effect->id).carried || at.joint == 1 || at.joint == 3) continue;
+  for (const EffectAt& at : test::carried(Study(lab.experiment), Format::mjcf, 2)) {
     // Alone it cannot weigh while the robot's own links do not.
     if (at.effect->id == "tip_payload") continue;
     CAPTURE(at.label());

@@ -117,14 +117,6 @@ Prediction in_mujoco(const Folder& folder, const char* name, const std::string& 
   return all;
 }
 
-/// The effects that a format carries, at joint 2 where they sit at one.
-std::vector<EffectAt> carried(const Study& study, Format format) {
-  std::vector<EffectAt> all;
-  for (const EffectAt& at : possible_effects(study))
-    if (way_of(format, at.effect->id).carried && at.joint != 1 && at.joint != 3) all.push_back(at);
-  return all;
-}
-
 /// A bench on which the robot rests as it is drawn, with its nominal chain.
 Experiment lab(const std::filesystem::path& model) {
   Experiment experiment = diagnose::test::full_bench();
@@ -141,7 +133,7 @@ Experiment lab(const std::filesystem::path& model) {
 TEST_CASE("what SDF and URDF carry does in MuJoCo what the diagnosis found") {
   for (const Case& one : cases) {
     const Study bare(diagnose::test::full_bench());
-    for (const EffectAt& at : carried(bare, one.format)) {
+    for (const EffectAt& at : test::carried(bare, one.format, 0)) {
       CAPTURE(one.name);
       CAPTURE(at.label());
       const std::vector<double> amount = test::amount_of(bare, at);
@@ -174,7 +166,7 @@ TEST_CASE("a robot's own SDF or URDF is edited: every effect that the format car
     for (std::size_t j = 0; j < rest.size(); ++j) CHECK(bare.experiment().rest[j] == close_to(rest[j]));
     const Folder edited;
     const Model as_is{"robot", bare.experiment(), rest};
-    for (const EffectAt& at : carried(bare, one.format)) {
+    for (const EffectAt& at : test::carried(bare, one.format, 1)) {
       CAPTURE(one.name);
       CAPTURE(at.label());
       const std::vector<double> amount = test::amount_of(bare, at);

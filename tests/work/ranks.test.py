@@ -102,7 +102,7 @@ class Ranks(unittest.TestCase):
 
     def fleet(self, folder):
         for number in range(3):
-            shutil.copytree(SOURCE / "examples/experiment", folder / f"arm-{number}")
+            shutil.copytree(SOURCE / "tests/experiments/joint_coupling", folder / f"arm-{number}")
 
     FLEET = ["diagnose", *(f"arm-{number}" for number in range(3)), "--reports", "reports", "--json", "all.json"]
 

@@ -121,7 +121,7 @@ Judgement global(const Printed& printed, int) {
 }
 
 /// Shape and stability, each shape once.
-Judgement shapes(const Printed& printed, int) {
+Judgement surface_shapes(const Printed& printed, int) {
   std::map<std::string, std::string> found;
   for (const auto& one : census().equilibria) {
     std::string& here = found[word(one)];
@@ -144,7 +144,7 @@ Checks claims::energy_surface() {
   return {
       {"fig-16-excluded", excluded}, {"fig-16-maxima", stability}, {"fig-16-minima", stability},
       {"fig-16-saddles", stability}, {"fig-16-kinds", kinds},      {"fig-16-global", global},
-      {"fig-16-count", totals},      {"fig-16-sheets", sheets},    {"fig-16-shapes", shapes},
+      {"fig-16-count", totals},      {"fig-16-sheets", sheets},    {"fig-16-shapes", surface_shapes},
       {"fig-16-prefers", preferred},
   };
 }

@@ -41,7 +41,7 @@ std::vector<Interval> minima(const Interval& alpha, const Interval& F) {
   return found;
 }
 
-Judgement straight_below(const Printed& printed, int) {
+Judgement straight_in_figure(const Printed& printed, int) {
   const std::vector<Interval> at = minima(Interval(0), Interval(Rational(199, 100)));
   const bool straight = at.size() == 1 && at[0].contains_zero();
   return judge_word(
@@ -307,7 +307,7 @@ Judgement beyond(const Printed& printed, int) {
 }
 
 /// Letters without their side, sorted: the shapes of the equilibria.
-Judgement shapes(const Printed& printed, int) {
+Judgement equilibrium_shapes(const Printed& printed, int) {
   std::set<char> letters;
   for (const auto& one : bent_equilibria()) letters.insert(letter(one).front());
   const std::string found(letters.begin(), letters.end());
@@ -319,7 +319,7 @@ Judgement shapes(const Printed& printed, int) {
 
 Checks claims::first_figures() {
   return {
-      {"fig-2a", straight_below},
+      {"fig-2a", straight_in_figure},
       {"fig-2b-shape", bent_above},
       {"fig-2b-force", shape_depends},
       {"fig-3a-zero", through_zero},
@@ -333,7 +333,7 @@ Checks claims::first_figures() {
       {"fig-5b-name", quasi_straight_name},
       {"fig-5-sines", sines},
       {"three-link-beyond", beyond},
-      {"fig-6-shapes", shapes},
+      {"fig-6-shapes", equilibrium_shapes},
   };
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr unsigned n = 4;  // printed general formulas are read for four links
+constexpr unsigned printed_n = 4;  // printed general formulas are read for four links
 
 /// To read numbers.
 const proofs::Formulas& numbers() {
@@ -47,8 +47,8 @@ struct Example {
   Rational Fx{7, 2}, Fy{-5};
 };
 
-/// (22) at links of the directions (c, s) = (3/5, 4/5) and so on: the gradient of E + F_x x + F_y y by the
-/// joint angles, F positive in compression as in (6).
+/// (22) at links of the directions (c, s) = (3/5, 4/5) and so on: the gradient of E + F_x x + F_y y by
+/// the joint angles, F positive in compression as in (6).
 Judgement equilibrium(const Printed& printed, int) {
   const Example example;
   const std::vector<Rational> c{Rational(3, 5), Rational(12, 13), Rational(-8, 17), Rational(4, 5)},
@@ -56,19 +56,19 @@ Judgement equilibrium(const Printed& printed, int) {
   const proofs::Formulas turns({"t1", "t2", "t3", "t4"});
   ex x = 0, y = 0;
   GiNaC::lst directions;
-  for (unsigned j = 0; j < n; ++j) {
+  for (unsigned j = 0; j < printed_n; ++j) {
     const ex t = turns.symbol(fmt::format("t{}", j + 1)), L = turns.parse(example.length[j].str());
     x += L * cos(t);
     y += L * sin(t);
     directions.append(cos(t) == turns.parse(c[j].str()));
     directions.append(sin(t) == turns.parse(s[j].str()));
   }
-  Matrix<Rational> J(2, n), K = Matrix<Rational>::Zero(n, n);
+  Matrix<Rational> J(2, printed_n), K = Matrix<Rational>::Zero(printed_n, printed_n);
   std::vector<Rational> torque, gradient;
-  for (unsigned i = 0; i < n; ++i) {
+  for (unsigned i = 0; i < printed_n; ++i) {
     J(0, i) = J(1, i) = 0;
     ex dx = 0, dy = 0;  // joint i + 1 turns all links from there on
-    for (unsigned j = i; j < n; ++j) {
+    for (unsigned j = i; j < printed_n; ++j) {
       J(0, i) -= example.length[j] * s[j];
       J(1, i) += example.length[j] * c[j];
       const auto turn = GiNaC::ex_to<GiNaC::symbol>(turns.symbol(fmt::format("t{}", j + 1)));
@@ -98,13 +98,14 @@ NamedMatrices linear_model() {
   const ex epsilon = GiNaC::realsymbol("epsilon");
   for (const Rational& L : example.length) shape.length.push_back(numbers().parse(L.str()));
   for (const Rational& k : example.stiffness) shape.stiffness.push_back(numbers().parse(k.str()));
-  Matrix<Rational> S1(n, n), K = Matrix<Rational>::Zero(n, n);
+  Matrix<Rational> S1(printed_n, printed_n), K = Matrix<Rational>::Zero(printed_n, printed_n);
   std::vector<Rational> S0;
-  for (unsigned j = 0; j < n; ++j) {
-    shape.q.assign(n, 0);
+  for (unsigned j = 0; j < printed_n; ++j) {
+    shape.q.assign(printed_n, 0);
     shape.q[j] = epsilon;  // joint j alone turns
     const GiNaC::matrix J = jacobian(shape);
-    for (unsigned i = 0; i < n; ++i) S1(i, j) = number(proofs::series_coefficient(J(0, i), epsilon, 1));
+    for (unsigned i = 0; i < printed_n; ++i)
+      S1(i, j) = number(proofs::series_coefficient(J(0, i), epsilon, 1));
     S0.push_back(number(proofs::series_coefficient(J(1, j), epsilon, 0)));
     K(j, j) = example.stiffness[j];
   }
@@ -121,7 +122,7 @@ Matrix<Rational> linear_sides() {
   const Example example;
   proofs::SymbolicShape shape;
   const ex epsilon = GiNaC::realsymbol("epsilon");
-  for (unsigned i = 0; i < n; ++i) {
+  for (unsigned i = 0; i < printed_n; ++i) {
     shape.length.push_back(numbers().parse(example.length[i].str()));
     shape.stiffness.push_back(numbers().parse(example.stiffness[i].str()));
     shape.q.push_back(epsilon * numbers().parse(example.q[i].str()));
@@ -129,7 +130,7 @@ Matrix<Rational> linear_sides() {
   const GiNaC::matrix balance = proofs::torque_balance(shape, numbers().parse(example.Fx.str()),
                                                        epsilon * numbers().parse(example.Fy.str()));
   std::vector<Rational> sides;
-  for (unsigned i = 0; i < n; ++i)
+  for (unsigned i = 0; i < printed_n; ++i)
     sides.push_back(number(proofs::series_coefficient(balance(i, 0), epsilon, 1)));
   sides.push_back(number(proofs::series_coefficient(end_point(shape)(1, 0), epsilon, 1)));
   return column(sides);
@@ -145,13 +146,13 @@ Judgement linear_equilibrium(const Printed& printed, int) {
   if (printed.size() != 3) throw Error("claim", fmt::format("{} terms", printed.size()), "3");
   const NamedMatrices model = linear_model();
   const int sign = printed[0].starts_with('-') ? -1 : 1;
-  Matrix<Rational> expected = linear_sides().topRows(n);
+  Matrix<Rational> expected = linear_sides().topRows(printed_n);
   if (sign < 0) expected -= Rational(2) * model.at("K") * model.at("q");
-  Matrix<Rational> total = Matrix<Rational>::Zero(n, 1);
+  Matrix<Rational> total = Matrix<Rational>::Zero(printed_n, 1);
   bool right = true;
   for (const std::string& term : printed) {
     const auto value = evaluated(term, model);
-    right = right && value && value->rows() == n && value->cols() == 1;
+    right = right && value && value->rows() == printed_n && value->cols() == 1;
     if (right) total += *value;
   }
   right = right && total == expected;
@@ -166,7 +167,7 @@ Judgement linear_equilibrium(const Printed& printed, int) {
 /// (30): the first-order part of delta_y.
 Judgement constraint(const Printed& printed, int) {
   const auto value = evaluated(printed.at(0), linear_model());
-  const bool right = value && *value == scalar(linear_sides()(n, 0));
+  const bool right = value && *value == scalar(linear_sides()(printed_n, 0));
   return {right ? Verdict::confirmed : Verdict::refuted,
           right ? "" : "S0^T q = 0",
           {{EvidenceKind::exact, how_linear + "delta_y in (21)"}},
@@ -190,19 +191,19 @@ Judgement blocks(const Printed& printed, int) {
                         {{EvidenceKind::exact, how_linear + "(22) and delta_y in (21)"}},
                         ""};
   const auto square = [&](std::size_t first) -> std::optional<Matrix<Rational>> {
-    Matrix<Rational> whole(n + 1, n + 1);
+    Matrix<Rational> whole(printed_n + 1, printed_n + 1);
     for (std::size_t b = 0; b < 4; ++b) {
-      const Eigen::Index row = b < 2 ? 0 : n, col = b % 2 == 0 ? 0 : n;
-      const auto part = block(printed[first + b], row == 0 ? n : 1, col == 0 ? n : 1, model);
+      const Eigen::Index row = b < 2 ? 0 : printed_n, col = b % 2 == 0 ? 0 : printed_n;
+      const auto part = block(printed[first + b], row == 0 ? printed_n : 1, col == 0 ? printed_n : 1, model);
       if (!part) return std::nullopt;
       whole.block(row, col, part->rows(), part->cols()) = *part;
     }
     return whole;
   };
   const auto A = square(1), B = square(5);
-  const auto q = block(printed[9], n, 1, model), Fy = block(printed[10], 1, 1, model);
+  const auto q = block(printed[9], printed_n, 1, model), Fy = block(printed[10], 1, 1, model);
   if (!A || !B || !q || !Fy) return wrong;
-  Matrix<Rational> v(n + 1, 1);
+  Matrix<Rational> v(printed_n + 1, 1);
   v << *q, *Fy;
   const auto pencil = evaluated(printed[0], {{"A", *A}, {"B", *B}, {"Fx", model.at("Fx")}});
   if (!pencil || pencil->cols() != v.rows() || Matrix<Rational>(*pencil * v) != linear_sides()) return wrong;

@@ -14,13 +14,13 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr unsigned n = 4;  // printed general formulas are read for four links
+constexpr unsigned printed_n = 4;  // printed general formulas are read for four links
 
 /// Symbols L1…L4, k1…k4, q1…q4, Fx, Fy, lambda.
-const proofs::Formulas& formulas() {
+const proofs::Formulas& general_formulas() {
   static const proofs::Formulas instance([] {
     std::vector<std::string> names{"Fx", "Fy", "lambda"};
-    for (unsigned i = 1; i <= n; ++i) {
+    for (unsigned i = 1; i <= printed_n; ++i) {
       for (const char* name : {"L", "k", "q"}) names.push_back(fmt::format("{}{}", name, i));
     }
     return names;
@@ -30,7 +30,8 @@ const proofs::Formulas& formulas() {
 
 std::vector<ex> symbols(const std::string& name) {
   std::vector<ex> result;
-  for (unsigned i = 1; i <= n; ++i) result.push_back(formulas().symbol(fmt::format("{}{}", name, i)));
+  for (unsigned i = 1; i <= printed_n; ++i)
+    result.push_back(general_formulas().symbol(fmt::format("{}{}", name, i)));
   return result;
 }
 
@@ -65,14 +66,14 @@ std::vector<std::string> grid_names(const std::string& matrix, unsigned rows, un
 /// Shortening and lateral deflection of the straight chain's end point.
 std::vector<ex> deflections(const proofs::SymbolicShape& shape) {
   proofs::SymbolicShape straight = shape;
-  straight.q.assign(n, 0);
+  straight.q.assign(printed_n, 0);
   const GiNaC::matrix from = end_point(straight);
   const GiNaC::matrix to = end_point(shape);
   return {from(0, 0) - to(0, 0), to(1, 0) - from(1, 0)};
 }
 
 Judgement geometry(const Printed& printed, int) {
-  return judge_formulas(formulas(), printed, deflections(general_shape()), {"delta_x", "delta_y"},
+  return judge_formulas(general_formulas(), printed, deflections(general_shape()), {"delta_x", "delta_y"},
                         "end point of the straight chain against that of the bent one, n = 4");
 }
 
@@ -82,17 +83,17 @@ Judgement full_jacobian(const Printed& printed, int) {
   for (unsigned row = 0; row < 2; ++row) {
     for (const ex& q : shape.q) computed.push_back(derivative(end_point(shape)(row, 0), q));
   }
-  return judge_formulas(formulas(), printed, computed, grid_names("J", 2, n),
+  return judge_formulas(general_formulas(), printed, computed, grid_names("J", 2, printed_n),
                         "derivatives of the end point by the joint angles, n = 4");
 }
 
 /// (29) and (30) in symbols, row by row, from the kinematics.
 std::vector<ex> linear_rows() {
   const Scaled scaled;
-  const GiNaC::matrix balance =
-      proofs::torque_balance(scaled.shape, formulas().symbol("Fx"), scaled.epsilon * formulas().symbol("Fy"));
+  const GiNaC::matrix balance = proofs::torque_balance(scaled.shape, general_formulas().symbol("Fx"),
+                                                       scaled.epsilon * general_formulas().symbol("Fy"));
   std::vector<ex> rows;
-  for (unsigned i = 0; i < n; ++i)
+  for (unsigned i = 0; i < printed_n; ++i)
     rows.push_back(proofs::series_coefficient(balance(i, 0), scaled.epsilon, 1));
   rows.push_back(proofs::series_coefficient(deflections(scaled.shape)[1], scaled.epsilon, 1));
   return rows;
@@ -100,8 +101,8 @@ std::vector<ex> linear_rows() {
 
 std::vector<ex> linear_unknowns() {
   std::vector<ex> unknowns = symbols("q");
-  unknowns.push_back(formulas().symbol("Fx"));
-  unknowns.push_back(formulas().symbol("Fy"));
+  unknowns.push_back(general_formulas().symbol("Fx"));
+  unknowns.push_back(general_formulas().symbol("Fy"));
   return unknowns;
 }
 
@@ -111,7 +112,8 @@ Judgement counts(const Printed& printed, int) {
     return std::any_of(rows.begin(), rows.end(), [&](const ex& row) { return row.has(unknown); });
   };
   const auto unknowns = static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(), occurs));
-  const std::string found = fmt::format("n+{} equations, n+{} unknowns", rows.size() - n, unknowns - n);
+  const std::string found =
+      fmt::format("n+{} equations, n+{} unknowns", rows.size() - printed_n, unknowns - printed_n);
   return judge_word(
       printed.at(0), found, found,
       {{EvidenceKind::symbolic,
@@ -131,7 +133,7 @@ Judgement degree(const Printed& printed, int) {
     return most;
   };
   std::vector<ex> all = linear_unknowns(), at_force = symbols("q");
-  at_force.push_back(formulas().symbol("Fy"));
+  at_force.push_back(general_formulas().symbol("Fy"));
   const int both = together(all), given = together(at_force);
   const std::string found = both == 1 ? "linear" : "bilinear";
   return {
@@ -148,10 +150,11 @@ Judgement degree(const Printed& printed, int) {
 Judgement nonlinear_counts(const Printed& printed, int) {
   const proofs::SymbolicShape shape = general_shape();
   const std::size_t balances =
-      proofs::torque_balance(shape, formulas().symbol("Fx"), formulas().symbol("Fy")).rows();
+      proofs::torque_balance(shape, general_formulas().symbol("Fx"), general_formulas().symbol("Fy")).rows();
   const std::size_t equations = balances + deflections(shape).size();
   const std::size_t unknowns = shape.q.size() + 2;
-  const std::string found = fmt::format("n+{} equations, n+{} unknowns", equations - n, unknowns - n);
+  const std::string found =
+      fmt::format("n+{} equations, n+{} unknowns", equations - printed_n, unknowns - printed_n);
   const bool right = printed.at(0) == found;
   return {right ? Verdict::confirmed : Verdict::refuted,
           right ? "" : found,
@@ -165,7 +168,7 @@ Judgement small_geometry(const Printed& printed, int) {
   std::vector<ex> computed;
   for (const ex& deflection : deflections(scaled.shape)) computed.push_back(scaled.leading(deflection));
   return judge_formulas(
-      formulas(), printed, computed, {"delta_x", "delta_y"},
+      general_formulas(), printed, computed, {"delta_x", "delta_y"},
       "lowest-order terms of (21) in the joint angles, n = 4; 0 <= delta_x(25) - delta_x(21) <= sum L "
       "theta^4/24 since 1 - cos x lies between x^2/2 - x^4/24 and x^2/2");
 }
@@ -196,7 +199,7 @@ Judgement small_jacobian_entries(const Printed& printed, int) {
   std::vector<ex> computed;
   const GiNaC::matrix J = jacobian(scaled.shape);
   for (std::size_t i = 0; i < J.nops(); ++i) computed.push_back(scaled.leading(J.op(i)));
-  return judge_formulas(formulas(), printed, computed, grid_names("J", 2, n),
+  return judge_formulas(general_formulas(), printed, computed, grid_names("J", 2, printed_n),
                         "lowest-order terms of (23), n = 4");
 }
 
@@ -209,22 +212,22 @@ ex s1_entry(unsigned i, unsigned j) {
 
 Judgement s1_matrix(const Printed& printed, int) {
   std::vector<ex> computed;
-  for (unsigned i = 0; i < n; ++i) {
-    for (unsigned j = 0; j < n; ++j) computed.push_back(s1_entry(i, j));
+  for (unsigned i = 0; i < printed_n; ++i) {
+    for (unsigned j = 0; j < printed_n; ++j) computed.push_back(s1_entry(i, j));
   }
-  return judge_formulas(formulas(), printed, computed, grid_names("S1", n, n),
+  return judge_formulas(general_formulas(), printed, computed, grid_names("S1", printed_n, printed_n),
                         "first-order part of the first row of (23), n = 4");
 }
 
 Judgement s0_vector(const Printed& printed, int) {
   const GiNaC::matrix at_zero = [] {
     proofs::SymbolicShape straight = general_shape();
-    straight.q.assign(n, 0);
+    straight.q.assign(printed_n, 0);
     return jacobian(straight);
   }();
   std::vector<ex> computed;
-  for (unsigned i = 0; i < n; ++i) computed.push_back(at_zero(1, i));
-  return judge_formulas(formulas(), printed, computed, grid_names("S0", n, 1),
+  for (unsigned i = 0; i < printed_n; ++i) computed.push_back(at_zero(1, i));
+  return judge_formulas(general_formulas(), printed, computed, grid_names("S0", printed_n, 1),
                         "second row of (23) at q = 0, n = 4");
 }
 

@@ -1,6 +1,7 @@
 #include "verify/claims/loaded_chains.hpp"
 
 #include <fmt/core.h>
+#include <algorithm>
 
 #include <boost/math/tools/roots.hpp>
 #include <map>
@@ -166,6 +167,10 @@ proofs::Census held_at(const Chain<Interval>& chain, const Interval& x) {
   proofs::Census census = proofs::census_at_end_point(chain, {x, Interval(0)});
   if (!census.complete()) throw Error("census", "undecided boxes", "a regular deflection");
   return known.emplace(key, std::move(census)).first->second;
+}
+
+std::string located(const proofs::Located& number, int digits) {
+  return number.str(std::min(digits, proofs::located_digits));
 }
 
 std::string types(const proofs::Census& census) {

@@ -47,6 +47,9 @@ std::string signs(const proofs::CertifiedEquilibrium& one, std::size_t from = 0)
 /// U-, and Z- for "+-" (the middle link leads upwards), Z+.
 std::string letter(const proofs::CertifiedEquilibrium& one);
 
+/// A number of an event as it is printed: no more digits than it is located to.
+std::string located(const proofs::Located& number, int digits);
+
 /// What a slowly compressed chain does: followed in double precision, its events located to fifty digits, its
 /// stretches proved. Its end point stays on the x axis.
 struct SlowPath {

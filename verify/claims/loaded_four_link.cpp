@@ -24,10 +24,6 @@ proofs::Census at_deflection(const Chain<Interval>& chain, const Rational& defle
   return held_at(chain, table_1_reach() - Interval(deflection));
 }
 
-std::string located(const proofs::Located& number, int digits) {
-  return number.str(std::min(digits, proofs::located_digits));
-}
-
 Judgement direct_kinematics(const Printed& printed, int) {
   std::vector<std::string> names;
   for (int i = 1; i <= 4; ++i) {

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+#include <algorithm>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -15,10 +16,6 @@
 
 namespace plumbline::verify {
 namespace {
-
-std::string located(const proofs::Located& number, int digits) {
-  return number.str(std::min(digits, proofs::located_digits));
-}
 
 /// A sharp knee: the stiffness falls to a tenth within a tenth of L.
 Judgement z_smooth(const Printed& printed, int) {

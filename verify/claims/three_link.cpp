@@ -20,19 +20,19 @@ namespace {
 
 using GiNaC::ex;
 
-const proofs::Formulas& formulas() {
+const proofs::Formulas& stretched_formulas() {
   static const proofs::Formulas instance({"phi", "k", "L", "Fx", "Fy"});
   return instance;
 }
 
 ex phi() {
-  return formulas().symbol("phi");
+  return stretched_formulas().symbol("phi");
 }
 ex k() {
-  return formulas().symbol("k");
+  return stretched_formulas().symbol("k");
 }
 ex L() {
-  return formulas().symbol("L");
+  return stretched_formulas().symbol("L");
 }
 
 proofs::SymbolicShape shape(const std::vector<ex>& q) {
@@ -47,7 +47,7 @@ proofs::SymbolicShape z_shape() {
 
 Judgement closes(const Printed& printed, int) {
   std::vector<ex> q;
-  for (const std::string& angle : printed) q.push_back(formulas().parse(angle));
+  for (const std::string& angle : printed) q.push_back(stretched_formulas().parse(angle));
   const ex y = end_point(shape(q))(1, 0);
   const std::string how = "end point of the printed angles: y = " + proofs::text(y);
   if (proofs::identical(y, 0)) return {Verdict::confirmed, "", {{EvidenceKind::symbolic, how}}, ""};
@@ -77,13 +77,14 @@ Judgement jacobian_of(const proofs::SymbolicShape& s, const Printed& printed) {
   }
   std::vector<ex> computed = entries(jacobian(s));
   for (ex& entry : computed) entry = (entry / L()).expand();
-  return judge_formulas(formulas(), printed, computed, names, "derivative of the end point, shape inserted");
+  return judge_formulas(stretched_formulas(), printed, computed, names,
+                        "derivative of the end point, shape inserted");
 }
 
 Judgement balance_of(const proofs::SymbolicShape& s, const Printed& printed) {
-  std::vector<ex> computed =
-      entries(proofs::torque_balance(s, formulas().symbol("Fx"), formulas().symbol("Fy")));
-  return judge_formulas(formulas(), printed, computed, {"equation 1", "equation 2", "equation 3"},
+  std::vector<ex> computed = entries(
+      proofs::torque_balance(s, stretched_formulas().symbol("Fx"), stretched_formulas().symbol("Fy")));
+  return judge_formulas(stretched_formulas(), printed, computed, {"equation 1", "equation 2", "equation 3"},
                         "J^T F + M with M = (0, k q_1, k q_2), shape inserted");
 }
 
@@ -124,14 +125,14 @@ bool balanced(const proofs::SymbolicShape& s, const Forces& f) {
 Judgement solution_u(const Printed& printed, int) {
   const Forces f = solve(u_shape());
   if (!balanced(u_shape(), f)) throw Error("U-shape", "no equilibrium", "one for every phi");
-  return judge_formulas(formulas(), printed, {f.Fx, f.Fy}, {"F_x", "F_y"},
+  return judge_formulas(stretched_formulas(), printed, {f.Fx, f.Fy}, {"F_x", "F_y"},
                         "solution of all three equilibrium equations for every phi");
 }
 
 /// Printed limits against the critical force of the m-th mode of the chain.
 Judgement limit_of(const proofs::SymbolicShape& s, const Printed& printed, std::size_t m) {
   const ex limit = proofs::limit_at_zero(solve(s).Fx, phi());
-  Judgement result = judge_formulas(formulas(), printed, {limit}, {"the limit"},
+  Judgement result = judge_formulas(stretched_formulas(), printed, {limit}, {"the limit"},
                                     "series of the exact solution: " + proofs::text(limit));
   Rational F;
   std::istringstream(proofs::text((limit * L() / k()).normal())) >> F;
@@ -179,8 +180,8 @@ Judgement no_exact_solution(const Printed& printed, int) {
 
 Judgement asymptotic_z(const Printed& printed, int) {
   const Forces exact = solve(z_shape());
-  const ex printed_Fx = formulas().parse(fraction_reading(printed.at(0)));
-  const ex printed_Fy = formulas().parse(printed.at(1));
+  const ex printed_Fx = stretched_formulas().parse(fraction_reading(printed.at(0)));
+  const ex printed_Fy = stretched_formulas().parse(printed.at(1));
   const bool same_limit =
       proofs::identical(proofs::limit_at_zero(printed_Fx, phi()), proofs::limit_at_zero(exact.Fx, phi())) &&
       proofs::identical(proofs::limit_at_zero(printed_Fy, phi()), proofs::limit_at_zero(exact.Fy, phi()));

@@ -23,13 +23,13 @@ namespace {
 using GiNaC::ex;
 
 /// The angles of Fig. 4 and the symbols of (4) to (10).
-const proofs::Formulas& formulas() {
+const proofs::Formulas& model_formulas() {
   static const proofs::Formulas instance(
       {"L", "k", "phi", "alpha1", "alpha2", "q1", "q2", "x0", "y0", "Delta", "S2", "C2", "Fx", "E"});
   return instance;
 }
 ex symbol(const char* name) {
-  return formulas().symbol(name);
+  return model_formulas().symbol(name);
 }
 
 std::vector<ex> place(const ex& second, const ex& third) {
@@ -39,12 +39,12 @@ std::vector<ex> place(const ex& second, const ex& third) {
 }
 
 Judgement initial_place(const Printed& printed, int) {
-  return judge_formulas(formulas(), printed, place(symbol("alpha1"), symbol("alpha2")), {"x_0", "y_0"},
+  return judge_formulas(model_formulas(), printed, place(symbol("alpha1"), symbol("alpha2")), {"x_0", "y_0"},
                         "direct kinematics of three links of length L at (phi, alpha_1, alpha_2)");
 }
 
 Judgement loaded_place(const Printed& printed, int) {
-  return judge_formulas(formulas(), printed,
+  return judge_formulas(model_formulas(), printed,
                         place(symbol("alpha1") + symbol("q1"), symbol("alpha2") + symbol("q2")), {"x", "y"},
                         "direct kinematics at (phi, alpha_1 + q_1, alpha_2 + q_2)");
 }
@@ -155,7 +155,7 @@ Judgement elbow(const Printed& printed, int) {
     throw Error("two links", "another angle", "the law of cosines");
   const ex l = symbol("L"), x = symbol("x0") - symbol("Delta") - l * cos(symbol("phi")),
            y = symbol("y0") - l * sin(symbol("phi"));
-  return judge_formulas(formulas(), printed, {(x * x + y * y) / (2 * l * l) - 1}, {"C_2"},
+  return judge_formulas(model_formulas(), printed, {(x * x + y * y) / (2 * l * l) - 1}, {"C_2"},
                         "law of cosines for the last two links: the cosine of the third joint");
 }
 
@@ -188,7 +188,7 @@ Judgement inverse_kinematics(const Printed& printed, int) {
                               value("C2", cos(third))};
       const proofs::Located meant[] = {second - alpha1, third - alpha2};
       for (std::size_t i = 0; i < 2; ++i) {
-        const ex number = formulas().parse(printed.at(i)).subs(values).evalf();
+        const ex number = model_formulas().parse(printed.at(i)).subs(values).evalf();
         if (!GiNaC::is_a<GiNaC::numeric>(number)) throw Error("claim", printed[i], "a formula for an angle");
         const proofs::Located off = proofs::Located(proofs::text(number)) - meant[i];
         worst = std::max(worst, proofs::Located(abs(sin(off / 2))));  // full turns do not count
@@ -242,7 +242,7 @@ Judgement extremum(const Printed& printed, bool stable) {
 
 Judgement potential_energy(const Printed& printed, int) {
   const ex q1 = symbol("q1"), q2 = symbol("q2"), k = symbol("k");
-  return judge_formulas(formulas(), printed, {k * q1 * q1 / 2 + k * q2 * q2 / 2}, {"E"},
+  return judge_formulas(model_formulas(), printed, {k * q1 * q1 / 2 + k * q2 * q2 / 2}, {"E"},
                         "two springs; the base joint has none");
 }
 
@@ -269,7 +269,7 @@ ex loaded_x() {
 }
 
 Judgement load_term(const Printed& printed, int) {
-  const ex potential = formulas().parse(printed.at(0));
+  const ex potential = model_formulas().parse(printed.at(0));
   const bool free = potential.diff(GiNaC::ex_to<GiNaC::symbol>(symbol("phi"))).is_zero();
   const bool right = free && belongs_to_6(potential, symbol("x0") - loaded_x());
   return {right ? Verdict::confirmed : Verdict::refuted,
@@ -283,7 +283,7 @@ Judgement load_term(const Printed& printed, int) {
 
 /// printed: x and y by Delta
 Judgement deflection_sign(const Printed& printed, int) {
-  const ex x = formulas().parse(printed.at(0)), y = formulas().parse(printed.at(1));
+  const ex x = model_formulas().parse(printed.at(0)), y = model_formulas().parse(printed.at(1));
   const ex deflection = symbol("Delta");
   // solved for Delta: x is linear in it
   const ex slope = x.diff(GiNaC::ex_to<GiNaC::symbol>(deflection));
@@ -303,7 +303,8 @@ Judgement deflection_sign(const Printed& printed, int) {
 
 /// What (10) is to the potential energy E - F_x Delta.
 Judgement potential_or_strain(const Printed& printed, int) {
-  const ex energy = formulas().parse(printed.at(0)), full = symbol("E") - symbol("Fx") * symbol("Delta");
+  const ex energy = model_formulas().parse(printed.at(0)),
+           full = symbol("E") - symbol("Fx") * symbol("Delta");
   const bool same = proofs::identical(energy, full);
   const bool apart_from_load =
       proofs::identical(energy, symbol("E"));  // at a given Delta the two differ by a constant

@@ -189,7 +189,7 @@ std::pair<std::string, std::string> character(const Rational& F) {
   return {curvature > 0 ? "minimum" : "maximum", upper < 0 ? "stable" : "unstable"};
 }
 
-Judgement extrema(const Printed& printed, int) {
+Judgement energy_extrema(const Printed& printed, int) {
   const auto below = character(1);
   const auto above = character(3);
   const std::string computed = below.first == printed.at(0) ? below.second : above.second;
@@ -294,7 +294,7 @@ Checks claims::two_link() {
       {"eq-1-deflection", deflection},
       {"straight-curve", straight_curve},
       {"eq-2", critical_force},
-      {"energy-extrema", extrema},
+      {"energy-extrema", energy_extrema},
       {"two-link-strain-energy", strain},
       {"eq-3", potential},
       {"straight-stable", stable_up_to},

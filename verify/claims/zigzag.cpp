@@ -2,6 +2,7 @@
 /// Section 3.1: the Z-chain of Figures 8 and 9, three links with a passive base.
 
 #include <fmt/core.h>
+#include <algorithm>
 
 #include <functional>
 #include <utility>
@@ -34,10 +35,6 @@ const BranchEvent<proofs::Located>& buckling() {
   if (path().events.size() != 1 || path().events[0].kind != EventKind::bifurcation)
     throw Error("Fig. 8", std::to_string(path().events.size()) + " events up to 0.6 L", "one bifurcation");
   return path().events[0];
-}
-
-std::string located(const proofs::Located& number, int digits) {
-  return number.str(std::min(digits, proofs::located_digits));
 }
 
 /// Mean stiffness over the last 0.001 L before the bifurcation, and over 0.001 L after it.

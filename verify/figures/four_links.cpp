@@ -12,7 +12,7 @@
 namespace plumbline::verify {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Chain<double> four_links(std::vector<double> rest) {
   return Chain<double>({1, 1, 1, 1}, {1, 1, 1, 1}, std::move(rest));

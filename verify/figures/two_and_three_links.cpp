@@ -11,7 +11,7 @@
 namespace plumbline::verify {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // --- two links (1) to (3), k = L = 1: F(q) = 2 q / sin(alpha + q), deflection 2 (cos alpha - cos(alpha + q))
 

@@ -189,7 +189,7 @@ Margin cut_link(const Sample& s) {
   });
 }
 
-constexpr std::array<ChainProperty, 13> properties{{
+constexpr std::array<ChainProperty, 13> all_properties{{
     {"zero eigenvalues", "B^-1 A has the eigenvalue 0 exactly twice, in one Jordan block",
      &two_zero_eigenvalues},
     {"forces",
@@ -251,7 +251,7 @@ bool Sample::resolved(std::size_t i, double epsilon) const {
 }
 
 std::span<const ChainProperty> chain_properties() {
-  return properties;
+  return all_properties;
 }
 
 }  // namespace plumbline::verify
