@@ -42,6 +42,7 @@ constexpr Way no_bench{false,
 constexpr Way runs{false, "differs from run to run"};
 constexpr Way linear{false, "springs of this format are linear"};
 constexpr Way constant{false, "dry friction of this format is a constant"};
+constexpr Way no_curve{false, "sensors of this format show in proportion"};
 constexpr Way no_set{false, "rest angles of this format do not move"};
 constexpr Way no_coupling{false, "joints of this format are not coupled"};
 constexpr Way no_point{false, "this format has no place for where a force acts"};
@@ -74,6 +75,7 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"load_friction", constant},
                                                    {"direction_friction", constant},
                                                    {"speed_friction", constant},
+                                                   {"cell_curvature", no_curve},
                                                    {"plastic_set", no_set}};
   return all;
 }

@@ -40,6 +40,18 @@ void let_lag(Readings& readings, double lag) {
   }
 }
 
+/// What a cell with a loop of its own shows: below the largest force that it has seen in this run, more.
+void let_loop(Readings& readings, double loop) {
+  for (std::size_t a = 0; a < 2; ++a) {
+    double largest = 0;
+    for (Reading& one : readings) {
+      const double size = std::abs(one.force[a]);
+      largest = std::max(largest, size);
+      if (largest > 0) one.force[a] *= 1 + 4 * loop * (largest - size) / largest;
+    }
+  }
+}
+
 /// Noise of one channel along a run.
 class Channel {
  public:
@@ -89,6 +101,7 @@ Readings show(const Plan& plan, const Physics& physics, const PlannedRun& run,
     readings.push_back(std::move(reading));
   }
   if (run.force_controlled) return readings;
+  if (physics.cell_loop != 0) let_loop(readings, physics.cell_loop);
   if (physics.lag > 0) let_lag(readings, physics.lag);
   for (Reading& one : readings) {
     for (double& force : one.force) force = std::clamp(force, -physics.saturation, physics.saturation);

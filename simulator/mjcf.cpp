@@ -135,8 +135,8 @@ std::string mjcf(const Plan& plan, const Physics& physics, const PlannedRun& run
       "<equality><connect name=\"hold\" body1=\"tip\" body2=\"{}\" anchor=\"0 0 0\" "
       "solref=\"{:.17g} 1\" solimp=\"0.9999 0.9999 1\"/></equality>",
       train ? "carriage" : "world", 2 * pace.timestep);
-  // All damping is that of joints, which Euler's rule takes implicitly; the derivatives of MuJoCo's implicit rule
-  // would cost two fifths of a step.
+  // All damping is that of joints, which Euler's rule takes implicitly; the derivatives of MuJoCo's implicit
+  // rule would cost two fifths of a step.
   return fmt::format(
       "<mujoco><compiler angle=\"radian\" inertiafromgeom=\"false\"/>"
       "<option timestep=\"{:.17g}\" gravity=\"{:.17g} {:.17g} 0\" integrator=\"Euler\" solver=\"Newton\" "

@@ -298,19 +298,15 @@ std::vector<Kind> benches_and_instruments() {
          is.wall = {link, v[1], v[2], v[0]};
        }},
       {"unknown",
-       "the load cell is not linear: it shows more than in proportion along one axis",
+       "the load cell has a loop of its own: below the largest force that it has seen it shows more",
        false,
-       {"along", "across"},
-       {true, true},
+       {"loop"},
+       {true},
        false,
        20,
-       never_force_controlled,
-       [](const Scene& s, Place, Random& r) {
-         return Values{r.sign() * 0.05 / s.force, r.uniform(-0.02, 0.02) / s.force};
-       },
-       [](Physics& is, const Plan&, Place, const Values& v) {
-         is.curvature = {v[0], v[1]};
-       }},
+       [](const Scene& s, Place j) { return never_force_controlled(s, j) && turns_back(s, j); },
+       [](const Scene&, Place, Random& r) { return Values{r.sign() * 0.01}; },
+       [](Physics& is, const Plan&, Place, const Values& v) { is.cell_loop = v[0]; }},
       {"unknown",
        "the load cell's zero creeps to another value as it warms up",
        false,

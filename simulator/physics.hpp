@@ -136,6 +136,7 @@ struct Physics {
   double warming_time = 1;
   Pair cross_talk{0, 0};  ///< c_xy, c_yx
   Pair curvature{0, 0};   ///< F (1 + curvature F)
+  double cell_loop = 0;   ///< how much it shows more at half of the largest force, as a share of that
   double saturation = std::numeric_limits<double>::infinity();
   double lag = 0;                             ///< time constant, s
   std::map<std::string, OtherDay> other_day;  ///< by the run's id

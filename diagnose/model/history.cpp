@@ -18,11 +18,25 @@ Vector2 turned(const Vector2& v, double angle) {
   return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
 }
 
-/// (1 + g) (1 + C), what a load cell makes of a force in its axes.
-Eigen::Matrix2d load_cell(const Rig& rig) {
+Eigen::Matrix2d cross_talk(const Rig& rig) {
   Eigen::Matrix2d mixed;
   mixed << 1, rig.cross_talk.x(), rig.cross_talk.y(), 1;
-  return (1 + rig.force_gain) * mixed;
+  return mixed;
+}
+
+/// What a load cell without a zero of its own shows of a force in its axes: (1 + g) m (1 + c m) of each
+/// component of m = (1 + C) F.
+Vector2 shown_by_cell(const Rig& rig, const Vector2& force) {
+  const Vector2 mixed = cross_talk(rig) * force;
+  return (1 + rig.force_gain) * (mixed + rig.cell_curvature.cwiseProduct(mixed.cwiseAbs2()));
+}
+
+/// The force of which it shows this: the smaller, and where there is none the one that comes nearest.
+Vector2 force_on_cell(const Rig& rig, const Vector2& shown) {
+  const Vector2 bent = shown / (1 + rig.force_gain);
+  const Vector2 root = (1 + 4 * rig.cell_curvature.array() * bent.array()).max(0).sqrt();
+  const Vector2 mixed = 2 * bent.array() / (1 + root.array());
+  return cross_talk(rig).inverse() * mixed;
 }
 
 /// One rig on its way through one run: posture and memory.
@@ -42,7 +56,7 @@ struct Traveller {
     }
     if (run.by_weights) return {run.control, turned(run.command(reading), rig.misalignment)};
     const Vector2 read = run.command(reading) - rig.force_bias - rig.force_drift * reading.t;
-    return {run.control, turned(load_cell(rig).inverse() * read, rig.misalignment)};
+    return {run.control, turned(force_on_cell(rig, read), rig.misalignment)};
   }
 
   /// True to measured force, in the axes of the rail.
@@ -50,7 +64,8 @@ struct Traveller {
   Vector2 measure_force(double t, double dt, double direction) {
     const Rig& rig = on.rig;
     const Vector2 force(posture.force.x, posture.force.y);
-    Vector2 read = load_cell(rig) * turned(force, -rig.misalignment) + rig.force_bias + rig.force_drift * t;
+    Vector2 read =
+        shown_by_cell(rig, turned(force, -rig.misalignment)) + rig.force_bias + rig.force_drift * t;
     read.x() += rig.guide_friction * direction;
     return lagging(read, dt).cwiseMin(rig.force_limit).cwiseMax(-rig.force_limit);
   }

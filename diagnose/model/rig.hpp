@@ -80,6 +80,7 @@ struct Rig {
   Vector2 force_bias = Vector2::Zero();                          ///< b_x, b_y, N
   Vector2 force_drift = Vector2::Zero();                         ///< r_x, r_y, N/s
   Vector2 cross_talk = Vector2::Zero();                          ///< c_xy, c_yx
+  Vector2 cell_curvature = Vector2::Zero();                      ///< c_x, c_y, 1/N
   double force_limit = std::numeric_limits<double>::infinity();  ///< largest |Fx|, |Fy| that it shows, N
   double force_lag = 0;                                          ///< its time constant, s
 

@@ -206,6 +206,18 @@ TEST_CASE("a chain that is not straight has no critical force") {
   CHECK(contains(outcome.err, "bent.toml: rest, entry 2: found an angle that is not zero"));
 }
 
+TEST_CASE("of a long chain the text shows a thousand angles of a mode and says how many there are more") {
+  const Workplace here;
+  std::string ones = "1";
+  for (int i = 1; i < 1005; ++i) ones += ", 1";
+  here.write("long.toml", "lengths = [" + ones + "]\nstiffness = [" + ones + "]\n");
+  const std::string text = here.plumbline("critical long.toml").out;
+  CHECK(contains(text, "\n    and 5 more: --json"));
+  const auto modes =
+      nlohmann::json::parse(here.plumbline("critical long.toml --json").out)["chains"][0]["modes"];
+  CHECK(modes[0]["q"].size() == 1005);
+}
+
 TEST_CASE("the JSON holds every mode with its shape") {
   const Workplace here;
   const auto json = nlohmann::json::parse(here.plumbline("critical --json --digits 20").out);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/answers/diagnosis.hpp"
 #include "diagnose/model/study.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
@@ -91,6 +92,42 @@ TEST_CASE("cross-talk of what is read, and of what a servo is told to hold") {
   CHECK(difference(q(predicted(experiment, only("cross_talk"), {0.05, -0.02})),
                    q(predicted(turned, {}, {}))) < 1e-9);
   CHECK_FALSE(offered(experiment, "cross_talk"));
+}
+
+TEST_CASE("a cell that is not linear shows F + c F^2 of each component, and a servo holds what it shows") {
+  Experiment experiment = presses();
+  const Trace nominal = predicted(experiment, {}, {}).runs[0];
+  const Trace read = predicted(experiment, only("cell_curvature"), {0.02, -0.01}).runs[0];
+  CHECK(difference(read.col(column_Fx), nominal.col(column_Fx) + 0.02 * nominal.col(column_Fx).square()) <
+        1e-12);
+  CHECK(difference(read.col(column_Fy), nominal.col(column_Fy) - 0.01 * nominal.col(column_Fy).square()) <
+        1e-12);
+
+  // Of (-1.25, 0.75) it shows -1.25 + 0.2 * 1.5625 and 0.75 - 0.4 * 0.5625.
+  experiment.runs.clear();
+  load(experiment, {0.2, 0.3, -0.3}, {-0.9375, 0.525}, {-0.9375, 0.525}, 1);
+  Experiment bent = experiment;
+  for (Reading& one : bent.runs[0].readings) one.Fx = -1.25, one.Fy = 0.75;
+  const auto q = [](const Prediction& of) { return of.runs[0].rightCols(3); };
+  CHECK(difference(q(predicted(experiment, only("cell_curvature"), {0.2, -0.4})),
+                   q(predicted(bent, {}, {}))) < 1e-9);
+}
+
+TEST_CASE(
+    "a cell that is not linear is found, and its zero, its scale and the springs are not taken for it") {
+  Experiment experiment = presses();
+  const Experiment planted = measured(experiment, only("cell_curvature"), {0.03, 0.01}, 4);
+  const Diagnosis diagnosis = diagnose::diagnose(Study(planted));
+  REQUIRE(diagnosis.cause.verdict == CauseVerdict::identified);
+  const auto& best = diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit;
+  CHECK(best.candidate.label() == "cell_curvature");
+  CHECK(best.parameters[0] == doctest::Approx(0.03).epsilon(0.2));
+  for (const char* other : {"force_gain", "asymmetric_spring"}) {
+    const Study study(measured(experiment, only(other), {0.1}, 5));
+    const Diagnosis of_other = diagnose::diagnose(study);
+    const auto& named = of_other.cause.ranking[of_other.cause.best].hypothesis.fit.candidate;
+    CHECK(named.label() != "cell_curvature");
+  }
 }
 
 TEST_CASE("a cell at the end of its range shows the limit, and is suspected where readings form a plateau") {

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "diagnose/answers/candidate_runs.hpp"
 #include "diagnose/inference/separation.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
@@ -86,6 +88,50 @@ TEST_CASE("nothing is proposed that asks too much of the rig") {
   }
   CHECK(needed > 0);
   CHECK(needed < 2.2 * force);
+}
+
+TEST_CASE("no run is proposed in which an explanation snaps") {
+  // nearly straight: pushed aside from its mirrored rest shape it snaps through
+  Experiment experiment = three_links();
+  press(experiment, {0.138, -0.006, 0.024}, {-0.0842, 0.0022}, 20, false);
+  const Study study(measured(experiment, only("force_gain"), {0.1}, 43));
+  const std::vector<Fit> rivals{fit(study, only("force_gain"), {}),
+                                fit(study, only("joint_stiffness", 2), {})};
+  const auto snaps = [&](const Run& run) {
+    Experiment bench = study.experiment();
+    bench.runs = {run};
+    return std::any_of(rivals.begin(), rivals.end(), [&](const Fit& one) {
+      return predict(Study(bench), one.candidate, one.parameters).snapped;
+    });
+  };
+  std::size_t feasible = 0;
+  for (const Shape& shape : shapes(study.experiment(), 12))
+    for (const CandidateRun& one : runs_from(study.experiment(), shape, extent(study)))
+      feasible += snaps(one.run);
+  REQUIRE(feasible > 0);
+  const std::vector<Proposal> proposals = next_runs(study, rivals, {}, 1000);
+  REQUIRE_FALSE(proposals.empty());
+  for (const Proposal& one : proposals) CHECK_FALSE(snaps(one.run));
+}
+
+TEST_CASE("out of gravity a chain and its mirror image tell as much, in gravity they do not") {
+  Experiment experiment = along_x();
+  experiment.link_mass = {0.05, 0.05, 0.05};
+  experiment.gravity = {0, -9.81};
+  const Study study(measured(experiment, only("force_gain"), {0.1}, 43));
+  const std::vector<Fit> rivals{fit(study, only("force_gain"), {}), fit(study, only("stiffness_scale"), {})};
+  std::map<std::pair<bool, std::string>, std::vector<double>> promised;
+  for (const Proposal& one : next_runs(study, rivals, {}, 1000)) {
+    std::string what = one.description;
+    if (const std::size_t at = what.find("mirrored "); at != what.npos) what.erase(at, 9);
+    promised[{one.out_of_gravity, what}].push_back(one.log_odds);
+  }
+  REQUIRE_FALSE(promised.empty());
+  for (const auto& [which, odds] : promised) {
+    CAPTURE(which.second);
+    REQUIRE(odds.size() == 2);
+    CHECK((odds[0] == close_to(odds[1]).epsilon(1e-6)) == which.first);
+  }
 }
 
 TEST_CASE("joint angles are an extra only where the bench does not read them") {

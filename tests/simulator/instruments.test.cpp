@@ -69,6 +69,19 @@ TEST_CASE("cross-talk, curvature, the tare of another day, warming up, saturatio
   CHECK(shown(is, plan)[20].force[1] == -1.75);
 }
 
+TEST_CASE("a cell with a loop of its own shows more on the way back, nothing else at either end of it") {
+  const Plan plan = a_bench();
+  Physics is = physics_of(plan);
+  const Readings plain = shown(is, plan);
+  is.cell_loop = 0.05;
+  const Readings loop = shown(is, plan);
+  CHECK(loop.front().force[1] == 2);
+  CHECK(loop[4].force[1] == close_to(1 + 0.05 * 2));  // half of the largest: 0.05 of it more
+  CHECK(loop[8].force[1] == 0);
+  CHECK(loop[20].force[1] == plain[20].force[1]);  // -3 is larger than all before
+  CHECK(loop[10].force[0] == plain[10].force[0]);
+}
+
 TEST_CASE("a cell that lags behind a steady rise is late by its time constant") {
   const Plan plan = a_bench();
   Physics is = physics_of(plan);

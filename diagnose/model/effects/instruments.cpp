@@ -83,6 +83,16 @@ std::vector<Effect> load_cells() {
            },
        .add = [](const Addition& to) { to.rig.cross_talk += Vector2(to.value[0], to.value[1]); },
        .possible = [](const Place& at) { return at.sizes.measures_both_forces; }},
+      {.id = "cell_curvature",
+       .words = "a load cell that is not linear",
+       .parameters =
+           [](const Place& at) {
+             const double small = 0.03 / at.sizes.force, large = 0.25 / at.sizes.force;
+             return std::vector{both_ways("c_x", "1/N", small, -large, large),
+                                both_ways("c_y", "1/N", small, -large, large)};
+           },
+       .add = [](const Addition& to) { to.rig.cell_curvature += Vector2(to.value[0], to.value[1]); },
+       .possible = [](const Place& at) { return at.sizes.load_cell; }},
       {.id = "saturation",
        .words = "a load cell at the end of its range",
        .parameters =
