@@ -73,8 +73,13 @@ double twice_log_likelihood(const std::vector<ThirdDifferences>& series, double 
 
 ThirdDifferences::ThirdDifferences(const std::vector<double>& values, double sigma) {
   for (std::size_t i = 3; i < values.size(); ++i) {
-    const double a = values[i - 3], b = values[i - 2], c = values[i - 1], d = values[i];
-    sizes.push_back((d - 3 * c + 3 * b - a) / (std::sqrt(third_difference_squares) * sigma));
+    const double difference = values[i] - 3 * values[i - 1] + 3 * values[i - 2] - values[i - 3];
+    sizes.push_back(difference / (std::sqrt(third_difference_squares) * sigma));
+    // Of the parabola through the four, whose noise is independent of the difference's: a reading that is
+    // noise alone is large where its noise is.
+    const double share = difference / third_difference_squares;
+    const double a = values[i - 3] + share, b = values[i - 2] - 3 * share, c = values[i - 1] + 3 * share,
+                 d = values[i] - share;
     levels.push_back(std::sqrt((a * a + 9 * b * b + 9 * c * c + d * d) / third_difference_squares));
   }
 }

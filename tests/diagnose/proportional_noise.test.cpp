@@ -60,6 +60,25 @@ TEST_CASE("noise that is the same at every reading is not said to be in proporti
   CHECK(found <= 1);  // of 400
 }
 
+TEST_CASE("a channel that reads little but its noise has no noise in proportion") {
+  // A force across the way, say: of itself the reading is large where its noise is.
+  std::mt19937_64 random(6);
+  std::normal_distribution<double> normal;
+  int found = 0;
+  for (int draw = 0; draw < 400; ++draw) {
+    std::vector<ThirdDifferences> runs;
+    for (const std::size_t count : {56U, 55U, 25U}) {
+      std::vector<double> values;
+      for (std::size_t i = 0; i < count; ++i)
+        values.push_back(press_force(static_cast<double>(i) / static_cast<double>(count)) / 100 +
+                         normal(random));
+      runs.emplace_back(values, 1);
+    }
+    found += proportional_noise(runs) > 0 ? 1 : 0;
+  }
+  CHECK(found <= 1);
+}
+
 TEST_CASE("a curve that its readings hardly follow has no noise in proportion") {
   std::vector<double> snapping, coarse;
   for (int i = 0; i < 60; ++i) {
