@@ -109,7 +109,8 @@ std::vector<bool> goes_evenly(const Run& run, const std::vector<std::size_t>& re
 
 double proportional_noise(const std::vector<ThirdDifferences>& series) {
   constexpr std::size_t few = 30;
-  constexpr double largest_ratio = 100, step = 1.15;
+  constexpr double step = 1.15;
+  constexpr int ratios = 33;  // from 1 to 88
   if (alternation(series) > beliefs::alternates || !(spread(series) > 0)) return 0;
   const std::vector<ThirdDifferences> plain = without_steps(series);
   double reach = 0;
@@ -120,7 +121,8 @@ double proportional_noise(const std::vector<ThirdDifferences>& series) {
   }
   if (count < few || !(reach > 0)) return 0;
   double best = 0, found = twice_log_likelihood(plain, 0) + beliefs::proportional_gain;
-  for (double ratio = 1; ratio < largest_ratio; ratio *= step) {
+  for (int i = 0; i < ratios; ++i) {
+    const double ratio = std::pow(step, i);
     const double likelihood = twice_log_likelihood(plain, ratio / reach);
     if (likelihood > found) best = ratio / reach, found = likelihood;
   }
