@@ -253,6 +253,7 @@ std::vector<double> joined(std::vector<double> first, const std::vector<double>&
 Prospect prospect_of(const Study& study, const Fit& fitted, const Weighing& weighing, const Probe& probe,
                      const std::vector<Eigen::VectorXd>& columns) {
   std::vector<Eigen::VectorXd> beyond;
+  beyond.reserve(columns.size());
   for (const Eigen::VectorXd& column : columns) beyond.push_back(weighing.beyond_own(column));
   const std::vector<ParameterRange> ranges = study.ranges(probe.effect);
   const bool small_steps = rides_along(probe) || columns.empty();
