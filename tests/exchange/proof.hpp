@@ -31,15 +31,23 @@ inline bool takes_time(const EffectAt& at) {
   return pace_of(at.effect->id) == Pace::by_the_clock;
 }
 
-/// The effects that a format carries, at joint 2 where they sit at one: each third from the one with this
+/// Each row once, at the joint in the middle of three where it has one.
+inline std::vector<EffectAt> rows(const Study& study) {
+  std::vector<EffectAt> all;
+  for (const EffectAt& at : possible_effects(study))
+    if (at.joint == 0 || at.joint == 2) all.push_back(at);
+  return all;
+}
+
+/// The rows that a format carries: each third from the one with this
 /// number on, so that what is not tried in one way is in another; all with PLUMBLINE_EFFECTS=all.
 inline std::vector<EffectAt> carried(const Study& study, Format format, std::size_t first) {
   const char* asked = std::getenv("PLUMBLINE_EFFECTS");
   const bool all = asked != nullptr && std::string_view(asked) == "all";
   std::vector<EffectAt> taken;
   std::size_t count = 0;
-  for (const EffectAt& at : possible_effects(study)) {
-    if (!way_of(format, at.effect->id).carried || at.joint == 1 || at.joint == 3) continue;
+  for (const EffectAt& at : rows(study)) {
+    if (!way_of(format, at.effect->id).carried) continue;
     if (const std::size_t number = count++; all || number % 3 == first) taken.push_back(at);
   }
   return taken;

@@ -20,14 +20,6 @@ std::string cell(Format format, std::string_view effect) {
   return fmt::format("{}{}", way.carried ? "" : "no: ", way.how);
 }
 
-/// Each row once, at the joint in the middle where it has one.
-std::vector<EffectAt> rows(const Study& study) {
-  std::vector<EffectAt> all;
-  for (const EffectAt& at : possible_effects(study))
-    if (at.joint == 0 || at.joint == 2) all.push_back(at);
-  return all;
-}
-
 std::string verdict(const plumbline::diagnose::Diagnosis& diagnosis) {
   std::string words = verdict_word(diagnosis.cause.verdict);
   if (!diagnosis.cause.ranking.empty() &&
@@ -40,7 +32,7 @@ std::string verdict(const plumbline::diagnose::Diagnosis& diagnosis) {
 std::string ways() {
   const Study study(plumbline::diagnose::test::full_bench());
   std::string table = "| effect | MJCF | SDF | URDF |\n|---|---|---|---|\n";
-  for (const EffectAt& at : rows(study)) {
+  for (const EffectAt& at : test::rows(study)) {
     const std::string mjcf = cell(Format::mjcf, at.effect->id), sdf = cell(Format::sdf, at.effect->id),
                       urdf = cell(Format::urdf, at.effect->id);
     table += fmt::format("| `{}` | {} | {} | {} |\n", at.label(), mjcf, sdf == mjcf ? "the same" : sdf,
@@ -64,7 +56,7 @@ TEST_CASE("the tables measured anew" * doctest::skip()) {
       "in "
       "MuJoCo |\n|---|---|---|---|---|---|---|---|---|\n");
   const test::Lab lab, fine(40);
-  for (const EffectAt& at : rows(Study(lab.experiment))) {
+  for (const EffectAt& at : test::rows(Study(lab.experiment))) {
     if (!way_of(Format::mjcf, at.effect->id).carried) continue;
     const test::Residuals left = test::residuals(at);
     const test::Lab& own = at.effect->id == "sensor_lag" ? fine : lab;

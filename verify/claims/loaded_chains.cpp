@@ -1,8 +1,8 @@
 #include "verify/claims/loaded_chains.hpp"
 
 #include <fmt/core.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <boost/math/tools/roots.hpp>
 #include <map>
 #include <plumbline/branch/point_at_load.hpp>

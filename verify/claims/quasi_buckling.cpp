@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <algorithm>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "proofs/census.hpp"
 #include "proofs/exactly.hpp"

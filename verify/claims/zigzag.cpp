@@ -2,8 +2,8 @@
 /// Section 3.1: the Z-chain of Figures 8 and 9, three links with a passive base.
 
 #include <fmt/core.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
