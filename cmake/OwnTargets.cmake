@@ -19,6 +19,7 @@ if(PLUMBLINE_SANITIZE)
   # GCC 12 finds the standard library's own regular expressions uninitialized between its checks.
   add_compile_options("$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>")
   add_link_options(-fsanitize=${PLUMBLINE_SANITIZE})
+  set(sanitizer_environment "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/leaks.supp:print_suppressions=0")
 endif()
 
 # Warnings are errors in our own code; the headers of other packages are not ours to judge.

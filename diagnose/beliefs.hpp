@@ -18,9 +18,12 @@ inline constexpr double largest_scale = 5;
 /// mean -0.34 where the values are independent, -0.29 where they correlate by 0.5 to 0.9; along a curve that
 /// is sampled coarsely they are positive.
 inline constexpr double alternates = -0.2;
+/// Third differences of neighbours hold no more than so many independent values would, over this.
+inline constexpr double third_differences_alike = 3;
 /// Twice the log-likelihood that noise in proportion to the readings has to gain: one bench in ten has it,
-/// and third differences of neighbours hold a third of what so many independent values would.
-inline constexpr double proportional_gain = 18;
+/// and third differences are alike. Noise that is not in proportion gains as much in 1 of 400 experiments,
+/// with outliers in 1 of 100.
+inline constexpr double proportional_gain = 16;
 /// Spread of the half-normal correlation of neighbouring readings: 0.6 is rare, but possible.
 inline constexpr double correlation_spread = 0.3;
 /// So many readings of a bench are slips, knocks and dropouts, with noise so many times as wide.

@@ -115,8 +115,10 @@ bool genuine(const Study& study, const Fit& fit) {
     for (const ParameterRange& range : study.ranges(at)) {
       const bool natural_zero = zero_is_nominal(range);
       const bool at_zero = fit.at_bound[p] && natural_zero && std::abs(fit.parameters[p]) < range.scale;
-      if (fit.at_bound[p] && !at_zero) return false;
-      acting += (natural_zero && !at_zero) || range.coordinate == Coordinate::reciprocal;
+      // Where the readings hardly tell a parameter from nothing it runs to the end of its range for nothing.
+      const bool idle = at_zero || (fit.at_bound[p] && natural_zero && !known_to_itself(fit, p));
+      if (fit.at_bound[p] && !idle) return false;
+      acting += (natural_zero && !idle) || range.coordinate == Coordinate::reciprocal;
       beyond_zero = beyond_zero || !natural_zero || is_beyond_zero(fit, p);
       if (range.coordinate == Coordinate::plain && !natural_zero) {
         begins = true;

@@ -55,8 +55,14 @@ std::vector<ThirdDifferences> without_steps(std::vector<ThirdDifferences> series
   return series;
 }
 
-/// Twice the largest log-likelihood of sizes with the standard deviations s·sqrt(1 + r^2 level^2).
-double twice_log_likelihood(const std::vector<ThirdDifferences>& series, double r) {
+/// Sizes whose standard deviations are s sqrt(1 + r^2 level^2).
+struct Proportion {
+  double ratio = 0;             ///< r
+  double common = 0;            ///< s, the one that is most likely
+  double twice_likelihood = 0;  ///< with it, logarithmic
+};
+
+Proportion in_proportion(const std::vector<ThirdDifferences>& series, double r) {
   double widths = 0, squares_sum = 0, count = 0;
   for (const ThirdDifferences& one : series) {
     for (std::size_t i = 0; i < one.sizes.size(); ++i) {
@@ -66,7 +72,17 @@ double twice_log_likelihood(const std::vector<ThirdDifferences>& series, double 
       count += 1;
     }
   }
-  return -2 * widths - count * std::log(squares_sum / count);
+  const double variance = squares_sum / count;
+  return {r, std::sqrt(variance), -2 * widths - count * std::log(variance)};
+}
+
+/// How well a proportion agrees with the readings and with the declared sigma, which is what all of them
+/// scatter; where neighbours correlate, third differences show but half of it. Where no value is small, the
+/// readings say nothing of it; they overrule it where they do (Cauchy).
+double agreement(const Proportion& one) {
+  const double off = std::log(one.common / std::clamp(one.common, 0.5, 1.0));
+  return one.twice_likelihood / beliefs::third_differences_alike -
+         2 * std::log1p(std::pow(off / beliefs::scale_spread, 2));
 }
 
 }  // namespace
@@ -120,13 +136,15 @@ double proportional_noise(const std::vector<ThirdDifferences>& series) {
     count += one.sizes.size();
   }
   if (count < few || !(reach > 0)) return 0;
-  double best = 0, found = twice_log_likelihood(plain, 0) + beliefs::proportional_gain;
+  const double plain_likelihood = in_proportion(plain, 0).twice_likelihood;
+  double gain = 0;
+  Proportion best;
   for (int i = 0; i < ratios; ++i) {
-    const double ratio = std::pow(step, i);
-    const double likelihood = twice_log_likelihood(plain, ratio / reach);
-    if (likelihood > found) best = ratio / reach, found = likelihood;
+    const Proportion one = in_proportion(plain, std::pow(step, i) / reach);
+    gain = std::max(gain, one.twice_likelihood - plain_likelihood);
+    if (i == 0 || agreement(one) > agreement(best)) best = one;
   }
-  return best;
+  return gain > beliefs::proportional_gain ? best.ratio : 0;
 }
 
 }  // namespace plumbline::diagnose

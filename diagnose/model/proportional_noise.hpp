@@ -32,7 +32,8 @@ std::vector<bool> goes_evenly(const Run& run, const std::vector<std::size_t>& re
 /// By what share of the reading the values of a channel scatter beside what they all scatter, over the
 /// latter: their variance is s^2 (1 + r^2 value^2), and r is what is returned, per unit of the values. Zero
 /// where uniform noise explains the third differences nearly as well, or where they are those of a curve: the
-/// ones of independent noise alternate.
+/// ones of independent noise alternate. Of the shares that explain them nearly alike, as all large ones do
+/// where no value is small, it is the one with which s comes nearest to the declared sigma.
 double proportional_noise(const std::vector<ThirdDifferences>& series);
 
 }  // namespace plumbline::diagnose
