@@ -128,15 +128,11 @@ bool step_down(const std::optional<Shrink>& blind, Cause& cause) {
 void demand_prediction(const Study& study, const std::optional<Shrink>& blind, Cause& cause) {
   if (cause.verdict == CauseVerdict::unknown) return;
   const Fit& best = cause.ranking[cause.best].hypothesis.fit;
-  const bool three = takes_three(cause.ranking[cause.best]);
-  const bool predicted = blind ? predicts(blind, beliefs::predicts) : !three;
-  if (three && !predicted) {
+  if (takes_three(cause.ranking[cause.best])) {
     cause.verdict = CauseVerdict::unknown;
     cause.equivalent.clear();
-    leave_to_unknown(cause, beliefs::wrong_unpredicted_three);
-  } else if (three) {
-    hedge(cause, Reservation::three_effects);
-  } else if (!predicted) {
+    leave_to_unknown(cause, beliefs::wrong_three);
+  } else if (blind && !predicts(blind, beliefs::predicts)) {
     hedge(cause, Reservation::not_predicted);
   } else if (best.candidate.count() > 1 && many_valued(study, best.candidate) > 0) {
     hedge(cause, Reservation::many_values);

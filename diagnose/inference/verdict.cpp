@@ -98,8 +98,6 @@ std::string reservation_words(Reservation reservation) {
              "hide";
     case Reservation::beyond_tolerance:
       return "its tolerances are wider than machining leaves";
-    case Reservation::three_effects:
-      return "three effects at once explain much that they are not";
   }
   return "";
 }

@@ -14,12 +14,11 @@ std::string verdict_word(CauseVerdict verdict);
 /// Why an explanation that stands out may not be the cause.
 enum class Reservation {
   none,
-  not_predicted,     ///< it does not predict the readings that were held out
-  beyond_noise,      ///< it leaves more than the readings scatter, though no more than is tolerated
-  many_values,       ///< beside one effect it takes another with a value at every joint, link or run
-  machining_alone,   ///< it is what machining leaves and nothing else
-  beyond_tolerance,  ///< its tolerances are wider than machining leaves
-  three_effects      ///< it takes three effects, which explain much that they are not
+  not_predicted,    ///< it does not predict the readings that were held out
+  beyond_noise,     ///< it leaves more than the readings scatter, though no more than is tolerated
+  many_values,      ///< beside one effect it takes another with a value at every joint, link or run
+  machining_alone,  ///< it is what machining leaves and nothing else
+  beyond_tolerance  ///< its tolerances are wider than machining leaves
 };
 
 /// Why, in words of which "it" is the explanation; empty for none.

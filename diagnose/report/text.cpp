@@ -115,7 +115,7 @@ std::string parameters(const Diagnosis& diagnosis) {
 
 std::string unexplained(const Diagnosis& diagnosis) {
   std::string text =
-      "What?  Unknown: nothing in the catalogue, alone or in threes, brings the residual to the noise\n";
+      "What?  Unknown: nothing in the catalogue, alone or in twos, brings the residual to the noise\n";
   if (diagnosis.missing) {
     const Missing& missing = *diagnosis.missing;
     text += fmt::format("  what is missing, as a function of {}: {}; of direction too: {}; of time too: {}\n",
