@@ -87,16 +87,37 @@ struct Null {
   std::vector<double> mean, variance;
 };
 
+/// Noise as what was estimated may be, by how much neighbours correlate.
+class Estimated {
+ public:
+  Estimated(const Measurements& measurements, const NoiseModel& noise)
+      : noise_(noise), deviation_(correlation_deviation(static_cast<double>(measurements.size()))) {}
+
+  NoiseModel draw() {
+    constexpr double most = 0.95;
+    NoiseModel one = noise_;
+    one.correlation = std::clamp(one.correlation + deviation_ * normal_(random_), 0.0, most);
+    return one;
+  }
+
+ private:
+  NoiseModel noise_;
+  double deviation_;
+  std::mt19937_64 random_;
+  std::normal_distribution<double> normal_;
+};
+
 Null null_distribution(const Measurements& measurements, const NoiseModel& noise) {
   constexpr int draws = 150;  // the spread is then known to 6 %
   Simulation simulation(measurements);
+  Estimated estimated(measurements, noise);
   const std::size_t count = measurements.series().size();
   Null null;
   null.mean.assign(count, 0.0);
   null.variance.assign(count, 0.0);
   double square_total = 0, square_whole = 0;
   for (int draw = 0; draw < draws; ++draw) {
-    const std::vector<double> residual = simulation.draw(noise);
+    const std::vector<double> residual = simulation.draw(estimated.draw());
     const Energy energy = slow_energy(measurements, residual, estimate_noise(measurements, residual));
     null.mean_total += energy.total() / draws;
     square_total += energy.total() * energy.total() / draws;

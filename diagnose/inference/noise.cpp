@@ -231,6 +231,10 @@ double largest_correlation(const Measurements& measurements) {
   return std::min(0.9, std::exp(-10 / median(lengths)));
 }
 
+double correlation_deviation(double values) {
+  return 1.5 / std::sqrt(values);
+}
+
 RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual) {
   RawNoise noise;
   double ratio = 0, weight = 0;
@@ -239,9 +243,11 @@ RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& 
     const auto c = static_cast<std::size_t>(name);
     steps[c] = steps_of(measurements, residual, name);
     noise.values[c] = steps[c].values;
-    // Differences over two readings that exceed twice those over one are of a slope, not of noise.
-    if (!(steps[c].near > 0) || steps[c].ratio > 2) continue;
-    ratio += steps[c].values * steps[c].ratio;
+    // Differences over two readings that exceed twice those over one by more than chance are of a slope, not
+    // of noise.
+    const double by_chance = 2 * correlation_deviation(steps[c].values);
+    if (!(steps[c].near > 0) || steps[c].ratio > 2 + by_chance) continue;
+    ratio += steps[c].values * std::min(2.0, steps[c].ratio);
     weight += steps[c].values;
   }
   // (1 - phi^2) / (1 - phi) = 1 + phi

@@ -40,6 +40,10 @@ std::vector<double> without_outliers(const Measurements& measurements, const std
 /// E(e_{t-1} - 2 e_t + e_{t+1})^2 = 2 sigma^2 (1 - phi)(3 - phi).
 RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual);
 
+/// Standard deviation of a correlation that so many values tell: 1.4 to 1.8 over their root in simulated
+/// noise.
+double correlation_deviation(double values);
+
 /// By how much neighbouring readings can correlate at most: noise that remembers longer than a tenth of a run
 /// cannot be told from a gap.
 double largest_correlation(const Measurements& measurements);

@@ -262,9 +262,12 @@ Prospect prospect_of(const Study& study, const Fit& fitted, const Weighing& weig
                                   : best_share(weighing, beyond.front(), ranges, probe, start);
   Prospect prospect{probe.effect, {joined(fitted.parameters, start)}, fitted.cost * left};
   if (small_steps) prospect.from.push_back(joined(fitted.parameters, probe.at));
-  if (!columns.empty()) {
-    const Eigen::VectorXd by = weighing.made_up(change_of(probe, columns, start));
-    prospect.from.push_back(joined(moved(study, fitted, by), start));
+  // A part of a large step may be nothing at all: no reading reaches where a cell saturates farther up.
+  std::vector<std::vector<double>> ways{start};
+  if (!small_steps) ways.push_back(probe.to);
+  for (std::size_t w = 0; w < ways.size() && !columns.empty(); ++w) {
+    const Eigen::VectorXd by = weighing.made_up(change_of(probe, columns, ways[w]));
+    prospect.from.push_back(joined(moved(study, fitted, by), ways[w]));
   }
   return prospect;
 }

@@ -51,6 +51,19 @@ TEST_CASE("noise alone, however a lab mis-declares it, is called a gap one time 
   CHECK(alarm_rate({{62, 31}, 1.0, 0.0, 0.08}, draws, ++seed) <= limit);
 }
 
+TEST_CASE("noise that remembers as long as noise may is rarely refused outright") {
+  // In a run of 50 readings a correlation of 0.9 is a slope over any two. One in twelve is below a
+  // thousandth, for it can hardly be told from a gap: more than 15 of 100 have a chance of 1 %. One in three
+  // was, as long as such slopes were held for none of the noise.
+  const Measurements measurements(blank_experiment({25, 67, 38}));
+  std::mt19937_64 random(29);
+  int refused = 0;
+  for (int draw = 0; draw < 100; ++draw)
+    refused +=
+        test_gap(measurements, correlated_noise(measurements, 1, 0.9, random)).p_value < beliefs::fit_level;
+  CHECK(refused <= 15);
+}
+
 TEST_CASE("the test for a gap does not depend on the order of the runs") {
   std::mt19937_64 random(23);
   std::normal_distribution<double> normal;
