@@ -91,18 +91,19 @@ struct Null {
 class Estimated {
  public:
   Estimated(const Measurements& measurements, const NoiseModel& noise)
-      : noise_(noise), deviation_(correlation_deviation(static_cast<double>(measurements.size()))) {}
+      : noise_(noise),
+        most_(largest_correlation(measurements)),
+        deviation_(correlation_deviation(static_cast<double>(measurements.size()))) {}
 
   NoiseModel draw() {
-    constexpr double most = 0.95;
     NoiseModel one = noise_;
-    one.correlation = std::clamp(one.correlation + deviation_ * normal_(random_), 0.0, most);
+    one.correlation = std::clamp(one.correlation + deviation_ * normal_(random_), 0.0, most_);
     return one;
   }
 
  private:
   NoiseModel noise_;
-  double deviation_;
+  double most_, deviation_;
   std::mt19937_64 random_;
   std::normal_distribution<double> normal_;
 };

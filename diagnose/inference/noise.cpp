@@ -275,8 +275,8 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
   for (std::size_t c = 0; c < noise.scale.size(); ++c) {
     const double scale = raw.scale[c] * std::sqrt((1 - taken) / (1 - noise.correlation));
     noise.scale[c] = raw.values[c] > 0 && scale > 0 ? with_prior(scale, raw.values[c] / 2) : 1.0;
-    // Large and slow at once is a gap, not noise.
-    if (noise.correlation > 0.5) noise.scale[c] = std::min(noise.scale[c], 1.5);
+    // Large and slow at once is a gap, not noise; in runs too short for noise so slow, what has a slope.
+    if (noise.correlation > 0.5 || raw.correlation > 0.9) noise.scale[c] = std::min(noise.scale[c], 1.5);
     noise.scale[c] = std::min(noise.scale[c], scale_bound(measurements, all_names[c]));
   }
   return noise;
