@@ -77,6 +77,16 @@ bool beyond_tolerance(const Study& study, const Fit& fit) {
          beliefs::gap_level;
 }
 
+/// Whether a value at every joint, link or run stands beside another effect: many, or what tolerances hold,
+/// which on a short chain are few.
+bool has_values_everywhere(const Study& study, const Candidate& candidate) {
+  if (candidate.count() < 2) return false;
+  if (many_valued(study, candidate) > 0) return true;
+  return std::any_of(candidate.effects.begin(), candidate.effects.end(), [&](const EffectAt& at) {
+    return !(candidate.machined() && at.effect->of_machining) && study.ranges(at).front().tolerance > 0;
+  });
+}
+
 /// Whether an explanation takes so many effects that it explains much that it is not.
 bool takes_three(const Ranked& one) {
   return one.hypothesis.fit.candidate.count() >= 3;
@@ -134,7 +144,7 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
     leave_to_unknown(cause, beliefs::wrong_three);
   } else if (blind && !predicts(blind, beliefs::predicts)) {
     hedge(cause, Reservation::not_predicted);
-  } else if (best.candidate.count() > 1 && many_valued(study, best.candidate) > 0) {
+  } else if (has_values_everywhere(study, best.candidate)) {
     hedge(cause, Reservation::many_values);
   } else if (best.candidate.machined() && best.candidate.count() == 1) {
     hedge(cause, Reservation::machining_alone);
