@@ -71,8 +71,13 @@ Scatter draw_rough_scatter(const Plan& plan, double force, Random& random) {
     scatter.bad_factor = random.log_uniform(2, 4);
   }
   draw_sigmas(scatter, plan, force, wrong, random);
-  if (scatter.kind == "proportional")  // at the largest reading so many sigmas
-    scatter.proportional = random.log_uniform(2, 8) * scatter.sigma.force / force;
+  if (scatter.kind == "proportional") {
+    const double at_largest = random.log_uniform(2, 8);  // sigmas
+    constexpr double widest = 1;                         // rad
+    scatter.proportional = {at_largest * scatter.sigma.force / force,
+                            at_largest * scatter.sigma.position / plan.reach(),
+                            at_largest * scatter.sigma.angle / widest};
+  }
   return scatter;
 }
 

@@ -17,7 +17,7 @@ struct Reading {
 };
 using Readings = std::vector<Reading>;
 
-/// Standard deviations of a force, a position and an angle.
+/// Of a force, a position and an angle.
 struct Sigma {
   double force = 0, position = 0, angle = 0;
 };
@@ -26,11 +26,11 @@ struct Sigma {
 struct Scatter {
   /// or misdeclared, outliers, ar1, proportional, hum, one channel
   std::string kind = "declared";
-  Sigma sigma;  ///< true
+  Sigma sigma;  ///< true standard deviations
   Sigma declared;
   double correlation = 0;          ///< of successive readings
   double outliers = 0;             ///< share of wild readings
-  double proportional = 0;         ///< share of the reading that scatters beside sigma
+  Sigma proportional;              ///< shares of the readings that scatter beside sigma
   double hum = 0, hum_period = 1;  ///< amplitude of a sine in sigmas; s
   std::string bad_channel = {};    ///< whose sigma is
   double bad_factor = 1;           ///< times the others'

@@ -103,7 +103,7 @@ TEST_CASE("scatter is as large and as correlated as it says") {
   scatter.correlation = 0.9;
   CHECK(noise_of(scatter, 5).neighbours == close_to(0.9).epsilon(0.013));
   scatter = scatter_of(0.02);
-  scatter.proportional = 0.01;
+  scatter.proportional.force = 0.01;
   CHECK(noise_of(scatter, 5).deviation == close_to(std::hypot(0.02, 0.05)).epsilon(0.02));
   scatter = scatter_of(0.02);
   scatter.hum = 3, scatter.hum_period = 7.3;
@@ -113,6 +113,25 @@ TEST_CASE("scatter is as large and as correlated as it says") {
   CHECK(noise_of(scatter, 5).deviation == close_to(0.06).epsilon(0.02));
   scatter.bad_channel = "Fy";
   CHECK(noise_of(scatter, 5).deviation == close_to(0.02).epsilon(0.02));
+}
+
+TEST_CASE("noise in proportion is two to eight sigmas at the largest reading of every sensor") {
+  const Plan plan = a_bench();
+  Random random(8, 1);
+  int seen = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Scatter scatter = draw_rough_scatter(plan, 10, random);
+    if (scatter.kind != "proportional") continue;
+    ++seen;
+    const double of_force = scatter.proportional.force * 10 / scatter.sigma.force,
+                 of_position = scatter.proportional.position * plan.reach() / scatter.sigma.position,
+                 of_angle = scatter.proportional.angle / scatter.sigma.angle;
+    for (const double sigmas : {of_force, of_position, of_angle}) {
+      CHECK(sigmas > 1.99);
+      CHECK(sigmas < 8.01);
+    }
+  }
+  CHECK(seen > 0);
 }
 
 TEST_CASE("rough noise goes to three times the declared, 8 % of outliers and a correlation of 0.9") {
