@@ -10,7 +10,7 @@ TEST_CASE("the committed experiments: each cause is found, or stands in the clas
   const Workplace here;
   const std::filesystem::path experiments = std::filesystem::path(PLUMBLINE_SOURCE_DIR) / "tests/experiments";
   const Outcome outcome =
-      here.plumbline("trial --experiments '" + experiments.string() + "' --patience 300 --json result.json");
+      here.plumbline("trial --experiments '" + experiments.string() + "' --patience 3000 --json result.json");
   REQUIRE(outcome.status == 0);
   const auto result = nlohmann::json::parse(here.read("result.json"));
   std::size_t labelled = 0;

@@ -76,7 +76,7 @@ TEST_CASE("without experiments, without labels, or in a folder in use: one line 
 TEST_CASE("a small blind trial: seals hold, every diagnosis reports, most causes are found") {
   const Workplace here;
   const Outcome outcome =
-      here.plumbline("trial --trials 6 --seed 12 --patience 300 --out kept --json result.json");
+      here.plumbline("trial --trials 6 --seed 12 --patience 3000 --out kept --json result.json");
   CHECK(outcome.status == 0);
   CHECK(contains(outcome.out, "SHA-256 of the seals: "));
   const auto result = nlohmann::json::parse(here.read("result.json"));
@@ -88,7 +88,7 @@ TEST_CASE("a small blind trial: seals hold, every diagnosis reports, most causes
   CHECK(result["found"]["count"].get<int>() >= 3);
   CHECK(result["nominal_error_sigma"]["worst"].get<double>() < 0.05);
   // what was kept is a folder of sealed experiments, and gives the same result again
-  const Outcome again = here.plumbline("trial --experiments kept --patience 300 --json again.json");
+  const Outcome again = here.plumbline("trial --experiments kept --patience 3000 --json again.json");
   CHECK(again.status == 0);
   CHECK(nlohmann::json::parse(here.read("again.json"))["found"] == result["found"]);
 }
@@ -96,10 +96,10 @@ TEST_CASE("a small blind trial: seals hold, every diagnosis reports, most causes
 TEST_CASE("the second trial: sealed alike, counted by family") {
   const Workplace here;
   const Outcome outcome =
-      here.plumbline("trial --second --trials 4 --seed 3 --patience 300 --json result.json");
+      here.plumbline("trial --second --trials 4 --seed 3 --patience 3000 --json result.json");
   CHECK(outcome.status == 0);
   const auto result = nlohmann::json::parse(here.read("result.json"));
-  CHECK(result["command"] == "plumbline trial --second --trials 4 --seed 3 --patience 300");
+  CHECK(result["command"] == "plumbline trial --second --trials 4 --seed 3 --patience 3000");
   CHECK(result["seals"]["broken"] == 0);
   std::size_t counted = 0;
   for (const auto& family : result["by_family"]) counted += family["found"]["total"].get<std::size_t>();
