@@ -62,6 +62,15 @@ TEST_CASE("an effect whose parameter is at zero, or at the end of its range, is 
   gain.at_bound = {true};
   CHECK_FALSE(genuine(Study(experiment), gain));
 
+  // Nor does one of two parameters speak against the other at the end of its range, where the readings would
+  // tell it alone to no more than a third of its value.
+  Fit curvature = found(experiment, of({{"cell_curvature"}}), residual);
+  curvature.at_bound = {false, true};
+  curvature.information(1, 1) = 8.9 / std::pow(curvature.parameters[1], 2);
+  CHECK(genuine(Study(experiment), curvature));
+  curvature.information(1, 1) = 9.1 / std::pow(curvature.parameters[1], 2);
+  CHECK_FALSE(genuine(Study(experiment), curvature));
+
   Fit play = found(experiment, of({{"backlash", 1}}), residual);
   CHECK(genuine(Study(experiment), play));
   play.parameters = {0.0};
