@@ -83,7 +83,7 @@ bool has_values_everywhere(const Study& study, const Candidate& candidate) {
   if (candidate.count() < 2) return false;
   if (many_valued(study, candidate) > 0) return true;
   return std::any_of(candidate.effects.begin(), candidate.effects.end(), [&](const EffectAt& at) {
-    return !(candidate.machined() && at.effect->of_machining) && study.ranges(at).front().tolerance > 0;
+    return !candidate.has_as_machining(at) && study.ranges(at).front().tolerance > 0;
   });
 }
 

@@ -66,7 +66,7 @@ double log_prior(const Study& study, const Candidate& candidate) {
   for (std::size_t i = 0; i < count; ++i) log_p += std::log(static_cast<double>(i + 1));  // in any order
   if (candidate.machined()) log_p -= std::log(all);
   for (const EffectAt& at : candidate.effects) {
-    if (candidate.machined() && at.effect->of_machining) continue;
+    if (candidate.has_as_machining(at)) continue;
     const double places = at.joint > 0 ? static_cast<double>(study.sizes().link_length.size()) : 1.0;
     log_p += std::log(commonness(*at.effect) / (all * places));
   }

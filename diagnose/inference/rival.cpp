@@ -11,10 +11,9 @@ bool covers(const EffectAt& whole, const EffectAt& part) {
 
 std::size_t many_valued(const Study& study, const Candidate& candidate) {
   constexpr std::size_t few = 4;
-  const auto count =
-      std::count_if(candidate.effects.begin(), candidate.effects.end(), [&](const EffectAt& at) {
-        return !(candidate.machined() && at.effect->of_machining) && study.ranges(at).size() > few;
-      });
+  const auto count = std::count_if(
+      candidate.effects.begin(), candidate.effects.end(),
+      [&](const EffectAt& at) { return !candidate.has_as_machining(at) && study.ranges(at).size() > few; });
   return static_cast<std::size_t>(count);
 }
 

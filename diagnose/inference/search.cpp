@@ -131,7 +131,7 @@ class Searcher {
     for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c) {
       const Candidate& whole = combinations[c].candidate;
       for (std::size_t e = 0; e < whole.effects.size(); ++e) {
-        if (whole.machined() && whole.effects[e].effect->of_machining) continue;
+        if (whole.has_as_machining(whole.effects[e])) continue;
         for (const EffectAt& plain : possible_effects(study_)) {
           const auto& known = whole.effects;
           if (!covers(known[e], plain) || std::find(known.begin(), known.end(), plain) != known.end())

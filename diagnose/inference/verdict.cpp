@@ -124,7 +124,7 @@ bool genuine(const Study& study, const Fit& fit) {
       }
       ++p;
     }
-    const bool of_machining = machined && at.effect->of_machining;
+    const bool of_machining = fit.candidate.has_as_machining(at);
     some_machining = some_machining || (of_machining && beyond_zero);
     if (acting < at.effect->at_least || (begins && !seen) || !(beyond_zero || of_machining)) return false;
   }

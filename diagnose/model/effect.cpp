@@ -83,6 +83,10 @@ bool Candidate::machined() const {
          rows(catalogue(), [](const Effect& row) { return row.of_machining; });
 }
 
+bool Candidate::has_as_machining(const EffectAt& at) const {
+  return at.effect->of_machining && machined();
+}
+
 std::size_t Candidate::count() const {
   if (!machined()) return effects.size();
   return 1 + static_cast<std::size_t>(std::count_if(effects.begin(), effects.end(), [](const EffectAt& at) {

@@ -120,6 +120,8 @@ struct Candidate {
   [[nodiscard]] std::string label() const;
   /// Whether everything that machining leaves is in it.
   [[nodiscard]] bool machined() const;
+  /// Whether this effect of it is a part of what machining leaves, which is one cause.
+  [[nodiscard]] bool has_as_machining(const EffectAt& at) const;
   /// How many things came together: what machining leaves is one.
   [[nodiscard]] std::size_t count() const;
 };

@@ -12,8 +12,8 @@ namespace plumbline::diagnose {
 /// Third differences of the values of one series: a smooth curve hardly has any, noise is wholly in them.
 struct ThirdDifferences {
   std::vector<double> sizes;  ///< noise of the declared sigma gives them a standard deviation of one
-  std::vector<double>
-      levels;  ///< root mean square of the parabola nearest the four values, weighed as their noise enters
+  /// Root mean square of the parabola nearest the four values, weighed as their noise enters.
+  std::vector<double> levels;
 
   ThirdDifferences() = default;
   /// \param values  in the order in which they were taken, of any length
