@@ -133,13 +133,19 @@ std::optional<bool> place_right(const Label& label, const Report& report) {
   return (label.channel + ",").find(report.channel + ",") != std::string::npos;
 }
 
+/// A truth with elements that the answer has not, five for its three, has no parameter that is the same one
+/// in both.
 void judge_parameters(const Label& label, const Report& report, Judgement& judgement) {
   for (const TrueEffect& effect : label.effects) {
+    const auto bounds_of = [&](const std::string& name) {
+      return report.bounds.find(parameter_key(effect_key(effect.id, effect.joint), name));
+    };
+    if (std::any_of(effect.parameters.begin(), effect.parameters.end(),
+                    [&](const auto& one) { return bounds_of(one.first) == report.bounds.end(); }))
+      continue;
     for (const auto& [name, value] : effect.parameters) {
-      const std::string key = parameter_key(effect_key(effect.id, effect.joint), name);
-      const auto bounds = report.bounds.find(key);
-      if (bounds != report.bounds.end())
-        judgement.covered.emplace_back(key, bounds->second.low <= value && value <= bounds->second.high);
+      const auto& [key, bounds] = *bounds_of(name);
+      judgement.covered.emplace_back(key, bounds.low <= value && value <= bounds.high);
     }
   }
 }

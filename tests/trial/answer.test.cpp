@@ -99,6 +99,14 @@ TEST_CASE("parameters count where the cause is right") {
   CHECK(!judge(backlash, report).covered.front().second);
 }
 
+TEST_CASE("parameters of a law with more elements than the answer has are not compared") {
+  Report report = said("identified", {"hysteresis(1)"});
+  report.bounds["hysteresis(1)/d_1"] = {0.1, 0.2};
+  const auto judged = [&](TrueEffect law) { return judge(truth({std::move(law)}), report).covered; };
+  CHECK(judged({"hysteresis", 1, {{"d_1", 0.3}}, 9}).size() == 1);
+  CHECK(judged({"hysteresis", 1, {{"d_1", 0.05}, {"d_2", 0.3}}, 9}).empty());
+}
+
 TEST_CASE("the Brier score: 0 for certainty that is right, 2 for certainty that is wrong") {
   Report report = said("identified", {"backlash(2)"});
   report.ranking = {{{"backlash(2)"}, 1.0}};
