@@ -144,9 +144,9 @@ NamedChain parse_row(const files::CsvRow& row, const std::vector<std::size_t>& c
     throw Error(where, std::to_string(row.fields.size()) + " fields", std::to_string(column.size()));
   }
   const std::string& name = row.fields[column[0]];
-  const std::string place = where + ": chain " + name;
   if (name.empty()) throw Error(where, "a chain without a name", "a name in the column chain");
-  files::require_printable(name, where + ": chain");
+  files::require_name(name, where + ": chain");
+  const std::string place = where + ": chain " + name;
   if (!names.insert(name).second) throw Error(place, "a name that occurred before", "every chain once");
   try {
     return {name, place,

@@ -65,8 +65,16 @@ std::string shown(std::string_view text) {
   return result.substr(0, end) + "...";
 }
 
-void require_printable(const std::string& name, const std::string& place) {
-  if (printable(name) != name) throw Error(place, shown(name), "text in UTF-8 without control characters");
+void require_printable(const std::string& text, const std::string& place) {
+  if (printable(text) != text) throw Error(place, shown(text), "text in UTF-8 without control characters");
+}
+
+void require_name(const std::string& name, const std::string& place) {
+  constexpr std::size_t most = 200;
+  require_printable(name, place);
+  if (name.size() > most)
+    throw Error(place, fmt::format("a name of {} bytes, {}", name.size(), shown(name)),
+                fmt::format("at most {}", most));
 }
 
 std::string text_of(const std::filesystem::path& path) {

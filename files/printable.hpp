@@ -18,9 +18,13 @@ std::string printable(std::string_view text);
 /// A value as an error shows it: printable, and cut where it is longer than a line can take.
 std::string shown(std::string_view text);
 
-/// A name that reaches terminals and pages.
+/// Text that reaches terminals and pages.
 /// \throws Error at the place where it holds anything that printable() writes out
-void require_printable(const std::string& name, const std::string& place);
+void require_printable(const std::string& text, const std::string& place);
+
+/// A name that stands in errors and reports among other words, such as that of a chain or a run.
+/// \throws Error at the place as require_printable() does, and where it is longer than 200 bytes
+void require_name(const std::string& name, const std::string& place);
 
 /// A path as text that goes into JSON.
 /// \throws Error where it is no UTF-8

@@ -139,7 +139,7 @@ bool read_by_weights(const Section& section, Control control) {
 Run read_run(const Section& section, const Shared& shared) {
   section.allow_only({"id", "control", "loaded_by", "rest", "samples", "csv", "columns"});
   Run run;
-  run.id = section.text("id", "a name");
+  run.id = section.name("id", "a name");
   const std::string expected = "\"displacement\" or \"force\"";
   const std::string control = section.text("control", expected);
   if (control != "displacement" && control != "force") section.refuse("control", expected);
@@ -179,7 +179,7 @@ Experiment read_settings(const Section& root, const Source& source, const Nomina
   root.allow_only({"format", "name", "date", "nominal", "bench", "noise", "units", "csv", "columns", "run"});
   static_cast<void>(read_date(root));  // of use to who compares experiments
   Experiment experiment;
-  experiment.name = root.text("name", "a name");
+  experiment.name = root.name("name", "a name");
   const Units units = read_units(root);
   static_cast<NominalChain&>(experiment) = model ? *model : in_si(read_nominal(root.table("nominal")), units);
   experiment.origins = units.origins(model == nullptr);

@@ -94,6 +94,12 @@ std::string Section::text(const std::string& key, const std::string& expected) c
   return one.as_string()->get();
 }
 
+std::string Section::name(const std::string& key, const std::string& expected) const {
+  const std::string one = text(key, expected);
+  files::require_name(one, place(key));
+  return one;
+}
+
 std::vector<std::string> Section::texts(const std::string& key, const std::string& expected) const {
   if (required(key, expected).is_string()) return {text(key, expected)};
   if (!node(key).is_array()) refuse(key, expected);

@@ -43,6 +43,8 @@ class Section {
   [[nodiscard]] std::vector<Section> tables(const std::string& key) const;
   /// A text that is not empty.
   [[nodiscard]] std::string text(const std::string& key, const std::string& expected) const;
+  /// A text that is short enough to stand in a line among others.
+  [[nodiscard]] std::string name(const std::string& key, const std::string& expected) const;
   /// A list of texts, or one alone.
   [[nodiscard]] std::vector<std::string> texts(const std::string& key, const std::string& expected) const;
   [[nodiscard]] bool flag_or(const std::string& key, bool otherwise) const;

@@ -49,6 +49,9 @@ TEST_CASE("what is shown of any bytes is one line without controls, and stays as
     RC_ASSERT(first_bad_byte(shown(bytes)) == std::string::npos);
   });
   CHECK_THROWS_WITH_AS(require_printable("a\nb", "name"), doctest::Contains("name: found a\\x0ab"), Error);
+  CHECK_NOTHROW(require_name(std::string(200, 'a'), "name"));
+  CHECK_THROWS_WITH_AS(require_name(std::string(201, 'a'), "name"),
+                       doctest::Contains("found a name of 201 bytes, aaa"), Error);
 }
 
 TEST_CASE("a table without a row is refused, also behind a byte order mark") {
