@@ -124,6 +124,23 @@ class Searcher {
     return side_by_side(cuts.size(), [&](std::size_t i) { return without(*cuts[i].first, cuts[i].second); });
   }
 
+  /// What leaves more than a part of it that is known has gone astray, for with the rest at nothing it is
+  /// that part: fitted again from there.
+  [[nodiscard]] std::vector<Fit> from_parts(const std::vector<Fit>& fits) const {
+    constexpr double sizeable = 1;  // of the cost; less is where an iteration ended
+    std::vector<std::pair<const Fit*, const Fit*>> astray;
+    for (const Fit& whole : fits) {
+      const auto better_part = std::find_if(fits.begin(), fits.end(), [&](const Fit& one) {
+        return one.cost + sizeable < whole.cost && within(one.candidate, whole.candidate);
+      });
+      if (better_part != fits.end()) astray.emplace_back(&whole, &*better_part);
+    }
+    return side_by_side(astray.size(), [&](std::size_t i) {
+      const auto& [whole, known] = astray[i];
+      return fit_from(study_, whole->candidate, settings_, completed(*whole, *known));
+    });
+  }
+
   /// The best combinations with one effect made a special case of it: a tare of each run that is alike in
   /// all, say, is one tare.
   [[nodiscard]] std::vector<Fit> plainer(const std::vector<Fit>& combinations) const {
@@ -150,6 +167,32 @@ class Searcher {
     const Instance rest = part(study_, combination.candidate, combination.parameters,
                                [&](const EffectAt& at) { return at != left_out; });
     return fit_from(study_, rest.candidate, settings_, rest.parameters);
+  }
+
+  /// Whether one has fewer effects than the other, which has them all.
+  static bool within(const Candidate& one, const Candidate& other) {
+    const auto has = [&](const EffectAt& at) {
+      return std::find(other.effects.begin(), other.effects.end(), at) != other.effects.end();
+    };
+    return one.effects.size() < other.effects.size() &&
+           std::all_of(one.effects.begin(), one.effects.end(), has);
+  }
+
+  /// Parameters of the whole: those of the part where it has them, nothing for tolerances that it has not,
+  /// and its own for the rest.
+  [[nodiscard]] std::vector<double> completed(const Fit& whole, const Fit& known) const {
+    std::vector<double> parameters;
+    for (const EffectAt& at : whole.candidate.effects) {
+      const auto is = [&](const EffectAt& one) { return one == at; };
+      const auto& effects = known.candidate.effects;
+      const Fit& from = std::any_of(effects.begin(), effects.end(), is) ? known : whole;
+      std::vector<double> own = part(study_, from.candidate, from.parameters, is).parameters;
+      const std::vector<ParameterRange> ranges = study_.ranges(at);
+      for (std::size_t i = 0; i < own.size(); ++i)
+        if (&from == &whole && ranges[i].tolerance > 0) own[i] = 0;
+      parameters.insert(parameters.end(), own.begin(), own.end());
+    }
+    return parameters;
   }
 
   /// So many fits, shared among the cores; in their order those that are of use.
@@ -217,6 +260,24 @@ Findings weighed(const Study& study, std::vector<Fit> fits) {
   return findings;
 }
 
+/// Adds what machining leaves to the fits. \returns that with one effect more, and what else the best of
+/// these may act with: alone it may have been too far behind to be looked at.
+std::vector<Fit> beside_machining(const Searcher& searcher, const std::vector<Fit>& singles,
+                                  std::vector<Fit>& fits) {
+  add(fits, searcher.machined());
+  add(fits, searcher.from_parts(fits));
+  std::vector<Fit> machined = fits;
+  std::erase_if(machined, [](const Fit& one) { return !one.candidate.machined(); });
+  std::vector<Fit> more = searcher.extended(machined, 1);
+  if (more.empty() || singles.size() <= single_seeds) return more;
+  const EffectAt partner = more.front().candidate.effects.back();
+  const auto passed_over = std::find_if(singles.begin() + single_seeds, singles.end(), [&](const Fit& one) {
+    return one.candidate == Candidate{{partner}};
+  });
+  if (passed_over != singles.end()) add(more, searcher.extended({*passed_over}, 1));
+  return more;
+}
+
 }  // namespace
 
 Findings search(const Study& study, const std::function<void(double)>& progress, const Findings& known) {
@@ -236,9 +297,7 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
     add(fits, searcher.parts(pairs));
     add(fits, searcher.plainer(pairs));
     report(0.4);
-    const std::vector<Fit> machined = searcher.machined();
-    add(pairs, searcher.extended(machined, 1));
-    add(fits, machined);
+    add(pairs, beside_machining(searcher, singles, fits));
     add(fits, pairs);
     report(0.6);
     if (p_value() < beliefs::fit_level) {
@@ -247,15 +306,12 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
       add(fits, searcher.parts(threes));
       add(fits, searcher.plainer(threes));
     }
+    add(fits, searcher.from_parts(fits));
   } else if (!fits.empty()) {
     const Candidate best = weighed(study, fits).hypotheses.front().fit.candidate;
-    const bool many = many_valued(study, best) > 0;
-    if (many || study.ranges(best).size() > 1)
+    if (study.ranges(best).size() > 1) {
       add(fits, searcher.extended(searcher.few_valued(singles), few_valued_seeds, 0));
-    if (many) {
-      const std::vector<Fit> machined = searcher.machined();
-      add(fits, searcher.extended(machined, 1));
-      add(fits, machined);
+      add(fits, beside_machining(searcher, singles, fits));
     }
   }
   report(1);

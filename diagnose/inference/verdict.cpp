@@ -44,10 +44,20 @@ bool contains(const Candidate& whole, const Candidate& part) {
   });
 }
 
-/// Whether a parameter is farther from zero than its standard deviation.
-bool is_beyond_zero(const Fit& fit, std::size_t parameter) {
-  const auto p = static_cast<Eigen::Index>(parameter);
-  return fit.parameters[parameter] * fit.parameters[parameter] > fit.covariance(p, p);
+/// Whether parameters are farther from zero than their standard deviations: one of them, or all together,
+/// where each could take the place of another.
+bool are_beyond_zero(const Fit& fit, const std::vector<Eigen::Index>& parameters) {
+  const Eigen::Map<const Eigen::VectorXd> all(fit.parameters.data(),
+                                              static_cast<Eigen::Index>(fit.parameters.size()));
+  std::vector<Eigen::Index> free;
+  for (const Eigen::Index p : parameters) {
+    if (all[p] * all[p] > fit.covariance(p, p)) return true;
+    if (fit.covariance(p, p) > 0) free.push_back(p);
+  }
+  if (free.empty()) return false;
+  const Eigen::VectorXd values = all(free);
+  const Eigen::MatrixXd spread = fit.covariance(free, free);
+  return values.dot(spread.ldlt().solve(values)) > static_cast<double>(free.size());
 }
 
 /// Posterior probabilities of the genuine hypotheses; of all where none is genuine.
@@ -105,11 +115,12 @@ std::string reservation_words(Reservation reservation) {
 bool genuine(const Study& study, const Fit& fit) {
   // What machining leaves is one cause: of its three kinds one may be nothing here.
   const bool machined = fit.candidate.machined();
-  bool some_machining = false;
+  std::vector<Eigen::Index> machining;
   std::size_t p = 0;
   for (const EffectAt& at : fit.candidate.effects) {
     std::size_t acting = 0;
-    bool begins = false, seen = false, beyond_zero = false;
+    bool begins = false, seen = false, away = false;
+    std::vector<Eigen::Index> from_zero;
     for (const ParameterRange& range : study.ranges(at)) {
       const bool natural_zero = zero_is_nominal(range);
       const bool at_zero = fit.at_bound[p] && natural_zero && std::abs(fit.parameters[p]) < range.scale;
@@ -117,7 +128,8 @@ bool genuine(const Study& study, const Fit& fit) {
       const bool idle = at_zero || (fit.at_bound[p] && natural_zero && !known_to_itself(fit, p));
       if (fit.at_bound[p] && !idle) return false;
       acting += (natural_zero && !idle) || range.coordinate == Coordinate::reciprocal;
-      beyond_zero = beyond_zero || !natural_zero || is_beyond_zero(fit, p);
+      away = away || !natural_zero;
+      from_zero.push_back(static_cast<Eigen::Index>(p));
       if (range.coordinate == Coordinate::plain && !natural_zero) {
         begins = true;
         seen = seen || known_to_itself(fit, p);
@@ -125,10 +137,11 @@ bool genuine(const Study& study, const Fit& fit) {
       ++p;
     }
     const bool of_machining = fit.candidate.has_as_machining(at);
-    some_machining = some_machining || (of_machining && beyond_zero);
-    if (acting < at.effect->at_least || (begins && !seen) || !(beyond_zero || of_machining)) return false;
+    if (of_machining) machining.insert(machining.end(), from_zero.begin(), from_zero.end());
+    if (acting < at.effect->at_least || (begins && !seen)) return false;
+    if (!of_machining && !away && !are_beyond_zero(fit, from_zero)) return false;
   }
-  return some_machining || !machined;
+  return !machined || are_beyond_zero(fit, machining);
 }
 
 Findings confirmed(const Study& study, const Findings& found) {
