@@ -43,6 +43,7 @@ void add(const Study& study, const HeldOut& part, const std::vector<double>& lef
 }  // namespace
 
 std::optional<Rotated> rotated(const Study& study, const NoiseModel& noise, const LeftBlind& left_blind) {
+  std::optional<Rotated> first;
   for (const auto& parts : {run_parts(study.experiment()), block_parts(study.experiment())}) {
     HeldOut all = nothing_held(study.experiment());
     std::vector<double> after = study.nominal_residual();
@@ -57,9 +58,11 @@ std::optional<Rotated> rotated(const Study& study, const NoiseModel& noise, cons
       used.push_back(parts[p]);
     }
     if (used.empty()) continue;
-    return Rotated{measure_shrink(study.measurements(), all, study.nominal_residual(), after, noise), used};
+    Rotated found{measure_shrink(study.measurements(), all, study.nominal_residual(), after, noise), used};
+    if (found.shrink.tested()) return found;
+    if (!first) first = std::move(found);
   }
-  return std::nullopt;
+  return first;
 }
 
 std::optional<Rotated> rotated(const Study& study, const Fit& fitted, const NoiseModel& noise) {

@@ -20,8 +20,8 @@ struct Rotated {
 using LeftBlind = std::function<std::optional<std::vector<double>>(const Study& seen, const HeldOut& part)>;
 
 /// What is left of each part by what was fitted without it; all parts together. A part of which the others
-/// do not tell is passed over. Parts of the runs, or of blocks where none of those will do. Nothing where
-/// none of these will do either, or nothing can be held out.
+/// do not tell is passed over. Parts of the runs, or of blocks where none of those will do or carries the
+/// gap. Nothing where none of these will do either, or nothing can be held out.
 std::optional<Rotated> rotated(const Study& study, const NoiseModel& noise, const LeftBlind& left_blind);
 
 /// The explanation, refitted without each part in its turn. The others do not tell where they do not
