@@ -208,6 +208,20 @@ TEST_CASE("a run's own tare is tested on blocks of the run: no other run determi
   CHECK(found->shrink.ratio < 1.2 * found->shrink.noise_floor_ratio);
 }
 
+TEST_CASE("where the runs that can be spared carry no gap, blocks are held out") {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-1e-4, 0}, 20, true);
+  press(experiment, {-0.2, -0.5, 0.4}, {0, -1e-4}, 20, true);
+  load(experiment, {0.2, 0.5, -0.4}, {0, 0}, {-2, 0}, 30);
+  const Candidate truth = only("joint_stiffness", 2);
+  const Study study(measured(experiment, truth, {0.2}, 3));
+  const auto found = rotated(study, fit(study, truth, {}), {});
+  REQUIRE(found);
+  for (const std::string& name : found->shrink.heldout) CHECK(name.find('[') != std::string::npos);
+  CHECK(found->shrink.tested());
+  CHECK(found->shrink.ratio < 1.2 * found->shrink.noise_floor_ratio);
+}
+
 TEST_CASE("the order of the runs does not change the answer") {
   const std::vector<std::pair<Candidate, std::vector<double>>> truths{
       {only("backlash", 2), {0.03}},

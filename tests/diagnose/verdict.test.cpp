@@ -210,6 +210,22 @@ TEST_CASE("not told apart: what is as likely, or of as much evidence, with as ma
   CHECK(judge(Study(experiment), {{best, behind}, {}}).verdict == CauseVerdict::identified);
 }
 
+TEST_CASE("values of which each could be nothing act where they cannot all be") {
+  const Experiment experiment = blank_experiment({60});
+  Fit rests = found(experiment, of({{"rest_spread"}}), white(Measurements(experiment)));
+  const auto count = static_cast<Eigen::Index>(rests.parameters.size());
+  const double value = rests.parameters.front();
+  REQUIRE(count == 2);
+  // Each is half its standard deviation: two that are independent are nothing.
+  rests.covariance = 4 * value * value * Eigen::MatrixXd::Identity(count, count);
+  CHECK_FALSE(genuine(Study(experiment), rests));
+  // Of their sum the readings tell ten times more: three values at 1/2 make 3 / (4 / 100) = 75 squared
+  // sigmas.
+  rests.covariance -= (0.99 * 4 / 2) * value * value * Eigen::MatrixXd::Ones(count, count);
+  REQUIRE(rests.covariance(0, 0) > value * value);
+  CHECK(genuine(Study(experiment), rests));
+}
+
 TEST_CASE("what machining leaves is not stretched to what one cause beside it names") {
   const Experiment experiment = blank_experiment({60});
   const Study study(experiment);
