@@ -93,5 +93,8 @@ inline constexpr double nearly = 1.2, clear = 0.5, other_than_nearly = 0.05;
 /// Of explanations that did not predict, on simulated experiments, one in four was wrong; of those with three
 /// effects, that predicted, all fifteen: eleven had a cause outside the catalogue.
 inline constexpr double wrong_unpredicted = 0.25, wrong_three = 0.9;
+/// What does not predict, and leaves more than this share of the squared gap of readings held out, is none: on
+/// simulated experiments all four such had a cause outside the catalogue.
+inline constexpr double leaves_the_gap = 0.5, wrong_unshrunk = 0.9;
 
 }  // namespace plumbline::diagnose::beliefs

@@ -59,6 +59,14 @@ void leave_to_unknown(Cause& cause, double unknown) {
   cause.unknown = unknown;
 }
 
+/// Names nothing; the best is no more than a partial explanation.
+void refuse(Cause& cause, double unknown) {
+  cause.verdict = CauseVerdict::unknown;
+  cause.equivalent.clear();
+  cause.reservation = Reservation::none;
+  leave_to_unknown(cause, unknown);
+}
+
 /// Names the best only beside a cause outside the catalogue.
 void hedge(Cause& cause, Reservation why) {
   cause.verdict = CauseVerdict::ambiguous;
@@ -139,9 +147,7 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
   if (cause.verdict == CauseVerdict::unknown) return;
   const Fit& best = cause.ranking[cause.best].hypothesis.fit;
   if (takes_three(cause.ranking[cause.best])) {
-    cause.verdict = CauseVerdict::unknown;
-    cause.equivalent.clear();
-    leave_to_unknown(cause, beliefs::wrong_three);
+    refuse(cause, beliefs::wrong_three);
   } else if (blind && !predicts(blind, beliefs::predicts)) {
     hedge(cause, Reservation::not_predicted);
   } else if (has_values_everywhere(study, best.candidate)) {
@@ -151,6 +157,12 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
   } else if (beyond_tolerance(study, best)) {
     hedge(cause, Reservation::beyond_tolerance);
   }
+}
+
+void demand_shrink(const std::optional<Shrink>& blind, Cause& cause) {
+  if (cause.verdict == CauseVerdict::unknown || !blind || !blind->tested()) return;
+  const bool shrinks = blind->ratio * blind->ratio <= beliefs::leaves_the_gap;
+  if (!shrinks && !predicts(blind, beliefs::predicts)) refuse(cause, beliefs::wrong_unshrunk);
 }
 
 bool accept_tolerable(const Study& study, const Study& seen, Findings chosen, Findings& findings,

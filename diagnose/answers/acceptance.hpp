@@ -29,6 +29,10 @@ bool step_down(const std::optional<Shrink>& blind, Cause& cause);
 /// that are wider than that. \param blind  nothing where no readings could test it
 void demand_prediction(const Study& study, const std::optional<Shrink>& blind, Cause& cause);
 
+/// What leaves most of the gap that held-out readings carry, and does not predict them, explains nothing
+/// there, whatever it was accepted for: it is no more than the best partial explanation.
+void demand_shrink(const std::optional<Shrink>& blind, Cause& cause);
+
 /// Where nothing explains the readings to their noise, what leaves no more of them than is tolerated is as
 /// good an explanation as can be had. So much freedom is left to it that a cause outside the catalogue might
 /// do as well. Answers whether there is one.

@@ -223,6 +223,7 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
       accept_tolerable(study, seen, chosen, findings, diagnosis.cause) ||
       accept_doubtful(study, findings.noise, diagnosis.cause))
     test_best();
+  demand_shrink(diagnosis.shrink, diagnosis.cause);
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.reservation != Reservation::none)
     offer_law_to(study, chosen, diagnosis);
   offer_only_what_predicts(diagnosis);

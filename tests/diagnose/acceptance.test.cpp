@@ -64,6 +64,27 @@ TEST_CASE("what does not predict stands beside a cause outside of the catalogue,
   CHECK(doubted.ranking[0].probability == close_to(0.75));  // of 0.9 + 0.1
 }
 
+TEST_CASE("what leaves most of the gap of held-out readings is none, unless it predicts them") {
+  const Study study = three_runs();
+  const auto asked = [&](double times_noise, double ratio, double floor) {
+    Shrink shrink = leaving(times_noise);
+    shrink.ratio = ratio;
+    shrink.noise_floor_ratio = floor;
+    Cause cause = named(study, {{{"force_gain"}}});
+    cause.verdict = CauseVerdict::ambiguous;
+    cause.reservation = Reservation::beyond_noise;
+    demand_shrink(shrink, cause);
+    return cause;
+  };
+  CHECK(asked(3, 0.70, 0.2).verdict == CauseVerdict::ambiguous);  // 0.49 of the squares
+  CHECK(asked(1.4, 0.72, 0.5).verdict == CauseVerdict::ambiguous);
+  CHECK(asked(3, 1.2, 0.71).verdict == CauseVerdict::ambiguous);  // carries no gap: not tested
+  const Cause refused = asked(1.6, 0.72, 0.5);
+  CHECK(refused.verdict == CauseVerdict::unknown);
+  CHECK(refused.reservation == Reservation::none);
+  CHECK(refused.unknown == 0.9);
+}
+
 TEST_CASE("three effects are no answer, whether they predict or not") {
   const Study study = three_runs();
   const Cause three = named(study, {{{"force_gain"}, {"sensor_drift"}, {"cross_talk"}}});
