@@ -167,9 +167,9 @@ TEST_CASE("what no run can separate is one class") {
          (names.front() == "base_compliance" && other.effects.front().label() == "train_compliance")));
 }
 
-TEST_CASE("a cause that one run alone shows is found, and nothing is claimed to shrink") {
+TEST_CASE("a cause that one run alone shows is found, and tested on blocks of it") {
   // Joint 3 reaches its stop in the last run alone: without it nothing is known of the stop, and the others
-  // have no gap.
+  // have no gap that could shrink.
   Experiment experiment = unread_bench();
   const auto farther = [](Run& run, double times) {
     const double start = run.readings.front().x;
@@ -185,11 +185,11 @@ TEST_CASE("a cause that one run alone shows is found, and nothing is claimed to 
   const double stop = (reach[3] + *std::max_element(reach.begin(), reach.begin() + 3)) / 2;
   const Diagnosis diagnosis =
       plumbline::diagnose::diagnose(Study(with_readings(experiment, {{{"joint_stop", 3}}}, {stop, 20}, 8)));
-  const auto& heldout = diagnosis.shrink->heldout;
-  CHECK(std::set<std::string>(heldout.begin(), heldout.end()) == std::set<std::string>{"u", "u-aside", "z"});
+  for (const std::string& name : diagnosis.shrink->heldout) CHECK(name.find('[') != std::string::npos);
   CHECK(said(diagnosis) == std::vector<std::string>{"joint_stop(3)"});
   CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
-  CHECK_FALSE(diagnosis.shrink->tested());
+  CHECK(diagnosis.shrink->tested());
+  CHECK(diagnosis.shrink->ratio < 1.5 * diagnosis.shrink->noise_floor_ratio);
 }
 
 TEST_CASE("probabilities of all that is ranked and of the unknown sum to one") {

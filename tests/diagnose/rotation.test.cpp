@@ -220,6 +220,13 @@ TEST_CASE("where the runs that can be spared carry no gap, blocks are held out")
   for (const std::string& name : found->shrink.heldout) CHECK(name.find('[') != std::string::npos);
   CHECK(found->shrink.tested());
   CHECK(found->shrink.ratio < 1.2 * found->shrink.noise_floor_ratio);
+
+  // Where no block carries a gap either, runs are.
+  const Study gapless(measured(experiment, truth, {0}, 4));
+  const auto untested = rotated(gapless, fit(gapless, truth, {}), {});
+  REQUIRE(untested);
+  for (const std::string& name : untested->shrink.heldout) CHECK(name.find('[') == std::string::npos);
+  CHECK_FALSE(untested->shrink.tested());
 }
 
 TEST_CASE("the order of the runs does not change the answer") {
