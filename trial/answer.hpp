@@ -14,7 +14,7 @@ struct Report {
   struct Bounds {
     double low, high;
     double value = 0;       ///< the estimate itself
-    std::string unit = "";  ///< "ratio" for one
+    std::string unit = {};  ///< "ratio" for one
   };
   struct Ranked {
     std::vector<std::string> effects;
