@@ -35,8 +35,8 @@ void add(std::vector<Fit>& fits, std::vector<Fit> more) {
 /// How far a search goes. A second effect is looked for beside the twenty best effects alone: of two causes
 /// one is among them unless both hide behind more than a score that mimic their sum. A third is looked for
 /// beside the ten best pairs. The two dozen that promise most are fitted. Where an effect with two values or
-/// more fits, fewer will do: it is held against two with few values, and one with many against what machining
-/// leaves, alone and beside one effect more.
+/// more fits, fewer will do: it is held against two with few values, and against what machining leaves, alone
+/// and beside one effect more.
 constexpr std::size_t single_seeds = 20, pair_seeds = 10, few_valued_seeds = 10, finalists = 24;
 
 /// So many of the best combinations are examined for simpler ones.
@@ -150,9 +150,7 @@ class Searcher {
       for (std::size_t e = 0; e < whole.effects.size(); ++e) {
         if (whole.has_as_machining(whole.effects[e])) continue;
         for (const EffectAt& plain : possible_effects(study_)) {
-          const auto& known = whole.effects;
-          if (!covers(known[e], plain) || std::find(known.begin(), known.end(), plain) != known.end())
-            continue;
+          if (!covers(whole.effects[e], plain) || has(whole, plain)) continue;
           plain_ones.push_back(whole);
           plain_ones.back().effects[e] = plain;
         }
@@ -169,13 +167,15 @@ class Searcher {
     return fit_from(study_, rest.candidate, settings_, rest.parameters);
   }
 
+  static bool has(const Candidate& candidate, const EffectAt& at) {
+    return std::find(candidate.effects.begin(), candidate.effects.end(), at) != candidate.effects.end();
+  }
+
   /// Whether one has fewer effects than the other, which has them all.
   static bool within(const Candidate& one, const Candidate& other) {
-    const auto has = [&](const EffectAt& at) {
-      return std::find(other.effects.begin(), other.effects.end(), at) != other.effects.end();
-    };
     return one.effects.size() < other.effects.size() &&
-           std::all_of(one.effects.begin(), one.effects.end(), has);
+           std::all_of(one.effects.begin(), one.effects.end(),
+                       [&](const EffectAt& at) { return has(other, at); });
   }
 
   /// Parameters of the whole: those of the part where it has them, nothing for tolerances that it has not,
@@ -183,10 +183,10 @@ class Searcher {
   [[nodiscard]] std::vector<double> completed(const Fit& whole, const Fit& known) const {
     std::vector<double> parameters;
     for (const EffectAt& at : whole.candidate.effects) {
-      const auto is = [&](const EffectAt& one) { return one == at; };
-      const auto& effects = known.candidate.effects;
-      const Fit& from = std::any_of(effects.begin(), effects.end(), is) ? known : whole;
-      std::vector<double> own = part(study_, from.candidate, from.parameters, is).parameters;
+      const Fit& from = has(known.candidate, at) ? known : whole;
+      std::vector<double> own = part(study_, from.candidate, from.parameters, [&](const EffectAt& one) {
+                                  return one == at;
+                                }).parameters;
       const std::vector<ParameterRange> ranges = study_.ranges(at);
       for (std::size_t i = 0; i < own.size(); ++i)
         if (&from == &whole && ranges[i].tolerance > 0) own[i] = 0;

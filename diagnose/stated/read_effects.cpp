@@ -101,7 +101,7 @@ bool read_where(const Section& section) {
 
 std::string read_id(const Section& section) {
   static const std::regex form("[a-z][a-z0-9_]{0,59}");
-  const std::string id = section.name("id", "a name of the effect");
+  const std::string id = section.text("id", "a name of the effect");
   if (!std::regex_match(id, form) || id == "unknown")
     throw Error(section.place("id"), "\"" + files::shown(id) + "\"", "lower-case letters, digits and _");
   const auto& known = catalogue();
