@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
 #include <plumbline/branch/point_at_load.hpp>
 #include <plumbline/branch/trace.hpp>
@@ -19,7 +20,8 @@ TEST_CASE(
                                       {some(0.5, 2), some(0.5, 2), some(0.5, 2)},
                                       {some(-1, 1), some(-1, 1), some(-1, 1)}));
     const auto shape = absolute_angles(model.chain().rest());
-    Brancher<Nominal> brancher(model, {Control::force, {0, 0}, {some(-1, 1), some(-1, 1)}}, shape);
+    const double way = some(-3, 3);
+    Brancher<Nominal> brancher(model, {Control::force, {0, 0}, {std::cos(way), std::sin(way)}}, shape);
     const auto branch = Tracer<Nominal>(brancher, {0, 1}).run(brancher.start(0, shape));
     REQUIRE(branch.points.size() > 2);
     const auto& first = branch.points.front();

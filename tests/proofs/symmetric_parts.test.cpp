@@ -46,7 +46,7 @@ TEST_CASE("even and odd parts, and their derivatives, are those of the equations
     }
     const Chain<Rational> chain(length, stiffness, rest);
     const Loading<Rational> loading{
-        held ? Control::end_point : Control::force, {some(), some()}, {-1, some()}};
+        held ? Control::end_point : Control::force, {some(), some()}, {Rational(-3, 5), Rational(4, 5)}};
     const auto as = [&]<class Real>(const Real&) {
       const auto point = [](const Point<Rational>& p) { return Point<Real>{Real(p.x), Real(p.y)}; };
       return Loading<Real>{loading.control, point(loading.start), point(loading.direction)};
