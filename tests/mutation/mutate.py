@@ -3,7 +3,7 @@
 
     tests/mutation/mutate.py                 the listed faults (tests/mutation/faults.toml)
     tests/mutation/mutate.py --generated 300 so many more, made from the text, the same ones for the same --seed
-    tests/mutation/mutate.py --changed REV   those made on the lines that changed since REV, alone
+    tests/mutation/mutate.py --changed REV   those made on the lines that changed since REV, alone: all, or --generated so many
 
 A fault is to be caught by the suite of its own folder: a test case fails, crashes or takes far longer. All faults of a
 folder are compiled at once, in a copy of the project (build-mutation), and a process chooses one; it is offered only to the
@@ -22,18 +22,21 @@ from checkers import try_checker
 from fault import Moved, listed
 from generated import all_faults
 from source import Source
-from table import table
+from table import score, table
 from workplace import FOLDERS, ROOT, Workplace
 
+UNKNOWN_REVISION = 77  # exit status: nothing to compare with, as in a clone of one commit
 SHORT = 2.0  # seconds of test cases that run as one process before the longer ones
 
 
 def changed_lines(revision, folders):
-    """{file: lines} that differ from a revision."""
-    text = subprocess.run(["git", "diff", "-U0", revision, "--", *folders], cwd=ROOT, check=True, capture_output=True,
-                          text=True).stdout
+    """{file: lines} that differ from a revision. Ends the program where git knows no such revision."""
+    done = subprocess.run(["git", "diff", "-U0", revision, "--", *folders], cwd=ROOT, capture_output=True, text=True)
+    if done.returncode != 0:
+        print(f"--changed {revision}: {done.stderr.splitlines()[0]}, expected a revision to compare with", file=sys.stderr)
+        sys.exit(UNKNOWN_REVISION)
     lines, path = {}, ""
-    for row in text.splitlines():
+    for row in done.stdout.splitlines():
         if row.startswith("+++ "):
             path = row[6:]
         elif row.startswith("@@"):
@@ -78,7 +81,10 @@ def caught_by(place, number, longest):
 
 def try_all(folder, faults, options, results):
     """Plants the faults of one folder, and adds to the results what became of them."""
-    place = Workplace(ROOT / "build-mutation" / folder, folder, options.jobs)
+    # where few files hold faults the others are compiled together, as the compiler cache has them from the usual build; where
+    # many do, each by itself, so that one fault that does not compile costs one file
+    few = options.changed is not None
+    place = Workplace(ROOT / "build-mutation" / ("changed" if few else "") / folder, folder, options.jobs, few)
     compiled = [fault for fault in faults if not fault.path.endswith(".py")]
     place.unplanted = {key: result["unplanted"] for key, result in results.items() if result.get("unplanted")}
     if compiled:
@@ -117,6 +123,8 @@ def main():
     parser.add_argument("--survivors", action="store_true", help="only what was not caught last time")
     parser.add_argument("--longest", type=float, default=float("inf"), metavar="SECONDS",
                         help="test cases that take longer are not asked: what they alone catch survives")
+    parser.add_argument("--least", type=float, default=0, metavar="PERCENT",
+                        help="of the faults planted and not argued so many are to be caught, or the exit status is 1")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--list", action="store_true", help="say what would be planted and end")
     parser.add_argument("--markdown", type=pathlib.Path, help="where the table goes; to standard output unless told")
@@ -125,16 +133,19 @@ def main():
     sources = {}
     source = lambda name: sources.setdefault(name, Source(name, (ROOT / name).read_text()))
     wanted = lambda name: options.only in name and name.split("/")[0] in options.folders
-    faults = []
-    if options.changed is None:
-        try:
-            faults = list(listed(pathlib.Path(__file__).with_name("faults.toml"), source, wanted))
-        except Moved as moved:
-            sys.exit(str(moved))
+    try:
+        faults = list(listed(pathlib.Path(__file__).with_name("faults.toml"), source, wanted))
+    except Moved as moved:
+        sys.exit(str(moved))
+    argued = {fault.key: fault.argued for fault in faults}
+    if options.changed is not None:
+        faults = []
     if options.generated or options.changed:
         made = list(generated_faults(changed_lines(options.changed, options.folders) if options.changed else None,
                                      options.folders, source))
         made = [fault for fault in made if wanted(fault.path)]
+        for fault in made:
+            fault.argued = argued.get(fault.key, "")
         count = len(made)
         random.Random(options.seed).shuffle(made)
         faults += made[:options.generated] if options.generated else made
@@ -155,6 +166,8 @@ def main():
         options.markdown.write_text(text)
     else:
         print(text, end="")
+    if score(faults, results) < options.least:
+        sys.exit(f"less than {options.least:g} % caught: a test is missing, or faults.toml has to argue why none can tell")
 
 
 main()

@@ -5,6 +5,20 @@ def folder(fault):
     return "the checkers in Python" if fault.path.endswith(".py") else fault.path.split("/")[0]
 
 
+def sorted_out(faults, results):
+    """Of these faults those that could be planted, that were caught, and that were not but are argued."""
+    planted = [f for f in faults if not results[f.key].get("unplanted")]
+    caught = [f for f in planted if results[f.key]["caught"]]
+    return planted, caught, [f for f in planted if f.argued and not results[f.key]["caught"]]
+
+
+def score(faults, results):
+    """Per cent caught of the faults that could be planted and are not argued."""
+    planted, caught, argued = sorted_out(faults, results)
+    real = len(planted) - len(argued)
+    return 100 * len(caught) / real if real else 100.0
+
+
 def one_line(text, limit=90):
     text = " ".join(text.split()).replace("|", "\\|")
     return text if len(text) <= limit else text[:limit - 3] + "..."
@@ -15,12 +29,9 @@ def table(faults, results):
     for kind, chosen in (("listed", [f for f in faults if f.listed]), ("generated", [f for f in faults if not f.listed])):
         for name in dict.fromkeys(sorted(map(folder, chosen))):
             here = [f for f in chosen if folder(f) == name]
-            planted = [f for f in here if not results[f.key].get("unplanted")]
-            caught = [f for f in planted if results[f.key]["caught"]]
-            argued = [f for f in planted if f.argued and not results[f.key]["caught"]]
-            real = len(planted) - len(argued)
+            planted, caught, argued = sorted_out(here, results)
             rows.append(f"| {name} | {kind} {len(here)} | {len(planted)} | {len(caught)} | {len(argued)} | "
-                        f"{real - len(caught)} | {100 * len(caught) / real if real else 100:.0f} % |")
+                        f"{len(planted) - len(argued) - len(caught)} | {score(here, results):.0f} % |")
     rows += ["", "| what survived | change | why |", "|---|---|---|"]
     for fault in faults:
         result = results[fault.key]

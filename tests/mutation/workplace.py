@@ -21,8 +21,8 @@ def write(path, text):
 
 
 class Workplace:
-    def __init__(self, folder, suite, jobs):
-        self.folder, self.suite, self.jobs = folder, suite, jobs
+    def __init__(self, folder, suite, jobs, unity):
+        self.folder, self.suite, self.jobs, self.unity = folder, suite, jobs, unity
         self.build = folder / "build"  # where a clone has it, so that a compiler cache knows what is as there
         folder.mkdir(parents=True, exist_ok=True)
         self.unplanted = {}  # why a fault could not be planted, by its key
@@ -51,8 +51,8 @@ class Workplace:
 
     def configure(self):
         if not (self.build / "build.ninja").is_file():
-            # a file by itself: what holds no fault comes from the compiler cache
-            subprocess.run(["cmake", "--preset", "test", "-DCMAKE_UNITY_BUILD=OFF"], cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
+            subprocess.run(["cmake", "--preset", "test", f"-DCMAKE_UNITY_BUILD={'ON' if self.unity else 'OFF'}"], cwd=self.folder,
+                           check=True, stdout=subprocess.DEVNULL)
 
     def make(self, faults):
         """Builds the suite with every fault that compiles; the others are unplanted. Ends the program where the right text
