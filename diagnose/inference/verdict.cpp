@@ -213,7 +213,8 @@ double gain(const Study& study, const Findings& findings, const Fit& simpler, co
 }
 
 /// The simplest explanation that leaves no structure, unless one more effect is significant at all the places
-/// where it could have been found; the end of the ranking when none suffices.
+/// where it could have been found, and worth all the values that come with it; the end of the ranking when
+/// none suffices.
 std::size_t choose(const Study& study, const Findings& findings, std::vector<Ranked>& ranking) {
   const double significant =
       beliefs::told_apart + std::log(static_cast<double>(possible_effects(study).size()));
@@ -229,9 +230,11 @@ std::size_t choose(const Study& study, const Findings& findings, std::vector<Ran
       chosen = place;
       continue;
     }
-    const Fit& simpler = ranking[chosen].hypothesis.fit;
-    const auto more = static_cast<double>(effects - simpler.candidate.count());
-    if (gain(study, findings, simpler, one.fit) > more * significant) chosen = place;
+    const Hypothesis& simpler = ranking[chosen].hypothesis;
+    const auto more = static_cast<double>(effects - simpler.fit.candidate.count());
+    if (one.log_evidence > simpler.log_evidence &&
+        gain(study, findings, simpler.fit, one.fit) > more * significant)
+      chosen = place;
   }
   return chosen;
 }
@@ -280,10 +283,24 @@ void list_plainer(const Study& study, const NoiseModel& noise, Cause& cause) {
     const std::vector<std::size_t>& known = cause.equivalent;
     if (i == cause.best || std::find(known.begin(), known.end(), i) != known.end()) continue;
     const Candidate &refined = best.hypothesis.fit.candidate, &plainer = other.hypothesis.fit.candidate;
-    if (contains(refined, plainer) && share_of_best(nominal, best, other) > beliefs::closes_alike)
+    if (plainer.count() <= refined.count() && contains(refined, plainer) &&
+        share_of_best(nominal, best, other) > beliefs::closes_alike)
       cause.equivalent.push_back(i);
   }
   if (!cause.equivalent.empty()) cause.verdict = CauseVerdict::ambiguous;
+}
+
+/// Takes from the class what comes near the best in likelihood alone and is another of the class with
+/// something added: to that one anything could be added.
+void drop_refinements(Cause& cause) {
+  const auto at = [&](std::size_t place) -> const Hypothesis& { return cause.ranking[place].hypothesis; };
+  const std::vector<std::size_t> listed = cause.equivalent;
+  std::erase_if(cause.equivalent, [&](std::size_t one) {
+    return at(one).log_evidence < at(cause.best).log_evidence - beliefs::told_apart &&
+           std::any_of(listed.begin(), listed.end(), [&](std::size_t other) {
+             return other != one && contains(at(one).fit.candidate, at(other).fit.candidate);
+           });
+  });
 }
 
 }  // namespace
@@ -344,6 +361,7 @@ Cause judge(const Study& study, const Findings& findings) {
   }
   settle_on(cause, chosen, cause.unknown);
   list_plainer(study, findings.noise, cause);
+  drop_refinements(cause);
   return cause;
 }
 

@@ -242,9 +242,11 @@ TEST_CASE("what machining leaves is not stretched to what one cause beside it na
     return fit;
   };
   const Fit beside = machined(of({springs, lengths, rests, cause}), 0.5);
-  const auto chosen = [&](double first) {
+  const auto chosen = [&](double first, double evidence = -3.5) {
     const Fit alone = machined(of({springs, lengths, rests}), first);
-    const Cause cause_of = judge(study, {{worth(beside, 0, 0), worth(alone, 0, -3.5)}, {}});
+    std::vector<Hypothesis> both = {worth(beside, 0, 0), worth(alone, 0, evidence)};
+    if (evidence > 0) std::swap(both[0], both[1]);
+    const Cause cause_of = judge(study, {both, {}});
     return cause_of.ranking.at(cause_of.best).hypothesis.fit.candidate;
   };
   // The charge is half the square: 2 for two tolerances, 18 for six. One more effect has to gain three, and
@@ -254,6 +256,8 @@ TEST_CASE("what machining leaves is not stretched to what one cause beside it na
   REQUIRE(asked < 17);
   CHECK(chosen(2) == of({springs, lengths, rests}));
   CHECK(chosen(6) == beside.candidate);
+  // nor where all its values together are not worth it
+  CHECK(chosen(6, 0.5) == of({springs, lengths, rests}));
 }
 
 TEST_CASE("an effect that adds less than a hundredth stands beside the explanation without it") {
@@ -268,15 +272,30 @@ TEST_CASE("an effect that adds less than a hundredth stands beside the explanati
   const auto residual = white(study.measurements(), 0.1);
   const Hypothesis both =
       worth(found(study.experiment(), of({{"force_gain"}, {"sensor_drift"}}), residual), 0, 0);
-  const auto class_with = [&](double left) {
+  const auto with = [&](double left, const std::vector<Hypothesis>& others) {
     std::vector<double> more = residual;
     for (std::size_t i = 0; i < more.size(); ++i) more[i] += left * study.nominal_residual()[i];
-    const Hypothesis alone = worth(found(study.experiment(), of({EffectAt("force_gain")}), more), -60, -60);
-    const Cause cause = judge(study, {{both, alone}, {}});
+    std::vector<Hypothesis> all = {both};
+    all.insert(all.end(), others.begin(), others.end());
+    all.push_back(worth(found(study.experiment(), of({EffectAt("force_gain")}), more), -60, -60));
+    const Cause cause = judge(study, {all, {}});
     CHECK(cause.ranking.at(cause.best).hypothesis.fit.candidate == both.fit.candidate);
-    return cause.verdict;
+    return cause;
   };
   // squares: 0.0081 and 0.0121 of the gap
-  CHECK(class_with(0.09) == CauseVerdict::ambiguous);
-  CHECK(class_with(0.11) == CauseVerdict::identified);
+  CHECK(with(0.09, {}).verdict == CauseVerdict::ambiguous);
+  CHECK(with(0.11, {}).verdict == CauseVerdict::identified);
+
+  // What adds something else to that plainer one is as likely, and listed where its evidence comes near, too.
+  const auto as_likely = [&](const Candidate& candidate, double log_evidence) {
+    return worth(found(study.experiment(), candidate, residual), -1, log_evidence);
+  };
+  const Candidate refined = of({{"force_gain"}, {"eccentric_load"}}),
+                  another = of({{"eccentric_load"}, {"sensor_drift"}});
+  using Places = std::vector<std::size_t>;
+  CHECK(with(0.09, {as_likely(refined, -2)}).equivalent == Places{1, 2});
+  CHECK(with(0.09, {as_likely(refined, -8)}).equivalent == Places{2});
+  CHECK(with(0.09, {as_likely(another, -8)}).equivalent == Places{1, 2});
+  // Where the plainer one leaves too much to be listed, nothing stands for it.
+  CHECK(with(0.11, {as_likely(refined, -8)}).equivalent == Places{1});
 }
