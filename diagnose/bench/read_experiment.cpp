@@ -120,20 +120,45 @@ struct Source {
 /// What every run of the experiment shares, unless it says otherwise itself.
 struct Shared {
   const Source& source;
-  const NominalChain& nominal;
+  const Experiment& experiment;
   SampleFormat format;
   Unit rest;
 };
 
-/// What imposes a force.
-bool read_by_weights(const Section& section, Control control) {
-  if (!section.has("loaded_by")) return false;
+/// Whether the forces of a run are such as weights impose and a servo on a load cell hardly would: straight
+/// down, all of them, and without noise.
+bool pulls_as_weights_do(const Run& run, const Experiment& experiment) {
+  const bool exact = experiment.noise.Fx == 0 && experiment.noise.Fy == 0;
+  if (run.holds_end_point() || experiment.bench.plane != Bench::Plane::vertical || !exact) return false;
+  constexpr double three_decimals = 1e-3;  // of the direction of gravity
+  const Eigen::Vector2d down = experiment.bench.down().normalized();
+  const auto is_down = [&](const Reading& reading) {
+    const Eigen::Vector2d force = run.command(reading);
+    return force.dot(down) >= 0 && (force - force.dot(down) * down).norm() <= three_decimals * force.norm();
+  };
+  const auto pulls = [&](const Reading& reading) { return run.command(reading).norm() > 0; };
+  return std::all_of(run.readings.begin(), run.readings.end(), is_down) &&
+         std::any_of(run.readings.begin(), run.readings.end(), pulls);
+}
+
+/// What imposes a force: as is said, or as the forces are.
+bool read_by_weights(const Section& section, const Run& run, const Experiment& experiment) {
+  if (!section.has("loaded_by")) return pulls_as_weights_do(run, experiment);
   const std::string expected = "\"servo\" or \"weights\"";
   const std::string word = section.text("loaded_by", expected);
   if (word != "servo" && word != "weights") section.refuse("loaded_by", expected);
-  if (word == "weights" && control != Control::force)
+  if (word == "weights" && run.holds_end_point())
     section.refuse("loaded_by", "nothing, or \"servo\", where the end point is put");
   return word == "weights";
+}
+
+void read_samples_of(const Section& section, const Shared& shared, Run& run) {
+  SampleFormat format = read_sample_format(section, shared.format);
+  format.any_order |= shared.source.plan && format.header;  // a plan may hold commands alone
+  const NamedTable named = shared.source.read(section, format);
+  Samples samples = read_samples(named.table, named.source, run.control, format);
+  run.readings = std::move(samples.readings);
+  run.origins = std::move(samples.origins);
 }
 
 Run read_run(const Section& section, const Shared& shared) {
@@ -144,19 +169,12 @@ Run read_run(const Section& section, const Shared& shared) {
   const std::string control = section.text("control", expected);
   if (control != "displacement" && control != "force") section.refuse("control", expected);
   run.control = control == "force" ? Control::force : Control::end_point;
-  run.by_weights = read_by_weights(section, run.control);
-  const std::size_t n = shared.nominal.link_length.size();
-  run.rest = section.has("rest") || shared.nominal.rest.empty()
-                 ? in_si(section.numbers("rest", n), shared.rest)
-                 : shared.nominal.rest;
-  const Source& source = shared.source;
-  if (source.plan && !section.has("samples")) return run;
-  SampleFormat format = read_sample_format(section, shared.format);
-  format.any_order |= source.plan && format.header;  // a plan may hold commands alone
-  const NamedTable named = source.read(section, format);
-  Samples samples = read_samples(named.table, named.source, run.control, format);
-  run.readings = std::move(samples.readings);
-  run.origins = std::move(samples.origins);
+  const Experiment& experiment = shared.experiment;
+  const std::size_t n = experiment.link_length.size();
+  run.rest = section.has("rest") || experiment.rest.empty() ? in_si(section.numbers("rest", n), shared.rest)
+                                                            : experiment.rest;
+  if (!shared.source.plan || section.has("samples")) read_samples_of(section, shared, run);
+  run.by_weights = read_by_weights(section, run, experiment);
   return run;
 }
 

@@ -232,8 +232,9 @@ std::size_t choose(const Study& study, const Findings& findings, std::vector<Ran
     }
     const Hypothesis& simpler = ranking[chosen].hypothesis;
     const auto more = static_cast<double>(effects - simpler.fit.candidate.count());
-    if (one.log_evidence > simpler.log_evidence &&
-        gain(study, findings, simpler.fit, one.fit) > more * significant)
+    const double better = one.log_evidence - simpler.log_evidence;
+    if (better > beliefs::told_apart ||
+        (better > 0 && gain(study, findings, simpler.fit, one.fit) > more * significant))
       chosen = place;
   }
   return chosen;

@@ -123,6 +123,37 @@ TEST_CASE("a good experiment is read as it stands") {
   CHECK(pull.readings[1].Fy == 0.01);
 }
 
+TEST_CASE("forces straight down and without noise are those of weights, unless the settings say otherwise") {
+  std::string pull_alone = good_toml;  // no force is read, and its noise may be zero
+  pull_alone.erase(pull_alone.find("[[run]]"), pull_alone.rfind("[[run]]") - pull_alone.find("[[run]]"));
+  const auto exact = [](std::string toml) {
+    const std::string noise = "Fx = 0.02\nFy = 0.02";
+    return toml.replace(toml.find(noise), noise.size(), "Fx = 0\nFy = 0");
+  };
+  const auto by_weights = [](const std::string& toml, const std::string& forces) {
+    const Folder folder;
+    lay(folder, {toml, "", "t,x,y,Fx,Fy\n" + forces});
+    return read_experiment(folder.path()).runs.at(0).by_weights;
+  };
+  const std::string down = "0,,0.0209,0,0\n2,0.453,0.02,0,-0.1\n";
+  CHECK(by_weights(exact(pull_alone), down));
+  CHECK_FALSE(by_weights(pull_alone, down));                                          // read with noise
+  CHECK_FALSE(by_weights(exact(pull_alone), "0,0.45,0,0,0\n2,0.45,0,0,0.1\n"));       // up
+  CHECK_FALSE(by_weights(exact(pull_alone), "0,0.45,0,0,0\n2,0.45,0,0.001,-0.1\n"));  // aslant
+  CHECK_FALSE(
+      by_weights(exact(pull_alone), "0,0.45,0,0,0\n2,0.45,0,0,-0.1\n3,0.45,0,0.1,0\n"));  // one of three
+  CHECK_FALSE(by_weights(exact(pull_alone), "0,0.45,0,0,0\n2,0.45,0,0,0\n"));             // nothing hangs
+  const auto with = [&](const std::string& before, const std::string& after) {
+    std::string toml = exact(pull_alone);
+    return toml.replace(toml.find(before), before.size(), after);
+  };
+  CHECK_FALSE(by_weights(with("\"force\"", "\"force\"\nloaded_by = \"servo\""), down));
+  CHECK_FALSE(by_weights(with("gravity_plane = \"vertical\"\n", ""), down));
+  CHECK(by_weights(with("[0.0, -1.0]", "[0.447, -0.894]"), "0,0.45,0,0,0\n2,0.45,0,0.05,-0.1\n"));
+  CHECK(
+      by_weights(with("\"force\"", "\"force\"\nloaded_by = \"weights\""), "0,0.45,0,0,0\n2,0.45,0,0,0.1\n"));
+}
+
 TEST_CASE("a fault of experiment.toml is named by its key") {
   CHECK(says(toml_fault("chain-experiment/1", "chain-experiment/2"), {"format", "chain-experiment/2"}));
   CHECK(says(toml_fault("format =", "formt ="), {"format", "no such key"}));
