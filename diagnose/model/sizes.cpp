@@ -76,7 +76,8 @@ Sizes sizes_of(const Experiment& experiment) {
       if (const double pause = run.readings[1].t - run.readings[0].t; pause > 0)
         size.pause = size.pause > 0 ? std::min(size.pause, pause) : pause;
     size.measures_force = size.measures_force || reads_force(run);
-    size.load_cell = size.load_cell || reads_force(run) || (!run.holds_end_point() && !run.by_weights);
+    size.pivot = size.pivot || !run.by_weights;
+    size.load_cell = size.load_cell || reads_force(run) || !(run.holds_end_point() || run.by_weights);
     size.clock = size.clock || !run.counts_readings();
     size.measures_both_forces = size.measures_both_forces || reads_both_forces(run);
     for (const Channel& channel : run.measured())

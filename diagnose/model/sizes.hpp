@@ -18,6 +18,7 @@ struct Sizes {
   bool weighs = true;                                ///< the bench may feel gravity in its plane
   bool measures_force = false;                       ///< a run imposes the end point and reads the force
   bool load_cell = false;                            ///< or sets an imposed force by it
+  bool pivot = false;                 ///< something holds or pulls the end point that weights do not
   bool clock = false;                 ///< time stamps are more than the readings' numbers, 0, 1, 2, ...
   bool measures_both_forces = false;  ///< and both components of it
   std::size_t runs = 0;               ///< of the whole experiment

@@ -33,6 +33,20 @@ TEST_CASE("weight has no part in a horizontal plane, and may have in an unknown 
   }
 }
 
+TEST_CASE(
+    "weights hang freely: neither an end pivot nor a load cell has errors where they alone load the chain") {
+  Experiment experiment = three_links();
+  load(experiment, {0.2, 0.3, -0.3}, {0, 0}, {0, -1.0}, 10);
+  const auto possible = [&](const char* id) { return has(possible_effects(Study(experiment)), id); };
+  for (const bool by_weights : {false, true}) {
+    experiment.runs[0].by_weights = by_weights;
+    for (const char* id : {"tip_stiffness", "force_bias", "force_gain"}) CHECK(possible(id) == !by_weights);
+    for (const char* id : {"tip_payload", "stiffness_scale"}) CHECK(possible(id));
+  }
+  load(experiment, {0.2, 0.3, -0.3}, {0, 0}, {0, -1.0}, 10);  // one more, by a servo
+  for (const char* id : {"tip_stiffness", "force_bias", "force_gain"}) CHECK(possible(id));
+}
+
 TEST_CASE("a passive joint has no spring to be wrong, nor play in one") {
   Experiment experiment = full_bench();
   experiment.joint_stiffness[0] = 0;

@@ -47,7 +47,8 @@ std::vector<Effect> bench_effects() {
            [](const Place& at) {
              return std::vector{one_way("k_t", "N m/rad", 0.1 * at.sizes.stiffness, 10 * at.sizes.stiffness)};
            },
-       .add = [](const Addition& to) { to.rig.tip_stiffness += to.value[0]; }},
+       .add = [](const Addition& to) { to.rig.tip_stiffness += to.value[0]; },
+       .possible = [](const Place& at) { return at.sizes.pivot; }},
       {.id = "guide_friction",
        .words = "dry friction in the guide",
        .dissipates = true,
