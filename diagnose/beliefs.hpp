@@ -12,8 +12,10 @@ namespace plumbline::diagnose::beliefs {
 /// say themselves widens it without a limit, for the others err by any factor.
 inline constexpr double scale_spread = 0.25;
 /// Readings that scatter more than so many times the declared sigma scatter for a reason: a ripple of the
-/// device that nobody has listed is more likely than a sigma that is as wrong.
-inline constexpr double largest_scale = 5;
+/// device that nobody has listed is more likely than a sigma that is as wrong. A position is often declared by
+/// what its sensor resolves, which is less than what the end point repeats to: of ripples and of slips of a
+/// joint its scatter shows little.
+inline constexpr double largest_scale = 5, largest_position_scale = 10;
 /// Third differences of noise alternate: the products of neighbours over the larger of their squares have the
 /// mean -0.34 where the values are independent, -0.29 where they correlate by 0.5 to 0.9; along a curve that
 /// is sampled coarsely they are positive.

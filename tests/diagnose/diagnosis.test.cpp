@@ -14,6 +14,7 @@
 #include "diagnose/report/report.hpp"
 
 #include "tests/close_to.hpp"
+#include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
@@ -101,6 +102,27 @@ TEST_CASE("a nominal experiment with a mis-declared sigma has no gap") {
       plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {}, {}, 1, 1.4)));
   CHECK_FALSE(diagnosis.gap.present);
   CHECK(diagnosis.cause.verdict == CauseVerdict::none);
+}
+
+TEST_CASE("forces that scatter six times what was declared ripple; positions do from ten times on") {
+  Experiment forces = test::three_links(), positions = forces;
+  test::press(forces, {0.3, -0.5, 0.4}, {-0.05, 0}, 60, true);
+  test::load(positions, {0.2, 0.3, -0.3}, {0, 0}, {-2.0, 1.0}, 120);
+  for (Reading& reading : forces.runs[0].readings) reading.q.clear();
+  for (Reading& reading : positions.runs[0].readings) reading.q.clear();
+  const auto verdict = [](Experiment experiment, double times) {
+    const Noise declared = experiment.noise;
+    for (double* sigma :
+         {&experiment.noise.x, &experiment.noise.y, &experiment.noise.Fx, &experiment.noise.Fy})
+      *sigma *= times;
+    experiment = test::measured(experiment, {}, {}, 5);
+    experiment.noise = declared;
+    return plumbline::diagnose::diagnose(Study(experiment)).cause.verdict;
+  };
+  CHECK(verdict(forces, 3) == CauseVerdict::none);
+  CHECK(verdict(forces, 6) == CauseVerdict::unknown);
+  CHECK(verdict(positions, 6) == CauseVerdict::none);
+  CHECK(verdict(positions, 13) == CauseVerdict::unknown);
 }
 
 TEST_CASE(
