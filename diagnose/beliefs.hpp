@@ -12,9 +12,9 @@ namespace plumbline::diagnose::beliefs {
 /// say themselves widens it without a limit, for the others err by any factor.
 inline constexpr double scale_spread = 0.25;
 /// Readings that scatter more than so many times the declared sigma scatter for a reason: a ripple of the
-/// device that nobody has listed is more likely than a sigma that is as wrong. A position is often declared by
-/// what its sensor resolves, which is less than what the end point repeats to: of ripples and of slips of a
-/// joint its scatter shows little.
+/// device that nobody has listed is more likely than a sigma that is as wrong. A position is often declared
+/// by what its sensor resolves, which is less than what the end point repeats to: of ripples and of slips of
+/// a joint its scatter shows little.
 inline constexpr double largest_scale = 5, largest_position_scale = 10;
 /// Third differences of noise alternate: the products of neighbours over the larger of their squares have the
 /// mean -0.34 where the values are independent, -0.29 where they correlate by 0.5 to 0.9; along a curve that
@@ -75,6 +75,10 @@ inline constexpr double told_apart = 3.0;
 /// beside it: what is then left to the refinement is less than a tenth of the residual.
 inline constexpr double closes_alike = 0.99;
 
+/// A refinement of one effect stands beside the plainer one, however much less evidence it has, where chance
+/// would give its further values so much likelihood in one experiment of so many.
+inline constexpr double refines_by_chance = 0.01;
+
 /// A gap that is so many times the noise shows more of a device than any model of it holds: what leaves less
 /// than that share of it is an explanation.
 inline constexpr double far_beyond = 50, tolerated_share = 0.15;
@@ -95,8 +99,8 @@ inline constexpr double nearly = 1.2, clear = 0.5, other_than_nearly = 0.05;
 /// Of explanations that did not predict, on simulated experiments, one in four was wrong; of those with three
 /// effects, that predicted, all fifteen: eleven had a cause outside the catalogue.
 inline constexpr double wrong_unpredicted = 0.25, wrong_three = 0.9;
-/// What does not predict, and leaves more than this share of the squared gap of readings held out, is none: on
-/// simulated experiments all four such had a cause outside the catalogue.
+/// What does not predict, and leaves more than this share of the squared gap of readings held out, is none:
+/// on simulated experiments all four such had a cause outside the catalogue.
 inline constexpr double leaves_the_gap = 0.5, wrong_unshrunk = 0.9;
 
 }  // namespace plumbline::diagnose::beliefs

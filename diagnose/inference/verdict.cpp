@@ -253,9 +253,18 @@ double probability_of_unknown(double p_value) {
   return odds / (1 + odds);
 }
 
+/// Whether the likelihood that a refinement gains by its further parameters is more than chance would give.
+bool gains_more_than_chance(const Hypothesis& best, const Hypothesis& refined) {
+  if (refined.fit.parameters.size() <= best.fit.parameters.size()) return false;
+  const auto further = static_cast<double>(refined.fit.parameters.size() - best.fit.parameters.size());
+  const boost::math::chi_squared_distribution<double> chance(further);
+  return 2 * (refined.log_likelihood - best.log_likelihood) >
+         boost::math::quantile(boost::math::complement(chance, beliefs::refines_by_chance));
+}
+
 /// Whether an explanation, not the best one with something added, comes near the best: in evidence; or, of no
-/// more effects and parameters, and no refinement, in likelihood. More parameters always come as near as one
-/// likes.
+/// more effects and parameters, and no refinement, in likelihood; or is a refinement that gains more of that
+/// than chance. Any other with more parameters comes as near as one likes.
 bool near(const Hypothesis& best, const Hypothesis& other) {
   const bool as_many = other.fit.candidate.count() == best.fit.candidate.count(),
              more_of_it = contains(other.fit.candidate, best.fit.candidate);
@@ -263,7 +272,8 @@ bool near(const Hypothesis& best, const Hypothesis& other) {
   const bool simpler =
       as_many && !more_of_it && other.fit.parameters.size() <= best.fit.parameters.size() + spare_parameters;
   return other.log_evidence > best.log_evidence - beliefs::told_apart ||
-         (simpler && other.log_likelihood > best.log_likelihood - beliefs::told_apart);
+         (simpler && other.log_likelihood > best.log_likelihood - beliefs::told_apart) ||
+         (more_of_it && gains_more_than_chance(best, other));
 }
 
 /// How much of the gap an explanation closes, as a share of what the best one closes.

@@ -210,6 +210,25 @@ TEST_CASE("not told apart: what is as likely, or of as much evidence, with as ma
   CHECK(judge(Study(experiment), {{best, behind}, {}}).verdict == CauseVerdict::identified);
 }
 
+TEST_CASE("a refinement with far less evidence is listed where chance would not give it its likelihood") {
+  const Experiment experiment = blank_experiment({40});
+  const auto residual = white(Measurements(experiment));
+  const auto fit_of = [&](const Candidate& candidate) { return found(experiment, candidate, residual); };
+  const Fit common = fit_of(of({EffectAt("nonlinear_spring")})),
+            spread = fit_of(of({EffectAt("hardening_spread")}));
+  REQUIRE(spread.parameters.size() == common.parameters.size() + 1);
+  const auto verdict = [&](const Fit& other, double gained) {
+    return judge(Study(experiment), {{worth(common, 0, 0), worth(other, gained, -6)}, {}}).verdict;
+  };
+  // 6.635 is what a square of one normal number exceeds once in a hundred, and twice what is gained
+  CHECK(verdict(spread, 3.30) == CauseVerdict::identified);
+  CHECK(verdict(spread, 3.33) == CauseVerdict::ambiguous);
+  // of another kind, with five parameters more, and with one effect more
+  const Candidate machining = of({{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}});
+  CHECK(verdict(fit_of(machining), 12) == CauseVerdict::identified);
+  CHECK(verdict(fit_of(of({{"nonlinear_spring"}, {"eccentric_load"}})), 5) == CauseVerdict::identified);
+}
+
 TEST_CASE("values of which each could be nothing act where they cannot all be") {
   const Experiment experiment = blank_experiment({60});
   Fit rests = found(experiment, of({{"rest_spread"}}), white(Measurements(experiment)));
