@@ -37,12 +37,14 @@ bool known_to_itself(const Fit& fit, std::size_t parameter) {
   return fit.information(p, p) * fit.parameters[parameter] * fit.parameters[parameter] > 9;
 }
 
-/// Whether a set of effects is another one and more.
+/// Whether a set of effects is another one and more: as many at least, for one may be a special case of each
+/// of several.
 bool contains(const Candidate& whole, const Candidate& part) {
-  return std::all_of(part.effects.begin(), part.effects.end(), [&](const EffectAt& at) {
-    return std::any_of(whole.effects.begin(), whole.effects.end(),
-                       [&](const EffectAt& other) { return covers(other, at); });
-  });
+  return whole.effects.size() >= part.effects.size() &&
+         std::all_of(part.effects.begin(), part.effects.end(), [&](const EffectAt& at) {
+           return std::any_of(whole.effects.begin(), whole.effects.end(),
+                              [&](const EffectAt& other) { return covers(other, at); });
+         });
 }
 
 /// Whether parameters are farther from zero than their standard deviations: one of them, or all together,

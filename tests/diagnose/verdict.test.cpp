@@ -223,6 +223,14 @@ TEST_CASE("a refinement with far less evidence is listed where chance would not 
   // 6.635 is what a square of one normal number exceeds once in a hundred, and twice what is gained
   CHECK(verdict(spread, 3.30) == CauseVerdict::identified);
   CHECK(verdict(spread, 3.33) == CauseVerdict::ambiguous);
+  // With one passive joint a rest angle of the run is one more value of the other joint, and no more of it.
+  Experiment passive = experiment;
+  passive.joint_stiffness[1] = 0;
+  const Fit angle = found(passive, of({{"rest_angle", 1}}), residual),
+            run = found(passive, of({EffectAt("run_rest")}), residual);
+  REQUIRE(run.parameters.size() == angle.parameters.size());
+  CHECK(judge(Study(passive), {{worth(angle, 0, 0), worth(run, 5, -6)}, {}}).verdict ==
+        CauseVerdict::identified);
   // of another kind, with five parameters more, and with one effect more
   const Candidate machining = of({{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}});
   CHECK(verdict(fit_of(machining), 12) == CauseVerdict::identified);
@@ -316,6 +324,10 @@ TEST_CASE("an effect that adds less than a hundredth stands beside the explanati
   CHECK(with(0.09, {as_likely(refined, -2)}).equivalent == Places{1, 2});
   CHECK(with(0.09, {as_likely(refined, -8)}).equivalent == Places{2});
   CHECK(with(0.09, {as_likely(another, -8)}).equivalent == Places{1, 2});
+  // One effect is no refinement of that effect and a special case of it.
+  const Hypothesis uneven = as_likely(of({EffectAt("direction_friction")}), 0);
+  const Hypothesis twice = as_likely(of({{"joint_friction"}, {"direction_friction"}}), -60);
+  CHECK(judge(study, {{uneven, twice}, {}}).verdict == CauseVerdict::identified);
   // Where the plainer one leaves too much to be listed, nothing stands for it.
   CHECK(with(0.11, {as_likely(refined, -8)}).equivalent == Places{1});
 }
