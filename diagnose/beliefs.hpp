@@ -13,8 +13,9 @@ namespace plumbline::diagnose::beliefs {
 inline constexpr double scale_spread = 0.25;
 /// Readings that scatter more than so many times the declared sigma scatter for a reason: a ripple of the
 /// device that nobody has listed is more likely than a sigma that is as wrong. A position is often declared
-/// by what its sensor resolves, which is less than what the end point repeats to: of ripples and of slips of
-/// a joint its scatter shows little.
+/// by what its sensor resolves, which is less than what the end point repeats to: of simulated experiments
+/// without other structure both whose positions scattered five to ten times had no cause, all five whose
+/// forces did had one.
 inline constexpr double largest_scale = 5, largest_position_scale = 10;
 /// Third differences of noise alternate: the products of neighbours over the larger of their squares have the
 /// mean -0.34 where the values are independent, -0.29 where they correlate by 0.5 to 0.9; along a curve that

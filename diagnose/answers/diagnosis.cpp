@@ -59,7 +59,7 @@ GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
 /// Whether the readings of some channel scatter so much that what looks like noise is taken for a ripple.
 bool ripples(const Measurements& measurements, const NoiseModel& noise) {
   return std::any_of(measurements.series().begin(), measurements.series().end(), [&](const Series& series) {
-    const bool position = series.channel.name == Channel::Name::x || series.channel.name == Channel::Name::y;
+    const bool position = series.channel.sensor() == Sensor::position;
     return noise.of(series.channel) > (position ? beliefs::largest_position_scale : beliefs::largest_scale);
   });
 }

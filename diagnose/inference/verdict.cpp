@@ -215,8 +215,8 @@ double gain(const Study& study, const Findings& findings, const Fit& simpler, co
 }
 
 /// The simplest explanation that leaves no structure, unless one more effect is significant at all the places
-/// where it could have been found, and worth all the values that come with it; the end of the ranking when
-/// none suffices.
+/// where it could have been found and has more evidence with all the values that come with it, or has more by
+/// far; the end of the ranking when none suffices.
 std::size_t choose(const Study& study, const Findings& findings, std::vector<Ranked>& ranking) {
   const double significant =
       beliefs::told_apart + std::log(static_cast<double>(possible_effects(study).size()));

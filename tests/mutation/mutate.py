@@ -134,12 +134,11 @@ def main():
     source = lambda name: sources.setdefault(name, Source(name, (ROOT / name).read_text()))
     wanted = lambda name: options.only in name and name.split("/")[0] in options.folders
     try:
-        faults = list(listed(pathlib.Path(__file__).with_name("faults.toml"), source, wanted))
+        known = list(listed(pathlib.Path(__file__).with_name("faults.toml"), source, wanted))
     except Moved as moved:
         sys.exit(str(moved))
-    argued = {fault.key: fault.argued for fault in faults}
-    if options.changed is not None:
-        faults = []
+    argued = {fault.key: fault.argued for fault in known}
+    faults = known if options.changed is None else []
     if options.generated or options.changed:
         made = list(generated_faults(changed_lines(options.changed, options.folders) if options.changed else None,
                                      options.folders, source))
