@@ -37,8 +37,9 @@ using Found = std::vector<std::optional<ForceEnclosure>>;
 /// Two forces closer to each other than the digits have the bounds of the first.
 void share_ties(Found& found) {
   for (std::size_t i = 1; i < found.size(); ++i) {
-    if (!found[i - 1] || found[i - 1]->below_high <= i) continue;
-    found[i] = found[i - 1];
+    const auto& before = found[i - 1];
+    if (!before || before->below_high <= i) continue;
+    found[i] = before;
     found[i]->index = i + 1;
   }
 }

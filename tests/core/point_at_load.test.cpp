@@ -41,3 +41,33 @@ TEST_CASE(
     CHECK((point->theta - second.theta).norm() < 1.01 * whole);
   }
 }
+
+TEST_CASE("the state at a load is on the stretch that holds it, and between two stretches where one leaves") {
+  using Nominal = NominalModel<double>;
+  const Nominal model(Chain<double>({1, 0.8, 1.2}, {1, 2, 1}, {0.3, -0.5, 0.4}));
+  const auto shape = absolute_angles(model.chain().rest());
+  Brancher<Nominal> brancher(model, {Control::force, {0, 0}, {0, 1}}, shape);
+  const auto whole = Tracer<Nominal>(brancher, {0, 0.5, 0.02}).run(brancher.start(0, shape));
+  REQUIRE(whole.points.size() > 6);
+  // the branch cut in two, one point left out between
+  const auto piece = [&](auto first, auto last) {
+    return Branch<double>{std::vector<BranchPoint<double>>(first, last), {}, BranchEnd::load};
+  };
+  const auto begin = whole.points.begin();
+  std::vector<Branch<double>> stretches{piece(begin, begin + 3), piece(begin + 4, whole.points.end())};
+  const auto load = [&](std::size_t i) { return whole.points[i].load; };
+  const auto agrees = [&](double at) {
+    const auto state = state_at_load(brancher, stretches, at), expected = point_at_load(brancher, whole, at);
+    REQUIRE(state);
+    REQUIRE(expected);
+    CHECK(std::abs(state->load - at) < 8 * std::numeric_limits<double>::epsilon());
+    CHECK((state->theta - expected->theta).norm() < 1e-13);  // some roundings of a turn of less than one
+  };
+  for (const double at : {(load(0) + load(1)) / 2, load(2), (load(2) + load(4)) / 2, (load(4) + load(5)) / 2})
+    agrees(at);
+  const auto& last = stretches[0].points.back();
+  stretches[0].events.push_back({EventKind::bifurcation, 2, last, {}});
+  agrees((load(2) + load(4)) / 2);
+  CHECK_FALSE(state_at_load(brancher, stretches, load(0) - 1e-3));
+  CHECK_FALSE(state_at_load(brancher, stretches, whole.points.back().load + 1e-3));
+}

@@ -53,6 +53,30 @@ TEST_CASE(
   CHECK(counted > 500);
 }
 
+TEST_CASE("a critical force is not below itself, whatever the sign before it") {
+  // three unit links on a passive base: 1 and 3
+  const Chain<Rational> chain({1, 1, 1}, {0, 1, 1});
+  const BeadString<Rational> string(chain);
+  const auto piece = string.pieces()[0];
+  const std::size_t below[] = {0, 0, 1, 1, 2};
+  for (int F = 0; F < 5; ++F) CHECK(detail::count_below(piece, Rational(F)) == below[F]);
+}
+
+TEST_CASE("whether a long string keeps within the range of its type is asked of every bead") {
+  for (const std::size_t at : {2U, 9U, 17U, 30U}) {
+    std::vector<double> length(40, 1), stiffness(40, 1);
+    CHECK(BeadString<double>(Chain<double>(length, stiffness)).in_range());
+    CAPTURE(at);
+    auto short_link = length, soft_joint = stiffness, stiff_joint = stiffness;
+    short_link[at] = 1e-60;
+    soft_joint[at] = 1e-60;
+    stiff_joint[at] = 1e60;
+    CHECK_FALSE(BeadString<double>(Chain<double>(short_link, stiffness)).in_range());
+    CHECK_FALSE(BeadString<double>(Chain<double>(length, soft_joint)).in_range());
+    CHECK_FALSE(BeadString<double>(Chain<double>(length, stiff_joint)).in_range());
+  }
+}
+
 TEST_CASE("both ends give the function that one end gives, but for a factor") {
   std::mt19937 random(8);
   for (const std::size_t n : {5U, 6U, 33U, 34U}) {

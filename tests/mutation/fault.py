@@ -1,4 +1,5 @@
 """A fault to plant: in this file, here, this text for that."""
+import os
 import tomllib
 from dataclasses import dataclass
 
@@ -21,7 +22,10 @@ class Fault:
 
     @property
     def key(self):
-        return f"{self.path}:{self.begin}:{self.end}:{self.after}"
+        """The same for the same change, however much of the text around it is told with it."""
+        head = len(os.path.commonprefix([self.before, self.after]))
+        tail = len(os.path.commonprefix([self.before[head:][::-1], self.after[head:][::-1]]))
+        return f"{self.path}:{self.begin + head}:{self.end - tail}:{self.after[head:len(self.after) - tail]}"
 
     @property
     def statement(self):

@@ -79,9 +79,37 @@ TEST_CASE("certificates in units of any size, and of windows of more turns") {
   CHECK(check_alone("check_equilibria.py", equilibria_certificates, certificates) == 0);
 }
 
+TEST_CASE("a certificate has no more digits than its enclosures, of angles, forces and energies") {
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) {
+    const CensusTask task = random_task(seed);
+    const Census census = take_census(task);
+    REQUIRE(census.complete());
+    const json certificate = equilibria_certificate(task, census, 90);
+    const int digits = certificate["digits"];
+    CHECK(digits < 64);  // those of an interval
+    const auto largest = [](const std::vector<Rational>& x) { return *std::max_element(x.begin(), x.end()); };
+    const Rational length = largest(task.chain.length()), stiffness = largest(task.chain.stiffness());
+    const Rational last = Rational(1) / Rational(mp::pow(mp::mpz_int(10), static_cast<unsigned>(digits)));
+    const auto holds = [&](const Interval& x, const Rational& scale) {
+      return Interval::End(4) * x.width() <= Interval(scale * last).upper();
+    };
+    for (const CertifiedEquilibrium& one : census.equilibria) {
+      for (const Interval& q : one.q) CHECK(holds(q, 1));
+      CHECK(holds(one.fx, stiffness / length));
+      CHECK(holds(one.fy, stiffness / length));
+      CHECK(holds(one.energy, stiffness));
+    }
+  }
+}
+
 TEST_CASE("there is no certificate of what a census leaves open") {
   // at the critical force (3 - sqrt 5) / 2 to fifty digits the straight shape is degenerate
   const auto critical = *parse_decimal("-0.38196601125010515179541316563436188227969082019424");
   const CensusTask task{"critical", Chain<Rational>({1, 1}, {1, 1}), false, Given::force, {critical, 0}, 0};
   CHECK_THROWS_AS(certified(task), Error);
+  const CensusTask stable{"stable", Chain<Rational>({1, 1}, {1, 1}), false, Given::force, {1, 0}, 0};
+  Census census = take_census(stable);
+  REQUIRE(census.complete());
+  census.equilibria[0].negative_directions.reset();
+  CHECK_THROWS_AS(equilibria_certificate(stable, census, 20), Error);
 }

@@ -60,3 +60,28 @@ TEST_CASE(
   for (const std::size_t i : {1, 4, 5}) CHECK(certificates[i]["pitchforks"].size() == 1);
   for (const json& one : certificates) CHECK(check_alone("check_paths.py", path_certificates, {one}) == 0);
 }
+
+TEST_CASE("points that are proved rounded have nine decimals, and those that are followed have more") {
+  const Chain<Rational> chain({1, Rational(3, 2)}, {1, Rational(1, 2)}, {Rational(1, 2), -1});
+  const auto exact = from_rational<Interval>(chain);
+  const Loading<Interval> loading{Control::end_point, end_point(exact, exact.rest()), {-1, 0}};
+  const Point<double> start{as_double(loading.start.x), as_double(loading.start.y)};
+  const PathTask task{convert<double>(exact, as_double), {Control::end_point, start, {-1, 0}}, 0.5, 0.2};
+  const auto decimals_end = [&](ProvedPoints points) {
+    const JoinedBranches proved = certify(follow_slowly(task), exact, loading, {}, points);
+    REQUIRE_FALSE(proved.branches.at(0).pieces.empty());
+    const ProvedPiece& piece = proved.branches[0].pieces[0];
+    std::vector<bool> end(static_cast<std::size_t>(piece.points[0].size()), true);
+    for (const Vector<double>& point : piece.points) {
+      REQUIRE(point.size() == 5);
+      for (Eigen::Index i = 0; i < point.size(); ++i) {
+        // a double of size one times 1e9 is off by 1e-7
+        const double more = std::abs(point(i) * 1e9 - std::round(point(i) * 1e9));
+        if (more > 1e-5) end[static_cast<std::size_t>(i)] = false;
+      }
+    }
+    return end;
+  };
+  CHECK(decimals_end(ProvedPoints::rounded) == std::vector<bool>(5, true));
+  CHECK(decimals_end(ProvedPoints::as_followed) == std::vector<bool>(5, false));
+}

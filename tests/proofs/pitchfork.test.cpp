@@ -1,5 +1,8 @@
 #include "proofs/pitchfork.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
 #include "proofs/as_double.hpp"
 #include "proofs/decimal.hpp"
 #include "proofs/joined_branches.hpp"
@@ -109,6 +112,55 @@ TEST_CASE("where two branches cross, and where none passes another, nothing is c
   CHECK_FALSE(unfolded(exact, push, crossing, 1e-5));
   crossing(3) += 1e-3;
   CHECK_FALSE(unfolded(exact, push, crossing, 1e-5));
+}
+
+TEST_CASE("a fork joins what lies on its two branches, and no equilibrium of another mode") {
+  // three unit links under a force F along -x: K theta = F sin theta
+  Eigen::Matrix3d K;
+  K << 2, -1, 0, -1, 2, -1, 0, -1, 1;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> modes(K);
+  const double critical = modes.eigenvalues()(0);
+  const Chain<Rational> chain({1, 1, 1}, {1, 1, 1});
+  const Symmetry mirrored = symmetries(chain, Control::force, {-1, 0}).at(0);
+  // beside mode j, theta · mode = amplitude; where the force is `from` the load counts from 0
+  const auto bent = [&](Eigen::Index j, double amplitude, double from) {
+    const Eigen::Vector3d mode = modes.eigenvectors().col(j);
+    Eigen::Vector4d u;
+    u << amplitude * mode, modes.eigenvalues()(j);
+    for (int newton = 0; newton < 8; ++newton) {
+      const Eigen::Array3d theta = u.head<3>();
+      Eigen::Vector4d f;
+      f << K * u.head<3>() - u(3) * theta.sin().matrix(), mode.dot(u.head<3>()) - amplitude;
+      Eigen::Matrix4d D = Eigen::Matrix4d::Zero();
+      D.topLeftCorner<3, 3>() = K;
+      D.topLeftCorner<3, 3>() -= (u(3) * theta.cos()).matrix().asDiagonal();
+      D.topRightCorner<3, 1>() = -theta.sin().matrix();
+      D.bottomLeftCorner<1, 3>() = mode.transpose();
+      u -= D.inverse() * f;
+    }
+    u(3) += from;
+    return PieceEnd{u, 1e-9};
+  };
+  const auto fork_of = [&](double from, const std::vector<PieceEnd>& ends) {
+    Vector<double> crossing = Vector<double>::Zero(4);
+    crossing(3) = from + critical;
+    return pitchfork(from_rational<Interval>(chain),
+                     {Control::force, {Interval::from_double(from), 0}, {-1, 0}}, mirrored, crossing, ends);
+  };
+  for (const double from : {0.0, 8.0}) {
+    CAPTURE(from);
+    PieceEnd straight{Vector<double>::Zero(4), 1e-9};
+    straight.point(3) = from + 0.97 * critical;
+    const auto fork = fork_of(from, {straight, bent(0, 0.05, from)});
+    REQUIRE(fork);
+    CHECK(fork->load.low <= from + critical);
+    CHECK(from + critical <= fork->load.high);
+    CHECK(fork->load.width() < 1e-11);
+    CHECK(fork->symmetric == std::vector<std::size_t>{0});
+    CHECK(fork->bent == std::vector<std::size_t>{1});
+    const auto other = fork_of(from, {straight, bent(0, 0.05, from), bent(1, 0.02, from)});
+    CHECK_FALSE((other && other->bent.size() == 2));
+  }
 }
 
 TEST_CASE("symmetries are those of the exact numbers") {

@@ -1,7 +1,9 @@
 #include "proofs/shapes_in_lanes.hpp"
 
+#include <numeric>
 #include <plumbline/straight/buckling_mode.hpp>
 
+#include "proofs/decimal.hpp"
 #include "proofs/exactly.hpp"
 #include "proofs/working_precision.hpp"
 #include "tests/proofs/random_chain.hpp"
@@ -20,6 +22,14 @@ std::vector<double> in_doubles(const Mode<Mpfr>& mode) {
   return q;
 }
 
+/// What balances the moment at the base of a straight chain, at the angles of ShapeInLanes.
+Rational lateral_force(const Chain<Rational>& chain, const Mode<Mpfr>& mode) {
+  Mpfr largest = 0;
+  for (const Mpfr& angle : mode.q) largest = std::max(largest, Mpfr(abs(angle)));
+  const Rational length = std::accumulate(chain.length().begin(), chain.length().end(), Rational(0));
+  return -chain.stiffness()[0] / length * Rational(Mpfr(mode.q[0] / largest));
+}
+
 /// How many shapes lanes leave open; the others are the nearest doubles.
 std::size_t left_open(const Chain<Rational>& chain) {
   const auto forces = forces_in_lanes(chain, chain.size());
@@ -32,6 +42,7 @@ std::size_t left_open(const Chain<Rational>& chain) {
     if (!shapes[m]) continue;
     CHECK(shapes[m]->q == in_doubles(modes[m]));
     CHECK(shapes[m]->signs == sign_pattern(modes[m].q));
+    CHECK(to_decimal(shapes[m]->fy, 15) == to_decimal(lateral_force(chain, modes[m]), 15));
   }
   return open;
 }

@@ -13,6 +13,7 @@
 /// is not zero. The second derivatives Q_ij = psi . F_uu Phi_i Phi_j decide what crosses: c^T Q c = 0 are the
 /// tangents.
 
+#include <Eigen/LU>
 #include <plumbline/branch/branch.hpp>
 #include <tuple>
 
@@ -153,15 +154,13 @@ class BifurcationSolver {
       for (Eigen::Index k = 0; k < 2; ++k) Q(j, k) = curvature(point, Phi_[j], Phi_[k]);
       right(j) = g(j) - curvature(point, Phi_[j], step);
     }
-    const Real determinant = Q(0, 0) * Q(1, 1) - Q(0, 1) * Q(1, 0);
-    const Real c[2] = {(Q(1, 1) * right(0) - Q(0, 1) * right(1)) / determinant,
-                       (Q(0, 0) * right(1) - Q(1, 0) * right(0)) / determinant};
+    const Eigen::Matrix<Real, 2, 1> c = Q.inverse() * right;
     for (int j = 0; j < 2; ++j) {
-      step.theta += c[j] * Phi_[j].theta;
-      step.force.x += c[j] * Phi_[j].force.x;
-      step.force.y += c[j] * Phi_[j].force.y;
-      step.load += c[j] * Phi_[j].load;
-      mu += c[j] * g(j);
+      step.theta += c(j) * Phi_[j].theta;
+      step.force.x += c(j) * Phi_[j].force.x;
+      step.force.y += c(j) * Phi_[j].force.y;
+      step.load += c(j) * Phi_[j].load;
+      mu += c(j) * g(j);
     }
     return {std::move(step), mu};
   }

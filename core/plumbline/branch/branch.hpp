@@ -181,7 +181,7 @@ class Brancher {
   /// The horizon at the point that was corrected last.
   Horizon horizon(const BranchPoint<Real>& point, int iterations) {
     using std::max;
-    Horizon seen{Real(0), Real(0), {}};
+    Horizon seen{};
     Real fastest(0);
     for (Eigen::Index i = 0; i < weight_.size(); ++i) probe_.theta(i) += noise() / Real(8);
     scale(probe_, Real(1) / length(probe_));

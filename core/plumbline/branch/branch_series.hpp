@@ -71,7 +71,7 @@ class BranchSeries {
       entry(push, k) = held ? along(Fx, k) : coefficient(load, k);
       entry(way, k) = held ? coefficient(load, k) : along(place_x, k);
     }
-    rates_.setConstant(order_ + 1, 5, Real(0));
+    rates_.resize(order_ + 1, 5);
     auto push0 = rates_.col(0), push1 = rates_.col(1), push2 = rates_.col(2), way1 = rates_.col(3),
          way2 = rates_.col(4);
     push0 = coefficient_.row(angles_ + push);

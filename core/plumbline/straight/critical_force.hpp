@@ -86,7 +86,6 @@ std::array<Bracket<Real>, 2> split(const Bracket<Real>& bracket, const Sweep<Rea
 /// The lowest `wanted` roots of a string, ascending, by bisection down to single roots.
 template <Floating Real>
 std::vector<Real> roots_by_brackets(const StringPiece<Real>& string, std::size_t wanted) {
-  if (wanted == 0) return {};
   constexpr std::size_t at_once = std::same_as<Real, double> ? 2 * lane_count : 1;
   std::vector<Real> roots(std::min(wanted, string.size()));
   std::vector<Bracket<Real>> open{all_of(string)};
