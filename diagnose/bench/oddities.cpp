@@ -78,14 +78,18 @@ class Look {
              channel.unit(), sigma);
   }
 
-  /// A value far from both neighbours, which are near each other.
+  /// A value far from both neighbours, which are near each other and theirs: at the turn of a run two are
+  /// near each other as well.
   void spikes(const Channel& channel, const std::vector<double>& values,
               const std::vector<std::size_t>& numbers) {
     constexpr double far = 20, near = 0.1;
     const double sigma = channel.sigma(experiment_.noise);
     for (std::size_t i = 1; i + 1 < values.size(); ++i) {
       const double away = std::abs(values[i] - (values[i - 1] + values[i + 1]) / 2);
-      if (away > far * sigma && std::abs(values[i + 1] - values[i - 1]) < near * away)
+      const auto is_near = [&](std::size_t a, std::size_t b) {  // or b is beyond an end
+        return b >= values.size() || std::abs(values[a] - values[b]) < near * away;
+      };
+      if (away > far * sigma && is_near(i - 1, i + 1) && is_near(i - 1, i - 2) && is_near(i + 1, i + 2))
         remark("{} jumps to {:.4g} {} in reading {} alone", channel.label(), values[i], channel.unit(),
                numbers[i]);
     }

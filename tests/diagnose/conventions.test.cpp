@@ -85,6 +85,17 @@ TEST_CASE("a slip of unit, sign, axis or order is named beside a gap") {
   }
 }
 
+TEST_CASE("a factor of a thousand is named beside a gap of half the forces") {
+  for (const double stiffer : {0.4, 0.7}) {
+    CAPTURE(stiffer);
+    Experiment experiment = measured(full_bench(), only("stiffness_scale"), {stiffer}, 5);
+    forces_over(1e3)(experiment);
+    const auto doubt = doubtful_convention(Study(experiment));
+    REQUIRE(doubt);
+    CHECK(doubt->looks_like == "kN");
+  }
+}
+
 TEST_CASE("one run in another unit is named alone") {
   Experiment experiment = stiffer_bench();
   for (Reading& r : experiment.runs[1].readings) r.Fx /= 9.80665, r.Fy /= 9.80665;

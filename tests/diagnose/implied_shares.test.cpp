@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "diagnose/answers/torque_balance.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -49,4 +50,40 @@ TEST_CASE("a stiffer spring implies that torque is missing at its joint and nowh
   CHECK(shares.front().joint == 2);
   // What is left elsewhere is the solver's tolerance, squared.
   CHECK(shares.front().share == close_to(1).epsilon(1e-9));
+}
+
+TEST_CASE("explanations share the joints by their probability, however large the torques that they imply") {
+  const Experiment experiment = measured(presses_without_angles(), {}, {}, 9);
+  const Study study(experiment);
+  const auto explained = [](std::size_t joint, double value) {
+    Fit fit;
+    fit.candidate = {{{"joint_stiffness", joint}}};
+    fit.parameters = {value};
+    return fit;
+  };
+  const std::vector<JointShare> shares =
+      shares_by_fits(study, {explained(1, 0.4), explained(3, 0.02)}, {0.25, 0.75});
+  REQUIRE(shares.size() >= 2);
+  CHECK(shares[0].joint == 3);
+  CHECK(shares[0].share ==
+        close_to(0.75).epsilon(1e-6));  // the solver's tolerance in what is small elsewhere
+  CHECK(shares[1].joint == 1);
+  CHECK(shares[1].share == close_to(0.25).epsilon(1e-6));
+}
+
+TEST_CASE("what the nominal model's own effects carry is not missing") {
+  Experiment experiment = full_bench();
+  experiment.effects = {{"nonlinear_spring", 0, {{"c", 3.0}}}};
+  const Study study(experiment);
+  const Experiment ideal = as_measured(experiment, study.nominal());
+  double carried = 0;
+  for (const auto& joint : missing_torques(ideal))
+    for (const MissingTorque& one : joint) carried = std::max(carried, std::abs(one.torque));
+  CHECK(carried > 1e-3);
+  const auto beyond = missing_torques(study, ideal);
+  REQUIRE(beyond.size() == 3);
+  for (const auto& joint : beyond) {
+    REQUIRE_FALSE(joint.empty());
+    for (const MissingTorque& one : joint) CHECK(std::abs(one.torque) < 1e-12);
+  }
 }

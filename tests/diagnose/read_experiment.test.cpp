@@ -121,6 +121,11 @@ TEST_CASE("a good experiment is read as it stands") {
   CHECK(pull.readings[0].q.empty());
   CHECK(std::isnan(pull.readings[0].x));
   CHECK(pull.readings[1].Fy == 0.01);
+  const auto q2 = std::find_if(press.origins.begin(), press.origins.end(),
+                               [](const Origin& one) { return one.what == "q2"; });
+  REQUIRE(q2 != press.origins.end());
+  CHECK(q2->source == "q2");
+  CHECK(q2->unit == "rad");
 }
 
 TEST_CASE("forces straight down and without noise are those of weights, unless the settings say otherwise") {

@@ -117,6 +117,19 @@ TEST_CASE("a joint that has slack is said to have it") {
   CHECK(offered->pictures.front().words.find("slack of 0.2 rad") != std::string::npos);
 }
 
+TEST_CASE("two knots to a side tell a hardening or a softening spring from a straight one") {
+  const auto words = [](double cubic) {
+    const LawSpan span{-0.4, 0.4, 10};
+    JointTorqueLaw law{{1}, span, Eigen::VectorXd::Zero(law_terms_count), hinge_stiffness};
+    for (Eigen::Index k = 0; k < finest_knots; ++k)
+      law.coefficients(k) = hinge_stiffness * cubic * std::pow(knot_place(span, k), 3);
+    return picture_of(law, 5).words;
+  };
+  CHECK(words(5).find("hardening from") != std::string::npos);
+  CHECK(words(-3).find("softening from") != std::string::npos);
+  CHECK(words(0) == "close to the nominal spring");
+}
+
 TEST_CASE("nothing is offered for noise") {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const Experiment experiment = hinge(
