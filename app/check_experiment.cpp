@@ -85,8 +85,10 @@ std::string what_was_read(const Experiment& experiment) {
   std::string text = experiment.name + "\n\nThe nominal chain\n" + nominal_lines(experiment) + "\nThe runs\n";
   for (const Run& run : experiment.runs) {
     text += fmt::format("  {}: {} imposed, {} readings{}\n", run.id,
-                        run.holds_end_point() ? "the end point is" : "the force is", run.readings.size(),
-                        run.turns_back() ? ", there and back" : "");
+                        run.holds_end_point()  ? "the end point is"
+                        : run.weights_inferred ? "the force, taken for that of weights, is"
+                                               : "the force is",
+                        run.readings.size(), run.turns_back() ? ", there and back" : "");
     text += fmt::format("    rest {:.4g} rad\n", fmt::join(run.rest, ", "));
     for (std::size_t c = 0; c < run.origins.size(); ++c) {
       const bool angle = run.origins[c].what[0] == 'q';

@@ -47,6 +47,8 @@ GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
   }
   for (const Series& series : measurements.series())
     if (series.times > 1) gap.uneven[series.channel] = series.times;
+  for (const Run& run : study.experiment().runs)
+    if (run.weights_inferred) gap.taken_for_weights.push_back(run.id);
   for (const Series& series : measurements.series()) {
     if (series.proportion == 0) continue;
     double& share = gap.proportional[series.channel.name];

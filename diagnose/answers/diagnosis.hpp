@@ -32,6 +32,8 @@ struct GapAnswer {
   std::map<Channel::Name, double> proportional;
   /// Of joints whose angles scatter more than those of the others: how many times.
   std::map<Channel, double> uneven;
+  /// Runs whose forces were taken for those of weights, since they look like it (Run::weights_inferred).
+  std::vector<std::string> taken_for_weights;
 };
 
 /// A parameter of the best explanation with its 95 % bounds, in catalogue units.

@@ -45,6 +45,7 @@ struct Run {
   std::size_t number = 0;            ///< of all runs of the experiment, from 0; see Experiment::run_count
   std::vector<Origin> origins = {};  ///< of t, x, y, Fx, Fy and the joint angles; empty where it was not read
   bool by_weights = false;  ///< whether an imposed force is that of weights, not of a servo on the load cell
+  bool weights_inferred = false;  ///< whether that is told by the forces, not by who took the readings
 
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
   /// What the rig imposes, along x and along y.

@@ -175,6 +175,7 @@ Run read_run(const Section& section, const Shared& shared) {
                                                             : experiment.rest;
   if (!shared.source.plan || section.has("samples")) read_samples_of(section, shared, run);
   run.by_weights = read_by_weights(section, run, experiment);
+  run.weights_inferred = run.by_weights && !section.has("loaded_by");
   return run;
 }
 

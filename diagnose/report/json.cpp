@@ -43,7 +43,8 @@ Json gap(const GapAnswer& answer, const NoiseModel& model) {
           {"rms", by_label(answer.rms)},
           {"noise", noise(model, answer.rms)},
           {"proportional_noise", proportional},
-          {"uneven_noise", by_label(answer.uneven)}};
+          {"uneven_noise", by_label(answer.uneven)},
+          {"taken_for_weights", answer.taken_for_weights}};
 }
 
 Json where(const Where& places) {

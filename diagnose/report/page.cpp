@@ -227,6 +227,8 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
     view["proportional"].push_back({{"sensor", sensor}, {"share", share}});
   for (const auto& [sensor, times] : view["gap"]["uneven_noise"].items())
     view["uneven"].push_back({{"sensor", sensor}, {"times", times}});
+  if (const auto& runs = diagnosis.gap.taken_for_weights; !runs.empty())
+    view["weights"] = fmt::format("{}", fmt::join(runs, ", "));
   view["channels_rms"] = gap_channels(diagnosis.gap, view["gap"]["rms"]);
   add_where(view, report, explained);
   add_cause(view, report, explained);

@@ -40,6 +40,14 @@ TEST_CASE("the result of an operation contains every value that its arguments al
   });
 }
 
+TEST_CASE("pi is enclosed to the last of 64 digits") {
+  const Interval pi = Interval::pi();
+  // 62 decimals, cut off and rounded up
+  CHECK(pi.lower() > Interval::End("3.14159265358979323846264338327950288419716939937510582097494459"));
+  CHECK(pi.upper() < Interval::End("3.14159265358979323846264338327950288419716939937510582097494460"));
+  CHECK(pi.lower() < pi.upper());
+}
+
 TEST_CASE("a decimal is enclosed, not rounded") {
   const Interval tenth(Rational(1, 10));
   CHECK(tenth.contains(Rational(1, 10)));

@@ -30,6 +30,13 @@ TEST_CASE("known end points") {
   CHECK(p.y == close_to(4));
 }
 
+TEST_CASE("the end point reaches the base unless one link is longer than all others together") {
+  CHECK(reach<double>({1, 1, 1}).smallest == 0);
+  CHECK(reach<double>({1, 1, 1}).largest == 3);
+  CHECK(reach<double>({2, 7, 1}).smallest == 4);
+  CHECK(reach<double>({2, 7, 1}).largest == 10);
+}
+
 TEST_CASE("the Jacobian is the derivative of the end point") {
   check_property("central differences in 50 digits", [] {
     const auto n = *rc::gen::inRange<std::size_t>(1, 9);

@@ -80,6 +80,14 @@ TEST_CASE("a symmetric zigzag crosses a bifurcation; a nearly symmetric one turn
   // on the symmetric branch theta = (-a, b, -a) throughout
   for (const auto& p : branch.points) CHECK(std::abs(p.theta(0) - p.theta(2)) < 1e-9);
   const double critical = buckling[0].point.load;
+  // what the crossing says of itself is what the equations say there, to rounding
+  const auto& crossing = buckling[0].point;
+  Expansion<double, 1> at;
+  exact.model.expand(crossing.theta, crossing.force, at);
+  CHECK(at.residual.cwiseAbs().maxCoeff() < 1e-13);
+  CHECK(std::abs(at.end_point.x - crossing.end_point.x) < 1e-13);
+  CHECK(std::abs(at.end_point.y - crossing.end_point.y) < 1e-13);
+  CHECK(std::abs(at.energy - crossing.energy) < 1e-13);
 
   for (const double off : {1e-3, 1e-6, -1e-6, 1e-8, -1e-10, 1e-12}) {
     CAPTURE(off);

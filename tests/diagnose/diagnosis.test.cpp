@@ -271,6 +271,21 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("forces that were taken for weights are said to be, by their runs") {
+  Experiment experiment = full_bench();
+  for (Run& run : experiment.runs) run.by_weights = !run.holds_end_point();
+  const auto said = [&](bool inferred) {
+    Experiment declared = experiment;
+    declared.runs[2].weights_inferred = inferred;
+    return plumbline::diagnose::diagnose(Study(measured(declared, {}, {}, 4)));
+  };
+  const std::string words = "the forces of load-3 point straight down and have no noise: taken for weights";
+  CHECK(as_text(said(true)).find(words) != std::string::npos);
+  CHECK(as_json(said(true))["gap"]["taken_for_weights"] == nlohmann::json{"load-3"});
+  CHECK(as_text(said(false)).find("taken for weights") == std::string::npos);
+  CHECK(as_json(said(false))["gap"]["taken_for_weights"].empty());
+}
+
 TEST_CASE("the report as JSON holds what its format asks for") {
   const nlohmann::ordered_json json = as_json(
       plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {{{"force_gain", 0}}}, {0.1}, 6))));

@@ -153,6 +153,14 @@ TEST_CASE("forces straight down and without noise are those of weights, unless t
     return toml.replace(toml.find(before), before.size(), after);
   };
   CHECK_FALSE(by_weights(with("\"force\"", "\"force\"\nloaded_by = \"servo\""), down));
+  const auto inferred = [](const std::string& toml, const std::string& forces) {
+    const Folder folder;
+    lay(folder, {toml, "", "t,x,y,Fx,Fy\n" + forces});
+    return read_experiment(folder.path()).runs.at(0).weights_inferred;
+  };
+  CHECK(inferred(exact(pull_alone), down));
+  CHECK_FALSE(inferred(pull_alone, down));
+  CHECK_FALSE(inferred(with("\"force\"", "\"force\"\nloaded_by = \"weights\""), down));
   CHECK_FALSE(by_weights(with("gravity_plane = \"vertical\"\n", ""), down));
   CHECK(by_weights(with("[0.0, -1.0]", "[0.447, -0.894]"), "0,0.45,0,0,0\n2,0.45,0,0.05,-0.1\n"));
   CHECK(

@@ -5,6 +5,8 @@ from fault import Fault
 
 INSTEAD = {"<": ["<=", ">"], "<=": ["<"], ">": [">=", "<"], ">=": [">"], "==": ["!="], "!=": ["=="], "&&": ["||"],
            "||": ["&&"], "+": ["-"], "-": ["+"], "*": ["/"], "/": ["*"], "%": ["*"], "and": ["or"], "or": ["and"]}
+# what counts: among real numbers a comparison that takes equality too is the same
+COUNTED = re.compile(r"(?:(?<![\w.])\d+|size\(\)|\b(?:\w*_)?(?:size|count|n|rows|cols|end)_?(?:\(\))?)$")
 # what assigns, or calls for the sake of what it does
 EFFECT = re.compile(r"(?:\+\+|--|\*)?[\w:.>\[\]()*+-]+(?: (?:[-+*/%|&^]|<<|>>)?= |\(|;)")
 # what is the same of its arguments in any order
@@ -20,7 +22,10 @@ def operators(source):
         (begin, middle), (after, end) = source.operands(i)
         if '"' in source.text[middle - 1:after + 1]:
             continue  # texts are joined by +
+        counted = any(COUNTED.search(source.text[b:e].strip()) for b, e in ((begin, middle), (after, end)))
         for other in INSTEAD.get(token.text, []):
+            if other == token.text + "=" and not counted or token.text == other + "=" and not counted:
+                continue
             text = source.text[begin:token.begin] + other + source.text[token.end:end]
             yield Fault.at(source, begin, end, text, f"`{token.text}` is `{other}`", token.begin)
 
@@ -33,7 +38,9 @@ def constants(source):
         # what is written with an exponent is a tolerance or a unit: not taken
         if token.kind == "number" and re.fullmatch(r"\d+|\d*\.\d*", token.text):
             value = float(token.text)
-            other = str(int(value) + 1) if token.text.isdigit() else repr(2 * value) if value else "1.0"
+            few = token.text.isdigit() and value < 10
+            other = str(int(value) + 1) if few else str(2 * int(value)) if token.text.isdigit() \
+                else repr(2 * value) if value else "1.0"
             yield Fault.at(source, token.begin, token.end, other, f"`{token.text}` is `{other}`")
 
 

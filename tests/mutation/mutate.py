@@ -9,9 +9,9 @@ A fault is to be caught by the suite of its own folder: a test case fails, crash
 folder are compiled at once, in a copy of the project (build-mutation), and a process chooses one; it is offered only to the
 test cases that come by its place, the shortest first. What was caught before is not tried again with --survivors."""
 import argparse
+import hashlib
 import json
 import pathlib
-import random
 import re
 import subprocess
 import sys
@@ -52,6 +52,12 @@ def generated_faults(wanted, folders, source):
             name = path.relative_to(ROOT).as_posix()
             if path.suffix in (".cpp", ".hpp", ".py") and "/coq/" not in name and (wanted is None or name in wanted):
                 yield from (f for f in all_faults(source(name)) if wanted is None or f.line in wanted[name])
+
+
+def drawn(seed, fault, source):
+    """A place at random among all faults that a change of other lines does not move."""
+    line = source.text.splitlines()[fault.line - 1].strip()
+    return hashlib.sha256(f"{seed} {fault.path} {line} {fault.what} {fault.after}".encode()).digest()
 
 
 def pattern(name):
@@ -146,7 +152,7 @@ def main():
         for fault in made:
             fault.argued = argued.get(fault.key, "")
         count = len(made)
-        random.Random(options.seed).shuffle(made)
+        made.sort(key=lambda fault: drawn(options.seed, fault, source(fault.path)))
         faults += made[:options.generated] if options.generated else made
         print(f"{count} faults can be made", file=sys.stderr)
     if options.list:

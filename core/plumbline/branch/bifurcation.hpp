@@ -168,8 +168,7 @@ class BifurcationSolver {
   /// The two directions c with c^T Q c = 0, of unit length; none where Q is definite: an isolated point.
   [[nodiscard]] std::vector<Variation<Real>> tangents(const Eigen::Matrix<Real, 2, 2>& Q) const {
     using std::abs, std::sqrt;
-    const Real &a = Q(0, 0), &c = Q(1, 1);
-    const Real b = (Q(0, 1) + Q(1, 0)) / Real(2), square = b * b - a * c;
+    const Real &a = Q(0, 0), &b = Q(0, 1), &c = Q(1, 1), square = b * b - a * c;
     if (!(square > Real(0))) return {};
     const Real root =
         b < Real(0) ? Real(b - sqrt(square)) : Real(b + sqrt(square));  // a x^2 + 2 b x y + c y^2
