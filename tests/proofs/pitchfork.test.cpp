@@ -7,6 +7,7 @@
 #include "proofs/decimal.hpp"
 #include "proofs/joined_branches.hpp"
 #include "proofs/unfolding.hpp"
+#include "tests/close_to.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;
@@ -97,6 +98,21 @@ TEST_CASE("a chain that is symmetric but for one unit in a far digit has no pitc
     REQUIRE(open.branches[0].gaps.size() == 1);
     CHECK(open.branches[0].gaps[0].unfolded == decided);
   }
+  // what is left open is told in the units of the chain
+  const Rational large(1000000000);
+  const auto bends_by = decimals({"0", "0.3", "-0.2999999999999999"});
+  const auto gaps = [&](const Rational& unit) {
+    const double last = 0.1 * static_cast<double>(unit);
+    return proved({Chain<Rational>({unit, unit, unit}, {0, 1, 1}, bends_by), Control::end_point, last})
+        .branches[0]
+        .gaps;
+  };
+  const auto plain = gaps(1), scaled = gaps(large);
+  REQUIRE(plain.size() == 1);
+  REQUIRE(scaled.size() == 1);
+  // strides in other units are others, so that the ends agree to a share of the loads alone
+  CHECK(scaled[0].loads.low == close_to(1e9 * plain[0].loads.low).epsilon(1e-2));
+  CHECK(scaled[0].loads.high == close_to(1e9 * plain[0].loads.high).epsilon(1e-2));
   // not straight by as little, and loaded from the side by as little
   const Chain<Rational> bent({1, 1, 1}, {1, 1, 1}, decimals({"0", "1e-30", "0"}));
   const JoinedBranches under_force = proved({bent, Control::force, 0.3});

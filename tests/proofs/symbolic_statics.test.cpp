@@ -29,3 +29,12 @@ TEST_CASE("balance of torques and Hessian are the derivatives of the potential, 
       CHECK((H(i, j) - potential.diff(theta[i]).diff(theta[j])).expand().is_zero());
   }
 }
+
+TEST_CASE("a straight chain ends where its links together reach, and one turned by a right angle above") {
+  const symbol L1("L1"), L2("L2");
+  const auto end = [&](const ex& q1, const ex& q2) { return end_point({{L1, L2}, {1, 1}, {q1, q2}}); };
+  CHECK(end(0, 0)(0, 0).is_equal(L1 + L2));
+  CHECK(end(0, 0)(1, 0).is_zero());
+  CHECK(end(0, GiNaC::Pi / 2)(0, 0).is_equal(L1));
+  CHECK(end(0, GiNaC::Pi / 2)(1, 0).is_equal(L2));
+}
