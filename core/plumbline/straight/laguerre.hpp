@@ -54,18 +54,17 @@ template <class T, std::size_t terms>
   a /= f[1];
   const R A = rough_ratio(f[0], f[1]), B = rough_ratio(f[2], f[1]), C = rough_ratio(f[3], f[1]);
   const R squares = B * B - (C + C), nearness = larger(larger(R(B * B), squares), R(R{} + 1)) * A * A;
-  R higher = (B * B + B * B - C) * A * A, left = 16 * nearness * A, factor = nearness;
+  R higher = (B * B + B * B - C) * A * A, left = 16 * nearness * A;
   if constexpr (terms > 4) {
     higher += (5 * B * (B * B - C) + f[4] / f[1]) * A * A * A;
     left *= 4 * nearness;
-    factor = R{} + 1;
   }
   ab /= f[1];
   ab *= a;
   ab += T(higher);
   ab *= a;
   a += ab;
-  return {T(-a), nearness, left, factor};
+  return {T(-a), nearness, left, terms > 4 ? R(R{} + 1) : nearness};
 }
 
 /// Laguerre's step: from between two roots it reaches towards either, and not beyond; from below the lowest
