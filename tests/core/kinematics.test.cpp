@@ -34,6 +34,7 @@ TEST_CASE("the end point reaches the base unless one link is longer than all oth
   CHECK(reach<double>({1, 1, 1}).smallest == 0);
   CHECK(reach<double>({1, 1, 1}).largest == 3);
   CHECK(reach<double>({2, 7, 1}).smallest == 4);
+  CHECK(reach<double>({2, 3.5, 1}).smallest == 0.5);
   CHECK(reach<double>({2, 7, 1}).largest == 10);
 }
 
