@@ -63,7 +63,7 @@ TEST_CASE("a critical force is not below itself, whatever the sign before it") {
 }
 
 TEST_CASE("whether a long string keeps within the range of its type is asked of every bead") {
-  for (const std::size_t at : {2U, 9U, 17U, 30U}) {
+  for (const std::size_t at : {0U, 2U, 9U, 17U, 30U, 39U}) {
     std::vector<double> length(40, 1), stiffness(40, 1);
     CHECK(BeadString<double>(Chain<double>(length, stiffness)).in_range());
     CAPTURE(at);
