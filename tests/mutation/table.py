@@ -27,8 +27,8 @@ def survivors(faults, results):
 
 
 def survivors_allowed(faults, results, least):
-    """How many may survive where this share, in per cent, is to be caught; one of few may, for a comparison of real numbers that
-    takes equality too is the same."""
+    """How many may survive where this share, in per cent, is to be caught; one of few may, for a guess that leads to the same place
+    later is no less right."""
     planted, _, argued = sorted_out(faults, results)
     return math.ceil((100 - least) / 100 * (len(planted) - len(argued)))
 
