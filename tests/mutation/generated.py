@@ -24,7 +24,7 @@ def operators(source):
             continue  # texts are joined by +
         counted = any(COUNTED.search(source.text[b:e].strip()) for b, e in ((begin, middle), (after, end)))
         for other in INSTEAD.get(token.text, []):
-            if other == token.text + "=" and not counted or token.text == other + "=" and not counted:
+            if not counted and {token.text, other} in ({"<", "<="}, {">", ">="}):
                 continue
             text = source.text[begin:token.begin] + other + source.text[token.end:end]
             yield Fault.at(source, begin, end, text, f"`{token.text}` is `{other}`", token.begin)

@@ -56,8 +56,7 @@ def generated_faults(wanted, folders, source):
 
 def drawn(seed, fault, source):
     """A place at random among all faults that a change of other lines does not move."""
-    line = source.text.splitlines()[fault.line - 1].strip()
-    return hashlib.sha256(f"{seed} {fault.path} {line} {fault.what} {fault.after}".encode()).digest()
+    return hashlib.sha256(f"{seed} {fault.path} {source.text_of(fault.line)} {fault.what} {fault.after}".encode()).digest()
 
 
 def pattern(name):

@@ -66,6 +66,10 @@ class Source:
     def line(self, place):
         return bisect.bisect_right(self.lines, place)
 
+    def text_of(self, line):
+        begin = self.lines[line - 1]
+        return self.text[begin:self.text.find("\n", begin)].strip()
+
     def __getitem__(self, i):
         return self.tokens[i].text if 0 <= i < len(self.tokens) else ""
 

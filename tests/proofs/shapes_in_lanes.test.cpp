@@ -13,10 +13,15 @@ using namespace plumbline::proofs;
 
 namespace {
 
-/// The angles of a mode in a hundred digits as ShapeInLanes has them: the largest 1, the first one positive.
-std::vector<double> in_doubles(const Mode<Mpfr>& mode) {
+Mpfr largest_angle(const Mode<Mpfr>& mode) {
   Mpfr largest = 0;
   for (const Mpfr& angle : mode.q) largest = std::max(largest, Mpfr(abs(angle)));
+  return largest;
+}
+
+/// The angles of a mode in a hundred digits as ShapeInLanes has them: the largest 1, the first one positive.
+std::vector<double> in_doubles(const Mode<Mpfr>& mode) {
+  const Mpfr largest = largest_angle(mode);
   std::vector<double> q;
   for (const Mpfr& angle : mode.q) q.push_back(static_cast<double>(Mpfr(angle / largest)));
   return q;
@@ -24,10 +29,8 @@ std::vector<double> in_doubles(const Mode<Mpfr>& mode) {
 
 /// What balances the moment at the base of a straight chain, at the angles of ShapeInLanes.
 Rational lateral_force(const Chain<Rational>& chain, const Mode<Mpfr>& mode) {
-  Mpfr largest = 0;
-  for (const Mpfr& angle : mode.q) largest = std::max(largest, Mpfr(abs(angle)));
   const Rational length = std::accumulate(chain.length().begin(), chain.length().end(), Rational(0));
-  return -chain.stiffness()[0] / length * Rational(Mpfr(mode.q[0] / largest));
+  return -chain.stiffness()[0] / length * Rational(Mpfr(mode.q[0] / largest_angle(mode)));
 }
 
 /// How many shapes lanes leave open; the others are the nearest doubles.
