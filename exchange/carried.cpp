@@ -64,6 +64,9 @@ Carried law_carried(const Model& model, const diagnose::FreeLaw& law, Format for
   const std::string label = fmt::format("torque_law({})", law.joint);
   if (format != Format::mjcf)
     return {label, false, "joints of this format know no free torque law: the table at the head of the file"};
+  if (std::any_of(law.sliders.begin(), law.sliders.end(),
+                  [](const auto& one) { return !one.profile.empty(); }))
+    return {label, false, "friction that changes with the deflection: the table at the head of the file"};
   const bool widens =
       std::any_of(law.sliders.begin(), law.sliders.end(), [](const auto& one) { return one.growth > 0; });
   if (widens && rig_with(model, model.experiment.effects).backlash[law.joint - 1] > 0)

@@ -13,12 +13,21 @@ void add_law(const diagnose::FreeLaw& law, std::vector<std::string>& lines) {
       law.joint));
   for (const auto& knot : law.knots)
     lines.push_back(fmt::format("  {:.6g} {:.6g}", knot.deflection, knot.torque));
-  for (const auto& one : law.sliders)
+  for (const auto& one : law.sliders) {
+    if (!one.profile.empty()) {
+      lines.push_back(
+          fmt::format("  a slider that slips after {:.6g} rad, at a torque that goes with the deflection:",
+                      one.slips_at));
+      for (const auto& knot : one.profile)
+        lines.push_back(fmt::format("    {:.6g} {:.6g}", knot.deflection, knot.torque));
+      continue;
+    }
     lines.push_back(
         one.growth > 0
             ? fmt::format("  a slider along d^2/2 that slips from {:.6g} rad on at {:.6g} N m/rad",
                           one.slips_at, one.growth)
             : fmt::format("  a slider that slips after {:.6g} rad at {:.6g} N m", one.slips_at, one.torque));
+  }
   for (const auto& one : law.arms)
     lines.push_back(fmt::format("  a Maxwell arm of {:.6g} N m/rad, time constant {:.6g} s", one.stiffness,
                                 one.time_constant));

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 #include "exchange/carried.hpp"
 
@@ -26,14 +27,27 @@ std::string effect_table(const diagnose::NominalEffect& effect) {
   return text + "parameters = { " + parameters + " }\n";
 }
 
+/// Deflections and torques of knots.
+std::array<std::vector<double>, 2> columns(const std::vector<diagnose::FreeLaw::Knot>& knots) {
+  std::array<std::vector<double>, 2> both;
+  for (const auto& knot : knots) both[0].push_back(knot.deflection), both[1].push_back(knot.torque);
+  return both;
+}
+
+std::string slider_table(const diagnose::FreeLaw::Slider& one) {
+  if (one.profile.empty())
+    return fmt::format("{{ slips_at = {}, {} = {} }}", one.slips_at, one.growth > 0 ? "growth" : "torque",
+                       one.growth > 0 ? one.growth : one.torque);
+  const auto [deflection, torque] = columns(one.profile);
+  return fmt::format("{{ slips_at = {}, deflection = [{}], torque = [{}] }}", one.slips_at,
+                     fmt::join(deflection, ", "), fmt::join(torque, ", "));
+}
+
 std::string law_table(const diagnose::FreeLaw& law) {
-  std::vector<double> deflection, torque;
-  for (const auto& knot : law.knots) deflection.push_back(knot.deflection), torque.push_back(knot.torque);
+  const auto [deflection, torque] = columns(law.knots);
   std::string text = fmt::format("\n[[nominal.torque_law]]\njoint = {}\n", law.joint), sliders, arms;
   text += list("deflection", deflection) + list("torque", torque);
-  for (const auto& one : law.sliders)
-    sliders += fmt::format("{}{{ slips_at = {}, {} = {} }}", sliders.empty() ? "" : ", ", one.slips_at,
-                           one.growth > 0 ? "growth" : "torque", one.growth > 0 ? one.growth : one.torque);
+  for (const auto& one : law.sliders) sliders += (sliders.empty() ? "" : ", ") + slider_table(one);
   for (const auto& one : law.arms)
     arms += fmt::format("{}{{ time_constant = {}, stiffness = {} }}", arms.empty() ? "" : ", ",
                         one.time_constant, one.stiffness);

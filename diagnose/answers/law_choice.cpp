@@ -7,8 +7,11 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// What is held against curvature, over the squares of a knot's term.
-constexpr double smoothnesses[] = {1e-6, 1e-4, 1e-2, 1.0};
+/// What may be held against curvature, over the squares of a knot's term. A law with a profile has many knots
+/// on both counts, and is smooth.
+std::vector<double> smoothnesses(const LawShape& shape) {
+  return shape.profile ? std::vector{1e-2, 1e-1} : std::vector{1e-6, 1e-4, 1e-2, 1.0};
+}
 
 /// What a shape may be changed to, a part of it at a time.
 using Choices = std::vector<std::vector<Eigen::Index>>;
@@ -37,8 +40,9 @@ std::vector<LawShape> neighbours(const LawShape& shape) {
 }
 
 /// The finest terms as combinations of a shape's, for one law.
-Eigen::MatrixXd selection(const LawShape& shape) {
-  Eigen::MatrixXd chosen = Eigen::MatrixXd::Zero(law_terms_count, shape.terms());
+/// \param all_terms  those of profiles among them or not
+Eigen::MatrixXd selection(const LawShape& shape, Eigen::Index all_terms) {
+  Eigen::MatrixXd chosen = Eigen::MatrixXd::Zero(all_terms, shape.terms());
   const double stride = static_cast<double>(finest_knots - 1) / static_cast<double>(shape.knots - 1);
   for (Eigen::Index fine = 0; fine < finest_knots; ++fine)
     for (Eigen::Index k = 0; k < shape.knots; ++k)
@@ -47,6 +51,9 @@ Eigen::MatrixXd selection(const LawShape& shape) {
   Eigen::Index column = shape.knots;
   for (const Eigen::Index m : shape.sliders) chosen(finest_knots + m, column++) = 1;
   for (const Eigen::Index m : shape.arms) chosen(finest_knots + slider_terms + m, column++) = 1;
+  if (shape.profile)
+    chosen.block(plain_terms + *shape.profile * profile_knots, column, profile_knots, profile_knots)
+        .setIdentity();
   return chosen;
 }
 
@@ -55,12 +62,17 @@ Eigen::MatrixXd selection(const LawShape& shape) {
 Eigen::MatrixXd penalty(const LawShape& shape, double smoothness) {
   constexpr double evenness = 1e-5, size = 1e-6;
   Eigen::MatrixXd weight = size * Eigen::MatrixXd::Identity(shape.terms(), shape.terms());
-  for (Eigen::Index k = 1; k + 1 < shape.knots; ++k) {
-    Eigen::VectorXd bend = Eigen::VectorXd::Zero(shape.terms());
-    bend(k - 1) = bend(k + 1) = 1;
-    bend(k) = -2;
-    weight += smoothness * bend * bend.transpose();
-  }
+  const auto hold_straight = [&](Eigen::Index first, Eigen::Index knots) {
+    for (Eigen::Index k = first + 1; k + 1 < first + knots; ++k) {
+      Eigen::VectorXd bend = Eigen::VectorXd::Zero(shape.terms());
+      bend(k - 1) = bend(k + 1) = 1;
+      bend(k) = -2;
+      weight += smoothness * bend * bend.transpose();
+    }
+  };
+  const Eigen::Index profile_at = shape.knots + shape.losses();
+  hold_straight(0, shape.knots);
+  hold_straight(profile_at, shape.terms() - profile_at);
   const Eigen::Index middle = shape.knots / 2;
   for (Eigen::Index k = 1; k <= middle; ++k) {
     Eigen::VectorXd even = Eigen::VectorXd::Zero(shape.terms());
@@ -68,7 +80,7 @@ Eigen::MatrixXd penalty(const LawShape& shape, double smoothness) {
     even(middle) = -2;
     weight += evenness * even * even.transpose();
   }
-  for (Eigen::Index m = shape.knots; m < shape.terms(); ++m) weight(m, m) += 0.1 * smoothness;
+  for (Eigen::Index m = shape.knots; m < profile_at; ++m) weight(m, m) += 0.1 * smoothness;
   return weight;
 }
 
@@ -85,16 +97,19 @@ LawSums reduced(const Eigen::MatrixXd& chosen, const LawSums& full) {
   return {chosen.transpose() * full.terms * chosen, chosen.transpose() * full.with_residual, full.residual};
 }
 
-/// Least squares in the coefficients of a shape; sliders and arms dissipate, so none is negative.
+/// Least squares in the coefficients of a shape; sliders and arms dissipate, so none is negative. A profile
+/// may be: a joint that is driven, or switched at the ends of its way, gives back more than it took.
 Eigen::VectorXd solve(const LawShape& shape, const LawSums& sums, const Eigen::MatrixXd& held_against) {
   Eigen::MatrixXd normal = sums.terms + held_against;
   Eigen::VectorXd right = sums.with_residual;
   while (true) {
     const Eigen::VectorXd solution = normal.ldlt().solve(right);
     Eigen::Index worst = -1;
-    for (Eigen::Index i = 0; i < solution.size(); ++i)
-      if (i % shape.terms() >= shape.knots && solution(i) < 0 && (worst < 0 || solution(i) < solution(worst)))
-        worst = i;
+    for (Eigen::Index i = 0; i < solution.size(); ++i) {
+      const Eigen::Index term = i % shape.terms() - shape.knots;
+      const bool dissipates = term >= 0 && term < shape.losses();
+      if (dissipates && solution(i) < 0 && (worst < 0 || solution(i) < solution(worst))) worst = i;
+    }
     if (worst < 0) return solution;
     normal.row(worst).setZero();
     normal.col(worst).setZero();
@@ -131,13 +146,14 @@ bool affordable(const LawShape& shape, std::size_t laws, std::size_t values) {
 }
 
 ChosenLaw fit_law(const LawShape& shape, std::size_t laws, const std::vector<LawSums>& by_fold) {
-  const Eigen::MatrixXd chosen = repeated(selection(shape), laws);
+  const Eigen::Index all_terms = by_fold.front().with_residual.size() / static_cast<Eigen::Index>(laws);
+  const Eigen::MatrixXd chosen = repeated(selection(shape, all_terms), laws);
   std::vector<LawSums> parts;
   for (const LawSums& part : by_fold) parts.push_back(reduced(chosen, part));
   LawSums whole = parts.front();
   for (std::size_t f = 1; f < parts.size(); ++f) whole += parts[f];
   ChosenLaw best;
-  for (const double smoothness : smoothnesses) {
+  for (const double smoothness : smoothnesses(shape)) {
     const Eigen::MatrixXd held_against =
         knot_scale(shape, whole) * repeated(penalty(shape, smoothness), laws);
     double left = 0;
@@ -156,17 +172,22 @@ ChosenLaw choose_law(const std::vector<LawSums>& by_fold, std::size_t values) {
   constexpr int rounds = 6;
   // A term that is not there gains by chance, in chi-square, one or two.
   constexpr double noticed = 4;
+  // Of the squares: a profile follows much that has another reason.
+  constexpr double clearly = 0.8;
   ChosenLaw best = fit_law({}, 1, by_fold);
+  const auto try_one = [&](const LawShape& other, double asked) {
+    if (!affordable(other, 1, values)) return;
+    if (ChosenLaw trial = fit_law(other, 1, by_fold); trial.left < best.left - asked) best = std::move(trial);
+  };
   for (int round = 0; round < rounds; ++round) {
     const double before = best.left;
-    for (const LawShape& other : neighbours(best.shape)) {
-      if (!affordable(other, 1, values)) continue;
-      const double asked = other.terms() > best.shape.terms() ? noticed : 0;
-      if (ChosenLaw trial = fit_law(other, 1, by_fold); trial.left < best.left - asked)
-        best = std::move(trial);
-    }
+    for (const LawShape& other : neighbours(best.shape))
+      try_one(other, other.terms() > best.shape.terms() ? noticed : 0);
     if (!(best.left < before)) break;
   }
+  const double asked = (1 - clearly) * best.left;
+  for (Eigen::Index slip = 0; slip < profile_count; ++slip)
+    try_one({profile_knots, {}, {}, slip}, best.shape.profile ? 0 : asked);
   return best;
 }
 

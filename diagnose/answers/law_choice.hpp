@@ -2,6 +2,8 @@
 /// \file
 /// Which terms a torque law takes and how smooth it is, by cross-validation.
 
+#include <optional>
+
 #include "diagnose/answers/law_terms.hpp"
 
 namespace plumbline::diagnose {
@@ -22,10 +24,13 @@ struct LawSums {
 struct LawShape {
   Eigen::Index knots = 3;
   std::vector<Eigen::Index> sliders = {}, arms = {};
+  std::optional<Eigen::Index> profile = {};  ///< which of the sliders that may have one
 
-  [[nodiscard]] Eigen::Index terms() const {
-    return knots + static_cast<Eigen::Index>(sliders.size() + arms.size());
+  /// Those that dissipate.
+  [[nodiscard]] Eigen::Index losses() const {
+    return static_cast<Eigen::Index>(sliders.size() + arms.size());
   }
+  [[nodiscard]] Eigen::Index terms() const { return knots + losses() + (profile ? profile_knots : 0); }
 };
 
 /// Laws side by side, all of one shape.
@@ -41,7 +46,7 @@ struct ChosenLaw {
 ChosenLaw fit_law(const LawShape& shape, std::size_t laws, const std::vector<LawSums>& by_fold);
 
 /// The best one law over its shape: from a straight one, changed in one part at a time (knots, sliders, arms)
-/// while that helps.
+/// while that helps; or one of a slider with a profile, where that leaves clearly less.
 /// \param values  how many values there are
 ChosenLaw choose_law(const std::vector<LawSums>& by_fold, std::size_t values);
 

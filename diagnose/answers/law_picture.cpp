@@ -96,9 +96,28 @@ void add_rest(const std::vector<FreeLaw::Knot>& knots, const JointTorqueLaw& law
   }
 }
 
+/// Where its loop is widest and where narrowest, of the knots where the joint was bent.
+void add_profile(const FreeLaw::Slider& one, const LawSpan& span, Parts& parts) {
+  std::vector<FreeLaw::Knot> within;
+  for (const FreeLaw::Knot& knot : one.profile)
+    if (knot.deflection >= span.low && knot.deflection <= span.high) within.push_back(knot);
+  const auto narrower = [](const FreeLaw::Knot& a, const FreeLaw::Knot& b) {
+    return std::abs(a.torque) < std::abs(b.torque);
+  };
+  const auto [narrow, wide] = std::minmax_element(within.begin(), within.end(), narrower);
+  parts.push_back(fmt::format("loop of {:.2g} N m at {:.2g} rad and of {:.2g} N m at {:.2g} rad",
+                              2 * wide->torque, wide->deflection, 2 * narrow->torque, narrow->deflection));
+  if (wide->torque < 0) parts.emplace_back("where the way back gives more than the way there took");
+  parts.push_back(fmt::format("closed {:.2g} rad after a reversal", 2 * one.slips_at));
+}
+
 void add_memory(const LawPicture& picture, const LawSpan& span, Parts& parts) {
   double within = 0, at_end = 0, widest = 0;
   for (const FreeLaw::Slider& one : picture.sliders) {
+    if (!one.profile.empty()) {
+      add_profile(one, span, parts);
+      continue;
+    }
     within += 2 * one.torque;
     at_end += 2 * (one.torque + one.growth * span.deflection());
     // After a reversal at the largest deflection, where it slides along d^2/2.

@@ -37,6 +37,16 @@ void relax(const LawSpan& span, double turn, double dt, History& history) {
   }
 }
 
+/// Hat functions of so many knots, which lie evenly over both signs: straight on beyond the outer ones.
+Eigen::RowVectorXd hats(const LawSpan& span, Eigen::Index knots, double deflection) {
+  const double place = (deflection / span.deflection() + 1) / 2 * static_cast<double>(knots - 1);
+  const auto left = static_cast<Eigen::Index>(std::clamp(place, 0.0, static_cast<double>(knots - 2)));
+  Eigen::RowVectorXd all = Eigen::RowVectorXd::Zero(knots);
+  all(left) = 1 - (place - static_cast<double>(left));
+  all(left + 1) = place - static_cast<double>(left);
+  return all;
+}
+
 }  // namespace
 
 double knot_place(const LawSpan& span, Eigen::Index knot) {
@@ -51,18 +61,18 @@ Eigen::MatrixXd law_terms(const LawSpan& span, const Run& run, const Eigen::Vect
   for (Eigen::Index i = 0; i < deflection.size(); ++i) {
     const double d = deflection(i);
     if (!std::isfinite(d)) continue;
-    const double place = (d / span.deflection() + 1) / 2 * static_cast<double>(finest_knots - 1);
-    const auto left =
-        static_cast<Eigen::Index>(std::clamp(place, 0.0, static_cast<double>(finest_knots - 2)));
-    terms(i, left) = 1 - (place - static_cast<double>(left));
-    terms(i, left + 1) = place - static_cast<double>(left);
+    terms.row(i).head(finest_knots) = hats(span, finest_knots, d);
     const double t = run.readings[static_cast<std::size_t>(i)].t;
     slide(span, last, d, history);
     if (span.duration > 0 && std::isfinite(last_time)) relax(span, d - last, t - last_time, history);
     terms.row(i).segment(finest_knots, slip_places) = history.slider.matrix().transpose();
     terms.row(i).segment(finest_knots + slip_places, slip_places) =
         d / span.deflection() * history.widening.matrix().transpose();
-    terms.row(i).tail(arm_terms) = history.arm.matrix().transpose();
+    terms.row(i).segment(finest_knots + slider_terms, arm_terms) = history.arm.matrix().transpose();
+    const Eigen::RowVectorXd profile = hats(span, profile_knots, d);
+    for (Eigen::Index p = 0; p < profile_count; ++p)
+      terms.row(i).segment(plain_terms + p * profile_knots, profile_knots) =
+          history.slider(profile_slips[p]) * profile;
     last = d;
     last_time = t;
   }
@@ -84,6 +94,15 @@ FreeLaw free_law(const LawSpan& span, Eigen::Index knots, const Eigen::VectorXd&
   for (Eigen::Index m = 0; m < arm_terms; ++m)
     if (const double torque = share * coefficients(finest_knots + slider_terms + m); torque > 0)
       law.arms.push_back({time_shares[m] * span.duration, torque / span.deflection()});
+  for (Eigen::Index p = 0; p < profile_count && coefficients.size() > plain_terms; ++p) {
+    const Eigen::VectorXd torques =
+        share * coefficients.segment(plain_terms + p * profile_knots, profile_knots);
+    if (torques.isZero(0)) continue;
+    law.sliders.push_back({slip_shares[profile_slips[p]] * span.stroke(), 0, 0});
+    for (Eigen::Index k = 0; k < profile_knots; ++k)
+      law.sliders.back().profile.push_back(
+          {knot_place(span, k * (finest_knots - 1) / (profile_knots - 1)), torques(k)});
+  }
   return law;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The terms of a free torque law at a joint: hat functions of the deflection, sliders and relaxing arms.
+/// The terms of a free torque law at a joint: hat functions of the deflection, sliders, relaxing arms, and
+/// profiles of sliders.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -35,7 +36,14 @@ inline constexpr double time_shares[] = {0.03, 0.15, 0.6};
 inline constexpr Eigen::Index slip_places = std::size(slip_shares);
 inline constexpr Eigen::Index slider_terms = 2 * slip_places;
 inline constexpr Eigen::Index arm_terms = std::size(time_shares);
-inline constexpr Eigen::Index law_terms_count = finest_knots + slider_terms + arm_terms;
+/// Terms of a law without profiles, which come after them.
+inline constexpr Eigen::Index plain_terms = finest_knots + slider_terms + arm_terms;
+/// Those of the slips that a slider with a profile may have: what takes less of the stroke is a step.
+inline constexpr Eigen::Index profile_slips[] = {2, 3, 4};
+/// The finest knots of a profile, every second of a law's.
+inline constexpr Eigen::Index profile_knots = 17;
+inline constexpr Eigen::Index profile_count = std::size(profile_slips);
+inline constexpr Eigen::Index law_terms_count = plain_terms + profile_count * profile_knots;
 
 /// Deflection of a knot, rad.
 double knot_place(const LawSpan& span, Eigen::Index knot);
@@ -43,8 +51,9 @@ double knot_place(const LawSpan& span, Eigen::Index knot);
 /// Every term at every reading of a run, a row a reading: hats (outside of the knots they go on straight),
 /// then sliders (stop operators of Prandtl and Ishlinskii: +-1 where they slip), those that slide along d^2/2
 /// times the deflection over the largest, then Maxwell arms, in units of a spring's torque at the largest
-/// deflection. The sliders come from rest at no deflection; the arms are at ease at the first reading. \param
-/// deflection  by reading; NaN where unknown: the row is zero and history passes over it
+/// deflection; then, for each slider that may have a profile, the hats of that, times the slider. The sliders
+/// come from rest at no deflection; the arms are at ease at the first reading.
+/// \param deflection  by reading; NaN where unknown: the row is zero and history passes over it
 Eigen::MatrixXd law_terms(const LawSpan& span, const Run& run, const Eigen::VectorXd& deflection);
 
 /// The law of these coefficients as the rig has it.

@@ -77,6 +77,11 @@ void for_each_part(const Study& study, const Response& rig, const JointTorqueLaw
 /// Where the law may be: laws without coefficients yet.
 using Placement = std::vector<JointTorqueLaw>;
 
+/// How many terms each law of a placement may have: where each joint has its own, none has a profile.
+Eigen::Index terms_of(const Placement& place) {
+  return place.size() > 1 ? plain_terms : law_terms_count;
+}
+
 JointTorqueLaw blank(const Study& study, const Response& rig, const std::vector<std::size_t>& joints) {
   JointTorqueLaw law;
   law.span = span_of(study, rig, joints);
@@ -108,7 +113,7 @@ std::size_t fold_of(std::size_t run, std::size_t reading, std::size_t readings) 
 
 std::vector<LawSums> sums_of(const Study& study, const Response& rig, const Placement& place,
                              const std::vector<double>& residual, const NoiseModel& noise) {
-  const auto width = static_cast<Eigen::Index>(place.size()) * law_terms_count;
+  const Eigen::Index own = terms_of(place), width = static_cast<Eigen::Index>(place.size()) * own;
   const LawSums none{Eigen::MatrixXd::Zero(width, width), Eigen::VectorXd::Zero(width), 0};
   std::vector<LawSums> by_fold(folds, none);
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(residual.size()), width);
@@ -120,8 +125,8 @@ std::vector<LawSums> sums_of(const Study& study, const Response& rig, const Plac
         for (std::size_t i = 0; i < series.readings.size(); ++i) {
           const auto reading = static_cast<Eigen::Index>(series.readings[i]);
           slopes.row(static_cast<Eigen::Index>(series.first + i))
-              .segment(static_cast<Eigen::Index>(b) * law_terms_count, law_terms_count) +=
-              answer(reading) / (series.sigmas[i] * noise.of(series.channel)) * terms.row(reading);
+              .segment(static_cast<Eigen::Index>(b) * own, own) +=
+              answer(reading) / (series.sigmas[i] * noise.of(series.channel)) * terms.row(reading).head(own);
         }
       }
     });
@@ -174,7 +179,7 @@ std::vector<double> to_explain(const Study& study, const Response& with, const T
   std::vector<double> residual = without_outliers(study.measurements(), study.residual(with.given));
   for (const JointTorqueLaw& one : law.laws)
     for_each_part(study, with, one, [&](std::size_t a, std::size_t run, const Eigen::MatrixXd& terms) {
-      const Eigen::VectorXd torque = terms * one.coefficients;
+      const Eigen::VectorXd torque = terms.leftCols(one.coefficients.size()) * one.coefficients;
       for (const Series& series : study.measurements().series()) {
         if (series.run != run) continue;
         const auto answer = with.per_torque[a][run].col(column_of(series.channel));
@@ -188,9 +193,9 @@ std::vector<double> to_explain(const Study& study, const Response& with, const T
 }
 
 void take(const Eigen::VectorXd& coefficients, TorqueLaw& law) {
+  const Eigen::Index own = terms_of(law.laws);
   for (std::size_t b = 0; b < law.laws.size(); ++b)
-    law.laws[b].coefficients =
-        coefficients.segment(static_cast<Eigen::Index>(b) * law_terms_count, law_terms_count);
+    law.laws[b].coefficients = coefficients.segment(static_cast<Eigen::Index>(b) * own, own);
 }
 
 /// The law on its way to another.
@@ -251,6 +256,7 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
   for (const Placement& place : placements(seen, rig)) {
     const std::vector<LawSums> by_fold = sums_of(seen, rig, place, residual, noise);
     // Laws of their own take the shape of the one law that all joints share, which was looked at just before.
+    if (place.size() > 1) shape.profile = {};
     if (place.size() > 1 && !affordable(shape, place.size(), residual.size())) continue;
     const ChosenLaw chosen =
         place.size() > 1 ? fit_law(shape, place.size(), by_fold) : choose_law(by_fold, residual.size());
@@ -296,7 +302,8 @@ std::vector<LawTrace> law_traces(const Study& study, const TorqueLaw& law) {
       const Eigen::VectorXd bent = deflection(study, base, with.given, run, joint);
       const Eigen::VectorXd carried =
           bent.unaryExpr([&](double d) { return spring.elastic(spring.rest + d).value; });
-      traces.push_back({joint + 1, run, bent, carried + terms * one.coefficients});
+      traces.push_back(
+          {joint + 1, run, bent, carried + terms.leftCols(one.coefficients.size()) * one.coefficients});
     });
   return traces;
 }

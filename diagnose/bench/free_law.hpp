@@ -14,11 +14,12 @@ struct FreeLaw {
     double deflection, torque;  ///< rad; N m
     friend bool operator==(const Knot&, const Knot&) = default;
   };
-  /// A spring that slips, from rest after a turn: at a torque, or, where `growth` is given, at one that grows
-  /// with the deflection.
+  /// A spring that slips, from rest after a turn: at a torque; or, where `growth` is given, at one that grows
+  /// with the deflection; or, where a profile is, at one that goes with it from knot to knot.
   struct Slider {
-    double slips_at;        ///< rad, from rest at no deflection
-    double torque, growth;  ///< N m; N m/rad; one of the two is zero
+    double slips_at;                 ///< rad, from rest at no deflection
+    double torque, growth;           ///< N m; N m/rad; one of the two at most is not zero
+    std::vector<Knot> profile = {};  ///< torques at which it slips; it carries the same share of each
     friend bool operator==(const Slider&, const Slider&) = default;
   };
   /// A spring that relaxes.

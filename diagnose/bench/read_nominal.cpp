@@ -11,13 +11,28 @@ NominalEffect read_nominal_effect(const Section& section) {
           section.named_numbers("parameters")};
 }
 
+std::vector<FreeLaw::Knot> read_knots(const Section& section) {
+  const std::vector<double> deflection = section.numbers("deflection", 0),
+                            torque = section.numbers("torque", deflection.size());
+  std::vector<FreeLaw::Knot> knots;
+  for (std::size_t k = 0; k < deflection.size(); ++k) {
+    if (k > 0 && !(deflection[k] > deflection[k - 1])) section.refuse("deflection", "numbers that rise");
+    knots.push_back({deflection[k], torque[k]});
+  }
+  return knots;
+}
+
 FreeLaw::Slider read_slider(const Section& section) {
-  section.allow_only({"slips_at", "torque", "growth"});
+  section.allow_only({"slips_at", "torque", "growth", "deflection"});
   const std::string positive = "a positive number", one = "either torque or growth";
   FreeLaw::Slider slider{section.number("slips_at", positive), 0, 0};
   if (!(slider.slips_at > 0)) section.refuse("slips_at", positive);
   if (section.has("torque") == section.has("growth"))
     throw Error(section.where(), section.has("torque") ? "both" : "neither", one);
+  if (section.has("deflection")) {
+    slider.profile = read_knots(section);
+    return slider;
+  }
   const std::string key = section.has("torque") ? "torque" : "growth";
   double& own = section.has("torque") ? slider.torque : slider.growth;
   own = section.number(key, positive);
@@ -40,12 +55,7 @@ FreeLaw read_law(const Section& section, std::size_t joints) {
   if (law.joint == 0 || law.joint > joints)
     throw Error(section.place("joint"), law.joint == 0 ? "no such key" : std::to_string(law.joint),
                 "a joint from 1 to " + std::to_string(joints));
-  const std::vector<double> deflection = section.numbers("deflection", 0),
-                            torque = section.numbers("torque", deflection.size());
-  for (std::size_t k = 0; k < deflection.size(); ++k) {
-    if (k > 0 && !(deflection[k] > deflection[k - 1])) section.refuse("deflection", "numbers that rise");
-    law.knots.push_back({deflection[k], torque[k]});
-  }
+  law.knots = read_knots(section);
   for (const Section& one : section.tables("sliders")) law.sliders.push_back(read_slider(one));
   for (const Section& one : section.tables("arms")) law.arms.push_back(read_arm(one));
   return law;

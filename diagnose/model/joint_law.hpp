@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "diagnose/model/rig.hpp"
@@ -18,12 +19,15 @@ namespace plumbline::diagnose {
 enum class Contact : signed char { slips_down = -1, sticks = 0, slips_up = 1 };
 
 /// A spring in series with a dry contact that slips at a torque. Dry friction is a very stiff one. One that
-/// widens slides along d^2/2, and so gives a torque that goes with the deflection.
+/// widens slides along d^2/2, and so gives a torque that goes with the deflection. One with a profile carries
+/// a share of that, up to all of it, either way.
 struct JointSlider {
-  double stiffness = 0, yield = 0;  ///< N m/rad, N m; of one that widens, N m/rad^3, N m/rad
-  FrictionLaw law = {};             ///< how the torque at which it slips departs from the yield
+  double stiffness = 0,
+         yield = 0;      ///< N m/rad, N m; of one that widens, N m/rad^3, N m/rad; of a share, 1/rad, 1
+  FrictionLaw law = {};  ///< how the torque at which it slips departs from the yield
   bool widens = false;
   bool from_rest = false;  ///< has come along from rest to the first reading; others are at ease there
+  std::optional<TorqueTable> profile = std::nullopt;
 
   /// A contact changes its state only by more than this share of the slip torque, which rounding cannot fake.
   static constexpr double rounding = 1e-7;
@@ -47,7 +51,7 @@ struct JointSlider {
 
 /// As many Maxwell arms, and sliders, as a joint can have: of three effects that act together each brings its
 /// own, beside those of a free law and of the nominal model. A slider is kept for the direction of motion.
-inline constexpr std::size_t most_law_arms = 3, most_law_sliders = 6;
+inline constexpr std::size_t most_law_arms = 3, most_law_sliders = 7;
 inline constexpr std::size_t most_nominal_arms = 3 + most_law_arms,
                              most_nominal_sliders = 6 + most_law_sliders;
 inline constexpr std::size_t most_arms = most_nominal_arms + 3 + most_law_arms,
@@ -111,6 +115,12 @@ struct JointLaw {
   [[nodiscard]] Torque dry(const JointSlider& one, double carried, double angle, const JointMemory& last,
                            Contact contact) const {
     const Torque felt = along(one, carried, angle, last, contact);
+    if (one.profile) {
+      const double d = angle - rest, before = last.angle - rest;
+      const Torque whole = one.profile->at(d);
+      return {felt.value * whole.value, felt.slope * whole.value + felt.value * whole.slope,
+              one.profile->work(before, d, felt.value - felt.slope * (d - before), felt.value)};
+    }
     if (!one.widens) return felt;
     const double lever = one.lever(angle - rest);
     return {felt.value * lever, felt.slope * lever * lever + felt.value, felt.energy};

@@ -13,6 +13,7 @@ void add(const FreeLaw& own, const std::vector<double>& times, JointLaw& law) {
   for (const FreeLaw::Slider& one : own.sliders) {
     const double turn = one.slips_at;
     if (one.torque > 0) law.slider.push_back({one.torque / turn, one.torque, {}, false, true});
+    if (!one.profile.empty()) law.slider.push_back({1 / turn, 1, {}, false, true, TorqueTable(one.profile)});
     if (one.growth > 0) law.slider.push_back({2 * one.growth / (turn * turn), one.growth, {}, true, true});
   }
   for (const FreeLaw::Arm& arm : own.arms) {

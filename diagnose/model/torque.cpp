@@ -25,4 +25,22 @@ Torque TorqueTable::at(double deflection) const {
   return {left.torque + slope * step, slope, energy_[number] + step * (left.torque + slope * step / 2)};
 }
 
+double TorqueTable::work(double from, double to, double share_from, double share_to) const {
+  if (from == to) return 0;
+  if (from > to) return -work(to, from, share_to, share_from);
+  const auto carried = [&](double d) {
+    return at(d).value * (share_from + (share_to - share_from) * (d - from) / (to - from));
+  };
+  double sum = 0, begin = from;
+  // Between knots a parabola, of which Simpson's rule is exact.
+  const auto add_until = [&](double end) {
+    sum += (end - begin) / 6 * (carried(begin) + 4 * carried((begin + end) / 2) + carried(end));
+    begin = end;
+  };
+  for (const FreeLaw::Knot& knot : knots_)
+    if (knot.deflection > from && knot.deflection < to) add_until(knot.deflection);
+  add_until(to);
+  return sum;
+}
+
 }  // namespace plumbline::diagnose

@@ -28,6 +28,8 @@ class TorqueTable {
   explicit TorqueTable(const std::vector<FreeLaw::Knot>& knots);
 
   [[nodiscard]] Torque at(double deflection) const;
+  /// Integral of a share of it over the deflection. The share goes straight from one value to another.
+  [[nodiscard]] double work(double from, double to, double share_from, double share_to) const;
 
  private:
   std::vector<FreeLaw::Knot> knots_;

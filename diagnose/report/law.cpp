@@ -13,8 +13,10 @@ using Kind = page::Layer::Kind;
 Json picture_as_json(const LawPicture& picture) {
   Json knots = Json::array(), sliders = Json::array(), arms = Json::array();
   for (const auto& one : picture.knots) knots.push_back({one.deflection, one.torque});
-  for (const auto& one : picture.sliders)
+  for (const auto& one : picture.sliders) {
     sliders.push_back({{"slips_at", one.slips_at}, {"torque", one.torque}, {"growth", one.growth}});
+    for (const auto& knot : one.profile) sliders.back()["profile"].push_back({knot.deflection, knot.torque});
+  }
   for (const auto& one : picture.arms)
     arms.push_back({{"time_constant", one.time_constant}, {"stiffness", one.stiffness}});
   return {{"joints", picture.joints},

@@ -91,6 +91,30 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a contact with a profile carries its share of that, and its torque is the slope of its work") {
+  const JointLaw law = spring();
+  const std::vector<FreeLaw::Knot> knots{{-0.3, 0.6}, {0, 0.2}, {0.2, 0.8}};
+  const JointSlider contact{5, 1, {}, false, true, TorqueTable(knots)};
+  const JointMemory last{.angle = 0.05};  // d = -0.05
+  const auto at = [&](double d, Contact state) { return law.dry(contact, 0.1, law.rest + d, last, state); };
+  CHECK(at(0.1, Contact::sticks).value == close_to((0.1 + 5 * 0.15) * 0.5));
+  CHECK(at(0.1, Contact::slips_up).value == close_to(0.5));
+  CHECK(at(-0.15, Contact::slips_down).value == close_to(-0.4));
+  CHECK(law.next(contact, 0.1, law.rest + 0.1, last, Contact::sticks) == Contact::sticks);
+  CHECK(law.next(contact, 0.1, law.rest + 0.2, last, Contact::sticks) == Contact::slips_up);  // 0.1 + 1.25
+  // From d = -0.05 to 0.1 all of it, in two trapezia.
+  CHECK(at(0.1, Contact::slips_up).energy == close_to(0.05 * (0.2 + 0.4 / 0.3 * 0.025) + 0.1 * 0.35));
+  // Differences of a cubic: the step squared, and rounding of 1e-16 over the step.
+  constexpr double step = 1e-5;
+  for (const double d : {-0.2, -0.02, 0.13})
+    for (const Contact state : {Contact::sticks, Contact::slips_up, Contact::slips_down}) {
+      CHECK((at(d + step, state).energy - at(d - step, state).energy) / (2 * step) ==
+            close_to(at(d, state).value).epsilon(1e-8));
+      CHECK((at(d + step, state).value - at(d - step, state).value) / (2 * step) ==
+            close_to(at(d, state).slope).epsilon(1e-8));
+    }
+}
+
 TEST_CASE("a spring that is stiffer to one side") {
   JointLaw law = spring();
   law.asymmetry = 0.2;

@@ -107,6 +107,36 @@ TEST_CASE("the loop of a spring with a slider is recovered") {
   CHECK(offered->pictures.front().words.find("loop of") != std::string::npos);
 }
 
+TEST_CASE("a loop that is open over a part of the way alone is recovered, whichever way it runs") {
+  // Friction about 0.15 rad; where it is negative the way back gives more than the way there took.
+  for (const double sign : {1.0, -1.0}) {
+    const auto level = [=](double d) { return sign * 1.5 * std::exp(-std::pow((d - 0.15) / 0.08, 2)); };
+    const auto truth = [&] {
+      return [=, share = 0.0, last = 0.0](double d) mutable {
+        share = std::clamp(share + (d - last) / 0.04, -1.0, 1.0);
+        last = d;
+        return hinge_stiffness * d + level(d) * share;
+      };
+    };
+    const Experiment experiment = hinge({cycle(0.4, -0.3), cycle(-0.4, 0.2), cycle(0.4, 0.05)}, truth, 2);
+    const std::optional<OfferedLaw> offered = offered_for(experiment);
+    REQUIRE(offered);
+    REQUIRE(offered->shrink);
+    CHECK(offered->shrink->ratio < 0.3);
+    const LawPicture& picture = offered->pictures.front();
+    REQUIRE(picture.sliders.size() == 1);
+    const auto& profile = picture.sliders.front().profile;
+    const auto widest = std::max_element(profile.begin(), profile.end(), [](const auto& a, const auto& b) {
+      return std::abs(a.torque) < std::abs(b.torque);
+    });
+    // knots are 0.05 rad apart: one lies at the middle of the loop, and is held straight with its neighbours
+    CHECK(widest->deflection == close_to(0.15));
+    CHECK(widest->torque == close_to(sign * 1.5).epsilon(0.2));
+    CHECK(picture.words.find("rad and of") != std::string::npos);
+    CHECK((picture.words.find("gives more than the way there took") != std::string::npos) == (sign < 0));
+  }
+}
+
 TEST_CASE("a joint that has slack is said to have it") {
   const auto truth = [](double d) {
     return hinge_stiffness * std::copysign(std::max(0.0, std::abs(d) - 0.1), d);
@@ -182,7 +212,8 @@ TEST_CASE("in a chain of several joints the law is where the torque is missing")
 }
 
 TEST_CASE(
-    "the law that is fitted is the law that the chain has: knots, what slips, what widens, what relaxes") {
+    "the law that is fitted is the law that the chain has: knots, what slips, what widens, what relaxes, a "
+    "profile") {
   const Study study(full_bench());
   JointTorqueLaw law;
   law.joints = {2};
@@ -194,6 +225,9 @@ TEST_CASE(
   law.coefficients(finest_knots + 1) = 0.03;
   law.coefficients(finest_knots + slip_places + 3) = 0.06;
   law.coefficients(finest_knots + slider_terms + 1) = 0.2;
+  for (Eigen::Index k = 0; k < profile_knots; ++k)
+    law.coefficients(plain_terms + profile_knots + k) =
+        0.02 + 0.01 * std::cos(9 * knot_place(law.span, 2 * k));
   const TorqueLaw chosen{{}, {law}, finest_knots, 1};
   const Prediction with = predict_with_law(study, chosen);
   const std::vector<double>& length = study.experiment().link_length;

@@ -85,6 +85,17 @@ TEST_CASE("what MJCF cannot carry stands in it as numbers that MuJoCo reads") {
         std::string::npos);
 }
 
+TEST_CASE("friction that changes with the deflection stands in MJCF as numbers") {
+  Model model{"three links", diagnose::test::full_bench(), {0.3, -0.5, 0.4}};
+  model.experiment.laws = {{2, {{0, 0}}, {{0.02, 0, 0, {{-0.1, 0.05}, {0.2, 0.3}}}}, {}}};
+  const Written file = to_mjcf(model);
+  REQUIRE(file.effects.size() == 1);
+  CHECK_FALSE(file.effects.front().carried);
+  CHECK(file.text.find("slips after 0.02 rad, at a torque that goes with the deflection") !=
+        std::string::npos);
+  CHECK(file.text.find("    0.2 0.3\n") != std::string::npos);
+}
+
 TEST_CASE("a free torque law goes into MJCF, whatever its shape, and on beyond its knots") {
   // Stiffer, softer and falling again, off centre; what slips, at a constant torque and at one that grows.
   diagnose::Experiment experiment = diagnose::test::full_bench();
