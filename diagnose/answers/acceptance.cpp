@@ -17,6 +17,16 @@ bool predicts(const std::optional<Shrink>& blind, double times) {
   return blind && blind->chi2_per_value_after < times * times;
 }
 
+/// Whether it leaves of held-out readings clearly more than noise does, by more than chance.
+bool leaves_more_than_noise(const Shrink& blind) {
+  if (!blind.tested() || !(blind.independent >= 1)) return false;
+  const boost::math::chi_squared_distribution<double> noise(blind.independent);
+  const double by_chance =
+      boost::math::quantile(boost::math::complement(noise, beliefs::fit_level)) / blind.independent;
+  return blind.chi2_per_value_after >
+         std::max(by_chance, beliefs::clearly_more_than_noise * beliefs::clearly_more_than_noise);
+}
+
 /// Place of the best partial explanation with so many effects.
 std::optional<std::size_t> best_partial_of(const Study& study, const Cause& cause, std::size_t effects) {
   std::vector<const Fit*> fits;
@@ -150,6 +160,8 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
     refuse(cause, beliefs::wrong_three);
   } else if (blind && !predicts(blind, beliefs::predicts)) {
     hedge(cause, Reservation::not_predicted);
+  } else if (blind && leaves_more_than_noise(*blind)) {
+    hedge(cause, Reservation::beyond_noise);
   } else if (has_values_everywhere(study, best.candidate)) {
     hedge(cause, Reservation::many_values);
   } else if (best.candidate.machined() && best.candidate.count() == 1) {

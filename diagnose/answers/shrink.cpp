@@ -119,6 +119,9 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
   shrink.ratio = std::sqrt(all.after / all.before);
   shrink.noise_floor_ratio = std::sqrt(floor / all.before);
   shrink.chi2_per_value_after = all.after / floor;
+  // Squares of neighbours correlate by the square of what their values do.
+  const double squares = noise.correlation * noise.correlation;
+  shrink.independent = total * (1 - squares) / (1 + squares);
   bootstrap(blocks(values, before, after), shrink);
   shrink.channels = by_channel(measurements, values, before, after, noise);
   return shrink;

@@ -21,6 +21,7 @@ struct Shrink {
   double ratio = 1, ratio_low = 1, ratio_high = 1;  ///< noise-weighted rms after / before; 95 % bounds
   double noise_floor_ratio = 1;                     ///< what a perfect model would reach
   double chi2_per_value_after = 1;
+  double independent = 0;  ///< so many values that do not correlate would scatter as its mean does
   std::map<Channel, ChannelShrink> channels;
   /// Whether a choice that sees no more than the fits falls on what shrinks it, or on what is not told apart.
   bool chosen_blind = false;

@@ -1,6 +1,7 @@
 #include "diagnose/inference/search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <plumbline/base/parallel.hpp>
 
 #include "diagnose/beliefs.hpp"
@@ -234,6 +235,12 @@ class Searcher {
   FitSettings settings_;
 };
 
+/// Noise so wide that neighbouring readings that share it weigh together as one.
+NoiseModel shared_by_neighbours(NoiseModel noise) {
+  for (double& scale : noise.scale) scale *= std::sqrt(beliefs::share_a_misfit);
+  return noise;
+}
+
 }  // namespace
 
 void weigh(const Study& study, Findings& findings) {
@@ -241,8 +248,10 @@ void weigh(const Study& study, Findings& findings) {
   if (hypotheses.empty()) return;
   const auto best = std::min_element(hypotheses.begin(), hypotheses.end(),
                                      [](const auto& a, const auto& b) { return better(a.fit, b.fit); });
-  findings.noise = findings.tolerance.value_or(
-      estimate_noise(study.measurements(), without_outliers(study.measurements(), best->fit.residual)));
+  findings.noise =
+      findings.tolerance
+          ? shared_by_neighbours(*findings.tolerance)
+          : estimate_noise(study.measurements(), without_outliers(study.measurements(), best->fit.residual));
   for (Hypothesis& hypothesis : hypotheses) {
     hypothesis.log_likelihood = log_likelihood(study.measurements(), hypothesis.fit.residual, findings.noise);
     hypothesis.log_evidence = log_evidence(study, hypothesis.fit, findings.noise);

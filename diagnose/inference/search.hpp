@@ -23,7 +23,8 @@ struct Hypothesis {
 struct Findings {
   std::vector<Hypothesis> hypotheses;
   NoiseModel noise;
-  /// What an explanation may leave, where that is more than the readings scatter: it stands for the noise.
+  /// What an explanation may leave, where that is more than the readings scatter. `noise` is then wider by as
+  /// much as makes neighbours that share what is left count as one.
   std::optional<NoiseModel> tolerance = std::nullopt;
 };
 
@@ -34,7 +35,7 @@ Findings search(const Study& study, const std::function<void(double)>& progress 
                 const Findings& known = {});
 
 /// Weighs fitted hypotheses against each other, best evidence first, in the noise that the best of them
-/// leaves, or in what is tolerated.
+/// leaves, or in what is tolerated and shared by neighbours.
 void weigh(const Study& study, Findings& findings);
 
 }  // namespace plumbline::diagnose

@@ -30,6 +30,11 @@ double chi2_per_dof(const Measurements& measurements, const Fit& fit, const Nois
   return sum / freedom(measurements, fit);
 }
 
+/// What an explanation may leave of a reading.
+const NoiseModel& allowed(const Findings& findings) {
+  return findings.tolerance ? *findings.tolerance : findings.noise;
+}
+
 /// Whether the readings tell a parameter, were it the only one, to a third of its value: where a stop begins
 /// that nothing touched, or an element that never yielded would, is anybody's guess.
 bool known_to_itself(const Fit& fit, std::size_t parameter) {
@@ -73,7 +78,7 @@ std::vector<Ranked> ranked(const Study& study, const Findings& findings) {
     if (any && !stands(hypothesis)) continue;
     const double best = ranking.empty() ? hypothesis.log_evidence : ranking.front().hypothesis.log_evidence;
     ranking.push_back({hypothesis, std::exp(hypothesis.log_evidence - best),
-                       chi2_per_dof(study.measurements(), hypothesis.fit, findings.noise)});
+                       chi2_per_dof(study.measurements(), hypothesis.fit, allowed(findings))});
     sum += ranking.back().probability;
   }
   for (Ranked& one : ranking) one.probability /= sum;
@@ -196,8 +201,9 @@ double fit_p_value(const Measurements& measurements, const Findings& findings, c
   if (fit.parameters.size() >= measurements.size()) return 0;
   if (!findings.tolerance) return test_gap(measurements, fit.residual).p_value;
   const double dof = freedom(measurements, fit);
-  return boost::math::cdf(boost::math::complement(boost::math::chi_squared_distribution<double>(dof),
-                                                  dof * chi2_per_dof(measurements, fit, findings.noise)));
+  return boost::math::cdf(
+      boost::math::complement(boost::math::chi_squared_distribution<double>(dof),
+                              dof * chi2_per_dof(measurements, fit, *findings.tolerance)));
 }
 
 /// What a fit gains over a simpler one of log-likelihood, in the noise that the simpler one leaves, or in
@@ -319,7 +325,7 @@ void drop_refinements(Cause& cause) {
 }  // namespace
 
 std::size_t best_partial(const Measurements& measurements, const std::vector<const Fit*>& fits) {
-  const double independent = static_cast<double>(measurements.size()) / 8;
+  const double independent = static_cast<double>(measurements.size()) / beliefs::share_a_misfit;
   const auto criterion = [&](const Fit* one) {
     return independent * std::log(one->cost) +
            static_cast<double>(one->parameters.size()) * std::log(std::max(independent, 2.0));
@@ -373,7 +379,7 @@ Cause judge(const Study& study, const Findings& findings) {
     return cause;
   }
   settle_on(cause, chosen, cause.unknown);
-  list_plainer(study, findings.noise, cause);
+  list_plainer(study, allowed(findings), cause);
   drop_refinements(cause);
   return cause;
 }

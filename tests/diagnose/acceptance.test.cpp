@@ -64,6 +64,25 @@ TEST_CASE("what does not predict stands beside a cause outside of the catalogue,
   CHECK(doubted.ranking[0].probability == close_to(0.75));  // of 0.9 + 0.1
 }
 
+TEST_CASE("what predicts, and yet leaves more than noise and chance, stands beside another cause") {
+  const Study study = three_runs();
+  const auto asked = [&](double times_noise, double independent, double floor = 0.1) {
+    Shrink shrink = leaving(times_noise);
+    shrink.independent = independent;
+    shrink.noise_floor_ratio = floor;
+    return demanded(study, named(study, {{{"force_gain"}}}), shrink);
+  };
+  // One time in a thousand 100 independent values leave more than 149.4 squares, 10,000 more than 10,442.
+  CHECK(asked(std::sqrt(1.49), 100).verdict == CauseVerdict::identified);
+  const Cause doubted = asked(std::sqrt(1.50), 100);
+  CHECK(doubted.verdict == CauseVerdict::ambiguous);
+  CHECK(doubted.reservation == Reservation::beyond_noise);
+  CHECK(doubted.unknown == 0.25);
+  CHECK(asked(1.14, 10000).verdict == CauseVerdict::identified);
+  CHECK(asked(1.16, 10000).verdict == CauseVerdict::ambiguous);
+  CHECK(asked(1.16, 10000, 0.71).verdict == CauseVerdict::identified);  // carries no gap: not tested
+}
+
 TEST_CASE("what leaves most of the gap of held-out readings is none, unless it predicts them") {
   const Study study = three_runs();
   const auto asked = [&](double times_noise, double ratio, double floor) {
