@@ -96,18 +96,20 @@ void add_rest(const std::vector<FreeLaw::Knot>& knots, const JointTorqueLaw& law
   }
 }
 
-/// Where its loop is widest and where narrowest, of the knots where the joint was bent.
+/// The ends of what its loop is worth, of the knots where the joint was bent, the wider first.
 void add_profile(const FreeLaw::Slider& one, const LawSpan& span, Parts& parts) {
+  constexpr double noticeable = 0.1;
   std::vector<FreeLaw::Knot> within;
   for (const FreeLaw::Knot& knot : one.profile)
     if (knot.deflection >= span.low && knot.deflection <= span.high) within.push_back(knot);
-  const auto narrower = [](const FreeLaw::Knot& a, const FreeLaw::Knot& b) {
-    return std::abs(a.torque) < std::abs(b.torque);
-  };
-  const auto [narrow, wide] = std::minmax_element(within.begin(), within.end(), narrower);
+  const auto [least, most] = std::minmax_element(
+      within.begin(), within.end(), [](const auto& a, const auto& b) { return a.torque < b.torque; });
+  const bool backwards = -least->torque > most->torque;
+  const FreeLaw::Knot &wide = backwards ? *least : *most, &narrow = backwards ? *most : *least;
   parts.push_back(fmt::format("loop of {:.2g} N m at {:.2g} rad and of {:.2g} N m at {:.2g} rad",
-                              2 * wide->torque, wide->deflection, 2 * narrow->torque, narrow->deflection));
-  if (wide->torque < 0) parts.emplace_back("where the way back gives more than the way there took");
+                              2 * wide.torque, wide.deflection, 2 * narrow.torque, narrow.deflection));
+  if (-least->torque > noticeable * std::abs(wide.torque))
+    parts.emplace_back("where it is negative the way back gives more than the way there took");
   parts.push_back(fmt::format("closed {:.2g} rad after a reversal", 2 * one.slips_at));
 }
 
