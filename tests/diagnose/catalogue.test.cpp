@@ -1,0 +1,460 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "diagnose/beliefs.hpp"
+#include "diagnose/inference/start.hpp"
+#include "tests/close_to.hpp"
+#include "tests/diagnose/bench.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+using namespace plumbline::diagnose::test;
+
+namespace {
+
+/// Sizes that differ from each other, of three links of which the first joint is passive, with three runs.
+Sizes sizes_by_hand() {
+  Sizes size;
+  size.joint_stiffness = {0, 3, 5};
+  size.link_length = {0.2, 0.5, 0.6};
+  size.stiffness = 4;
+  size.length = 1.3;
+  size.link = 1.3 / 3;
+  size.force = 7;
+  size.deflection = 0.3;
+  size.duration = 90;
+  size.pause = 2.5;
+  size.runs = 3;
+  size.largest_reading = 11;
+  return size;
+}
+
+/// Largest deflections and the torque that go with it.
+Exercise exercise_by_hand() {
+  return {{0.11, 0.23, 0.31}, 0.31, 1.7};
+}
+
+std::vector<double> scales(const char* id, std::size_t joint) {
+  const Sizes size = sizes_by_hand();
+  std::vector<double> all;
+  for (const ParameterRange& one : effect(id, joint).parameters({size, joint > 0 ? joint - 1 : 0}))
+    all.push_back(one.scale);
+  return all;
+}
+
+Starts starts_of(const char* id, std::size_t joint) {
+  const Sizes size = sizes_by_hand();
+  return effect(id, joint).starts({size, joint > 0 ? joint - 1 : 0}, exercise_by_hand());
+}
+
+void check_values(const std::vector<double>& found, const std::vector<double>& expected) {
+  REQUIRE(found.size() == expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    CAPTURE(i);
+    CHECK(found[i] == doctest::Approx(expected[i]).epsilon(1e-12).scale(1e-9));
+  }
+}
+
+void check_starts(const char* id, std::size_t joint, const std::vector<std::vector<double>>& expected,
+                  std::size_t basins) {
+  CAPTURE(id);
+  const Starts known = starts_of(id, joint);
+  CHECK(known.basins == basins);
+  REQUIRE(known.from.size() == expected.size());
+  for (std::size_t s = 0; s < expected.size(); ++s) check_values(known.from[s], expected[s]);
+}
+
+}  // namespace
+
+TEST_CASE("what a lab would call sizeable of each effect, by hand") {
+  // k = 4, L = 1.3, l = 1.3 / 3, f = 7, phi = 0.3; the slip torque k phi is 1.2, L^2 / k is 0.4225
+  const double c = 0.01 * 1.3 * 1.3 / 4, density = 4 / (9.81 * 1.3 * 1.3);
+  const std::map<std::string, std::vector<double>> of_chain{
+      {"nonlinear_spring", {0.5}},
+      {"joint_friction", {0.06}},
+      {"joint_coupling", {0.4}},
+      {"viscoelasticity", {0.2, 1}},
+      {"gravity", {0.1 * density}},
+      {"axial_compliance", {0.01 / 7}},
+      {"link_bending", {0.3 / (4 * 1.3)}},
+      {"tip_payload", {0.7}},
+      {"base_compliance", {c, c}},
+      {"rail_misalignment", {0.05}},
+      {"eccentric_load", {0.013}},
+      {"tip_stiffness", {0.4}},
+      {"guide_friction", {0.35}},
+      {"position_offset", {0.0065, 0.0065}},
+      {"train_compliance", {c}},
+      {"force_bias", {0.35, 0.35}},
+      {"force_gain", {0.05}},
+      {"sensor_drift", {0.35 / 90, 0.35 / 90}},
+      {"stiffness_scale", {0.1}},
+      {"length_scale", {0.01}},
+      {"rest_offset", {0.03}},
+      {"asymmetric_spring", {0.05}},
+      {"joint_stops", {0.3, 4}},
+      {"hysteresis", {0.2, 0.03, 0.2, 0.03, 0.2, 0.03}},
+      {"relaxation_spectrum", {0.2, 1, 0.2, 1}},
+      {"plastic_set", {0.36, 0.1}},
+      {"tendon_friction", {0.02}},
+      {"load_friction", {0.06, 2 / 0.3}},
+      {"direction_friction", {0.06, 0.3}},
+      {"speed_friction", {0.06, 0.5, 1}},
+      {"run_tare", {0.35, 0.35, 0.35, 0.35, 0.35, 0.35}},
+      {"cross_talk", {0.03, 0.03}},
+      {"cell_curvature", {0.03 / 7, 0.03 / 7}},
+      {"saturation", {0.3 / 7}},
+      {"sensor_lag", {0.75}}};
+  const std::map<std::string, std::vector<double>> of_a_joint{
+      {"joint_stiffness", {0.2}}, {"rest_angle", {0.05}},  {"backlash", {0.05}},
+      {"joint_stop", {0.3, 5}},   {"link_length", {0.02}}, {"hysteresis", {0.2, 0.03, 0.2, 0.03, 0.2, 0.03}}};
+  std::size_t known = 0;
+  for (const Effect& row : catalogue()) {
+    CAPTURE(row.id);
+    const auto& all = row.at_joint ? of_a_joint : of_chain;
+    const auto place = all.find(row.id);
+    if (place == all.end()) {  // of values within a tolerance, of which half is sizeable
+      const Sizes size = sizes_by_hand();
+      for (const ParameterRange& one : row.parameters({size, 0})) {
+        CHECK(one.tolerance > 0);
+        CHECK(one.scale == one.tolerance / 2);
+      }
+      continue;
+    }
+    ++known;
+    check_values(scales(row.id.c_str(), row.at_joint ? 3 : 0), place->second);
+  }
+  CHECK(known == of_chain.size() + of_a_joint.size());
+  check_values(scales("joint_stop", 1), {0.3, 4});  // at a passive joint the mean spring's
+}
+
+TEST_CASE("tolerances are what machining and assembly leave, of elastic joints alone or of every link") {
+  const Sizes size = sizes_by_hand();
+  const auto tolerances = [&](const char* id) {
+    std::vector<double> all;
+    for (const ParameterRange& one : effect(id).parameters({size, 0})) all.push_back(one.tolerance);
+    return all;
+  };
+  using namespace beliefs;
+  check_values(tolerances("stiffness_spread"), {stiffness_tolerance, stiffness_tolerance});
+  check_values(tolerances("length_spread"), {length_tolerance, length_tolerance, length_tolerance});
+  check_values(tolerances("rest_spread"), {angle_tolerance, angle_tolerance});
+  check_values(tolerances("play"), {angle_tolerance, angle_tolerance});
+  check_values(tolerances("friction_spread"), {1.2 * friction_tolerance, 1.2 * friction_tolerance});
+  check_values(tolerances("hardening_spread"), {hardening_tolerance / 0.09, hardening_tolerance / 0.09});
+  check_values(tolerances("run_rest"), std::vector<double>(6, angle_tolerance));
+}
+
+TEST_CASE("fits start at shares of what the joints are asked for, by hand") {
+  check_starts("backlash", 2, {{0.02 * 0.23}, {0.1 * 0.23}, {0.4 * 0.23}}, 2);
+  check_starts("joint_friction", 0, {{0.0034}, {0.017}, {0.085}}, 1);
+  const auto stops = [](double reach, double k) {
+    std::vector<std::vector<double>> all;
+    for (const double share : {0.2, 0.4, 0.6, 0.8, 0.95})
+      for (const double stiff : {0.3, 3.0}) all.push_back({share * reach, stiff * k});
+    return all;
+  };
+  check_starts("joint_stop", 2, stops(0.23, 3), 2);
+  check_starts("joint_stop", 1, stops(0.11, 4), 2);
+  check_starts("joint_stops", 0, stops(0.31, 4), 2);
+  const double low = std::log(0.25), wide = std::log(1800.0) - low;
+  check_starts("viscoelasticity", 0,
+               {{0.1, low + 0.1 * wide},
+                {0.1, low + 0.3 * wide},
+                {0.1, low + 0.5 * wide},
+                {0.1, low + 0.7 * wide},
+                {0.1, low + 0.9 * wide}},
+               2);
+  const double soft = 0.3 / (4 * 1.3);
+  check_starts("link_bending", 0, {{0.01 * soft}, {0.3 * soft}, {2 * soft}}, 1);
+  check_starts("play", 0, {{0.05 * 0.23, 0.05 * 0.31}, {0.2 * 0.23, 0.2 * 0.31}}, 2);
+  check_starts("friction_spread", 0, {{0.0085, 0.0085}, {0.051, 0.051}}, 1);
+  check_starts("hardening_spread", 0, {{0, 0}, {0.3 / 0.09, 0.3 / 0.09}, {-0.1 / 0.09, -0.1 / 0.09}}, 1);
+  const auto elements = [](double d) {
+    return std::vector<std::vector<double>>{{0.1, 0.02 * d, 0.1, 0.1 * d, 0.1, 0.5 * d},
+                                            {0.1, 0.05 * d, 0.1, 0.2 * d, 0.1, d}};
+  };
+  check_starts("hysteresis", 0, elements(0.31), 2);
+  check_starts("hysteresis", 2, elements(0.23), 2);
+  check_starts("relaxation_spectrum", 0, {{0.1, std::log(5.0), 0.1, std::log(36.0)}}, 1);
+  check_starts("plastic_set", 0, {{0.34, 0.1}, {0.68, 0.1}, {1.02, 0.1}, {1.36, 0.1}}, 1);
+  check_starts("load_friction", 0, {{0.0051, 3 / 0.31}, {0.0255, 3 / 0.31}}, 1);
+  check_starts("direction_friction", 0, {{0.0051, 0.5}, {0.0051, -0.5}, {0.0255, 0.5}, {0.0255, -0.5}}, 1);
+  const double slow = std::log(0.3 * 2 * 0.3 / 90), fast = std::log(3.0 * 2 * 0.3 / 90);
+  check_starts("speed_friction", 0,
+               {{0.0051, 1, slow},
+                {0.0051, 1, fast},
+                {0.0051, -0.5, slow},
+                {0.0051, -0.5, fast},
+                {0.0255, 1, slow},
+                {0.0255, 1, fast},
+                {0.0255, -0.5, slow},
+                {0.0255, -0.5, fast}},
+               1);
+  check_starts("saturation", 0, {{1 / (0.98 * 11)}}, 1);
+}
+
+TEST_CASE(
+    "of each effect: what grows in a forecast, whether by a large step, what it dissipates and asks for") {
+  struct Kind {
+    std::vector<std::size_t> growing;
+    bool large_step, dissipates;
+    std::size_t starts, at_least;
+    bool machining;
+  };
+  const Kind plain{{}, false, false, 100, 1, false};
+  const std::map<std::string, Kind> others{{"backlash", {{}, true, false, 100, 1, false}},
+                                           {"joint_friction", {{}, true, true, 100, 1, false}},
+                                           {"joint_stop", {{1}, false, false, 100, 1, false}},
+                                           {"joint_stops", {{1}, false, false, 100, 1, false}},
+                                           {"viscoelasticity", {{0}, false, true, 100, 1, false}},
+                                           {"link_bending", {{}, true, false, 1, 1, false}},
+                                           {"guide_friction", {{}, false, true, 100, 1, false}},
+                                           {"stiffness_spread", {{}, false, false, 100, 1, true}},
+                                           {"length_spread", {{}, false, false, 100, 1, true}},
+                                           {"rest_spread", {{}, false, false, 100, 1, true}},
+                                           {"play", {{}, false, false, 100, 2, false}},
+                                           {"friction_spread", {{}, true, true, 100, 1, false}},
+                                           {"hysteresis", {{0, 2, 4}, true, true, 100, 1, false}},
+                                           {"relaxation_spectrum", {{0, 2}, false, true, 100, 2, false}},
+                                           {"plastic_set", {{1}, false, true, 100, 1, false}},
+                                           {"load_friction", {{0}, true, true, 100, 2, false}},
+                                           {"direction_friction", {{0}, true, true, 100, 2, false}},
+                                           {"speed_friction", {{0}, true, true, 100, 2, false}},
+                                           {"saturation", {{}, true, false, 100, 1, false}},
+                                           {"sensor_lag", {{}, false, true, 100, 1, false}}};
+  for (const Effect& row : catalogue()) {
+    CAPTURE(row.id);
+    const auto place = others.find(row.id);
+    const Kind& expected = place == others.end() ? plain : place->second;
+    CHECK(row.probing.growing == expected.growing);
+    CHECK(row.probing.large_step == expected.large_step);
+    CHECK(row.probing.starts == expected.starts);
+    CHECK(row.dissipates == expected.dissipates);
+    CHECK(row.at_least == expected.at_least);
+    CHECK(row.of_machining == expected.machining);
+  }
+}
+
+TEST_CASE("ranges and starts go with the units of force, length and time") {
+  // Forces in units 5 times as small, lengths 3 times, times 7 times.
+  constexpr double N = 5, m = 3, s = 7;
+  const Sizes size = sizes_by_hand();
+  Sizes other = size;
+  for (double& k : other.joint_stiffness) k *= N * m;
+  for (double& length : other.link_length) length *= m;
+  other.stiffness *= N * m, other.length *= m, other.link *= m;
+  other.force *= N, other.largest_reading *= N;
+  other.duration *= s, other.pause *= s;
+  const Exercise nominal = exercise_by_hand();
+  Exercise scaled = nominal;
+  scaled.torque *= N * m;
+  const std::map<std::string, double> factors{
+      {"ratio", 1},     {"rad", 1},          {"1/rad", 1},       {"1/rad²", 1},
+      {"N", N},         {"N m", N * m},      {"N m/rad", N * m}, {"m", m},
+      {"s", s},         {"m/N", m / N},      {"1/N", 1 / N},     {"N/s", N / s},
+      {"rad/s", 1 / s}, {"N m²", N * m * m}, {"kg/m", N / m}};
+  for (const Effect& row : catalogue()) {
+    const std::size_t joint = row.at_joint ? 1 : 0;
+    const auto before = row.parameters({size, joint}), after = row.parameters({other, joint});
+    std::vector<double> factor, shift;
+    REQUIRE(before.size() == after.size());
+    for (std::size_t p = 0; p < before.size(); ++p) {
+      CAPTURE(row.id);
+      CAPTURE(p);
+      const auto unit = factors.find(std::string(before[p].unit));
+      REQUIRE(unit != factors.end());
+      const Coordinate how = before[p].coordinate;
+      factor.push_back(how == Coordinate::plain        ? unit->second
+                       : how == Coordinate::reciprocal ? 1 / unit->second
+                                                       : 1);
+      shift.push_back(how == Coordinate::logarithm ? std::log(unit->second) : 0);
+      const auto moved = [&](double value) {
+        return doctest::Approx(value * factor[p] + shift[p]).epsilon(1e-12).scale(1e-9);
+      };
+      CHECK(after[p].low == moved(before[p].low));
+      CHECK(after[p].high == moved(before[p].high));
+      CHECK(after[p].scale == doctest::Approx(before[p].scale * factor[p]).epsilon(1e-12).scale(1e-9));
+      CHECK(after[p].tolerance ==
+            doctest::Approx(before[p].tolerance * factor[p]).epsilon(1e-12).scale(1e-9));
+    }
+    if (row.starts == nullptr) continue;
+    const Starts from = row.starts({size, joint}, nominal), to = row.starts({other, joint}, scaled);
+    CHECK(from.basins == to.basins);
+    REQUIRE(from.from.size() == to.from.size());
+    // Those of a stopped or hardening joint are told in rad alone.
+    for (std::size_t i = 0; i < from.from.size(); ++i)
+      for (std::size_t p = 0; p < factor.size(); ++p) {
+        CAPTURE(row.id);
+        CHECK(to.from[i][p] ==
+              doctest::Approx(from.from[i][p] * factor[p] + shift[p]).epsilon(1e-12).scale(1e-9));
+      }
+  }
+}
+
+TEST_CASE("where an effect is possible: what it asks of the bench, one thing at a time") {
+  struct Asked {
+    const char* id;
+    std::function<void(Sizes&)> without;
+  };
+  Sizes all = sizes_by_hand();
+  all.measures_force = all.load_cell = all.pivot = all.clock = all.measures_both_forces = true;
+  all.turns_back = all.bent_at_rest = true;
+  all.at_largest = 4;
+  const auto one_spring = [](Sizes& s) { s.joint_stiffness = {0, 3, 0}; };
+  const auto one_link = [](Sizes& s) { s.joint_stiffness = {3}, s.link_length = {0.2}; };
+  const auto no_force = [](Sizes& s) { s.measures_force = false; };
+  const auto no_cell = [](Sizes& s) { s.load_cell = false; };
+  const auto no_clock = [](Sizes& s) { s.clock = false; };
+  const auto no_turn = [](Sizes& s) { s.turns_back = false; };
+  const auto weightless = [](Sizes& s) { s.weighs = false; };
+  const auto one_run = [](Sizes& s) { s.runs = 1; };
+  const std::vector<Asked> asked{{"stiffness_scale", one_spring},
+                                 {"rest_offset", one_spring},
+                                 {"stiffness_spread", one_spring},
+                                 {"rest_spread", one_spring},
+                                 {"play", one_spring},
+                                 {"friction_spread", one_spring},
+                                 {"hardening_spread", one_spring},
+                                 {"hysteresis", one_spring},
+                                 {"hysteresis", no_turn},
+                                 {"length_scale", one_link},
+                                 {"length_spread", one_link},
+                                 {"joint_stops", one_link},
+                                 {"joint_coupling", one_link},
+                                 {"viscoelasticity", no_clock},
+                                 {"relaxation_spectrum", no_clock},
+                                 {"relaxation_spectrum", [](Sizes& s) { s.duration = 20 * s.pause; }},
+                                 {"plastic_set", no_turn},
+                                 {"tendon_friction", [](Sizes& s) { s.bent_at_rest = false; }},
+                                 {"load_friction", no_turn},
+                                 {"direction_friction", no_turn},
+                                 {"speed_friction", no_turn},
+                                 {"speed_friction", no_clock},
+                                 {"gravity", weightless},
+                                 {"tip_payload", weightless},
+                                 {"tip_stiffness", [](Sizes& s) { s.pivot = false; }},
+                                 {"guide_friction", no_force},
+                                 {"position_offset", no_force},
+                                 {"train_compliance", no_force},
+                                 {"force_bias", no_cell},
+                                 {"force_gain", no_cell},
+                                 {"sensor_drift", no_force},
+                                 {"sensor_drift", no_clock},
+                                 {"cross_talk", [](Sizes& s) { s.measures_both_forces = false; }},
+                                 {"cell_curvature", no_cell},
+                                 {"saturation", [](Sizes& s) { s.at_largest = 3; }},
+                                 {"sensor_lag", no_force},
+                                 {"sensor_lag", no_clock},
+                                 {"run_rest", one_run},
+                                 {"run_rest", [](Sizes& s) { s.runs = 11; }},  // 33 values
+                                 {"run_tare", one_run},
+                                 {"run_tare", no_force},
+                                 {"run_tare", [](Sizes& s) { s.runs = 16; }}};  // 32 values
+  for (const Effect& row : catalogue()) {
+    CAPTURE(row.id);
+    CHECK(row.possible({all, row.at_joint ? std::size_t{1} : 0}));
+    for (const Asked& one : asked) {
+      if (row.at_joint || row.id != one.id) continue;
+      Sizes less = all;
+      one.without(less);
+      CHECK_FALSE(row.possible({less, 0}));
+    }
+  }
+  Sizes most = all;
+  most.runs = 10;
+  CHECK(effect("run_rest").possible({most, 0}));
+  most.runs = 15;
+  CHECK(effect("run_tare").possible({most, 0}));
+  for (const char* id : {"joint_stiffness", "rest_angle", "backlash", "hysteresis"}) {
+    CAPTURE(id);
+    CHECK_FALSE(effect(id, 1).possible({all, 0}));
+  }
+  Sizes straight = all;
+  straight.turns_back = false;
+  CHECK_FALSE(effect("hysteresis", 2).possible({straight, 1}));
+}
+
+TEST_CASE("effects of one kind add up, and what each adds to the rig, by hand") {
+  const Sizes size = sizes_by_hand();
+  const auto with = [&](const char* id, std::size_t joint, const std::vector<double>& value) {
+    Rig rig;
+    rig.length = {0.2, 0.5, 0.6}, rig.stiffness = {0, 3, 5};
+    rig.rest_error = rig.backlash = rig.stop = rig.stop_stiffness = rig.hardening = rig.friction = {1, 2, 3};
+    rig.weight.assign(3, Vector2(0.1, 0.2));
+    rig.sliders.resize(3);
+    for (int twice = 0; twice < 2; ++twice)
+      effect(id, joint).add({rig, joint > 0 ? joint - 1 : 0, size, Vector2(0.6, -0.8), value.data()});
+    return rig;
+  };
+  check_values(with("joint_stiffness", 2, {0.5}).stiffness, {0, 3 * 1.5 * 1.5, 5});
+  check_values(with("stiffness_scale", 0, {0.5}).stiffness, {0, 3 * 2.25, 5 * 2.25});
+  check_values(with("stiffness_spread", 0, {0.5, 1}).stiffness, {0, 3 * 2.25, 5 * 4});
+  check_values(with("link_length", 3, {0.5}).length, {0.2, 0.5, 0.6 * 2.25});
+  check_values(with("length_scale", 0, {0.5}).length, {0.45, 1.125, 1.35});
+  check_values(with("length_spread", 0, {0.5, 1, 0}).length, {0.45, 2, 0.6});
+  check_values(with("rest_angle", 2, {0.25}).rest_error, {1, 2.5, 3});
+  check_values(with("rest_offset", 0, {0.25}).rest_error, {1.5, 2.5, 3.5});
+  check_values(with("rest_spread", 0, {0.25, 0.5}).rest_error, {1, 2.5, 4});
+  check_values(with("backlash", 3, {0.25}).backlash, {1, 2, 3.5});
+  check_values(with("play", 0, {0.25, 0.5}).backlash, {1, 2.5, 4});
+  check_values(with("joint_friction", 0, {0.25}).friction, {1.5, 2.5, 3.5});
+  check_values(with("friction_spread", 0, {0.25, 0.5}).friction, {1, 2.5, 4});
+  check_values(with("nonlinear_spring", 0, {0.25}).hardening, {1.5, 2.5, 3.5});
+  check_values(with("hardening_spread", 0, {0.25, 0.5}).hardening, {1, 2.5, 4});
+  check_values(with("joint_stop", 2, {0.1, 7}).stop, {1, 0.1, 3});
+  check_values(with("joint_stop", 2, {0.1, 7}).stop_stiffness, {1, 7, 3});
+  check_values(with("joint_stops", 0, {0.1, 7}).stop, {0.1, 0.1, 0.1});
+  check_values(with("joint_stops", 0, {0.1, 7}).stop_stiffness, {7, 7, 7});
+  CHECK(with("joint_coupling", 0, {0.25}).coupling == 0.5);
+  CHECK(with("viscoelasticity", 0, {0.25, 9}).arms == std::vector<Arm>{{0.25, 9}, {0.25, 9}});
+  CHECK(with("relaxation_spectrum", 0, {1, 2, 3, 4}).arms ==
+        std::vector<Arm>{{1, 2}, {3, 4}, {1, 2}, {3, 4}});
+  CHECK(with("axial_compliance", 0, {0.25}).axial == 0.5);
+  CHECK(with("link_bending", 0, {4}).flexibility == 0.5);
+  CHECK(with("asymmetric_spring", 0, {0.25}).asymmetry == 0.5);
+  CHECK(with("tendon_friction", 0, {0.25}).capstan == 0.5);
+  CHECK(with("plastic_set", 0, {0.25, 3}).yield == 0.25);
+  CHECK(with("plastic_set", 0, {0.25, 3}).flow == 3);
+  const Rig load = with("load_friction", 0, {0.25, 3}), way = with("direction_friction", 0, {0.25, 0.5}),
+            fast = with("speed_friction", 0, {0.25, 0.5, 6});
+  for (const Rig& one : {load, way, fast}) check_values(one.friction, {1.5, 2.5, 3.5});
+  CHECK(load.friction_law == FrictionLaw{1.5, 0, 0, 1});
+  CHECK(way.friction_law == FrictionLaw{0, 1, 0, 1});
+  CHECK(fast.friction_law == FrictionLaw{0, 0, 1, 6});
+  const Rig all = with("hysteresis", 0, {0.5, 0.1, 1, 0.2, 2, 0.4}),
+            one = with("hysteresis", 3, {0.5, 0.1, 1, 0.2, 2, 0.4});
+  for (const auto& sliders : all.sliders) {
+    REQUIRE(sliders.size() == 6);
+    CHECK(sliders[2].ratio == 2);
+    CHECK(sliders[2].yield == close_to(2 * 4 * 0.4));
+  }
+  CHECK(one.sliders[0].empty());
+  REQUIRE(one.sliders[2].size() == 6);
+  CHECK(one.sliders[2][1].yield == close_to(1 * 5 * 0.2));
+  // rho L_j g along the weights' direction, twice
+  const Rig heavy = with("gravity", 0, {0.25});
+  CHECK((heavy.weight[1] - Vector2(0.1 + 0.5 * 0.5 * 9.81 * 0.6, 0.2 - 0.5 * 0.5 * 9.81 * 0.8)).norm() <
+        1e-14);
+  CHECK((with("tip_payload", 0, {0.25}).payload - Vector2(0.3, -0.4)).norm() < 1e-15);
+  CHECK(with("base_compliance", 0, {1, 2}).base_compliance == Vector2(2, 4));
+  CHECK(with("train_compliance", 0, {1}).train_compliance == 2);
+  CHECK(with("rail_misalignment", 0, {1}).misalignment == 2);
+  CHECK(with("eccentric_load", 0, {1}).eccentricity == 2);
+  CHECK(with("tip_stiffness", 0, {1}).tip_stiffness == 2);
+  CHECK(with("guide_friction", 0, {1}).guide_friction == 2);
+  CHECK(with("position_offset", 0, {1, 2}).position_offset == Vector2(2, 4));
+  CHECK(with("force_bias", 0, {1, 2}).force_bias == Vector2(2, 4));
+  CHECK(with("force_gain", 0, {1}).force_gain == 2);
+  CHECK(with("sensor_drift", 0, {1, 2}).force_drift == Vector2(2, 4));
+  CHECK(with("cross_talk", 0, {1, 2}).cross_talk == Vector2(2, 4));
+  CHECK(with("cell_curvature", 0, {1, 2}).cell_curvature == Vector2(2, 4));
+  CHECK(with("saturation", 0, {8}).force_limit == 8);
+  CHECK(with("sensor_lag", 0, {1}).force_lag == 2);
+  const Rig tared = with("run_tare", 0, {1, 2, 3, 4, 5, 6}), turned = with("run_rest", 0, {1, 2, 3, 4, 5, 6});
+  CHECK(tared.run_tare == std::vector<Vector2>{{2, 4}, {6, 8}, {10, 12}});
+  CHECK(turned.run_rest == std::vector<std::vector<double>>{{0, 2, 4}, {0, 6, 8}, {0, 10, 12}});
+}
