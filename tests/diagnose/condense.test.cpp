@@ -79,3 +79,64 @@ TEST_CASE("a few outliers do not move what is drawn together") {
     if (const double Fx = few.runs[0].readings[i].Fx; !std::isnan(Fx))
       CHECK(std::abs(Fx - clean.runs[0].readings[i].Fx) < 5 * 0.1);
 }
+
+namespace {
+
+/// So many readings of a press whose x falls by one, Fx the number of the reading; there alone, or back from
+/// a place on.
+Experiment numbered(std::size_t count, std::size_t turn) {
+  Experiment experiment = three_links();
+  Run run{"press", Control::end_point, {0.3, -0.5, 0.4}, {}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double way = static_cast<double>(i <= turn ? i : 2 * turn - i), number = static_cast<double>(i);
+    run.readings.push_back({2 * number, -way, 3 * way, number, number, {}});
+  }
+  experiment.runs.push_back(run);
+  return experiment;
+}
+
+}  // namespace
+
+TEST_CASE("which readings are drawn together, by hand") {
+  // 1200 readings in 500 groups: three each, but for the first and the last one, and the one that is left
+  // before it.
+  const Run run = condensed(numbered(1200, 1200)).runs[0];
+  CHECK(run.groups.size == 3);
+  REQUIRE(run.readings.size() == 402);
+  CHECK(run.groups.first.size() == 403);
+  for (std::size_t g = 1; g < 400; ++g) CHECK(run.groups.first[g] == 3 * g - 2);
+  CHECK(run.groups.first[400] == 1198);
+  CHECK(run.groups.first[401] == 1199);
+  CHECK(run.groups.first[402] == 1200);
+  // Of 4, 5 and 6: the mean time, the mean command, the middle of what was measured.
+  const Reading& third = run.readings[2];
+  CHECK(third.t == 10);
+  CHECK(third.x == -5);
+  CHECK(third.y == 15);
+  CHECK(third.Fx == 5);
+  CHECK(third.Fy == 5);
+  for (const std::size_t end : {0U, 401U}) CHECK(std::isnan(run.readings[end].Fx));
+  CHECK(run.readings[0].x == 0);
+  CHECK(run.readings[401].x == -1199);
+
+  // A turn stands alone, and cuts the group before it short.
+  const Run back = condensed(numbered(1200, 600)).runs[0];
+  const auto turn = std::find(back.groups.first.begin(), back.groups.first.end(), 600U);
+  REQUIRE(turn != back.groups.first.end());
+  CHECK(*(turn - 1) == 598);
+  CHECK(*(turn + 1) == 601);
+  CHECK(*(turn + 2) == 604);
+}
+
+TEST_CASE("how many readings are left: all of a thousand, of more 500 in all, or forty of a short run") {
+  CHECK(condensed(numbered(1000, 1000)).runs[0].readings.size() == 1000);
+  // 1001 in 500 groups would be three each as well
+  CHECK(condensed(numbered(1001, 1001)).runs[0].groups.size == 3);
+  Experiment two = numbered(3900, 3900);
+  two.runs.push_back(numbered(100, 100).runs[0]);
+  const Experiment few = condensed(two);
+  CHECK(few.runs[0].groups.size == 9);  // 3900 in 487, a little more than eight each
+  CHECK(few.runs[1].groups.size == 3);  // 100 in 40, not in 12
+  two.runs[1] = numbered(80, 80).runs[0];
+  CHECK(condensed(two).runs[1].groups.size == 1);  // twos would gain nothing
+}
