@@ -56,8 +56,9 @@ TEST_CASE("where the greedy choice needs three runs, the two that suffice are fo
 TEST_CASE("runs that show nothing alone may show it together") {
   // Each run determines the imitator's one parameter, by another value: only both together refute it.
   const Eigen::MatrixXd slope = Eigen::MatrixXd::Constant(1, 1, 1.0);
-  const Contrast contrast{{Eigen::VectorXd::Constant(1, 4.0), slope},
-                          {Eigen::VectorXd::Constant(1, -4.0), slope}};
+  Contrast contrast;
+  for (const double difference : {4.0, -4.0})
+    contrast.push_back({Eigen::VectorXd::Constant(1, difference), slope});
   CHECK(lead(contrast, {0}) == doctest::Approx(0));
   CHECK(lead(contrast, {0, 1}) == close_to(16));  // (4² + 4²) / 2
   CHECK(fewest_runs({contrast}, 2, 3).runs.size() == 2);

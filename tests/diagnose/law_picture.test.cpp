@@ -155,6 +155,13 @@ TEST_CASE("the terms of a law at every reading, by their own formulas") {
       CHECK(terms(row, finest_knots + slip_places + m) ==
             doctest::Approx(wide_slider * here / 0.4).epsilon(1e-12));
       last = here;
+      const auto* const profiled = std::find(std::begin(profile_slips), std::end(profile_slips), m);
+      if (profiled == std::end(profile_slips)) continue;
+      for (Eigen::Index k = 0; k < profile_knots; ++k) {
+        const double hat = std::max(0.0, 1 - std::abs(here + 0.4 - 0.05 * static_cast<double>(k)) / 0.05);
+        CHECK(terms(row, plain_terms + (profiled - std::begin(profile_slips)) * profile_knots + k) ==
+              doctest::Approx(slider * hat).scale(1).epsilon(1e-12));
+      }
     }
   }
   for (Eigen::Index m = 0; m < arm_terms; ++m) {
@@ -184,16 +191,29 @@ TEST_CASE("a law as the rig has it: shares of its torques at its knots, sliders 
     CHECK(law.knots[k].deflection == doctest::Approx(-0.4 + 0.2 * static_cast<double>(k)).scale(1));
     CHECK(law.knots[k].torque == close_to(0.5 * c(8 * static_cast<Eigen::Index>(k))));
   }
-  REQUIRE(law.sliders.size() == 10);
+  REQUIRE(law.sliders.size() == 13);
   CHECK(law.sliders[0].slips_at == close_to(0.05 * 0.3));
   CHECK(law.sliders[0].torque == close_to(0.5 * c(finest_knots + 1)));
   CHECK(law.sliders[0].growth == 0);
   CHECK(law.sliders[1].slips_at == close_to(std::sqrt(0.05) * 0.4));
   CHECK(law.sliders[1].torque == 0);
   CHECK(law.sliders[1].growth == close_to(0.5 * c(finest_knots + slip_places + 1) / 0.4));
+  for (std::size_t p = 0; p < 3; ++p) {
+    const FreeLaw::Slider& one = law.sliders[10 + p];
+    CHECK(one.slips_at == close_to(std::vector{0.1, 0.2, 0.4}[p] * 0.3));
+    CHECK(one.torque + one.growth == 0);
+    REQUIRE(one.profile.size() == 17);
+    for (std::size_t k = 0; k < 17; ++k) {
+      CHECK(one.profile[k].deflection == doctest::Approx(-0.4 + 0.05 * static_cast<double>(k)).scale(1));
+      CHECK(one.profile[k].torque == close_to(0.5 * c(plain_terms + static_cast<Eigen::Index>(17 * p + k))));
+    }
+  }
   REQUIRE(law.arms.size() == 2);
   CHECK(law.arms[0].time_constant == close_to(1.5));
   CHECK(law.arms[0].stiffness == close_to(0.5 * c(finest_knots + slider_terms + 1) / 0.4));
+  CHECK(free_law(span, 5, c.head(plain_terms), 3, 0.5).sliders.size() == 10);
+  c.tail(2 * profile_knots).setZero();
+  CHECK(free_law(span, 5, c, 3, 0.5).sliders.size() == 11);
 }
 
 TEST_CASE("sums of two folds, what coefficients leave of them, and how many terms are affordable") {
@@ -213,6 +233,8 @@ TEST_CASE("sums of two folds, what coefficients leave of them, and how many term
 
   const LawShape shape{5, {1, 2}, {0}};
   CHECK(shape.terms() == 8);
+  CHECK(LawShape{17, {1}, {0, 2}, 1}.terms() == 37);
+  CHECK(LawShape{17, {1}, {0, 2}, 0}.losses() == 3);
   CHECK(affordable(shape, 2, 32));
   CHECK_FALSE(affordable(shape, 2, 31));
   CHECK(affordable({3, {}, {}}, 1, 6));
