@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <plumbline/base/error.hpp>
 #include <plumbline/chain/kinematics.hpp>
 
@@ -43,9 +44,21 @@ double middle_contradiction(const Run& run, const Chain<double>& chain) {
   return *middle;
 }
 
+/// The first reading whose end point no shape of the chain has. A commanded one is exact: beyond the reach by
+/// more than its rounding it has no equilibrium. A measured one carries noise, and lengths and zero are what
+/// is in question: only what no tolerance explains counts.
+std::optional<std::size_t> out_of_reach(const Run& run, const Reach<double>& limits) {
+  const double slack = (run.holds_end_point() ? 1e-4 : 0.25) * limits.largest;
+  for (std::size_t r = 0; r < run.readings.size(); ++r) {
+    const double distance = std::hypot(run.readings[r].x, run.readings[r].y);
+    if (distance > limits.largest + slack || distance < limits.smallest - slack) return r;
+  }
+  return {};
+}
+
 /// What a run that cannot be would mean if its end points or angles, or the links, were in another unit,
-/// order or sense: "; x, y look like mm (columns.x.unit = …)". Empty where no conversion makes it start at
-/// its unloaded shape and agree with itself, each to a tenth of the chain.
+/// order or sense: "; x, y look like mm (columns.x.unit = …)". Empty where no conversion brings it within
+/// reach and makes it start at its unloaded shape and agree with itself, each to a tenth of the chain.
 std::string as_if(const Experiment& experiment, const Run& run) {
   std::string best;
   double least = 0.1;
@@ -56,13 +69,15 @@ std::string as_if(const Experiment& experiment, const Run& run) {
     alone.runs = {run};
     alone = converted(std::move(alone), conversion);
     const Run& other = alone.runs.front();
+    const Reach<double> limits = reach(alone.link_length);
+    if (out_of_reach(other, limits)) continue;
     const auto start = std::find_if(other.readings.begin(), other.readings.end(), [](const Reading& r) {
       return std::isfinite(r.x) && std::isfinite(r.y);
     });
     if (start == other.readings.end()) continue;
     const Chain<double> chain(alone.link_length, alone.joint_stiffness);
-    const double gap = std::max(contradiction(run.rest, *start, chain), middle_contradiction(other, chain)) /
-                       reach(alone.link_length).largest;
+    const double gap =
+        std::max(contradiction(run.rest, *start, chain), middle_contradiction(other, chain)) / limits.largest;
     if (gap >= least) continue;
     least = gap;
     best = "; " + what + (what == "x, y" ? " look like " : " looks like ") + conversion.looks_like +
@@ -71,21 +86,16 @@ std::string as_if(const Experiment& experiment, const Run& run) {
   return best;
 }
 
-/// A commanded end point is exact: beyond the reach by more than its rounding it has no equilibrium. A
-/// measured one carries noise, and lengths and zero are what is in question: only what no tolerance explains
-/// is refused.
 void require_reach(const Experiment& experiment, const Run& run, const Reach<double>& limits) {
-  const double slack = (run.holds_end_point() ? 1e-4 : 0.25) * limits.largest;
-  for (std::size_t r = 0; r < run.readings.size(); ++r) {
-    const double distance = std::hypot(run.readings[r].x, run.readings[r].y);
-    if (distance > limits.largest + slack)
-      throw Error(place(run, r), "an end point " + metres(distance) + " from the base",
-                  "at most the length of the chain, " + metres(limits.largest) + as_if(experiment, run));
-    if (distance < limits.smallest - slack)
-      throw Error(place(run, r), "an end point " + metres(distance) + " from the base",
-                  "at least " + metres(limits.smallest) + ", what the links reach when folded" +
-                      as_if(experiment, run));
-  }
+  const std::optional<std::size_t> r = out_of_reach(run, limits);
+  if (!r) return;
+  const double distance = std::hypot(run.readings[*r].x, run.readings[*r].y);
+  const std::string expected =
+      distance > limits.largest
+          ? "at most the length of the chain, " + metres(limits.largest)
+          : "at least " + metres(limits.smallest) + ", what the links reach when folded";
+  throw Error(place(run, *r), "an end point " + metres(distance) + " from the base",
+              expected + as_if(experiment, run));
 }
 
 /// Joint angles in degrees, in another order or of another chain. No effect moves the end point of most
