@@ -98,3 +98,40 @@ TEST_CASE(
     }
   }
 }
+
+TEST_CASE("spans with ends beyond the largest double, or at zero, exclude no number that may be inside") {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const std::vector<double> numbers{-1e308, -1e300, -2, -5e-324, 0, 5e-324, 3, 1e300, 1e308};
+  std::vector<double> ends = numbers;
+  ends.insert(ends.begin(), -infinite);
+  ends.push_back(infinite);
+  std::vector<Span> spans;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    for (std::size_t j = i; j < ends.size(); ++j) {
+      if (ends[i] < infinite && ends[j] > -infinite) spans.emplace_back(ends[i], ends[j]);
+    }
+  }
+  const auto holds = [](const Span& s,
+                        const Rational& exact) {  // an end that is not a number excludes nothing
+    return !(std::isfinite(s.low) ? Rational(s.low) > exact : s.low > 0) &&
+           !(std::isfinite(s.high) ? Rational(s.high) < exact : s.high < 0);
+  };
+  std::size_t excluded = 0;
+  for (const Span& a : spans) {
+    for (const Span& b : spans) {
+      const Span sum = a + b, difference = a - b, product = a * b, quotient = a / b;
+      for (const double p : numbers) {
+        if (!a.contains(p)) continue;
+        const Span multiple = p * b;
+        for (const double q : numbers) {
+          if (!b.contains(q)) continue;
+          const Rational x(p), y(q);
+          const bool all = holds(sum, x + y) && holds(difference, x - y) && holds(product, x * y) &&
+                           holds(multiple, x * y) && (y == 0 || holds(quotient, x / y));
+          excluded += all ? 0 : 1;
+        }
+      }
+    }
+  }
+  CHECK(excluded == 0);
+}
