@@ -76,3 +76,24 @@ TEST_CASE("a joint that does not turn is left to more digits") {
   stiffness[0] = 0;
   CHECK(left_open(Chain<Rational>(ones, stiffness)) >= 4);
 }
+
+TEST_CASE("a lateral force half-way between two decimals is left to more digits, and one beside it is not") {
+  const Chain<Rational> chain({1, 2, 1, 3, 1, 2}, {2, 1, 3, 1, 2, 1});
+  const WorkingPrecision precision(100);
+  const Rational own = lateral_force(chain, critical_modes(from_rational<Mpfr>(chain), 1)[0]);
+  const Rational half_way = *parse_decimal("0.1234567890123455");
+  // forces grow with the stiffness; in two doubles they err by 1e-26 or so
+  const auto shape_at = [&](const Rational& fy) {
+    std::vector<Rational> stiffness = chain.stiffness();
+    for (Rational& k : stiffness) k *= abs(fy / own);
+    const Chain<Rational> scaled(chain.length(), stiffness);
+    return shapes_in_lanes(scaled, forces_in_lanes(scaled, 1)).at(0);
+  };
+  for (const char* off : {"1", "-1"}) {
+    CHECK_FALSE(shape_at(half_way * (1 + *parse_decimal(off) * *parse_decimal("1e-60"))));
+    CHECK_FALSE(shape_at(half_way * (1 + *parse_decimal(off) * *parse_decimal("1e-30"))));
+    const auto beside = shape_at(half_way * (1 + *parse_decimal(off) * *parse_decimal("1e-20")));
+    REQUIRE(beside);
+    CHECK(to_decimal(abs(beside->fy), 15) == (*off == '-' ? "0.123456789012345" : "0.123456789012346"));
+  }
+}
