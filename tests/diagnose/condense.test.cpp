@@ -119,6 +119,9 @@ TEST_CASE("which readings are drawn together, by hand") {
   CHECK(run.readings[0].x == 0);
   CHECK(run.readings[401].x == -1199);
 
+  // Where threes fill the run up to its last reading, none is cut.
+  CHECK(condensed(numbered(1202, 1202)).runs[0].readings.size() == 402);
+
   // A turn stands alone, and cuts the group before it short.
   const Run back = condensed(numbered(1200, 600)).runs[0];
   const auto turn = std::find(back.groups.first.begin(), back.groups.first.end(), 600U);
