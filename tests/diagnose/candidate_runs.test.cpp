@@ -2,9 +2,16 @@
 
 #include <doctest/doctest.h>
 
-#include "diagnose/model/history.hpp"
+#include <algorithm>
+#include <cmath>
 
+#include "diagnose/model/study.hpp"
+#include "tests/close_to.hpp"
+#include "tests/diagnose/bench.hpp"
+
+using namespace plumbline;
 using namespace plumbline::diagnose;
+using namespace plumbline::diagnose::test;
 
 TEST_CASE("a run may ask for twice the force and half as much deflection again as those before, by hand") {
   const Extent so_far{0.1, 2.5, 0.4, 2};
@@ -27,4 +34,123 @@ TEST_CASE("a run may ask for twice the force and half as much deflection again a
   CHECK_FALSE(so_far.allows(trace(1, 0, 0.1, -0.61), rest));
   // where nothing was asked so far anything may be
   CHECK(Extent{}.allows(trace(100, 0, 3, 3), rest));
+}
+
+namespace {
+
+/// A press of 6 mm and a load, with readings every three seconds and every second.
+Experiment press_and_load() {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.006, 0.008}, 5, true, 3);
+  load(experiment, {0.2, 0.3, -0.3}, {0, 0}, {-0.06, 0.08}, 5);
+  return experiment;
+}
+
+}  // namespace
+
+TEST_CASE("how far the runs so far went, by hand") {
+  const Study study(press_and_load());
+  const Extent so_far = extent(study);
+  CHECK(so_far.travel == close_to(0.01).epsilon(1e-9));  // (6, 8) mm
+  CHECK(so_far.pause == 3);
+  double force = 0, deflection = 0;
+  for (std::size_t r = 0; r < 2; ++r) {
+    const Trace& trace = study.nominal().runs[r];
+    for (Eigen::Index i = 0; i < trace.rows(); ++i) {
+      force = std::max(force, std::hypot(trace(i, column_Fx), trace(i, column_Fy)));
+      for (std::size_t j = 0; j < 3; ++j)
+        deflection = std::max(deflection, std::abs(angle(trace, i, j) - study.experiment().runs[r].rest[j]));
+    }
+  }
+  CHECK(so_far.force == close_to(force).epsilon(1e-12));
+  CHECK(so_far.deflection == close_to(deflection).epsilon(1e-12));
+
+  Experiment loaded = press_and_load();
+  loaded.runs.erase(loaded.runs.begin());
+  CHECK(extent(Study(loaded)).travel == close_to(0.05 * 0.6));  // none was commanded
+  loaded.runs[0].readings.clear();
+  CHECK(extent(Study(loaded)).pause == 2);
+}
+
+TEST_CASE("a held end point is pressed as far as before and half as far again, five ways, there and back") {
+  const Experiment experiment = press_and_load();
+  const Shape shape{Control::end_point, {0.3, -0.5, 0.4}, "the rest"};
+  const std::vector<CandidateRun> all = runs_from(experiment, shape, {0.01, 1, 0.1, 3});
+  REQUIRE(all.size() == 20);
+  const char* ways[] = {"along -x", "along +x", "along +y", "along -y", "between -x and +y"};
+  const Vector2 along[] = {{-1, 0}, {1, 0}, {0, 1}, {0, -1}, {-0.8, 0.6}};
+  const Vector2 start = unloaded_end(experiment, shape.rest);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::size_t way = i / 4;
+    const bool far = i % 4 >= 2, back = i % 2 == 1;
+    CHECK(all[i].description == std::string("press ") + ways[way] + " by " + (far ? "0.015" : "0.01") +
+                                    " m from the rest" + (back ? " and unload" : ""));
+    const Run& run = all[i].run;
+    CHECK(run.holds_end_point());
+    CHECK(run.rest == shape.rest);
+    REQUIRE(run.readings.size() == (back ? 41 : 21));
+    for (const std::size_t r : {0U, 7U, 20U}) {
+      const Vector2 to = start + static_cast<double>(r) / 20 * (far ? 0.015 : 0.01) * along[way];
+      CHECK((run.command(run.readings[r]) - to).norm() < 1e-15);
+      CHECK(run.readings[r].t == 3.0 * static_cast<double>(r));
+      CHECK(std::isnan(run.readings[r].Fx));
+      CHECK(std::isnan(run.readings[r].Fy));
+    }
+    if (back) CHECK((run.command(run.readings[33]) - run.command(run.readings[7])).norm() < 1e-15);
+  }
+}
+
+TEST_CASE("a chain that is loaded is loaded as before, or as little as deflects it no more than before") {
+  const Experiment experiment = press_and_load();
+  const Shape shape{Control::force, {0.2, 0.3, -0.3}, "the rest"};
+  const std::vector<CandidateRun> all = runs_from(experiment, shape, {0, 0.1, 0.33, 3});
+  REQUIRE(all.size() == 10);
+  CHECK(all[0].description == "load with 0.1 N along -x from the rest");
+  CHECK(all[9].description == "load with 0.1 N between -x and +y from the rest and unload");
+  const Run& run = all[9].run;
+  CHECK_FALSE(run.holds_end_point());
+  REQUIRE(run.readings.size() == 41);
+  CHECK((run.command(run.readings[20]) - Vector2(-0.08, 0.06)).norm() < 1e-15);
+  CHECK(run.command(run.readings[40]).norm() == 0);
+  CHECK(std::isnan(run.readings[20].x));
+  CHECK(run.readings[20].t == 60);
+  // What is asked for is halved until the nominal joints turn no farther.
+  const auto turned = [&](Run one, double times) {
+    for (Reading& r : one.readings) r.Fx *= times, r.Fy *= times;
+    Experiment bench = experiment;
+    bench.runs = {one};
+    const Trace trace = predict(Study(bench), {}, {}).runs[0];
+    double most = 0;
+    for (Eigen::Index i = 0; i < trace.rows(); ++i)
+      for (std::size_t j = 0; j < 3; ++j) most = std::max(most, std::abs(angle(trace, i, j) - shape.rest[j]));
+    return most;
+  };
+  int halved = 0;
+  for (const CandidateRun& one : runs_from(experiment, shape, {0, 0.1, 0.005, 3})) {
+    CHECK(turned(one.run, 1) <= 0.005);
+    const double force = one.run.command(one.run.readings[20]).norm(), times = std::log2(0.1 / force);
+    CHECK(times == doctest::Approx(std::round(times)).scale(1));
+    if (times < 0.5) continue;
+    ++halved;
+    CHECK(turned(one.run, 2) > 0.005);
+  }
+  CHECK(halved > 0);
+  // Nothing so far: a third of a radian at most.
+  const std::vector<CandidateRun> first = runs_from(experiment, shape, {});
+  CHECK(first.size() == 10);
+  for (const CandidateRun& one : first) CHECK(one.run.readings[1].t == 2);
+}
+
+TEST_CASE("the shapes of a bench: those of its runs by their names, then turned over, none twice") {
+  Experiment experiment = press_and_load();
+  experiment.runs.push_back(experiment.runs[0]);
+  experiment.runs[2].id = "again";
+  const std::vector<Shape> all = shapes(experiment, 10);
+  REQUIRE(all.size() == 4);
+  CHECK(all[0].words == "the rest shape of again");
+  CHECK(all[1].words == "the rest shape of load-2");
+  CHECK(all[2].words == "the mirrored rest shape of again");
+  CHECK(all[2].rest == std::vector<double>{-0.3, 0.5, -0.4});
+  CHECK(all[3].control == Control::force);
+  CHECK(shapes(experiment, 3).size() == 3);
 }
