@@ -115,15 +115,16 @@ std::string asked(const CLI::App& verb, const std::vector<std::filesystem::path>
 
 std::string in_our_words(const CLI::ParseError& error) {
   const std::string said = error.what();
-  const auto is = [&](const char* kind) { return error.get_name() == kind; };
-  if (is("ValidationError")) return said;
-  if (is("ExtrasError"))
+  // Its name may be that of the verb.
+  const auto is = [&](CLI::ExitCodes kind) { return error.get_exit_code() == static_cast<int>(kind); };
+  if (is(CLI::ExitCodes::ValidationError)) return said;
+  if (is(CLI::ExitCodes::ExtrasError))
     return fmt::format("command line: {}", refusal(behind(said, "not expected: "), "what --help lists"));
-  if (is("RequiredError")) return option_in(said) + ": found nothing, expected a value";
-  if (is("ExcludesError"))
+  if (is(CLI::ExitCodes::RequiredError)) return option_in(said) + ": found nothing, expected a value";
+  if (is(CLI::ExitCodes::ExcludesError))
     return fmt::format("{}: found it beside {}, expected one of the two", option_in(said),
                        behind(said, "excludes "));
-  if (is("ArgumentMismatch"))
+  if (is(CLI::ExitCodes::ArgumentMismatch))
     return option_in(said) + ": found too few or too many values, expected as many as --help says";
   return fmt::format("{}: found what cannot be read, expected what --help says", option_in(said));
 }

@@ -17,12 +17,24 @@ TEST_CASE("without arguments the command lists its verbs, and critical computes 
   CHECK(contains(example.out, "-0.3057"));  // the paper's Table 2, second vector: -0.2026 / 0.6628
 }
 
-TEST_CASE("a wrong command line is bad input") {
+TEST_CASE("a wrong command line is bad input, and what is wrong of it is said") {
   const Workplace here;
-  for (const char* arguments : {"nonsense", "critical --nonsense", "critical --digits 0",
-                                "critical --digits x", "critical a.toml b.toml"}) {
+  const struct {
+    const char *arguments, *said;
+  } cases[] = {
+      {"nonsense", "command line: found nonsense, expected what --help lists"},
+      {"critical --nonsense", "command line: found --nonsense, expected what --help lists"},
+      {"verify a b", "command line: found a b, expected what --help lists"},
+      {"critical a.toml b.toml", "command line: found b.toml, expected what --help lists"},
+      {"critical --digits 0", "--digits: found 0, expected a whole number"},
+      {"critical --digits x", "--digits: found x, expected a whole number"},
+      {"critical --digits", "--digits: found too few or too many values"},
+  };
+  for (const auto& [arguments, said] : cases) {
     CAPTURE(arguments);
-    check_refused(here.plumbline(arguments));
+    const Outcome refused = here.plumbline(arguments);
+    check_refused(refused);
+    CHECK(contains(refused.err, said));
   }
 }
 
