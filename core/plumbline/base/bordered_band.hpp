@@ -8,10 +8,11 @@
 /// is small beside its row is enlarged on purpose, T' = T + sum s_i e_i e_i^T, and every enlargement becomes
 /// one more border, which undoes it exactly:
 ///
-///     [ T' E   C ]        E = (e_i),  S = diag(s_i)
-///     [ E' 1/S 0 ]        its Schur complement of 1/S is the matrix asked for,
-///     [ R  0   D ]        its Schur complement of T' is small and dense.
+///     [ T'   E S  C ]        E = (e_i),  S = diag(s_i)
+///     [ S E' S    0 ]        its Schur complement of S is the matrix asked for,
+///     [ R    0    D ]        its Schur complement of T' is small and dense.
 ///
+/// All entries of that are in the unit of T and the borders, so that its pivots are chosen alike in any unit.
 /// No row moves, so the work stays O(n); Haynsworth's inertia additivity, used twice, counts negative
 /// directions: n_-[T C; C' D] = n_-(T') + n_-(G) - n_-(S), where G is the small dense matrix.
 
@@ -89,13 +90,11 @@ class BorderedBand {
     L_ = T;
     shifts_.clear();
     negative_ = 0;
-    Real scale_of_all(0);
     for (Eigen::Index i = 0; i < n; ++i) {
       Real scale = abs(T(0, i));
       for (Eigen::Index d = 1; d <= min<Eigen::Index>(B, n - 1 - i); ++d) scale = max(scale, abs(T(d, i)));
       for (Eigen::Index d = 1; d <= min<Eigen::Index>(B, i); ++d) scale = max(scale, abs(T(d, i - d)));
-      if (!(scale > Real(0))) scale = scale_of_all > Real(0) ? scale_of_all : Real(1);
-      scale_of_all = max(scale_of_all, scale);
+      if (!(scale > Real(0))) scale = largest(T);
       Real& pivot = L_(0, i);
       if (!(abs(pivot) >= small_ * scale)) {
         const Real shift = pivot < Real(0) ? Real(-scale) : scale;
@@ -113,7 +112,10 @@ class BorderedBand {
     const Eigen::Index n = L_.cols(), p = C.cols(), m = shifted();
     X_.resize(n, m + p);
     X_.leftCols(m).setConstant(Real(0));
-    for (Eigen::Index a = 0; a < m; ++a) X_(shifts_[static_cast<std::size_t>(a)].first, a) = Real(1);
+    for (Eigen::Index a = 0; a < m; ++a) {
+      const auto& [i, shift] = shifts_[static_cast<std::size_t>(a)];
+      X_(i, a) = shift;
+    }
     X_.rightCols(p) = C;
     for (Eigen::Index a = 0; a < m + p; ++a) solve_band(X_.col(a));
     R_ = R;
@@ -121,7 +123,7 @@ class BorderedBand {
     for (Eigen::Index b = 0; b < m + p; ++b) {
       for (Eigen::Index a = 0; a < m; ++a) {
         const auto& [i, shift] = shifts_[static_cast<std::size_t>(a)];
-        G_(a, b) = (a == b ? Real(1) / shift : Real(0)) - X_(i, b);
+        G_(a, b) = (a == b ? shift : Real(0)) - shift * X_(i, b);
       }
       for (Eigen::Index a = 0; a < p; ++a) {
         Real sum = b >= m ? Real(D(a, b - m)) : Real(0);
@@ -160,7 +162,10 @@ class BorderedBand {
     if (m + p == 0) return;
     if (m == 0 && p == 2) return solve_two(v, w);
     z_.resize(m + p);
-    for (Eigen::Index a = 0; a < m; ++a) z_(a) = -v(shifts_[static_cast<std::size_t>(a)].first);
+    for (Eigen::Index a = 0; a < m; ++a) {
+      const auto& [i, shift] = shifts_[static_cast<std::size_t>(a)];
+      z_(a) = -shift * v(i);
+    }
     for (Eigen::Index a = 0; a < p; ++a) {
       Real sum = w(a);
       for (Eigen::Index i = 0; i < n; ++i) sum -= R_(i, a) * v(i);
@@ -179,6 +184,17 @@ class BorderedBand {
   static Real default_pivot() {
     using std::sqrt;
     return sqrt(sqrt(epsilon<Real>()));
+  }
+  /// The size of the largest entry, for rows of zeros, which have no scale of their own; 1 where all are
+  /// zero.
+  static Real largest(const Band<Real, B>& T) {
+    using std::abs, std::max, std::min;
+    Real result(0);
+    for (Eigen::Index i = 0; i < T.cols(); ++i) {
+      for (Eigen::Index d = 0; d <= min<Eigen::Index>(B, T.cols() - 1 - i); ++d)
+        result = max(result, abs(T(d, i)));
+    }
+    return result > Real(0) ? result : Real(1);
   }
   [[nodiscard]] Eigen::Index shifted() const { return static_cast<Eigen::Index>(shifts_.size()); }
 
