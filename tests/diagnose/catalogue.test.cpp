@@ -37,7 +37,7 @@ Exercise exercise_by_hand() {
   return {{0.11, 0.23, 0.31}, 0.31, 1.7};
 }
 
-std::vector<double> scales(const char* id, std::size_t joint) {
+std::vector<double> sizeable_values(const char* id, std::size_t joint) {
   const Sizes size = sizes_by_hand();
   std::vector<double> all;
   for (const ParameterRange& one : effect(id, joint).parameters({size, joint > 0 ? joint - 1 : 0}))
@@ -125,10 +125,10 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
       continue;
     }
     ++known;
-    check_values(scales(row.id.c_str(), row.at_joint ? 3 : 0), place->second);
+    check_values(sizeable_values(row.id.c_str(), row.at_joint ? 3 : 0), place->second);
   }
   CHECK(known == of_chain.size() + of_a_joint.size());
-  check_values(scales("joint_stop", 1), {0.3, 4});  // at a passive joint the mean spring's
+  check_values(sizeable_values("joint_stop", 1), {0.3, 4});  // at a passive joint the mean spring's
 }
 
 TEST_CASE("tolerances are what machining and assembly leave, of elastic joints alone or of every link") {

@@ -35,7 +35,7 @@ const Conversion& conversion(const std::vector<Conversion>& all, const std::stri
   return *found;
 }
 
-void check_converted(const std::vector<double>& found, const std::vector<double>& expected) {
+void check_close(const std::vector<double>& found, const std::vector<double>& expected) {
   REQUIRE(found.size() == expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i] == close_to(expected[i]).epsilon(1e-12));
 }
@@ -102,7 +102,7 @@ TEST_CASE("what readings would be in other units, by hand") {
   for (const auto& [name, factor] : forces) {
     const Conversion& one = conversion(all, "Fx, Fy", name);
     const Reading read = converted(experiment, one).runs[0].readings[0];
-    check_converted({read.Fx, read.Fy, read.x, read.y}, {5 * factor, 7 * factor, 2, 3});
+    check_close({read.Fx, read.Fy, read.x, read.y}, {5 * factor, 7 * factor, 2, 3});
     CHECK(one.factor == close_to(factor));
     CHECK(one.expected == "N");
     CHECK_FALSE(one.mirror);
@@ -111,15 +111,15 @@ TEST_CASE("what readings would be in other units, by hand") {
   }
   for (const auto& [name, factor] : {std::pair("mm", 1e-3), std::pair("cm", 1e-2), std::pair("in", 0.0254)}) {
     const Reading read = converted(experiment, conversion(all, "x, y", name)).runs[0].readings[0];
-    check_converted({read.x, read.y, read.Fx, read.Fy}, {2 * factor, 3 * factor, 5, 7});
+    check_close({read.x, read.y, read.Fx, read.Fy}, {2 * factor, 3 * factor, 5, 7});
     CHECK(conversion(all, "x, y", name).remedy ==
           std::string("columns.x.unit and columns.y.unit = \"") + name + "\"");
     const Experiment links = converted(experiment, conversion(all, "link_length", name)),
                      both = converted(experiment, conversion(all, "link_length, x, y", name));
-    check_converted(links.link_length, {0.2 * factor, 0.25 * factor, 0.15 * factor});
-    check_converted(both.link_length, links.link_length);
+    check_close(links.link_length, {0.2 * factor, 0.25 * factor, 0.15 * factor});
+    check_close(both.link_length, links.link_length);
     CHECK(links.runs[0].readings[0].x == 2);
-    check_converted({both.runs[0].readings[0].x, both.runs[0].readings[0].y}, {2 * factor, 3 * factor});
+    check_close({both.runs[0].readings[0].x, both.runs[0].readings[0].y}, {2 * factor, 3 * factor});
     CHECK(conversion(all, "link_length", name).factor == close_to(factor));
   }
   const double degree = std::acos(-1.0) / 180;
@@ -132,7 +132,7 @@ TEST_CASE("what readings would be in other units, by hand") {
                                                   {"lbf in/rad", 4.4482216152605 * 0.0254}};
   for (const auto& [name, k] : stiffnesses) {
     const Conversion& one = conversion(all, "joint_stiffness", name);
-    check_converted(converted(experiment, one).joint_stiffness, {2 * k, 1.5 * k, k});
+    check_close(converted(experiment, one).joint_stiffness, {2 * k, 1.5 * k, k});
     CHECK(one.factor == close_to(k));
     CHECK(one.remedy == "units.joint_stiffness = \"" + name + "\"");
     CHECK(one.expected == "N m/rad");
@@ -243,12 +243,12 @@ TEST_CASE("what angles would be written otherwise, by hand: of the readings, of 
   for (const Written& one : written) {
     const Conversion &q = conversion(all, "q", one.name), &rest = conversion(all, "rest", one.name),
                      &both = conversion(all, "rest, q", one.name);
-    check_converted(converted(experiment, q).runs[0].readings[0].q, one.q);
-    check_converted(converted(experiment, q).runs[0].rest, {0.3, -0.5, 0.4});
-    check_converted(converted(experiment, rest).runs[0].rest, one.rest);
-    check_converted(converted(experiment, rest).runs[0].readings[0].q, {0.1, 0.25, 0.45});
-    check_converted(converted(experiment, both).runs[0].readings[0].q, one.q);
-    check_converted(converted(experiment, both).runs[0].rest, one.rest);
+    check_close(converted(experiment, q).runs[0].readings[0].q, one.q);
+    check_close(converted(experiment, q).runs[0].rest, {0.3, -0.5, 0.4});
+    check_close(converted(experiment, rest).runs[0].rest, one.rest);
+    check_close(converted(experiment, rest).runs[0].readings[0].q, {0.1, 0.25, 0.45});
+    check_close(converted(experiment, both).runs[0].readings[0].q, one.q);
+    check_close(converted(experiment, both).runs[0].rest, one.rest);
     CHECK(q.remedy == one.of_q);
     CHECK(rest.remedy == one.of_rest);
     CHECK(both.remedy == std::string(one.of_rest) + ", " + one.of_q);
@@ -276,12 +276,12 @@ TEST_CASE("lists of the chain from its end on, and what was read in other units 
   experiment.origins = {{"link_length", "", "mm", 1e-3}, {"rest", "", "deg", std::acos(-1.0) / 180}};
   experiment.runs[0].origins = {{"Fx", "F", "kgf", 9.80665}, {"x", "X", "cm", 1e-2}};
   all = conversions(experiment);
-  check_converted(converted(experiment, conversion(all, "link_length", "m")).link_length, {200, 250, 150});
+  check_close(converted(experiment, conversion(all, "link_length", "m")).link_length, {200, 250, 150});
   CHECK(conversion(all, "link_length", "m").expected == "mm");
-  check_converted(converted(experiment, conversion(all, "rest", "radians")).runs[0].rest,
-               {0.3 * 180 / std::acos(-1.0), -0.5 * 180 / std::acos(-1.0), 0.4 * 180 / std::acos(-1.0)});
+  check_close(converted(experiment, conversion(all, "rest", "radians")).runs[0].rest,
+              {0.3 * 180 / std::acos(-1.0), -0.5 * 180 / std::acos(-1.0), 0.4 * 180 / std::acos(-1.0)});
   const Reading read = converted(experiment, conversion(all, "x, y", "mm")).runs[0].readings[0];
-  check_converted({read.x, read.y}, {0.2, 0.3});
+  check_close({read.x, read.y}, {0.2, 0.3});
   CHECK(conversion(all, "Fx, Fy", "N").factor == close_to(1 / 9.80665));
   // Newtons that were multiplied once too often are what is said to be kgf already.
   for (const Conversion& one : all) CHECK(one.looks_like.find("once too often") == std::string::npos);

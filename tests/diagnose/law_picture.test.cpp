@@ -14,10 +14,10 @@ using namespace plumbline::diagnose;
 namespace {
 
 /// Knots of every fourth are 0.1 rad apart.
-const LawSpan wide{-0.4, 0.4, 10};
-constexpr Eigen::Index nine = 9;
+const LawSpan evenly_bent{-0.4, 0.4, 10};
+constexpr Eigen::Index nine_knots = 9;
 
-JointTorqueLaw nothing_added(double stiffness, const LawSpan& span = wide) {
+JointTorqueLaw nothing_added(double stiffness, const LawSpan& span = evenly_bent) {
   return {{2}, span, Eigen::VectorXd::Zero(law_terms_count), stiffness};
 }
 
@@ -41,7 +41,7 @@ JointTorqueLaw with_slopes(double stiffness, const std::vector<double>& slopes, 
 }
 
 std::string words(const JointTorqueLaw& law) {
-  return picture_of(law, nine).words;
+  return picture_of(law, nine_knots).words;
 }
 
 std::vector<double> slopes_of(double outer, double inner) {
@@ -51,7 +51,7 @@ std::vector<double> slopes_of(double outer, double inner) {
 }  // namespace
 
 TEST_CASE("a law that adds nothing is the spring, and its knots are those of spring and law together") {
-  const LawPicture bare = picture_of(nothing_added(10), nine);
+  const LawPicture bare = picture_of(nothing_added(10), nine_knots);
   CHECK(bare.words == "close to the nominal spring");
   CHECK(bare.joints == std::vector<std::size_t>{2});
   REQUIRE(bare.knots.size() == 9);
@@ -62,10 +62,10 @@ TEST_CASE("a law that adds nothing is the spring, and its knots are those of spr
   CHECK(bare.sliders.empty());
   CHECK(bare.arms.empty());
   // Of what lies beyond the exercised by more than a knot nothing is drawn.
-  const LawPicture half = picture_of(nothing_added(10, {-0.13, 0.4, 10}), nine);
+  const LawPicture half = picture_of(nothing_added(10, {-0.13, 0.4, 10}), nine_knots);
   REQUIRE(half.knots.size() == 7);
   CHECK(half.knots[0].deflection == close_to(-0.2));
-  const LawPicture other = picture_of(nothing_added(10, {-0.4, 0.13, 10}), nine);
+  const LawPicture other = picture_of(nothing_added(10, {-0.4, 0.13, 10}), nine_knots);
   REQUIRE(other.knots.size() == 7);
   CHECK(other.knots[6].deflection == close_to(0.2));
 }
@@ -119,7 +119,7 @@ TEST_CASE("loops and what relaxes, in words, by hand") {
   law = nothing_added(10);
   law.coefficients(finest_knots + slider_terms + 1) = 0.2;
   CHECK(words(law) == "0.5 N m/rad that relax within 1.5 s");
-  const LawPicture picture = picture_of(law, nine);
+  const LawPicture picture = picture_of(law, nine_knots);
   REQUIRE(picture.arms.size() == 1);
   CHECK(picture.arms[0].stiffness == close_to(0.5));
   CHECK(picture.arms[0].time_constant == close_to(1.5));

@@ -19,9 +19,9 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using ReportJson = nlohmann::ordered_json;
 
-constexpr Channel Fx{Channel::Name::Fx}, q2{Channel::Name::q, 1};
+constexpr Channel of_Fx{Channel::Name::Fx}, of_q2{Channel::Name::q, 1};
 
 /// A press there and back, and a load.
 Experiment small_bench() {
@@ -47,9 +47,9 @@ Diagnosis made_up() {
   made.experiment = "three links";
   made.noise.scale = {1, 1, 2, 1, 0.5};
   made.noise.correlation = 0.12;
-  made.gap = {true, {1e-5, 3, {}, made.noise, {}}, 12.5,        {{Fx, 0.25}, {q2, 0.0031}},
-              {},   {{Channel::Name::Fx, 0.021}},  {{q2, 3.2}}, {"load-2"}};
-  made.where.channels = {{Fx, 0.75}, {q2, 0.25}};
+  made.gap = {true, {1e-5, 3, {}, made.noise, {}}, 12.5,           {{of_Fx, 0.25}, {of_q2, 0.0031}},
+              {},   {{Channel::Name::Fx, 0.021}},  {{of_q2, 3.2}}, {"load-2"}};
+  made.where.channels = {{of_Fx, 0.75}, {of_q2, 0.25}};
   made.where.runs = {{"press-1", 0.9}, {"load-2", 0.1}};
   made.where.load_path = {{"load-2", 0, 4, 0.004, Regime::pre_buckling},
                           {"press-1", 3, 6, 0.6, Regime::post_buckling},
@@ -65,12 +65,12 @@ Diagnosis made_up() {
   made.estimates = {{{"b", "rad", 0.0312, 0.0301, 0.0323, false}}, {{"rho", "kg/m", 0.81, 0.7, 0.9, false}}};
   Shrink shrink;
   shrink.heldout = {"press-1[1:2]", "load-2"};
-  shrink.rms_before = {{Fx, 0.24}, {q2, 0.003}};
-  shrink.rms_after = {{Fx, 0.031}, {q2, 0.0011}};
+  shrink.rms_before = {{of_Fx, 0.24}, {of_q2, 0.003}};
+  shrink.rms_after = {{of_Fx, 0.031}, {of_q2, 0.0011}};
   shrink.ratio = 0.125, shrink.ratio_low = 0.101, shrink.ratio_high = 0.152;
   shrink.noise_floor_ratio = 0.11;
   shrink.chi2_per_value_after = 1.21;
-  shrink.channels = {{Fx, {0.13, 0.12, 0.14, 0.09}}, {q2, {0.36, 0.34, 0.38, 0.3}}};
+  shrink.channels = {{of_Fx, {0.13, 0.12, 0.14, 0.09}}, {of_q2, {0.36, 0.34, 0.38, 0.3}}};
   shrink.chosen_blind = true;
   made.shrink = shrink;
   return made;
@@ -120,9 +120,9 @@ bool says(const std::string& text, const std::string& part) {
 }
 
 /// What the page would have to hold so that a program finds the number again.
-std::string marked(const Json& report, const std::string& key) {
-  return "<data value=\"" + Json(report.at(Json::json_pointer(key)).get<double>()).dump() + "\" data-key=\"" +
-         key + "\">";
+std::string marked(const ReportJson& report, const std::string& key) {
+  return "<data value=\"" + ReportJson(report.at(ReportJson::json_pointer(key)).get<double>()).dump() +
+         "\" data-key=\"" + key + "\">";
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ TEST_CASE("a diagnosis in words, by hand") {
 
 TEST_CASE("what else the words may say: no gap, tones, remainders, rivals, what was not exercised") {
   Diagnosis made = made_up();
-  made.gap.hum = {{"press-1", Fx, 3.7, 1.6}};
+  made.gap.hum = {{"press-1", of_Fx, 3.7, 1.6}};
   CHECK_FALSE(says(as_text(made), "hums"));  // beside a gap it is no matter
   made.gap.present = false;
   made.noise.scale = {1, 1, 1.5, 1, 1 / 1.5};
@@ -202,19 +202,19 @@ TEST_CASE("what to measure next, in words and as JSON") {
         "  turn: expected odds 1.09e+06 to one\n");
   made.proposals.front().log_odds_so_far = 2.9;
   CHECK(says(as_text(made), "best first\n  press farther"));
-  const Json list = as_json(made)["next"];
+  const ReportJson list = as_json(made)["next"];
   REQUIRE(list.size() == 3);
-  CHECK(list[1] == Json{{"run", "load"}, {"expected_log_odds", 14.1}});
+  CHECK(list[1] == ReportJson{{"run", "load"}, {"expected_log_odds", 14.1}});
 }
 
 TEST_CASE("every number of a diagnosis stands in its JSON, by hand") {
-  const Json json = as_json(made_up());
+  const ReportJson json = as_json(made_up());
   CHECK(json["format"] == "gap-diagnosis/1");
   CHECK(json["experiment"] == "three links");
-  CHECK(json["gap"] == Json::parse(R"json({"present": true, "p_value": 1e-5, "chi2_per_dof": 12.5,
+  CHECK(json["gap"] == ReportJson::parse(R"json({"present": true, "p_value": 1e-5, "chi2_per_dof": 12.5,
     "rms": {"Fx": 0.25, "q2": 0.0031}, "noise": {"Fx": 2.0, "q": 0.5, "correlation": 0.12},
     "proportional_noise": {"Fx": 0.021}, "uneven_noise": {"q2": 3.2}, "taken_for_weights": ["load-2"]})json"));
-  CHECK(json["where"] == Json::parse(R"json({
+  CHECK(json["where"] == ReportJson::parse(R"json({
     "channels": [{"channel": "Fx", "share": 0.75}, {"channel": "q2", "share": 0.25}],
     "runs": [{"run": "press-1", "share": 0.9}, {"run": "load-2", "share": 0.1}],
     "load_path": [{"run": "load-2", "from": 0, "to": 4, "share": 0.004, "regime": "pre-buckling"},
@@ -223,7 +223,7 @@ TEST_CASE("every number of a diagnosis stands in its JSON, by hand") {
       {"run": "press-1", "from": 7, "to": 12, "share": 0.39, "regime": "unloading"}],
     "joints": [{"joint": 2, "share": 0.8}, {"joint": 3, "share": 0.15}, {"joint": 1, "share": 0.05}],
     "joint_evidence": "of the measured missing torque"})json"));
-  CHECK(json["cause"] == Json::parse(R"json({"verdict": "identified", "effects": [
+  CHECK(json["cause"] == ReportJson::parse(R"json({"verdict": "identified", "effects": [
       {"id": "backlash", "joint": 2, "parameters":
         {"b": {"value": 0.0312, "low": 0.0301, "high": 0.0323, "at_bound": false, "unit": "rad"}}},
       {"id": "gravity", "joint": null, "parameters":
@@ -236,13 +236,13 @@ TEST_CASE("every number of a diagnosis stands in its JSON, by hand") {
       {"effects": ["unknown"], "probability": 0.008, "chi2_per_dof": 12.5}],
     "not_exercised": []
 })json"));
-  CHECK(json["shrink"] == Json::parse(R"json({"of": "cause", "tested": true, "chosen_blind": true,
+  CHECK(json["shrink"] == ReportJson::parse(R"json({"of": "cause", "tested": true, "chosen_blind": true,
     "heldout": ["press-1[1:2]", "load-2"], "rms_before": {"Fx": 0.24, "q2": 0.003},
     "rms_after": {"Fx": 0.031, "q2": 0.0011}, "ratio": 0.125, "ratio_low": 0.101, "ratio_high": 0.152,
     "noise_floor_ratio": 0.11, "chi2_per_dof_after": 1.21, "channels": {
       "Fx": {"ratio": 0.13, "ratio_low": 0.12, "ratio_high": 0.14, "noise_floor_ratio": 0.09},
       "q2": {"ratio": 0.36, "ratio_low": 0.34, "ratio_high": 0.38, "noise_floor_ratio": 0.3}}})json"));
-  CHECK(json["next"] == Json::array());
+  CHECK(json["next"] == ReportJson::array());
   CHECK_FALSE(json.contains("law"));
 }
 
@@ -258,15 +258,15 @@ TEST_CASE("what else the JSON may hold: rivals, remainders, what is missing, no 
   made.missing = Missing{"torque at joint 2", "N m", "q2", "rad", {{0.1, 0.2, 0.3, true}}, 0.5, 0.6, 0.7};
   for (int i = 0; i < 9; ++i) made.cause.ranking.push_back(ranked(only("gravity"), {0.1}, 1e-3, 2));
   made.shrink->noise_floor_ratio = 0.71;
-  Json json = as_json(made);
+  ReportJson json = as_json(made);
   CHECK(json["cause"]["remainder"] == 0.07);
-  CHECK(json["cause"]["equivalent"] == Json::parse(R"json([["force_gain"], ["unknown"]])json"));
-  CHECK(json["cause"]["not_exercised"] == Json::parse(R"json(["joint_stop(1)"])json"));
+  CHECK(json["cause"]["equivalent"] == ReportJson::parse(R"json([["force_gain"], ["unknown"]])json"));
+  CHECK(json["cause"]["not_exercised"] == ReportJson::parse(R"json(["joint_stop(1)"])json"));
   CHECK(json["cause"]["effects"][0]["id"] == "rest_angle");
   CHECK(json["cause"]["effects"][0]["parameters"]["a"]["at_bound"] == true);
   CHECK(json["cause"]["ranking"].size() == 11);
   CHECK(json["cause"]["ranking"][10]["effects"][0] == "unknown");
-  CHECK(json["where"]["missing"] == Json::parse(R"json({"what": "torque at joint 2", "unit": "N m",
+  CHECK(json["where"]["missing"] == ReportJson::parse(R"json({"what": "torque at joint 2", "unit": "N m",
     "against": "q2", "explained": {"position": 0.5, "direction": 0.6, "time": 0.7},
     "points": [[0.1, 0.2, 0.3, true]]})json"));
   CHECK(json["shrink"]["tested"] == false);
@@ -274,7 +274,7 @@ TEST_CASE("what else the JSON may hold: rivals, remainders, what is missing, no 
   made.shrink.reset();
   made.gap.present = false;
   json = as_json(made);
-  CHECK(json["cause"]["effects"] == Json::array());
+  CHECK(json["cause"]["effects"] == ReportJson::array());
   CHECK(json["cause"]["ranking"].size() == 10);
   CHECK(json["shrink"] == nullptr);
 }
@@ -320,13 +320,13 @@ TEST_CASE("what is missing as a picture of letters, by hand") {
 TEST_CASE("a page holds the numbers of the JSON at its keys, and says what was found") {
   const Study study(measured(small_bench(), {{{"backlash", 2}, {"gravity"}}}, {0.0312, 0.02}, 4));
   const Diagnosis made = made_up();
-  const Json report = as_json(made);
+  const ReportJson report = as_json(made);
   const std::string page = as_html(study, made);
   static const std::regex number(R"re(<data value="([^"]*)" data-key="([^"]*)">)re");
   int found = 0;
   for (std::sregex_iterator one(page.begin(), page.end(), number), end; one != end; ++one, ++found) {
     CAPTURE((*one)[2].str());
-    CHECK(report.at(Json::json_pointer((*one)[2].str())).get<double>() == std::stod((*one)[1].str()));
+    CHECK(report.at(ReportJson::json_pointer((*one)[2].str())).get<double>() == std::stod((*one)[1].str()));
   }
   CHECK(found > 60);
   for (const char* key : {"/gap/p_value",
@@ -470,8 +470,8 @@ TEST_CASE("a torque law in words and as JSON, by hand") {
   offered.law.base = {{{{"gravity"}, {"force_gain"}}}, {0.1, 0.2}};
   offered.law.cross_validated = 0.34;
   offered.pictures = {{{1, 3}, {{-0.1, -0.2}, {0.1, 0.3}}, {{0.02, 0.5, 0}}, {{9, 0.7}}, "it hardens"}};
-  Json json = law_as_json(offered);
-  CHECK(json == Json::parse(R"json({"id": "torque_law", "beside": ["gravity", "force_gain"], "laws": [
+  ReportJson json = law_as_json(offered);
+  CHECK(json == ReportJson::parse(R"json({"id": "torque_law", "beside": ["gravity", "force_gain"], "laws": [
     {"joints": [1, 3], "knots": [[-0.1, -0.2], [0.1, 0.3]],
      "sliders": [{"slips_at": 0.02, "torque": 0.5, "growth": 0.0}],
      "relaxation": [{"time_constant": 9.0, "stiffness": 0.7}], "words": "it hardens"}],
@@ -494,8 +494,8 @@ TEST_CASE("a torque law in words and as JSON, by hand") {
         "    joint 2: it hardens\n"
         "    leaves 0.25 of the residual on the held-out readings (95 %: 0.2 to 0.3; noise floor 0.1)\n");
   json = law_as_json(offered);
-  CHECK(json["beside"] == Json::array());
-  CHECK(json["heldout"] == Json::parse(R"json(["press-1"])json"));
+  CHECK(json["beside"] == ReportJson::array());
+  CHECK(json["heldout"] == ReportJson::parse(R"json(["press-1"])json"));
   CHECK(json["ratio"] == 0.25);
   CHECK(json["ratio_low"] == 0.2);
   CHECK(json["ratio_high"] == 0.3);
@@ -544,7 +544,7 @@ TEST_CASE("a plan in words and as JSON, by hand") {
   plan.fewest_proved = true;
   CHECK(says(as_text(plan), "2 of 6; no fewer do\n"));
   CHECK(as_json(plan) ==
-        Json::parse(R"json({"format": "experiment-plan/1", "experiment": "bench", "candidates": 6,
+        ReportJson::parse(R"json({"format": "experiment-plan/1", "experiment": "bench", "candidates": 6,
     "impossible": ["gravity", "tip_payload"], "never": {"unseen": ["backlash(2)"], "alike": [
       {"effects": ["force_gain", "stiffness_scale"], "exactly": true, "others": []},
       {"effects": ["rest_angle(1)"], "exactly": false, "others": ["joint_stiffness(1)"]},

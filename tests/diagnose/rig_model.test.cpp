@@ -14,7 +14,7 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-const std::vector<double> rest{0.3, -0.5, 0.4};
+const std::vector<double> rest_of_rig{0.3, -0.5, 0.4};
 
 /// Every part of a rig that the equations of one shape know, each of another size; links bend and joints
 /// couple where asked.
@@ -38,7 +38,7 @@ Rig full_rig(bool bending, bool coupled) {
 template <int Bandwidth>
 struct Loaded {
   explicit Loaded(const Rig& rig)
-      : run(rig, rest),
+      : run(rig, rest_of_rig),
         memory(3),
         step{run, {}, memory},
         layout{3, rig.flexibility > 0, rig.coupling != 0, 0},
