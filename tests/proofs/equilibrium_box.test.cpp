@@ -77,29 +77,29 @@ struct Balanced {
   }
 };
 
-const std::vector<double> lengths{1, 0.75, 1.25, 0.875}, stiffnesses{1.5, 1, 2, 0.75},
-    directions{0.4, -0.6, 0.9, 0.1};
+const std::vector<double> box_lengths{1, 0.75, 1.25, 0.875}, box_stiffnesses{1.5, 1, 2, 0.75},
+    box_angles{0.4, -0.6, 0.9, 0.1};
 
 Balanced held(double base = 1.5) {
-  return {Control::end_point, lengths, {base, 1, 2, 0.75}, directions, {-0.7, 0.3}};
+  return {Control::end_point, box_lengths, {base, 1, 2, 0.75}, box_angles, {-0.7, 0.3}};
 }
 /// On a passive base: the line of the force passes through it.
 Balanced held_on_a_passive_base() {
   Point<double> p{0, 0};
-  for (std::size_t i = 0; i < lengths.size(); ++i)
-    p.x += lengths[i] * std::cos(directions[i]), p.y += lengths[i] * std::sin(directions[i]);
-  return {Control::end_point, lengths, {0, 1, 2, 0.75}, directions, {-0.4 * p.x, -0.4 * p.y}};
+  for (std::size_t i = 0; i < box_lengths.size(); ++i)
+    p.x += box_lengths[i] * std::cos(box_angles[i]), p.y += box_lengths[i] * std::sin(box_angles[i]);
+  return {Control::end_point, box_lengths, {0, 1, 2, 0.75}, box_angles, {-0.4 * p.x, -0.4 * p.y}};
 }
 Balanced pushed(double factor = 1) {
-  return {Control::force, lengths, stiffnesses, directions, {-0.7 * factor, 0.3 * factor}};
+  return {Control::force, box_lengths, box_stiffnesses, box_angles, {-0.7 * factor, 0.3 * factor}};
 }
 
 /// The equations at a load, by other code: those of a branch without its unknown load.
-struct Equations {
+struct BoxEquations {
   BranchEquations branch;
   Eigen::Index size;
 
-  explicit Equations(const Balanced& at)
+  explicit BoxEquations(const Balanced& at)
       : branch(at.chain, {at.control, at.load, {1, 0}}), size(branch.unknowns() - 1) {}
   [[nodiscard]] Vector<Span> with_load(const Vector<Span>& z) const {
     Vector<Span> u(size + 1);
@@ -126,7 +126,7 @@ Matrix<Span> applied(const Eigen::MatrixXd& Y, const Matrix<Span>& A) {
 /// By how much Krawczyk's operator shrinks a box around an equilibrium: the largest share of a radius that
 /// its image has.
 double krawczyk(const Balanced& at, double radius, double force_radius) {
-  Equations equations(at);
+  BoxEquations equations(at);
   Vector<Span> point(equations.size), box(equations.size);
   Vector<double> r(equations.size);
   for (Eigen::Index j = 0; j < equations.size; ++j) {
@@ -146,7 +146,7 @@ double krawczyk(const Balanced& at, double radius, double force_radius) {
 /// Whether one interval Newton step leads from a box into its inside; each unknown is cut before the next one
 /// is looked at.
 bool newton_keeps_inside(const Balanced& at, const Vector<Span>& box) {
-  Equations equations(at);
+  BoxEquations equations(at);
   Vector<Span> z = box, centre(equations.size);
   for (Eigen::Index j = 0; j < equations.size; ++j) centre(j) = Span(box(j).middle());
   const Matrix<Span> A = equations.derivative(box);
@@ -167,7 +167,7 @@ bool newton_keeps_inside(const Balanced& at, const Vector<Span>& box) {
 
 }  // namespace
 
-TEST_CASE("where the force and one end of the chain are known the moments tell all directions") {
+TEST_CASE("where the force and one end of the chain are known the moments tell all box_angles") {
   // from the base on, held or under a force so large that the ranges of the joints say little
   for (const Balanced& at : {held(), pushed(20)}) {
     Box z = at.system.everything();
@@ -196,7 +196,7 @@ TEST_CASE("where the force and one end of the chain are known the moments tell a
   }
 }
 
-TEST_CASE("where the directions are known the moments tell the force, however large it may be") {
+TEST_CASE("where the box_angles are known the moments tell the force, however large it may be") {
   for (const Balanced& at : {held(), held(0.75), held_on_a_passive_base()}) {
     for (const bool known_x : {false, true}) {
       for (const bool known_y : {false, true}) {
@@ -211,7 +211,7 @@ TEST_CASE("where the directions are known the moments tell the force, however la
       }
     }
   }
-  // two directions and one part of the force tell the other part, and so the rest of the chain
+  // two box_angles and one part of the force tell the other part, and so the rest of the chain
   const Balanced at = held();
   for (const std::size_t open : {4U, 5U}) {
     Box z = at.system.everything();
@@ -302,9 +302,9 @@ TEST_CASE("everything is what the ranges of the joints and the bound on the forc
   double low = 0, high = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     double reach = 0;
-    for (std::size_t j = i; j < 4; ++j) reach += lengths[j];
+    for (std::size_t j = i; j < 4; ++j) reach += box_lengths[j];
     const double rest = static_cast<double>(forced.chain.rest()[i].middle()),
-                 turn = reach * (0.7 + 0.3) / stiffnesses[i];
+                 turn = reach * (0.7 + 0.3) / box_stiffnesses[i];
     low += rest - turn, high += rest + turn;
     CHECK(std::abs(all[i].low - low) < 1e-12);
     CHECK(std::abs(all[i].high - high) < 1e-12);
@@ -321,11 +321,11 @@ TEST_CASE("everything is what the ranges of the joints and the bound on the forc
            bend = 0, moment = 0;
     for (int signs = 0; signs < 16; ++signs) {
       double sum = 0;
-      for (std::size_t i = 0; i < 4; ++i) sum += ((signs >> i) & 1) != 0 ? lengths[i] : -lengths[i];
+      for (std::size_t i = 0; i < 4; ++i) sum += ((signs >> i) & 1) != 0 ? box_lengths[i] : -box_lengths[i];
       gap = std::min(gap, std::abs(distance - std::abs(sum)));
     }
     for (std::size_t i = 0; i < 4; ++i) {
-      bend += 4 / lengths[i];
+      bend += 4 / box_lengths[i];
       const Interval rest = at.chain.rest()[i];
       for (const auto& end : {window[i].lower(), window[i].upper()}) {
         if (!at.chain.passive_joint(i))
@@ -340,7 +340,7 @@ TEST_CASE("everything is what the ranges of the joints and the bound on the forc
       CHECK(std::abs(held_all[j].low / bound + 1) < 1e-9);
     }
     for (std::size_t i = 0; i < 4; ++i) CHECK(at.system.passive(i) == (at.chain.passive_joint(i)));
-    // what the window leaves of the directions, one joint after another
+    // what the window leaves of the box_angles, one joint after another
     CHECK(at.system.widest(held_all) == 3);
     Box z = held_all;
     z[1] = Span(-100, 100);
