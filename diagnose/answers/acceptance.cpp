@@ -19,7 +19,7 @@ bool predicts(const std::optional<Shrink>& blind, double times) {
 
 /// Whether it leaves of held-out readings clearly more than noise does, by more than chance.
 bool leaves_more_than_noise(const Shrink& blind) {
-  if (!blind.tested() || !(blind.independent >= 1)) return false;
+  if (!(blind.independent >= 1)) return false;
   const boost::math::chi_squared_distribution<double> noise(blind.independent);
   const double by_chance =
       boost::math::quantile(boost::math::complement(noise, beliefs::fit_level)) / blind.independent;
@@ -158,9 +158,11 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
   const Fit& best = cause.ranking[cause.best].hypothesis.fit;
   if (takes_three(cause.ranking[cause.best])) {
     refuse(cause, beliefs::wrong_three);
-  } else if (blind && !predicts(blind, beliefs::predicts)) {
+  } else if (!blind || !blind->tested()) {
+    hedge(cause, Reservation::not_tested);
+  } else if (!predicts(blind, beliefs::predicts)) {
     hedge(cause, Reservation::not_predicted);
-  } else if (blind && leaves_more_than_noise(*blind)) {
+  } else if (leaves_more_than_noise(*blind)) {
     hedge(cause, Reservation::beyond_noise);
   } else if (has_values_everywhere(study, best.candidate)) {
     hedge(cause, Reservation::many_values);

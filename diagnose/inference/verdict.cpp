@@ -105,6 +105,8 @@ std::string reservation_words(Reservation reservation) {
   switch (reservation) {
     case Reservation::none:
       break;
+    case Reservation::not_tested:
+      return "no readings that can be held out show enough of the gap to test it";
     case Reservation::not_predicted:
       return "fitted without the held-out readings, it does not predict them";
     case Reservation::beyond_noise:

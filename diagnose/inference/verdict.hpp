@@ -14,6 +14,7 @@ std::string verdict_word(CauseVerdict verdict);
 /// Why an explanation that stands out may not be the cause.
 enum class Reservation {
   none,
+  not_tested,       ///< no readings that could be held out carry a gap that it could shrink
   not_predicted,    ///< it does not predict the readings that were held out
   beyond_noise,     ///< it leaves more than the readings scatter, though no more than is tolerated
   many_values,      ///< beside one effect it takes another with a value at every joint, link or run
