@@ -28,7 +28,8 @@ Compiled compiled(const Lab& lab, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a robot's own file is edited: every effect that MJCF carries does in MuJoCo what was found") {
+TEST_CASE("a robot's own file is edited: every effect that MJCF carries does in MuJoCo what was found" *
+          doctest::test_suite("long")) {
   // What lags is taken to go straight from reading to reading: these are close for it.
   const Lab lab, fine(40);
   CHECK(lab.experiment.rest[1] == close_to(-0.5));

@@ -13,7 +13,7 @@ using diagnose::EffectAt, diagnose::Experiment, diagnose::Prediction, diagnose::
 
 }  // namespace
 
-TEST_CASE("what MJCF carries does in MuJoCo what the diagnosis found") {
+TEST_CASE("what MJCF carries does in MuJoCo what the diagnosis found" * doctest::test_suite("long")) {
   const Study bare(diagnose::test::full_bench());
   for (const EffectAt& at : test::carried(bare, Format::mjcf, 0)) {
     CAPTURE(at.label());
@@ -96,7 +96,8 @@ TEST_CASE("friction that changes with the deflection stands in MJCF as numbers")
   CHECK(file.text.find("    0.2 0.3\n") != std::string::npos);
 }
 
-TEST_CASE("a free torque law goes into MJCF, whatever its shape, and on beyond its knots") {
+TEST_CASE("a free torque law goes into MJCF, whatever its shape, and on beyond its knots" *
+          doctest::test_suite("long")) {
   // Stiffer, softer and falling again, off centre; what slips, at a constant torque and at one that grows.
   diagnose::Experiment experiment = diagnose::test::full_bench();
   experiment.runs.pop_back();

@@ -41,7 +41,8 @@ void check_gone(const RoundTrip& trip, const Lab& lab, test::Pace pace) {
 
 }  // namespace
 
-TEST_CASE("attributes of a robot's MJCF changed by hand are named, and the corrected file has them") {
+TEST_CASE("attributes of a robot's MJCF changed by hand are named, and the corrected file has them" *
+          doctest::test_suite("long")) {
   struct Change {
     std::string one, other, cause;
   };
@@ -61,7 +62,7 @@ TEST_CASE("attributes of a robot's MJCF changed by hand are named, and the corre
   }
 }
 
-TEST_CASE("round trips: every effect that MJCF carries") {
+TEST_CASE("round trips: every effect that MJCF carries" * doctest::test_suite("long")) {
   // What lags is taken to go straight from reading to reading: these are close for it.
   const Lab lab(12), fine(40);
   for (const EffectAt& at : test::carried(Study(lab.experiment), Format::mjcf, 2)) {

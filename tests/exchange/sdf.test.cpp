@@ -130,7 +130,7 @@ Experiment lab(const std::filesystem::path& model) {
 
 }  // namespace
 
-TEST_CASE("what SDF and URDF carry does in MuJoCo what the diagnosis found") {
+TEST_CASE("what SDF and URDF carry does in MuJoCo what the diagnosis found" * doctest::test_suite("long")) {
   for (const Case& one : cases) {
     const Study bare(diagnose::test::full_bench());
     for (const EffectAt& at : test::carried(bare, one.format, 0)) {
@@ -157,7 +157,8 @@ TEST_CASE("what SDF and URDF carry does in MuJoCo what the diagnosis found") {
   }
 }
 
-TEST_CASE("a robot's own SDF or URDF is edited: every effect that the format carries does what was found") {
+TEST_CASE("a robot's own SDF or URDF is edited: every effect that the format carries does what was found" *
+          doctest::test_suite("long")) {
   const test::Names names{"end", "load", {{"hip", 1}, {"knee", -1}, {"ankle", 1}}};
   for (const Case& one : cases) {
     const Folder folder;
@@ -193,7 +194,8 @@ TEST_CASE("a robot's own SDF or URDF is edited: every effect that the format car
   }
 }
 
-TEST_CASE("an edited SDF or URDF is read again as the corrected chain; what is not asked for stays") {
+TEST_CASE("an edited SDF or URDF is read again as the corrected chain; what is not asked for stays" *
+          doctest::test_suite("long")) {
   for (const Case& one : cases) {
     CAPTURE(one.name);
     const Folder folder;

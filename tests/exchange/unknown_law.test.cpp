@@ -76,7 +76,8 @@ struct LedLab : Lab {
 
 }  // namespace
 
-TEST_CASE("what no cause explains comes back as a law that MuJoCo has, and leaves what the report says") {
+TEST_CASE("what no cause explains comes back as a law that MuJoCo has, and leaves what the report says" *
+          doctest::test_suite("long")) {
   const auto cogs = [](double d) { return 0.05 * std::sin(15 * d); };
   const auto detent = [](double d) { return 1.5 * d * std::exp(-std::pow(d / 0.06, 2)); };
   const auto step = [](double d) { return 0.1 * (std::tanh(25 * (d - 0.08)) + std::tanh(2)); };
@@ -95,7 +96,8 @@ TEST_CASE("what no cause explains comes back as a law that MuJoCo has, and leave
   }
 }
 
-TEST_CASE("a law that slips, at a constant torque or at one that grows, is in MuJoCo what the report says") {
+TEST_CASE("a law that slips, at a constant torque or at one that grows, is in MuJoCo what the report says" *
+          doctest::test_suite("long")) {
   const LedLab lab;
   Model truth{"robot", lab.experiment, lab.experiment.rest, lab.folder / "robot.xml"};
   for (const FreeLaw::Slider& widest : {FreeLaw::Slider{0.09, 0.08, 0}, FreeLaw::Slider{0.05, 0, 0.5}}) {
@@ -127,8 +129,8 @@ TEST_CASE("a law that slips, at a constant torque or at one that grows, is in Mu
   }
 }
 
-TEST_CASE(
-    "our own file has the law, and leaves what the law leaves; URDF and SDF say that they have it not") {
+TEST_CASE("our own file has the law, and leaves what the law leaves; URDF and SDF say that they have it not" *
+          doctest::test_suite("long")) {
   const Lab lab;
   const std::filesystem::path model = lab.folder / "robot.xml";
   round_trip(lab, lab.experiment, robot_with(lab, {{2, [](double d) { return 0.05 * std::sin(15 * d); }}}),
