@@ -145,14 +145,15 @@ TEST_CASE(
   CHECK(diagnosis.shrink->ratio < 0.5);
 }
 
-TEST_CASE("two causes at once are both named") {
+TEST_CASE("two causes at once are both named" * doctest::test_suite("long")) {
   const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(
       with_readings(unread_bench(), {{{"joint_friction", 0}, {"joint_stiffness", 1}}}, {0.03, 0.3}, 3)));
   CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
   CHECK(said(diagnosis) == std::vector<std::string>{"joint_friction", "joint_stiffness(1)"});
 }
 
-TEST_CASE("values of their own in each run do not stand for what machining leaves") {
+TEST_CASE("values of their own in each run do not stand for what machining leaves" *
+          doctest::test_suite("long")) {
   Experiment two_runs = unread_bench();
   two_runs.runs.resize(2);
   const Candidate machined{{{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}}};
@@ -189,7 +190,8 @@ TEST_CASE("what no run can separate is one class") {
          (names.front() == "base_compliance" && other.effects.front().label() == "train_compliance")));
 }
 
-TEST_CASE("a cause that one run alone shows is found, and tested on blocks of it") {
+TEST_CASE("a cause that one run alone shows is found, and tested on blocks of it" *
+          doctest::test_suite("long")) {
   // Joint 3 reaches its stop in the last run alone: without it nothing is known of the stop, and the others
   // have no gap that could shrink.
   Experiment experiment = unread_bench();
@@ -232,7 +234,8 @@ TEST_CASE("the next run is proposed on request where the cause is clear") {
   CHECK_FALSE(plumbline::diagnose::diagnose(Study(experiment), {}, true).proposals.empty());
 }
 
-TEST_CASE("a joint whose spring does what no effect does is unknown, and the joint is named") {
+TEST_CASE("a joint whose spring does what no effect does is unknown, and the joint is named" *
+          doctest::test_suite("long")) {
   const Experiment experiment = rippled(with_readings(unread_bench(), {}, {}, 5), 0.05);
   const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(experiment));
   CHECK(diagnosis.cause.verdict == CauseVerdict::unknown);
@@ -245,7 +248,8 @@ TEST_CASE("a joint whose spring does what no effect does is unknown, and the joi
 }
 
 TEST_CASE(
-    "what leaves more than the readings scatter but no more than is tolerated is named, beside the unknown") {
+    "what leaves more than the readings scatter but no more than is tolerated is named, beside the unknown" *
+    doctest::test_suite("long")) {
   struct Lab {
     const char* what;
     Experiment experiment;

@@ -35,7 +35,8 @@ double alarm_rate(const Lab& lab, int draws, std::uint64_t seed) {
 
 }  // namespace
 
-TEST_CASE("noise alone, however a lab mis-declares it, is called a gap one time in twenty at most") {
+TEST_CASE("noise alone, however a lab mis-declares it, is called a gap one time in twenty at most" *
+          doctest::test_suite("long")) {
   constexpr int draws = 100;
   // One deviation of a count of 5 % in 100 is 2.2 %: 12 % is more than three above.
   constexpr double limit = 0.12;
@@ -137,7 +138,7 @@ TEST_CASE("a slow gap of two sigmas rms in one run of three is found") {
   CHECK(found >= 45);
 }
 
-TEST_CASE("white noise of any size is no gap, and its size is told") {
+TEST_CASE("white noise of any size is no gap, and its size is told" * doctest::test_suite("long")) {
   // 4000 differences give the scale to sqrt(2 / 4000), 2 %; five of those are 11 %.
   const Measurements measurements(blank_experiment({2000}));
   std::mt19937_64 random(6);
@@ -165,7 +166,8 @@ double share_below(const std::vector<std::size_t>& readings, double correlation,
 
 }  // namespace
 
-TEST_CASE("p-values of noise: at most 15 in a hundred are below 0.15, however many series are looked at") {
+TEST_CASE("p-values of noise: at most 15 in a hundred are below 0.15, however many series are looked at" *
+          doctest::test_suite("long")) {
   // three deviations of a share of 0.15 in so many draws
   const auto limit = [](int draws) { return 0.15 + 3 * std::sqrt(0.15 * 0.85 / draws); };
   CHECK(share_below({40, 60}, 0.0, 400, 31) <= limit(400));

@@ -55,7 +55,8 @@ TEST_CASE("a bench sees gravity in a vertical plane alone") {
 }
 
 TEST_CASE(
-    "a load cell's gain and the scale of all springs are one, until known weights set a scale of force") {
+    "a load cell's gain and the scale of all springs are one, until known weights set a scale of force" *
+    doctest::test_suite("long")) {
   Experiment bench = two_links();
   const Plan held = plan(bench);
   const Alike* gain = class_of(held.never, "force_gain");
@@ -73,7 +74,8 @@ TEST_CASE(
   CHECK((now == nullptr || (!has(now->effects, "stiffness_scale") && !has(now->others, "stiffness_scale"))));
 }
 
-TEST_CASE("what the planned runs leave open is what the best runs leave open, and more") {
+TEST_CASE("what the planned runs leave open is what the best runs leave open, and more" *
+          doctest::test_suite("long")) {
   Experiment bench = two_links();
   press(bench, {0.4, -0.9}, {-0.03, 0}, 10, false);
   bench.runs.erase(bench.runs.begin());

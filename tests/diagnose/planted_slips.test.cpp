@@ -93,7 +93,8 @@ Tally plant_all(const std::vector<Slip>& slips) {
 
 }  // namespace
 
-TEST_CASE("planted slips of units are asked about, and what is asked is right") {
+TEST_CASE("planted slips of units are asked about, and what is asked is right" *
+          doctest::test_suite("long")) {
   const Tally sum = plant_all(slips_of_units());
   CHECK(sum.asked > 0.85 * sum.planted);
   CHECK(sum.right > 0.95 * sum.asked);

@@ -229,7 +229,7 @@ TEST_CASE("where the runs that can be spared carry no gap, blocks are held out")
   CHECK_FALSE(untested->shrink.tested());
 }
 
-TEST_CASE("the order of the runs does not change the answer") {
+TEST_CASE("the order of the runs does not change the answer" * doctest::test_suite("long")) {
   const std::vector<std::pair<Candidate, std::vector<double>>> truths{
       {only("backlash", 2), {0.03}},
       {only("force_gain"), {0.1}},

@@ -33,7 +33,8 @@ bool tolerated_beside(const Study& study, const Candidate& part, const Candidate
 
 }  // namespace
 
-TEST_CASE("no explanation costs more than a part of it, where the rest can be nothing") {
+TEST_CASE("no explanation costs more than a part of it, where the rest can be nothing" *
+          doctest::test_suite("long")) {
   const std::string experiments = PLUMBLINE_SOURCE_DIR "/tests/experiments/";
   for (const char* name : {"machining-base_compliance", "machining", "link_length-tip_stiffness"}) {
     CAPTURE(name);

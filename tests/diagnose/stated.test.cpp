@@ -178,7 +178,8 @@ TEST_CASE("corrections know run, time and the joint's own angle, and leave what 
   }
 }
 
-TEST_CASE("a law that is in no catalogue, once stated, is identified: where it is and how large") {
+TEST_CASE("a law that is in no catalogue, once stated, is identified: where it is and how large" *
+          doctest::test_suite("long")) {
   const std::string text = effect_text("detent", "where = \"one joint\"\ntorque = \"a * sin(20 * q)\"\n",
                                        parameter("a", 0.02, -1, 1));
   const Rows rows = rows_of(std::string(text).replace(text.find("something else"), 14, "steps in joint {}"));
