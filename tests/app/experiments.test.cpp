@@ -6,7 +6,8 @@
 #include "tests/app/process.hpp"
 
 // What is right follows from each experiment's label alone (trial/answer.hpp); the diagnosis does not see it.
-TEST_CASE("the committed experiments: each cause is found, or stands in the class; none is wrong and sure") {
+TEST_CASE("the committed experiments: each cause is found, or stands in the class; none is wrong and sure" *
+          doctest::test_suite("long")) {
   const Workplace here;
   const std::filesystem::path experiments = std::filesystem::path(PLUMBLINE_SOURCE_DIR) / "tests/experiments";
   const Outcome outcome =

@@ -10,7 +10,8 @@ const std::filesystem::path published = PLUMBLINE_SOURCE_DIR "/reference";
 
 }  // namespace
 
-TEST_CASE("the reference set in the repository is what the command writes, to the byte") {
+TEST_CASE("the reference set in the repository is what the command writes, to the byte" *
+          doctest::test_suite("long")) {
   const Workplace here;
   REQUIRE(here.plumbline("reference --compact --out set").status == 0);
   std::size_t files = 0;

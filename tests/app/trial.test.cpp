@@ -73,7 +73,8 @@ TEST_CASE("without experiments, without labels, or in a folder in use: one line 
 }
 
 #ifdef PLUMBLINE_SIMULATOR
-TEST_CASE("a small blind trial: seals hold, every diagnosis reports, most causes are found") {
+TEST_CASE("a small blind trial: seals hold, every diagnosis reports, most causes are found" *
+          doctest::test_suite("long")) {
   const Workplace here;
   const Outcome outcome =
       here.plumbline("trial --trials 6 --seed 12 --patience 3000 --out kept --json result.json");
@@ -93,7 +94,7 @@ TEST_CASE("a small blind trial: seals hold, every diagnosis reports, most causes
   CHECK(nlohmann::json::parse(here.read("again.json"))["found"] == result["found"]);
 }
 
-TEST_CASE("the second trial: sealed alike, counted by family") {
+TEST_CASE("the second trial: sealed alike, counted by family" * doctest::test_suite("long")) {
   const Workplace here;
   const Outcome outcome =
       here.plumbline("trial --second --trials 4 --seed 3 --patience 3000 --json result.json");

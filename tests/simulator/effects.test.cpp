@@ -69,7 +69,8 @@ double rms(const std::vector<double>& values) {
 
 }  // namespace
 
-TEST_CASE("every effect of the catalogue does in the rig what the forward model of the diagnosis predicts") {
+TEST_CASE("every effect of the catalogue does in the rig what the forward model of the diagnosis predicts" *
+          doctest::test_suite("long")) {
   for (const plumbline::simulator::Kind& kind : plumbline::simulator::catalogue()) {
     CAPTURE(kind.id);
     if (!row_of(kind.id, kind.at_joint)) {

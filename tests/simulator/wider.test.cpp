@@ -73,7 +73,8 @@ TEST_CASE("what changes the nominal numbers is the nominal statics of the change
         }) < 0.01);
 }
 
-TEST_CASE("every kind shows at the size that labs meet, and nothing of it is nothing") {
+TEST_CASE("every kind shows at the size that labs meet, and nothing of it is nothing" *
+          doctest::test_suite("long")) {
   const Bench bench = working();
   const Scene scene = scene_of(bench);
   std::vector<const Kind*> all;
