@@ -10,17 +10,23 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Kind = page::Layer::Kind;
 
+Json as_json(const std::vector<FreeLaw::Knot>& knots) {
+  Json all = Json::array();
+  for (const FreeLaw::Knot& one : knots) all.push_back({one.deflection, one.torque});
+  return all;
+}
+
 Json picture_as_json(const LawPicture& picture) {
-  Json knots = Json::array(), sliders = Json::array(), arms = Json::array();
-  for (const auto& one : picture.knots) knots.push_back({one.deflection, one.torque});
-  for (const auto& one : picture.sliders) {
-    sliders.push_back({{"slips_at", one.slips_at}, {"torque", one.torque}, {"growth", one.growth}});
-    for (const auto& knot : one.profile) sliders.back()["profile"].push_back({knot.deflection, knot.torque});
-  }
+  Json sliders = Json::array(), arms = Json::array();
+  for (const auto& one : picture.sliders)
+    sliders.push_back({{"slips_at", one.slips_at},
+                       {"torque", one.torque},
+                       {"growth", one.growth},
+                       {"profile", as_json(one.profile)}});
   for (const auto& one : picture.arms)
     arms.push_back({{"time_constant", one.time_constant}, {"stiffness", one.stiffness}});
   return {{"joints", picture.joints},
-          {"knots", knots},
+          {"knots", as_json(picture.knots)},
           {"sliders", sliders},
           {"relaxation", arms},
           {"words", picture.words}};

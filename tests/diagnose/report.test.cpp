@@ -469,11 +469,16 @@ TEST_CASE("a torque law in words and as JSON, by hand") {
   OfferedLaw offered;
   offered.law.base = {{{{"gravity"}, {"force_gain"}}}, {0.1, 0.2}};
   offered.law.cross_validated = 0.34;
-  offered.pictures = {{{1, 3}, {{-0.1, -0.2}, {0.1, 0.3}}, {{0.02, 0.5, 0}}, {{9, 0.7}}, "it hardens"}};
+  offered.pictures = {{{1, 3},
+                       {{-0.1, -0.2}, {0.1, 0.3}},
+                       {{0.02, 0.5, 0}, {0.03, 0, 0, {{-0.1, 0.4}, {0.1, -0.6}}}},
+                       {{9, 0.7}},
+                       "it hardens"}};
   ReportJson json = law_as_json(offered);
   CHECK(json == ReportJson::parse(R"json({"id": "torque_law", "beside": ["gravity", "force_gain"], "laws": [
     {"joints": [1, 3], "knots": [[-0.1, -0.2], [0.1, 0.3]],
-     "sliders": [{"slips_at": 0.02, "torque": 0.5, "growth": 0.0}],
+     "sliders": [{"slips_at": 0.02, "torque": 0.5, "growth": 0.0, "profile": []},
+                 {"slips_at": 0.03, "torque": 0.0, "growth": 0.0, "profile": [[-0.1, 0.4], [0.1, -0.6]]}],
      "relaxation": [{"time_constant": 9.0, "stiffness": 0.7}], "words": "it hardens"}],
     "cross_validated": 0.34})json"));
   CHECK(law_as_text(offered) ==
