@@ -22,8 +22,8 @@ enum class Contact : signed char { slips_down = -1, sticks = 0, slips_up = 1 };
 /// widens slides along d^2/2, and so gives a torque that goes with the deflection. One with a profile carries
 /// a share of that, up to all of it, either way.
 struct JointSlider {
-  double stiffness = 0,
-         yield = 0;      ///< N m/rad, N m; of one that widens, N m/rad^3, N m/rad; of a share, 1/rad, 1
+  /// N m/rad, N m; of one that widens N m/rad^3, N m/rad; of a share 1/rad, 1.
+  double stiffness = 0, yield = 0;
   FrictionLaw law = {};  ///< how the torque at which it slips departs from the yield
   bool widens = false;
   bool from_rest = false;  ///< has come along from rest to the first reading; others are at ease there
