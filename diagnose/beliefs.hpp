@@ -96,8 +96,8 @@ inline constexpr double undetermined = 0.5;
 
 /// It predicts where it leaves at most so many times the noise.
 inline constexpr double predicts = 1.5;
-/// It may yet be another where it leaves so many times the noise, by more than chance: on simulated experiments
-/// three of five that were identified wrongly left as much, and seven of 76 that were right.
+/// It may yet be another where it leaves so many times the noise, by more than chance: on simulated
+/// experiments three of five that were identified wrongly left as much, and seven of 76 that were right.
 inline constexpr double clearly_more_than_noise = 1.1;
 /// It is what was looked for, with a remainder, where it leaves at most so many times the noise, of a gap
 /// whose noise floor is at most `clear`; so probable is another cause then.
