@@ -44,6 +44,9 @@ inline constexpr double friction_tolerance = 0.1, hardening_tolerance = 1;
 
 /// Shares of gaps that have one cause, two, three. Which effects, and where, is all alike.
 inline constexpr double one_cause = 0.75, two_causes = 0.20, three_causes = 0.05;
+/// Machining is there whatever the cause: so many times as often as it explains a gap alone there is a cause
+/// beside it, or two.
+inline constexpr double cause_beside_machining = 1;
 /// But an effect that has a plainer one as a special case (friction that grows, and friction) is so much
 /// rarer than that: what is refined answers to whatever else is wrong of the model.
 inline constexpr double refinement = 0.1;

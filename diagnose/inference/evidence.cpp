@@ -59,12 +59,14 @@ double log_likelihood(const Measurements& measurements, const std::vector<double
 
 double log_prior(const Study& study, const Candidate& candidate) {
   constexpr double share[] = {1.0, beliefs::one_cause, beliefs::two_causes, beliefs::three_causes};
-  const std::size_t count = candidate.count();
-  double log_p = std::log(share[std::min<std::size_t>(count, 3)]);
+  const std::size_t others = candidate.count() - (candidate.machined() ? 1 : 0),
+                    causes = std::max<std::size_t>(others, candidate.machined() ? 1 : 0);
+  double log_p = std::log(share[std::min<std::size_t>(causes, 3)]);
   double all = 0;
   for (const Effect* one : study.effects()) all += commonness(*one);
-  for (std::size_t i = 0; i < count; ++i) log_p += std::log(static_cast<double>(i + 1));  // in any order
+  for (std::size_t i = 0; i < causes; ++i) log_p += std::log(static_cast<double>(i + 1));  // in any order
   if (candidate.machined()) log_p -= std::log(all);
+  if (candidate.machined() && others > 0) log_p += std::log(beliefs::cause_beside_machining);
   for (const EffectAt& at : candidate.effects) {
     if (candidate.has_as_machining(at)) continue;
     const double places = at.joint > 0 ? static_cast<double>(study.sizes().link_length.size()) : 1.0;

@@ -19,7 +19,7 @@ struct GapTest {
 /// isolated outliers and hum. Looks at the energy of the six slowest cosine components of every series,
 /// together and one by one, and at the energy of all of them, against the noise that the differences of
 /// neighbours show; the p-value covers all three. The null distribution comes from simulated noise of the
-/// same layout that runs through the same estimators, with a correlation as uncertain as it was estimated.
+/// same layout that runs through the same estimators, over every correlation that the estimate leaves open.
 GapTest test_gap(const Measurements& measurements, const std::vector<double>& residual);
 
 }  // namespace plumbline::diagnose

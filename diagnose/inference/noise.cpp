@@ -222,26 +222,35 @@ Steps steps_of(const Measurements& measurements, const std::vector<double>& resi
   return steps;
 }
 
-}  // namespace
+std::array<Steps, channel_names> steps_by_channel(const Measurements& measurements,
+                                                  const std::vector<double>& residual) {
+  std::array<Steps, channel_names> steps;
+  for (const Name name : all_names)
+    steps[static_cast<std::size_t>(name)] = steps_of(measurements, residual, name);
+  return steps;
+}
 
-double largest_correlation(const Measurements& measurements) {
+/// Noise of the declared scale whose first differences are no larger than these correlates by 1 - near.
+double largest_correlation(const Measurements& measurements, const std::array<Steps, channel_names>& steps) {
   std::vector<double> lengths;
   for (const Series& series : measurements.series())
     lengths.push_back(static_cast<double>(series.readings.size()));
-  return std::min(0.9, std::exp(-10 / median(lengths)));
+  double rough = 0;
+  for (const Steps& one : steps) rough = std::max(rough, one.near);
+  return std::min(0.9, std::max(std::exp(-10 / median(lengths)), 1 - rough));
 }
 
+}  // namespace
+
 double correlation_deviation(double values) {
-  return 1.5 / std::sqrt(values);
+  return 1.8 / std::sqrt(values);
 }
 
 RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual) {
   RawNoise noise;
   double ratio = 0, weight = 0;
-  std::array<Steps, channel_names> steps;
-  for (const Name name : all_names) {
-    const auto c = static_cast<std::size_t>(name);
-    steps[c] = steps_of(measurements, residual, name);
+  const std::array<Steps, channel_names> steps = steps_by_channel(measurements, residual);
+  for (std::size_t c = 0; c < steps.size(); ++c) {
     noise.values[c] = steps[c].values;
     // Differences over two readings that exceed twice those over one by more than chance are of a slope, not
     // of noise.
@@ -252,7 +261,8 @@ RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& 
   }
   // (1 - phi^2) / (1 - phi) = 1 + phi
   noise.correlation = weight > 0 ? ratio / weight - 1 : 0.0;
-  const double phi = std::clamp(noise.correlation, 0.0, largest_correlation(measurements));
+  noise.largest_correlation = largest_correlation(measurements, steps);
+  const double phi = std::clamp(noise.correlation, 0.0, noise.largest_correlation);
   for (std::size_t c = 0; c < steps.size(); ++c) {
     if (!(steps[c].near > 0)) continue;
     const double straight = steps[c].near / (1 - phi), curved = steps[c].curved / ((1 - phi) * (3 - phi));
@@ -269,9 +279,8 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
   // The estimate's variance is about 1/values.
   constexpr double prior = 1 / (beliefs::correlation_spread * beliefs::correlation_spread);
   const double weight = values / (values + prior);
-  const double largest = largest_correlation(measurements);
-  noise.correlation = std::clamp(weight * raw.correlation, 0.0, largest);
-  const double taken = std::clamp(raw.correlation, 0.0, largest);
+  noise.correlation = std::clamp(weight * raw.correlation, 0.0, raw.largest_correlation);
+  const double taken = std::clamp(raw.correlation, 0.0, raw.largest_correlation);
   for (std::size_t c = 0; c < noise.scale.size(); ++c) {
     const double scale = raw.scale[c] * std::sqrt((1 - taken) / (1 - noise.correlation));
     noise.scale[c] = raw.values[c] > 0 && scale > 0 ? with_prior(scale, raw.values[c] / 2) : 1.0;

@@ -24,6 +24,9 @@ struct RawNoise {
   std::array<double, channel_names> scale{1.0, 1.0, 1.0, 1.0, 1.0};
   std::array<double, channel_names> values{};  ///< number of differences behind each scale
   double correlation = 0.0;
+  /// What neighbours can correlate at most: noise that remembers longer than a tenth of a run cannot be told
+  /// from a gap, unless it is no larger than what was declared.
+  double largest_correlation = 0.9;
 };
 
 /// Marks readings that stand off their neighbours, alone or in twos (Hampel's identifier, nine readings
@@ -40,13 +43,9 @@ std::vector<double> without_outliers(const Measurements& measurements, const std
 /// E(e_{t-1} - 2 e_t + e_{t+1})^2 = 2 sigma^2 (1 - phi)(3 - phi).
 RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual);
 
-/// Standard deviation of a correlation that so many values tell: 1.4 to 1.8 over their root in simulated
-/// noise.
+/// Standard deviation of a correlation that so many values tell: 1.4 over their root in simulated noise that
+/// does not correlate, 1.8 in noise that does by 0.9, which is taken.
 double correlation_deviation(double values);
-
-/// By how much neighbouring readings can correlate at most: noise that remembers longer than a tenth of a run
-/// cannot be told from a gap.
-double largest_correlation(const Measurements& measurements);
 
 /// The same with the priors: a scale near one unless the readings say otherwise, and a half-normal
 /// correlation.

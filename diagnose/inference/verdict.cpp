@@ -274,16 +274,18 @@ bool gains_more_than_chance(const Hypothesis& best, const Hypothesis& refined) {
 
 /// Whether an explanation, not the best one with something added, comes near the best: in evidence; or, of no
 /// more effects and parameters, and no refinement, in likelihood; or is a refinement that gains more of that
-/// than chance. Any other with more parameters comes as near as one likes.
+/// than chance. Any other with more parameters comes as near as one likes. Beside machining alone a cause may
+/// be added: its many values stretch to what one of another kind would do.
 bool near(const Hypothesis& best, const Hypothesis& other) {
   const bool as_many = other.fit.candidate.count() == best.fit.candidate.count(),
              more_of_it = contains(other.fit.candidate, best.fit.candidate);
-  if (more_of_it && !as_many) return false;
+  const bool machining_alone = best.fit.candidate.machined() && best.fit.candidate.count() == 1;
+  if (more_of_it && !as_many && !machining_alone) return false;
   const bool simpler =
       as_many && !more_of_it && other.fit.parameters.size() <= best.fit.parameters.size() + spare_parameters;
   return other.log_evidence > best.log_evidence - beliefs::told_apart ||
          (simpler && other.log_likelihood > best.log_likelihood - beliefs::told_apart) ||
-         (more_of_it && gains_more_than_chance(best, other));
+         (more_of_it && as_many && gains_more_than_chance(best, other));
 }
 
 /// How much of the gap an explanation closes, as a share of what the best one closes.

@@ -74,6 +74,24 @@ TEST_CASE("two causes have 1/5, three 1/20, in any order") {
         close_to(std::log(0.05 * 6 / (plain_rows * plain_rows * plain_rows) / 4)));
 }
 
+TEST_CASE("beside what machining leaves some cause is as likely as none") {
+  const Experiment experiment = blank_experiment({3});
+  const Candidate machining{{{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}}};
+  const double alone = std::exp(log_prior(Study(experiment), machining));
+  CHECK(alone == close_to(0.75 / plain_rows));
+  double sum = 0;
+  for (const Effect& row : catalogue()) {
+    if (machining.has_as_machining(EffectAt(row, row.at_joint))) continue;
+    for (std::size_t joint = row.at_joint; joint <= (row.at_joint ? 2 : 0); ++joint) {
+      Candidate beside = machining;
+      beside.effects.emplace_back(row, joint);
+      sum += std::exp(log_prior(Study(experiment), beside));
+    }
+  }
+  // of the plain rows all but the three
+  CHECK(sum == close_to(alone * (plain_rows - 3) / plain_rows));
+}
+
 TEST_CASE("the likelihood of one value: normal, and two in a hundred ten times as wide") {
   Experiment experiment = blank_experiment({1});
   experiment.runs[0].readings[0].Fy = std::nan("");
