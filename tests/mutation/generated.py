@@ -51,8 +51,10 @@ def negations(source):
             while source[end + 1] in ("(", "[", ".", "->", "::") or source[end] in (".", "->", "::", "(", "["):
                 end = source.partner.get(end, end + 1) if source[end] in "([" else end + 1
             end = source.partner.get(end, end)
-            yield Fault.at(source, token.begin, source.tokens[end].end,
-                           source.text[source.tokens[i + 1].begin:source.tokens[end].end], "`!` is forgotten")
+            text = source.text[source.tokens[i + 1].begin:source.tokens[end].end]
+            # a bool like the right text: beside an optional that would become one, which is true
+            after = text if source.python else f"static_cast<bool>({text})"
+            yield Fault.at(source, token.begin, source.tokens[end].end, after, "`!` is forgotten")
 
 
 def conditions(source):
