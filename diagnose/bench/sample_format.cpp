@@ -19,7 +19,7 @@ const std::array<std::pair<const char*, const Quantity*>, 5> single_channels{{{"
 char delimiter(const Section& csv) {
   const std::string expected = R"(",", ";", "|", "tab" or "blanks")", word = csv.text("delimiter", expected);
   if (word == "," || word == ";" || word == "|") return word[0];
-  if (word == "tab" || word == "\t") return '\t';
+  if (word == "tab") return '\t';
   if (word == "blanks") return ' ';
   csv.refuse("delimiter", expected);
 }
