@@ -14,6 +14,7 @@ Eigen::Index LeastSquares::rank() const {
 
 Eigen::VectorXd LeastSquares::solve(const Eigen::VectorXd& values) const {
   if (factors_.cols() == 0) return {};
+  if (factors_.rank() == 0) return Eigen::VectorXd::Zero(factors_.cols());  // of nothing Eigen divides by it
   return factors_.solve(values);
 }
 
