@@ -232,8 +232,8 @@ TEST_CASE("a position has noise as a force has") {
   experiment.noise.x = experiment.noise.y = 1;
   const Measurements measurements(experiment);
   std::vector<double> residual(24, 0.0);
-  for (std::size_t i = 0; i < 12; ++i) residual[i] = i % 2 == 0 ? 0.7 : -0.7;
-  const double scale = 1.4 / std::sqrt(2 * cut_mean);
+  for (std::size_t i = 0; i < 12; ++i) residual[i] = i % 2 == 0 ? 0.4 : -0.4;
+  const double scale = 0.8 / std::sqrt(2 * cut_mean);
   CHECK(raw_noise(measurements, residual).scale.front() == close_to(scale));
   CHECK(estimate_noise(measurements, residual).scale.front() == close_to(believed(scale, 11)));
 }
