@@ -29,7 +29,7 @@ std::string fault_beside(const std::string& more) {
   return chain_fault(two_links + more);
 }
 
-const std::string law =
+const std::string law_at_two =
     "[[nominal.torque_law]]\njoint = 2\ndeflection = [-0.1, 0.0, 0.2]\ntorque = [1, 0, -2]\n";
 
 }  // namespace
@@ -84,7 +84,7 @@ TEST_CASE("effects of a nominal chain: an id, a joint or none, parameters") {
 }
 
 TEST_CASE("a torque law: knots that rise, sliders of three kinds, arms") {
-  const NominalChain chain = chain_of(law + R"([[nominal.torque_law.sliders]]
+  const NominalChain chain = chain_of(law_at_two + R"([[nominal.torque_law.sliders]]
 slips_at = 0.01
 torque = 0.5
 [[nominal.torque_law.sliders]]
@@ -109,7 +109,7 @@ stiffness = 0.125
 
 TEST_CASE("a torque law that cannot be is refused at its key") {
   const auto with = [](const std::string& from, const std::string& to) {
-    std::string text = law;
+    std::string text = law_at_two;
     return fault_beside(text.replace(text.find(from), from.size(), to));
   };
   CHECK(with("joint = 2\n", "") ==
@@ -120,7 +120,7 @@ TEST_CASE("a torque law that cannot be is refused at its key") {
   CHECK(with("0.0, 0.2", "0.3, 0.2").ends_with("expected numbers that rise"));
   CHECK(with("[1, 0, -2]", "[1, 0]").ends_with("found 2 values, expected a list of 3 numbers"));
   const auto slider = [](const std::string& keys) {
-    return fault_beside(law + "[[nominal.torque_law.sliders]]\n" + keys);
+    return fault_beside(law_at_two + "[[nominal.torque_law.sliders]]\n" + keys);
   };
   const std::string of_slider = ": nominal.torque_law[1].sliders[1].";
   CHECK(slider("slips_at = 0\ntorque = 1\n") ==
@@ -135,7 +135,7 @@ TEST_CASE("a torque law that cannot be is refused at its key") {
   CHECK(slider("slips_at = 0.1\ntorque = 1\nstick = 1\n")
             .starts_with("N:11" + of_slider + "stick: found an unknown"));
   const auto arm = [](const std::string& keys) {
-    return fault_beside(law + "[[nominal.torque_law.arms]]\n" + keys);
+    return fault_beside(law_at_two + "[[nominal.torque_law.arms]]\n" + keys);
   };
   const std::string of_arm = ": nominal.torque_law[1].arms[1].";
   CHECK(arm("time_constant = 0\nstiffness = 1\n") ==

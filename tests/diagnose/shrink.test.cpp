@@ -67,6 +67,35 @@ TEST_CASE("the shrink of four held-out readings, by hand") {
   CHECK(shrink.ratio_high == close_to(1.0 / 4));
 }
 
+TEST_CASE("held-out values count as those that do not correlate; none leave the shrink as it is") {
+  const Experiment experiment = blank_experiment({16, 16});
+  const Measurements measurements(experiment);
+  const std::vector<double> before = by_series(measurements, {5, 5, 10, 10}),
+                            after = by_series(measurements, {1, 1, 1, 1});
+  NoiseModel noise;
+  noise.correlation = 0.5;  // of squares a quarter
+  const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 1), before, after, noise);
+  CHECK(shrink.independent == close_to(32 * 0.75 / 1.25));
+  // of blocks that all leave a tenth no draw leaves more or less
+  CHECK(shrink.ratio == close_to(0.1));
+  CHECK(shrink.ratio_low == close_to(0.1));
+  CHECK(shrink.ratio_high == close_to(0.1));
+  // two blocks of each channel that leave 1 and 3 of ten
+  std::vector<double> uneven = after;
+  for (const std::size_t s : {2U, 3U})
+    for (std::size_t i = 8; i < 16; ++i) uneven[measurements.series()[s].first + i] *= 3;
+  const Shrink ragged = measure_shrink(measurements, whole_run(experiment, 1), before, uneven, noise);
+  const ChannelShrink& force = ragged.channels.at({Channel::Name::Fx});
+  CHECK(force.ratio == close_to(std::sqrt(0.05)));
+  CHECK(force.ratio_low == close_to(0.1));
+  CHECK(force.ratio_high == close_to(0.3));
+  const Shrink none = measure_shrink(measurements, nothing_held(experiment), before, after, noise);
+  CHECK(none.ratio == 1);
+  CHECK(none.independent == 0);
+  CHECK(none.channels.empty());
+  CHECK(none.rms_before.empty());
+}
+
 TEST_CASE("an isolated outlier among the held-out readings counts neither before nor after") {
   const Experiment experiment = blank_experiment({9, 9});
   const Measurements measurements(experiment);

@@ -1,0 +1,141 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "diagnose/beliefs.hpp"
+#include "diagnose/inference/hum.hpp"
+#include "diagnose/inference/slow.hpp"
+#include "tests/close_to.hpp"
+#include "tests/diagnose/simulated_noise.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+
+namespace {
+
+/// A tone of so many rounds in a series, by cosine and sine at its first reading.
+struct Rounds {
+  double rounds, cosine, sine;
+};
+
+/// Adds tones to one series of a residual.
+void sound(const Measurements& measurements, std::size_t series, const std::vector<Rounds>& tones,
+           std::vector<double>& residual) {
+  const Series& one = measurements.series()[series];
+  const std::size_t count = one.readings.size();
+  for (const Rounds& tone : tones)
+    for (std::size_t i = 0; i < count; ++i) {
+      const double angle =
+          2 * std::numbers::pi * tone.rounds * static_cast<double>(i) / static_cast<double>(count);
+      residual[one.first + i] += tone.cosine * std::cos(angle) + tone.sine * std::sin(angle);
+    }
+}
+
+/// What a search finds in a single series of so many readings that has these tones.
+std::vector<Hum> heard_in(std::size_t count, const std::vector<Rounds>& tones) {
+  const Measurements measurements(blank_experiment({count}));
+  std::vector<double> residual(measurements.size(), 0.0);
+  sound(measurements, 0, tones, residual);
+  return find_hum(measurements, residual);
+}
+
+/// Amplitudes that least squares give a tone of what is left without the slow waves, by its normal equations.
+Eigen::Vector2d without_slow(std::size_t count, const Rounds& tone) {
+  const auto rows = static_cast<Eigen::Index>(count);
+  Eigen::VectorXd cosine(rows), sine(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const double angle =
+        2 * std::numbers::pi * tone.rounds * static_cast<double>(i) / static_cast<double>(count);
+    cosine(i) = std::cos(angle), sine(i) = std::sin(angle);
+  }
+  Eigen::VectorXd fast = tone.cosine * cosine + tone.sine * sine;
+  for (std::size_t k = 0; k < slow_components(count); ++k)
+    fast -= cosine_wave(count, k) * cosine_wave(count, k).dot(fast);
+  const double cc = cosine.dot(cosine), cs = cosine.dot(sine), ss = sine.dot(sine), c = cosine.dot(fast),
+               s = sine.dot(fast);
+  return Eigen::Vector2d(ss * c - cs * s, cc * s - cs * c) / (cc * ss - cs * cs);
+}
+
+/// Two runs of Fx and Fy whose clocks tick so fast; a tone in Fx of the first, another in Fx of the second.
+std::vector<Hum> known_in_second(double in_first, double in_second, double period, double interval = 1,
+                                 std::size_t readings = 60, double shift = 0) {
+  Experiment experiment = blank_experiment({64, readings});
+  for (Reading& reading : experiment.runs[1].readings) reading.t *= interval;
+  const Measurements measurements(experiment);
+  std::vector<double> residual(measurements.size(), 0.0);
+  sound(measurements, 0, {{64 / period, in_first, 0}}, residual);
+  const double rounds = static_cast<double>(readings) * interval / period;
+  sound(measurements, 2, {{rounds, 0, in_second}}, residual);
+  const Series& second = measurements.series()[2];
+  for (std::size_t i = 0; i < readings; ++i) residual[second.first + i] += shift;
+  return find_hum(measurements, residual);
+}
+
+}  // namespace
+
+TEST_CASE("a pure tone is heard with its period and its amplitudes, but for what is slow of it") {
+  for (const double rounds : {8.0, 16.0, 25.0}) {
+    CAPTURE(rounds);
+    const Rounds tone{rounds, 1.5, -0.5};
+    const std::vector<Hum> heard = heard_in(64, {tone});
+    REQUIRE(heard.size() >= 1);
+    CHECK(heard[0].series == 0);
+    CHECK(heard[0].period == close_to(64 / rounds).epsilon(1e-9));
+    const Eigen::Vector2d expected = without_slow(64, tone);
+    CHECK(heard[0].cosine == close_to(expected(0)).epsilon(1e-9));
+    CHECK(heard[0].sine == close_to(expected(1)).epsilon(1e-9));
+  }
+  CHECK(Hum{0, 4, 3, -4}.rms() == close_to(5 / std::numbers::sqrt2));
+}
+
+TEST_CASE("two tones of a series are heard, the louder first, and no third") {
+  const std::vector<Hum> heard = heard_in(64, {{16, 3, 0}, {25, 0, 1}, {9, 0.3, 0}});
+  REQUIRE(heard.size() == 2);
+  CHECK(heard[0].period == close_to(4).epsilon(1e-9));
+  CHECK(heard[1].period == close_to(64.0 / 25).epsilon(1e-9));
+  CHECK(heard[0].rms() == close_to(3 / std::numbers::sqrt2).epsilon(0.01));
+  CHECK(heard[1].rms() == close_to(1 / std::numbers::sqrt2).epsilon(0.03));  // what is left of the first
+}
+
+TEST_CASE("sixteen readings have a spectrum, fifteen have none; a tone of five sigmas and more is a ripple") {
+  CHECK(heard_in(15, {{6, 1, 0}}).empty());
+  CHECK_FALSE(heard_in(16, {{6, 1, 0}}).empty());
+  const double largest = beliefs::largest_scale * std::numbers::sqrt2;
+  CHECK_FALSE(heard_in(64, {{16, 0.98 * largest, 0}}).empty());
+  CHECK(heard_in(64, {{16, 1.02 * largest, 0}}).empty());
+}
+
+TEST_CASE("what goes round less than four times in a run is slow") {
+  // the slowest tone goes round half as often as there are slow waves, and once more
+  const std::vector<Hum> heard = heard_in(64, {{4, 1, 1}});
+  for (const Hum& one : heard) CHECK(one.period <= 16 * (1 + 1e-12));
+  CHECK(heard_in(64, {}).empty());  // silence
+}
+
+TEST_CASE("a tone is known in another run of its channel once it goes round, as loud within two, and slow") {
+  // period 16: four rounds of the first run, three of the second
+  const auto in_second = [](const std::vector<Hum>& heard) {
+    std::vector<Hum> there;
+    for (const Hum& one : heard)
+      if (one.series == 2) there.push_back(one);
+    return there;
+  };
+  const std::vector<Hum> known = in_second(known_in_second(1, 1, 16, 0.8));
+  REQUIRE(known.size() == 1);
+  CHECK(known[0].period == close_to(20).epsilon(0.02));  // of the middle of the places that are looked at
+  CHECK(known[0].rms() == close_to(1 / std::numbers::sqrt2).epsilon(0.05));
+  // beside a constant, which is no tone
+  CHECK(in_second(known_in_second(1, 1, 16, 0.8, 60, 2)).size() == 1);
+  CHECK(in_second(known_in_second(1, 1.8, 16, 0.8)).size() == 1);
+  CHECK(in_second(known_in_second(1, 2.2, 16, 0.8)).empty());
+  CHECK(in_second(known_in_second(1, 0.56, 16, 0.8)).size() == 1);
+  CHECK(in_second(known_in_second(1, 0.45, 16, 0.8)).empty());
+  // round more than once in the second run: 60 readings of 0.32 s are 19.2 s
+  CHECK(in_second(known_in_second(1, 1, 16, 0.32)).size() == 1);
+  CHECK(in_second(known_in_second(1, 1, 16, 0.2)).empty());  // 12 s
+  CHECK(in_second(known_in_second(1, 1, 16, 0.8, 15)).empty());
+  CHECK(in_second(known_in_second(1, 1, 16, 0)).empty());  // no clock
+  // heard in Fx it says nothing of Fy
+  for (const Hum& one : known_in_second(1, 1, 16, 0.8)) CHECK(one.series % 2 == 0);
+}
