@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <plumbline/branch/bifurcation.hpp>
+#include <plumbline/branch/sharpen.hpp>
 #include <plumbline/loaded/nominal_model.hpp>
 #include <random>
 
@@ -140,4 +141,58 @@ TEST_CASE("a crossing without symmetry is found where it is, with both its tange
     }
   }
   CHECK(found_there >= 30);
+}
+
+TEST_CASE(
+    "a crossing without symmetry in fifty digits: the equations hold, and both tangents leave them alone") {
+  using Exact = NominalModel<Mpfr50>;
+  std::mt19937 random(5);
+  int crossings = 0;
+  for (int i = 0; i < 200 && crossings < 5; ++i) {
+    Crossing made = any_crossing(random);
+    if (!made.make()) continue;
+    const Chain<double> chain = made.balanced().chain();
+    const auto lifted = [](const std::vector<double>& x) { return std::vector<Mpfr50>(x.begin(), x.end()); };
+    const Exact model(Chain<Mpfr50>(lifted(chain.length()), lifted(chain.stiffness()), lifted(chain.rest())));
+    const auto wide = [](const Point<double>& p) { return Point<Mpfr50>{Mpfr50(p.x), Mpfr50(p.y)}; };
+    const Loading<Mpfr50> loading{Control::end_point, wide(made.loading.start), wide(made.loading.direction)};
+    Brancher<Exact> brancher(model, loading, Vector<Mpfr50>(made.theta.cast<Mpfr50>()));
+    BranchPoint<double> near{};
+    near.theta = made.theta + 1e-3 * Vector<double>::Ones(made.theta.size());
+    near.force = made.force;
+    near.tangent = made.first;
+    const auto found =
+        detail::BifurcationSolver<Exact>(brancher).near(lift<Mpfr50>(near), lift<Mpfr50>(made.second));
+    // an isolated point has no tangents, and so near none Newton's method may go elsewhere
+    if (!found || found->tangents.size() != 2) continue;
+    if ((found->point.theta - made.theta.cast<Mpfr50>()).norm() > Mpfr50("1e-2")) continue;
+    ++crossings;
+    CAPTURE(i);
+    const BranchPoint<Mpfr50>& point = found->point;
+    Expansion<Mpfr50, 1> at;
+    model.expand(point.theta, point.force, at);
+    const Point<Mpfr50> wanted = loading.at(point.load);
+    // what doubles made is a crossing to their digits, and the moment that makes up for the rest is told
+    CHECK(found->imperfection < Mpfr50("1e-12"));
+    // all sums are of a few terms of the size of one, each rounded in its fiftieth digit; five are spare
+    const Mpfr50 rounding("1e-45");
+    CHECK(abs(at.end_point.x - wanted.x) < rounding);
+    CHECK(abs(at.end_point.y - wanted.y) < rounding);
+    const Eigen::Index n = point.theta.size();
+    for (const Variation<Mpfr50>& t : found->tangents) {
+      Point<Mpfr50> moved{-t.load * loading.direction.x, -t.load * loading.direction.y};
+      for (Eigen::Index j = 0; j < n; ++j) {
+        const Mpfr50 x = at.end_point_gradient(j, 0), y = at.end_point_gradient(j, 1);
+        Mpfr50 moment = at.hessian(0, j) * t.theta(j) - x * t.force.x - y * t.force.y;
+        if (j > 0) moment += at.hessian(1, j - 1) * t.theta(j - 1);
+        if (j + 1 < n) moment += at.hessian(1, j) * t.theta(j + 1);
+        CHECK(abs(moment) < rounding);
+        moved.x += x * t.theta(j);
+        moved.y += y * t.theta(j);
+      }
+      CHECK(abs(moved.x) < rounding);
+      CHECK(abs(moved.y) < rounding);
+    }
+  }
+  CHECK(crossings == 5);
 }

@@ -77,3 +77,23 @@ TEST_CASE("rows of zeros in a band are solved and counted in any unit") {
   }
   CHECK(solved > 200);
 }
+
+TEST_CASE("parts of a band in units far apart are solved as each alone") {
+  // [2 1; 1 2] (1, 1) = (3, 3), and the same in other units behind it: what is small beside the other part is
+  // not small in its own
+  for (const double unit : {0x1p-70, 1.0, 0x1p70}) {
+    CAPTURE(unit);
+    Band<double, 1> T(2, 4);
+    T << 2, 2, 2 * unit, 2 * unit,  //
+        1, 0, unit, 0;
+    BorderedBand<double, 1> matrix;
+    matrix.factor(T);
+    REQUIRE(matrix.no_border());
+    CHECK(matrix.negative(0) == 0);
+    Vector<double> v(4), none(0);
+    v << 3, 3, 3 * unit, 3 * unit;
+    matrix.solve(v, none);
+    for (const double x : v)
+      CHECK(std::abs(x - 1) < 1e-15);  // sums and products of few bits, one quotient each
+  }
+}

@@ -222,3 +222,35 @@ TEST_CASE("what counts as the same place follows the precision that is set at ru
   }
   Mpfr::default_precision(before);
 }
+
+TEST_CASE(
+    "a place between any two points of a branch lies on it, one beyond its ends or of its mirror image not") {
+  const std::vector<double> rest{0.3, -0.5, 0.4};
+  const auto traced = [](const std::vector<double>& bent) {
+    const Nominal model(Chain<double>({1, 0.8, 1.2}, {1, 2, 1}, bent));
+    const auto shape = absolute_angles(bent);
+    Brancher<Nominal> brancher(model, {Control::force, {0, 0}, {-1, 0}}, shape);
+    return Tracer<Nominal>(brancher, {0, 0.5}).run(brancher.start(0, shape));
+  };
+  const Nominal model(Chain<double>({1, 0.8, 1.2}, {1, 2, 1}, rest));
+  Brancher<Nominal> brancher(model, {Control::force, {0, 0}, {-1, 0}}, absolute_angles(rest));
+  const auto branch = traced(rest), mirrored = traced({-0.3, 0.5, -0.4});
+  REQUIRE(branch.points.size() > 3);
+  for (std::size_t i = 1; i < branch.points.size(); ++i) {
+    const auto &a = branch.points[i - 1], &b = branch.points[i];
+    const double way = brancher.product({b.theta - a.theta, {0, 0}, b.load - a.load}, a.tangent);
+    CAPTURE(i);
+    for (const double share : {0.01, 0.5, 0.99}) {
+      const auto between = brancher.step(a, share * way);
+      REQUIRE(between);
+      CHECK(lies_on(brancher, branch, *between));
+      CHECK_FALSE(lies_on(brancher, mirrored, *between));
+    }
+  }
+  const auto before = brancher.step(branch.points.front(), -0.02),
+             behind = brancher.step(branch.points.back(), 0.02);
+  REQUIRE(before);
+  REQUIRE(behind);
+  CHECK_FALSE(lies_on(brancher, branch, *before));
+  CHECK_FALSE(lies_on(brancher, branch, *behind));
+}

@@ -67,6 +67,39 @@ TEST_CASE("what is not certain is not said") {
   CHECK(intersection(zero_to_one, hull(Interval(1), Interval(3)))->contains(1));
 }
 
+TEST_CASE("the ends belong to an interval, and nothing beyond them does") {
+  const Interval third(Rational(1, 3)), two_to_five = hull(Interval(5), Interval(2));
+  for (const int end : {2, 5}) CHECK(two_to_five.contains(end));
+  CHECK_FALSE(two_to_five.contains(Rational(2) - Rational(1, 1000000)));
+  CHECK_FALSE(two_to_five.contains(Rational(5) + Rational(1, 1000000)));
+  CHECK(two_to_five.inside(two_to_five));
+  CHECK(two_to_five.inside(hull(Interval(1), Interval(5))));
+  CHECK_FALSE(two_to_five.inside(hull(Interval(3), Interval(6))));
+  CHECK_FALSE(two_to_five.inside(hull(Interval(0), Interval(4))));
+  CHECK(third.lower() <= third.middle());
+  CHECK(third.middle() <= third.upper());
+  CHECK(two_to_five.width() == 3);
+  CHECK(hull(Interval(-1), Interval(2)).contains_zero());
+  CHECK(hull(Interval(0), Interval(2)).contains_zero());
+  CHECK_FALSE(two_to_five.contains_zero());
+}
+
+TEST_CASE(
+    "an operation in place is the operation, a square knows its factors, and division by zero knows "
+    "nothing") {
+  const auto same = [](const Interval& a, const Interval& b) { return a.inside(b) && b.inside(a); };
+  const Interval a = hull(Interval(-3), Interval(7)), b = hull(Interval(2), Interval(5));
+  Interval sum = a, difference = a, product = a, quotient = a;
+  CHECK(same(sum += b, hull(Interval(-1), Interval(12))));
+  CHECK(same(difference -= b, hull(Interval(-8), Interval(5))));
+  CHECK(same(product *= b, hull(Interval(-15), Interval(35))));
+  CHECK(same(quotient /= b, hull(Interval(Rational(-3, 2)), Interval(Rational(7, 2)))));
+  CHECK(same(sqr(a), hull(Interval(0), Interval(49))));
+  CHECK(same(-b, hull(Interval(-5), Interval(-2))));
+  const Interval anything = b / a;
+  for (const long x : {-1000000000000L, 0L, 1000000000000L}) CHECK(anything.contains(x));
+}
+
 TEST_CASE("outside its domain a function refuses") {
   CHECK_THROWS_AS(sqrt(hull(Interval(-1), Interval(1))), Error);
   CHECK_THROWS_AS(Interval(Interval::End(2), Interval::End(1)), Error);
