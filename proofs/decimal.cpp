@@ -1,5 +1,7 @@
 #include "proofs/decimal.hpp"
 
+#include <fmt/core.h>
+
 #include <charconv>
 #include <cstdint>
 #include <numeric>
@@ -138,7 +140,7 @@ std::string to_decimal(const Rational& x, int digits) {
   const std::string sign = x < 0 ? "-" : "";
   if (e >= -5 && e < digits) return sign + with_point(std::move(text), digits - 1 - e);
   if (digits > 1) text.insert(1, ".");
-  return sign + text + "e" + (e < 0 ? "-" : "+") + std::to_string(std::abs(e));
+  return fmt::format("{}{}e{:+}", sign, text, e);
 }
 
 }  // namespace plumbline::proofs

@@ -139,7 +139,6 @@ class Part {
       shape.q[first_ + i] = *angle;
       shape.signs[first_ + i] = (*angles)[i].value.high < 0 ? '-' : '+';
     }
-    if (first_ > 0 || lateral_ == 0) return shape;
     const Angle& base = angles->front();
     const Rational fy = -exactly(Wide(lateral_ * ldexp(wide(base.value), base.exponent)));
     const Rational off = fy * exactly(Wide(base.error));
@@ -211,7 +210,7 @@ class Part {
   StringInWords string_;
   std::vector<Scaled> per_slope_;
   std::vector<bool> passive_;
-  Wide lateral_ = 0;
+  Wide lateral_ = 0;  ///< of the base joint, where this part begins with it
 };
 
 /// The shapes of up to eight modes.

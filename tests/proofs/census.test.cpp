@@ -259,6 +259,21 @@ TEST_CASE("exactly at a bifurcation the census says undecided, where it is, and 
   CHECK(at.equilibria.empty());
 }
 
+TEST_CASE("a place left undecided is told by its joint angles, turned with all of the chain") {
+  // the same at k = (3, 2), where the critical forces are 1 and 6, with the base and the force turned by 1/2:
+  // straight from the base on, the chain is at its first bifurcation
+  const Interval turn(Rational(1, 2));
+  const auto chain = unit_chain({turn, Interval(0)}, {Interval(3), Interval(2)});
+  const Census at = census_under_force(chain, {-cos(turn), -sin(turn)});
+  CHECK(at.equilibria.empty());
+  REQUIRE(at.undecided.size() == 1);
+  const auto& q = at.undecided[0];
+  REQUIRE(q.size() == 2);
+  CHECK(q[0].contains(Rational(1, 2)));
+  CHECK(q[1].contains_zero());
+  for (const Interval& angle : q) CHECK(angle.width() < Interval::End("0.1"));
+}
+
 TEST_CASE(
     "the census of the paper's Z-chain at 0.4 L has the equilibria that floating point finds, and no other") {
   const auto chain =
