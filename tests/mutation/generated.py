@@ -10,7 +10,7 @@ COUNTED = re.compile(r"(?:(?<![\w.])\d+|size\(\)|\b(?:\w*_)?(?:size|count|n|rows
 # what assigns, or calls for the sake of what it does
 EFFECT = re.compile(r"(?:\+\+|--|\*)?[\w:.>\[\]()*+-]+(?: (?:[-+*/%|&^]|<<|>>)?= |\(|;)")
 # what is the same of its arguments in any order
-ANY_ORDER = ("max", "min", "minmax", "larger", "smaller", "swap", "hypot")
+ANY_ORDER = ("max", "min", "minmax", "larger", "smaller", "swap", "hypot", "hull", "intersection")
 NO_EFFECT = ("return", "using", "static_assert", "break", "continue", "throw", "namespace", "public", "private", "case",
              "default", "friend", "typename", "template", "goto")
 

@@ -9,6 +9,7 @@ A fault is to be caught by the suite of its own folder: a test case fails, crash
 folder are compiled at once, in a copy of the project (build-mutation), and a process chooses one; it is offered only to the
 test cases that come by its place, the shortest first. What was caught before is not tried again with --survivors."""
 import argparse
+import functools
 import hashlib
 import json
 import pathlib
@@ -86,11 +87,13 @@ def caught_by(place, number, longest):
 
 def try_all(folder, faults, options, results):
     """Plants the faults of one folder, and adds to the results what became of them."""
-    # where few files hold faults the others are compiled together, as the compiler cache has them from the usual build; where
-    # many do, each by itself, so that one fault that does not compile costs one file
-    few = options.changed is not None
-    place = Workplace(ROOT / "build-mutation" / ("changed" if few else "") / folder, folder, options.jobs, few)
+    # where few files hold faults the others are compiled together, as the compiler cache has them from the usual build, and so are
+    # all where headers alone hold them, for those are compiled with every file; else each by itself, so that one fault that does
+    # not compile costs one file
     compiled = [fault for fault in faults if not fault.path.endswith(".py")]
+    changed = options.changed is not None
+    together = changed or all(fault.path.endswith(".hpp") for fault in compiled)
+    place = Workplace(ROOT / "build-mutation" / ("changed" if changed else "") / folder, folder, options.jobs, together)
     place.unplanted = {key: result["unplanted"] for key, result in results.items() if result.get("unplanted")}
     if compiled:
         place.make(compiled)
@@ -135,8 +138,7 @@ def main():
     parser.add_argument("--markdown", type=pathlib.Path, help="where the table goes; to standard output unless told")
     options = parser.parse_args()
 
-    sources = {}
-    source = lambda name: sources.setdefault(name, Source(name, (ROOT / name).read_text()))
+    source = functools.cache(lambda name: Source(name, (ROOT / name).read_text()))
     wanted = lambda name: options.only in name and name.split("/")[0] in options.folders
     try:
         known = list(listed(pathlib.Path(__file__).with_name("faults.toml"), source, wanted))

@@ -60,13 +60,24 @@ def rendered(path, text, faults, number):
     return "".join(out), owners, left_out
 
 
-def culprits(errors, path, owners, faults):
-    """Of the faults in the file at `path` those that these messages of the compiler are about."""
-    lines = [int(n) for n in re.findall(re.escape(path) + r":(\d+):\d+: (?:fatal )?error", errors)]
-    lines += [int(n) for n in re.findall(re.escape(path) + r":(\d+):\d+:\s+(?:required from|in .constexpr. expansion)", errors)]
-    found = [owners[line] for line in lines if line in owners]
-    if not found:  # near it: the faults of the next lines before
-        for line in lines:
-            near = [n for n in owners if line - 12 <= n <= line + 12]
-            found += [owners[n] for n in near]
-    return {fault.key for fault in found}
+def culprits(errors, owners):
+    """The faults that these messages of the compiler are about; owners gives, for each planted file, whose its lines are. Where
+    an error stands on no fault's line, as in a template that is right, those are taken from whose lines it was reached; where there
+    are none, those beside it."""
+    found, way = set(), []
+
+    def at(places, reach=0):
+        return {owners[path][n].key for path, line in places for n in range(line - reach, line + reach + 1) if n in owners[path]}
+
+    for row in errors.splitlines():
+        match = re.match(r"(\S+?):(\d+):(?:\d+:)?\s+(required from|in .constexpr. expansion|(?:fatal )?error)", row)
+        if match is None:
+            if re.search(r": In |^In file included", row):
+                way = []
+            continue
+        here = [(path, int(match[2])) for path in owners if match[1].endswith(f"/{path}")]
+        if match[3].endswith("error"):
+            found |= at(here) or at(way) or at(here + way, reach=12)
+        else:
+            way += here
+    return found
