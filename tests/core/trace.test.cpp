@@ -296,6 +296,81 @@ TEST_CASE("a branch in other units is the same branch, point by point") {
   }
 }
 
+TEST_CASE("a crossing in other units is the same, with what rounding can make of it") {
+  // under a force, and held; the crossing of the symmetric zigzag, and the first one of a straight cantilever
+  struct Found {
+    std::size_t points;
+    double load, theta, force, imperfection, rounding;
+  };
+  const auto found = [](double meter, double newton, bool held) {
+    const double k = newton * meter;
+    const ThreeLinks zigzag(pi / 10, -pi / 10);
+    const std::vector<double> straight{0, 0, 0};
+    const auto& rest = held ? zigzag.model.chain().rest() : straight;
+    const Nominal model(Chain<double>({meter, meter, meter}, {held ? 0 : k, k, k}, rest));
+    const Loading<double> loading =
+        held ? Loading<double>{Control::end_point, {meter * zigzag.loading.start.x, 0}, {-1, 0}}
+             : Loading<double>{Control::force, {0, 0}, {-1, 0}};
+    const Vector<double> shape = held ? zigzag.shape : Vector<double>(Vector<double>::Zero(3));
+    Brancher<Nominal> brancher(model, loading, shape);
+    const double unit = held ? meter : newton;
+    const auto branch =
+        Tracer<Nominal>(brancher, {0, unit * (held ? 0.1 : 0.25)}).run(brancher.start(0, shape));
+    REQUIRE(branch.events.size() == 1);
+    const auto& event = branch.events[0];
+    const auto at = detail::BifurcationSolver<Nominal>(brancher).near(event.point, event.crossing);
+    REQUIRE(at);
+    CHECK(at->simple());
+    // the way to the other side: what is stable has one negative direction more behind the crossing
+    CHECK(event.point.negative_directions == 0);
+    CHECK(branch.points.back().negative_directions == 1);
+    return Found{branch.points.size(),       at->point.load / unit, at->point.theta(0),
+                 at->point.force.x / newton, at->imperfection,      at->rounding};
+  };
+  for (const bool held : {true, false}) {
+    CAPTURE(held);
+    const Found plain = found(1, 1, held);
+    // 4 sin^2(pi / 14), of det(K - F L)
+    if (!held) CHECK(std::abs(plain.load - 0.19806226419516171) < 1e-12);
+    for (const auto& [meter, newton] : {std::pair{0x1p-10, 0x1p0}, {0x1p0, 0x1p20}, {0x1p9, 0x1p-13}}) {
+      CAPTURE(meter);
+      CAPTURE(newton);
+      const Found scaled = found(meter, newton, held);
+      CHECK(scaled.points == plain.points);
+      CHECK(std::abs(scaled.load - plain.load) < 1e-12);
+      CHECK(std::abs(scaled.theta - plain.theta) < 1e-12);
+      CHECK(std::abs(scaled.force - plain.force) < 1e-12);
+      CHECK(scaled.rounding ==
+            close_to(plain.rounding).epsilon(1e-6));  // a sum of sizes, of a point to 1e-12
+      CHECK(scaled.imperfection <= 64 * plain.rounding);
+    }
+  }
+}
+
+TEST_CASE("a cantilever that is bent by a billionth has no crossing, in any units") {
+  for (const auto& [meter, newton] :
+       {std::pair{1.0, 1.0}, {0x1p-10, 0x1p0}, {0x1p10, 0x1p0}, {0x1p10, 0x1p-10}}) {
+    CAPTURE(meter);
+    CAPTURE(newton);
+    const double k = newton * meter;
+    const Nominal straight(Chain<double>({meter, meter, meter}, {k, k, k}));
+    const Nominal bent(Chain<double>({meter, meter, meter}, {k, k, k}, {1e-9, 0, 0}));
+    const Loading<double> push{Control::force, {0, 0}, {-1, 0}};
+    Brancher<Nominal> on(straight, push, Vector<double>::Zero(3)),
+        beside(bent, push, Vector<double>::Zero(3));
+    const auto branch = Tracer<Nominal>(on, {0, 0.25 * newton}).run(on.start(0, Vector<double>::Zero(3)));
+    REQUIRE(branch.events.size() == 1);
+    const auto& event = branch.events[0];
+    const auto near = detail::BifurcationSolver<Nominal>(beside).near(event.point, event.crossing);
+    REQUIRE(near);
+    // the moment that would straighten it, a billionth of a joint's stiffness, acts on a mode of about its
+    // size
+    CHECK(near->imperfection > 1e-10);
+    CHECK(near->imperfection < 1e-8);
+    CHECK_FALSE(near->simple());
+  }
+}
+
 TEST_CASE("the work of a step grows linearly with the chain") {
   // the discretised elastica: its path does not depend on n beyond the discretisation error O(1/n)
   double force_at_200 = 0;

@@ -105,7 +105,11 @@ class BifurcationSolver {
       sum += abs(psi_(i)) * (turn * abs(at_.hessian(0, i)) + force * link);
       reach += link;
     }
-    return epsilon<Real>() * (sum + (abs(psi_place_.x) + abs(psi_place_.y)) * reach);
+    const auto size = [](const Point<Real>& p) -> Real { return abs(p.x) + abs(p.y); };
+    const Loading<Real>& loading = brancher_->loading();
+    const bool held = loading.control == Control::end_point;
+    const Real imposed = held ? reach : Real(force + abs(point.load) * size(loading.direction));
+    return epsilon<Real>() * (sum + size(psi_place_) * imposed);
   }
 
   /// Solves with a right-hand side; the last unknown, beside the variation, is the multiplier of psi0.
