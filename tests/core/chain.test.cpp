@@ -12,11 +12,31 @@ TEST_CASE("a chain refuses what is not a chain, and says where") {
   CHECK_THROWS_WITH_AS(Chain<double>({1, -1}, {1, 1}),
                        "lengths, entry 2: found a value that is not positive, expected a positive length",
                        Error);
-  CHECK_THROWS_AS(Chain<double>({1, NAN}, {1, 1}), Error);
-  CHECK_THROWS_AS(Chain<double>({1, INFINITY}, {1, 1}), Error);
-  CHECK_THROWS_AS(Chain<double>({1, 1}, {1, -1}), Error);
-  CHECK_THROWS_AS(Chain<double>({1, 1}, {1}), Error);
-  CHECK_THROWS_AS(Chain<double>({1, 1}, {1, 1}, {0}), Error);
+  for (const double no_number : {NAN, INFINITY}) {
+    CHECK_THROWS_WITH_AS(Chain<double>({1, no_number}, {1, 1}),
+                         "lengths, entry 2: found a value that is not finite, expected a finite number",
+                         Error);
+    CHECK_THROWS_WITH_AS(Chain<double>({1, 1}, {no_number, 1}),
+                         "stiffness, entry 1: found a value that is not finite, expected a finite number",
+                         Error);
+    CHECK_THROWS_WITH_AS(Chain<double>({1, 1}, {1, 1}, {0, no_number}),
+                         "rest, entry 2: found a value that is not finite, expected a finite number", Error);
+  }
+  CHECK_THROWS_WITH_AS(Chain<double>({1, 0}, {1, 1}),
+                       "lengths, entry 2: found a value that is not positive, expected a positive length",
+                       Error);
+  CHECK_THROWS_WITH_AS(Chain<double>({1, 1}, {1, -1}),
+                       "stiffness, entry 2: found a negative value, expected zero (passive) or positive",
+                       Error);
+  CHECK_THROWS_WITH_AS(Chain<double>({1, 1}, {1}), "stiffness: found 1 values, expected one per link, 2",
+                       Error);
+  CHECK_THROWS_WITH_AS(Chain<double>({1, 1}, {1, 1}, {0}), "rest: found 1 values, expected one per link, 2",
+                       Error);
+  const Chain<double> passive({1, 1}, {1, 0});
+  CHECK(passive.passive_joints() == 1);
+  CHECK(passive.passive_joint(1));
+  CHECK_FALSE(passive.passive_joint(0));
+  CHECK(passive.rest() == std::vector<double>{0, 0});
 }
 
 TEST_CASE("a single link has no buckling mode, and two passive joints make a mechanism") {

@@ -37,7 +37,11 @@ TEST_CASE("a batch says which chain is wrong") {
   CHECK_THROWS_WITH_AS(
       lowest_forces({4, bad, good}),
       "chain 3: lengths, entry 2: found a value that is not positive, expected a positive length", Error);
-  CHECK_THROWS_AS(lowest_forces({5, good, good}), Error);
+  CHECK_THROWS_WITH_AS(lowest_forces({5, good, good}),
+                       "batch: found 12 lengths and 12 stiffnesses, expected as many, a multiple of 5",
+                       Error);
+  CHECK_THROWS_WITH_AS(lowest_forces({4, good, std::vector<double>(8, 1.0)}),
+                       "batch: found 12 lengths and 8 stiffnesses, expected as many, a multiple of 4", Error);
   CHECK_THROWS_AS(lowest_forces({1, good, good}), Error);
   bad = good;
   bad[4] = bad[6] = 0;

@@ -38,3 +38,31 @@ TEST_CASE(
   CHECK(abs(event.crossing.theta(1)) < Mpfr50("1e-20"));
   CHECK(event.point.tangent.load > Mpfr50("1e-3"));
 }
+
+TEST_CASE("an event that is none in more digits is refused") {
+  // one link under a force square to it turns steadily; a straight cantilever crosses, a bent one does not
+  const NominalModel<double> straight(Chain<double>({1, 1}, {1, 1}));
+  Brancher<NominalModel<double>> low(straight, {Control::force, {0, 0}, {-1, 0}}, Vector<double>::Zero(2));
+  const auto branch = Tracer<NominalModel<double>>(low, {0, 1}).run(low.start(0, Vector<double>::Zero(2)));
+  REQUIRE(branch.events.size() == 1);
+  const char* const refusal = "branch: found an event that more digits do not show, expected an event";
+  const auto wide = [](const Mpfr50& rest) {
+    return NominalModel<Mpfr50>(Chain<Mpfr50>({1, 1}, {1, 1}, {rest, Mpfr50(0)}));
+  };
+  const Loading<Mpfr50> push{Control::force, {Mpfr50(0), Mpfr50(0)}, {Mpfr50(-1), Mpfr50(0)}};
+  const auto exact = wide(0), bent = wide(Mpfr50("1e-12"));
+  const Vector<Mpfr50> shape = Vector<Mpfr50>::Constant(2, Mpfr50(0));
+  Brancher<NominalModel<Mpfr50>> crosses(exact, push, shape), passes(bent, push, shape);
+  // (3 - sqrt 5) / 2, the lesser eigenvalue of (2 -1; -1 1)
+  CHECK(abs(sharpen(crosses, branch.events[0]).point.load - (3 - sqrt(Mpfr50(5))) / 2) < Mpfr50("1e-45"));
+  CHECK_THROWS_WITH_AS(sharpen(passes, branch.events[0]), refusal, Error);
+
+  // its load, theta / cos theta, turns back only beyond a quarter turn
+  const NominalModel<double> link(Chain<double>({1}, {1}));
+  Brancher<NominalModel<double>> aside(link, {Control::force, {0, 0}, {0, 1}}, Vector<double>::Zero(1));
+  const auto regular = aside.start(0.1, Vector<double>::Zero(1));
+  const NominalModel<Mpfr50> wide_link(Chain<Mpfr50>({1}, {1}));
+  Brancher<NominalModel<Mpfr50>> more(wide_link, {Control::force, {0, 0}, {Mpfr50(0), Mpfr50(1)}},
+                                      Vector<Mpfr50>::Constant(1, Mpfr50(0)));
+  CHECK_THROWS_WITH_AS(sharpen(more, BranchEvent<double>{EventKind::fold, 0, regular, {}}), refusal, Error);
+}
