@@ -62,8 +62,8 @@ def rendered(path, text, faults, number):
 
 def culprits(errors, owners):
     """The faults that these messages of the compiler are about; owners gives, for each planted file, whose its lines are. Where
-    an error stands on no fault's line, as in a template that is right, those are taken from whose lines it was reached; where there
-    are none, those beside it."""
+    an error stands on no fault's line, as in a template that is right, that one is taken from whose line it was reached last; where
+    there is none, those beside it."""
     found, way = set(), []
 
     def at(places, reach=0):
@@ -77,7 +77,7 @@ def culprits(errors, owners):
             continue
         here = [(path, int(match[2])) for path in owners if match[1].endswith(f"/{path}")]
         if match[3].endswith("error"):
-            found |= at(here) or at(way) or at(here + way, reach=12)
+            found |= next(filter(None, (at([place]) for place in here + way)), at(here + way, reach=12))
         else:
             way += here
     return found

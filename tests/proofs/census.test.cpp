@@ -272,6 +272,7 @@ TEST_CASE("a place left undecided is told by its joint angles, turned with all o
   CHECK(q[0].contains(Rational(1, 2)));
   CHECK(q[1].contains_zero());
   for (const Interval& angle : q) CHECK(angle.width() < Interval::End("0.1"));
+  CHECK_FALSE(at.balanced);  // what is left open counts for nothing
 }
 
 TEST_CASE(
@@ -373,6 +374,11 @@ TEST_CASE("what cannot be counted is refused") {
   CHECK_THROWS_AS(census_at_end_point(chain, {Interval(3), Interval(0)}), Error);   // stretched
   CHECK_THROWS_AS(census_at_end_point(chain, {Interval(4), Interval(0)}), Error);   // out of reach
   CHECK_THROWS_AS(census_at_end_point(chain, {Interval(0), Interval(-1)}), Error);  // folded into one line
+  const Interval perhaps = hull(Interval(0), Interval(1));
+  CHECK_THROWS_WITH_AS(
+      EquilibriumBox(unit_chain({Interval(0), Interval(0)}, {Interval(1), perhaps}), Control::force, {0, 0},
+                     {}),
+      "census: found a stiffness that may or may not be zero, expected a passive or an elastic joint", Error);
 }
 
 TEST_CASE("fast spans enclose what fifty digits say") {
