@@ -2,6 +2,7 @@
 
 #include "proofs/as_double.hpp"
 #include "proofs/followed_path.hpp"
+#include "proofs/measures.hpp"
 #include "tests/proofs/stand_alone.hpp"
 #include "tests/property.hpp"
 
@@ -59,6 +60,62 @@ TEST_CASE(
   CHECK(certificates[1]["parts"].size() == 2);
   for (const std::size_t i : {1, 4, 5}) CHECK(certificates[i]["pitchforks"].size() == 1);
   for (const json& one : certificates) CHECK(check_alone("check_paths.py", path_certificates, {one}) == 0);
+}
+
+TEST_CASE(
+    "a certificate states what was given, the runs of each part, and the parts that meet in a pitchfork") {
+  const Rational tenth(1, 10);
+  const Chain<Rational> unequal({1, Rational(3, 2)}, {1, Rational(1, 2)}, {Rational(1, 2), -1});
+  const json pressed = certified(unequal, Control::force, {-1, tenth}, 0.5, false);
+  CHECK(pressed["case"] == "test");
+  CHECK(pressed["lengths"] == json{"1", "1.5"});
+  CHECK(pressed["stiffness"] == json{"1", "0.5"});
+  CHECK(pressed["rest"] == json{"0.5", "-1"});
+  CHECK(pressed["rest_unit"] == "rad");
+  CHECK(pressed["control"] == "force");
+  CHECK(pressed["direction"] == json{"-1", "0.1"});
+  CHECK(pressed["pitchforks"].empty());
+  // stable, and the load grows all the way
+  REQUIRE(pressed["parts"].size() == 1);
+  CHECK(pressed["parts"][0]["runs"] == json::array({{1, 0}}));
+  CHECK(pressed["parts"][0]["folds"].empty());
+  const json& points = pressed["parts"][0]["points"];
+  REQUIRE(points.size() > 1);
+  const auto number = [](const json& decimal) { return std::stod(decimal.get<std::string>()); };
+  // two angles and the load, in the unit of the chain
+  for (const json& point : points) REQUIRE(point.size() == 3);
+  CHECK(number(points.front()[2]) == 0);
+  const double unit = load_unit(from_rational<Interval>(unequal), Control::force);
+  CHECK(std::abs(number(points.back()[2]) * unit - 0.5) <
+        1e-8);  // the ninth decimal, in the unit of the chain
+  const double near = number(pressed["parts"][0]["near"]);
+  CHECK(near >= 2e-9);
+  CHECK(near < 1e-6);
+
+  // The zigzag keeps theta_1 = theta_3 while it lasts, and the arches that leave it do not.
+  const json forked = certified(Chain<Rational>({1, 1, 1}, {0, 1, 1}, {-tenth, 3 * tenth, -3 * tenth}),
+                                Control::end_point, {-1, 0}, 0.1, true);
+  CHECK(forked["control"] == "end_point");
+  REQUIRE(forked["pitchforks"].size() == 1);
+  const json& fork = forked["pitchforks"][0];
+  CHECK(fork["symmetry"] == "reversed");
+  CHECK(fork["symmetric"].size() == 2);
+  CHECK(fork["bent"].size() == 2);
+  for (const bool symmetric : {true, false}) {
+    for (const json& end : fork[symmetric ? "symmetric" : "bent"]) {
+      const std::size_t part = end[0];
+      REQUIRE(part >= 1);
+      REQUIRE(part <= forked["parts"].size());
+      const json& all = forked["parts"][part - 1]["points"];
+      const json& point = end[1] == "first" ? all.front() : all.back();
+      CHECK((end[1] == "first" || end[1] == "last"));
+      const double aside = std::abs(number(point[0]) - number(point[2]));
+      CHECK((aside < 1e-8) == symmetric);
+      // the ends of a gap about the crossing, on both sides of it or, where the branch bends, on one
+      CHECK(std::abs(number(point.back()) - number(fork["load"][0])) < 0.05);
+    }
+  }
+  CHECK(number(fork["load"][0]) <= number(fork["load"][1]));
 }
 
 TEST_CASE("points that are proved rounded have nine decimals, and those that are followed have more") {
