@@ -75,6 +75,11 @@ inline constexpr double fit_level = 0.001;
 /// better one would be the wrong one in five of a hundred experiments (odds of twenty to one).
 inline constexpr double told_apart = 3.0;
 
+/// So probable is it at least that another of a class is the cause than the best: of simulated experiments
+/// whose class held the cause it was in ten of 39, and where the best was stated at more than 0.9 in one of
+/// four.
+inline constexpr double another_of_class = 0.2;
+
 /// A plainer explanation that closes so much of the gap that the best one closes (of the squares) stands
 /// beside it: what is then left to the refinement is less than a tenth of the residual.
 inline constexpr double closes_alike = 0.99;

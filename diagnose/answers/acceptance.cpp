@@ -179,6 +179,18 @@ void demand_shrink(const std::optional<Shrink>& blind, Cause& cause) {
   if (!shrinks && !predicts(blind, beliefs::predicts)) refuse(cause, beliefs::wrong_unshrunk);
 }
 
+void share_with_class(Cause& cause) {
+  if (cause.equivalent.empty()) return;
+  double& best = cause.ranking[cause.best].probability;
+  double others = 0;
+  for (const std::size_t place : cause.equivalent) others += cause.ranking[place].probability;
+  const double missing = beliefs::another_of_class * (best + others) - others;
+  if (!(missing > 0)) return;
+  best -= missing;
+  for (const std::size_t place : cause.equivalent)
+    cause.ranking[place].probability += missing / static_cast<double>(cause.equivalent.size());
+}
+
 bool accept_tolerable(const Study& study, const Study& seen, Findings chosen, Findings& findings,
                       Cause& cause) {
   if (cause.verdict != CauseVerdict::unknown) return false;

@@ -34,6 +34,10 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
 /// there, whatever it was accepted for: it is no more than the best partial explanation.
 void demand_shrink(const std::optional<Shrink>& blind, Cause& cause);
 
+/// Leaves to the others of a class, of which the readings do not tell the best apart, the chance that one of
+/// them is the cause at least has: what evidence says beyond that is how wide priors were taken.
+void share_with_class(Cause& cause);
+
 /// Where nothing explains the readings to their noise, what leaves no more of them than is tolerated is as
 /// good an explanation as can be had. So much freedom is left to it that a cause outside the catalogue might
 /// do as well. Answers whether there is one.

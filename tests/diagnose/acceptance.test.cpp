@@ -177,3 +177,27 @@ TEST_CASE("three effects that do not predict give way to fewer that leave no str
   CHECK(cause.ranking[cause.best].hypothesis.fit.candidate.count() == 2);
   CHECK(cause.ranking.size() == 1);
 }
+
+TEST_CASE("the others of a class have a fifth at least of what the class has") {
+  const Study study = three_runs();
+  Cause cause = named(study, {{{"force_gain"}}});
+  for (const char* const id : {"gravity", "sensor_drift", "force_bias"})
+    cause.ranking.push_back(named(study, {{{id}}}).ranking[0]);
+  const auto shared = [&](std::initializer_list<double> probabilities) {
+    Cause one = cause;
+    std::size_t place = 0;
+    for (const double p : probabilities) one.ranking[place++].probability = p;
+    one.equivalent = {1, 2};  // the last is no part of the class
+    share_with_class(one);
+    return one.ranking;
+  };
+  // 0.94 + 0.03 + 0.01: the two lack 0.196 - 0.04, half of it each
+  const std::vector<Ranked> sure = shared({0.94, 0.03, 0.01, 0.02});
+  CHECK(sure[0].probability == close_to(0.94 - 0.156));
+  CHECK(sure[1].probability == close_to(0.03 + 0.078));
+  CHECK(sure[2].probability == close_to(0.01 + 0.078));
+  CHECK(sure[3].probability == 0.02);
+  const std::vector<Ranked> open = shared({0.5, 0.2, 0.1, 0.2});
+  CHECK(open[0].probability == 0.5);
+  CHECK(open[1].probability == 0.2);
+}
