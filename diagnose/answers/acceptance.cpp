@@ -4,6 +4,7 @@
 #include <array>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <map>
 
 #include "diagnose/answers/rotation.hpp"
 #include "diagnose/beliefs.hpp"
@@ -105,6 +106,30 @@ bool has_values_everywhere(const Study& study, const Candidate& candidate) {
   });
 }
 
+/// Whether an effect of this rig sets in where a parameter says, as a stop does; what gives back less than it
+/// took does so anew after every reversal.
+bool sets_in(const Study& study, const EffectAt& at) {
+  const std::vector<ParameterRange> ranges = study.ranges(at);
+  return !at.effect->dissipates && std::any_of(ranges.begin(), ranges.end(), [](const ParameterRange& one) {
+    return one.coordinate == Coordinate::plain && one.low > 0;
+  });
+}
+
+/// In how many runs an effect of an explanation changes what is predicted by more than the readings scatter.
+std::size_t runs_that_show(const Study& study, const Fit& fit, const EffectAt& at) {
+  const Instance without =
+      part(study, fit.candidate, fit.parameters, [&](const EffectAt& one) { return !(one == at); });
+  const std::vector<double> with = study.residual(predict(study, fit.candidate, fit.parameters)),
+                            plain = study.residual(predict(study, without.candidate, without.parameters));
+  std::map<std::size_t, double> change;
+  for (const Series& series : study.measurements().series())
+    for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i)
+      change[series.run] += std::pow(with[i] - plain[i], 2);
+  constexpr double clearly = 9;  // three deviations of one reading
+  return static_cast<std::size_t>(
+      std::count_if(change.begin(), change.end(), [](const auto& one) { return one.second > clearly; }));
+}
+
 /// Whether an explanation takes so many effects that it explains much that it is not.
 bool takes_three(const Ranked& one) {
   return one.hypothesis.fit.candidate.count() >= 3;
@@ -177,6 +202,16 @@ void demand_shrink(const std::optional<Shrink>& blind, Cause& cause) {
   if (cause.verdict == CauseVerdict::unknown || !blind || !blind->tested()) return;
   const bool shrinks = blind->ratio * blind->ratio <= beliefs::leaves_the_gap;
   if (!shrinks && !predicts(blind, beliefs::predicts)) refuse(cause, beliefs::wrong_unshrunk);
+}
+
+void demand_second_run(const Study& study, Cause& cause) {
+  if (cause.verdict != CauseVerdict::identified) return;
+  const Fit& best = cause.ranking[cause.best].hypothesis.fit;
+  const std::vector<EffectAt>& effects = best.candidate.effects;
+  if (std::any_of(effects.begin(), effects.end(), [&](const EffectAt& at) {
+        return sets_in(study, at) && runs_that_show(study, best, at) < 2;
+      }))
+    hedge(cause, Reservation::one_run);
 }
 
 void share_with_class(Cause& cause) {

@@ -34,6 +34,9 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
 /// there, whatever it was accepted for: it is no more than the best partial explanation.
 void demand_shrink(const std::optional<Shrink>& blind, Cause& cause);
 
+/// What sets in somewhere (a stop) and shows in one run alone is not identified: no other run tests where.
+void demand_second_run(const Study& study, Cause& cause);
+
 /// Leaves to the others of a class, of which the readings do not tell the best apart, the chance that one of
 /// them is the cause at least has: what evidence says beyond that is how wide priors were taken.
 void share_with_class(Cause& cause);

@@ -228,6 +228,7 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
       accept_doubtful(study, findings.noise, diagnosis.cause))
     test_best();
   demand_shrink(diagnosis.shrink, diagnosis.cause);
+  demand_second_run(study, diagnosis.cause);
   share_with_class(diagnosis.cause);
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.reservation != Reservation::none)
     offer_law_to(study, chosen, diagnosis);

@@ -109,6 +109,10 @@ std::string reservation_words(Reservation reservation) {
       return "no readings that can be held out show enough of the gap to test it";
     case Reservation::not_predicted:
       return "fitted without the held-out readings, it does not predict them";
+    case Reservation::one_run:
+      return "it shows in one run alone, so that no other run tests where it sets in: a wall, or whatever "
+             "else the "
+             "chain met there, would do the same";
     case Reservation::beyond_noise:
       return "it leaves more than the readings scatter, though no more than is tolerated";
     case Reservation::many_values:

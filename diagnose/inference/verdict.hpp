@@ -16,6 +16,7 @@ enum class Reservation {
   none,
   not_tested,       ///< no readings that could be held out carry a gap that it could shrink
   not_predicted,    ///< it does not predict the readings that were held out
+  one_run,          ///< where it sets in shows in one run alone
   beyond_noise,     ///< it leaves more than the readings scatter, though no more than is tolerated
   many_values,      ///< beside one effect it takes another with a value at every joint, link or run
   machining_alone,  ///< it is what machining leaves and nothing else
