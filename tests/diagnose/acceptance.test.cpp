@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/close_to.hpp"
+#include "tests/diagnose/bench.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 
 using namespace plumbline;
@@ -200,4 +201,29 @@ TEST_CASE("the others of a class have a fifth at least of what the class has") {
   const std::vector<Ranked> open = shared({0.5, 0.2, 0.1, 0.2});
   CHECK(open[0].probability == 0.5);
   CHECK(open[1].probability == 0.2);
+}
+
+TEST_CASE("where a stop sets in shows in two runs, or it is named beside another cause") {
+  // The base joint, 2 N m/rad, turns by some 0.3 rad under a newton across the arm of 0.6 m.
+  const auto asked_of = [](double second_force, const Candidate& candidate,
+                           const std::vector<double>& values) {
+    Experiment experiment = test::three_links();
+    for (const double force : {1.0, second_force}) test::load(experiment, {0, 0, 0}, {0, 0}, {0, force}, 10);
+    const Study study(experiment);
+    Cause cause = named(study, candidate);
+    cause.ranking[0].hypothesis.fit.parameters = values;
+    demand_second_run(study, cause);
+    return cause;
+  };
+  const Candidate stop{{{"joint_stop", 1}}};
+  CHECK(asked_of(1.0, stop, {0.2, 5}).verdict == CauseVerdict::identified);
+  const Cause once = asked_of(0.3, stop, {0.2, 5});
+  CHECK(once.verdict == CauseVerdict::ambiguous);
+  CHECK(once.reservation == Reservation::one_run);
+  CHECK(once.unknown == 0.25);
+  // Beside what shows in both runs too.
+  CHECK(asked_of(0.3, {{{"joint_stiffness", 2}, {"joint_stop", 1}}}, {0.1, 0.2, 5}).reservation ==
+        Reservation::one_run);
+  // What is there from the first reading on asks for no second run.
+  CHECK(asked_of(0.0, {{{"joint_stiffness", 2}}}, {0.1}).verdict == CauseVerdict::identified);
 }
