@@ -74,3 +74,23 @@ TEST_CASE("a thousand digits of any chain are what counts in fractions say, and 
     }
   }
 }
+
+TEST_CASE("the lowest forces of a chain in two parts come from either part, in their order") {
+  // an interior passive joint: F = 2 k_1 / 3 before it and 2 k_3 behind it
+  for (const auto& [first, behind, lowest] : {std::tuple{3, Rational(1, 2), 1}, {3, Rational(4), 2}}) {
+    const Chain<Rational> chain({1, 1, 1}, {first, 0, behind});
+    const Rational other = lowest == 1 ? 2 : 8;
+    for (const int digits : {10, 40}) {
+      const auto one = enclose_critical_forces(chain, 1, digits),
+                 both = enclose_critical_forces(chain, 2, digits);
+      REQUIRE(one.size() == 1);
+      REQUIRE(both.size() == 2);
+      const auto holds = [](const ForceEnclosure& bounds, const Rational& force) {
+        return bounds.low < force && force < bounds.high;
+      };
+      CHECK(holds(one[0], lowest));
+      CHECK(holds(both[0], lowest));
+      CHECK(holds(both[1], other));
+    }
+  }
+}

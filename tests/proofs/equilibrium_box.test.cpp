@@ -250,7 +250,7 @@ TEST_CASE("a box is kept where Krawczyk's operator, by the equations of a branch
 }
 
 TEST_CASE("the box of an equilibrium is the largest, of halved ones, that Newton's step keeps inside") {
-  for (const Balanced& at : {held(), held_on_a_passive_base(), pushed()}) {
+  for (const Balanced& at : {held(), held(0.75), held_on_a_passive_base(), pushed(), pushed(4), pushed(20)}) {
     Midpoint root{};
     std::copy(at.unknown.begin(), at.unknown.end(), root.begin());
     const auto box = at.system.isolate(root);

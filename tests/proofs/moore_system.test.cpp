@@ -23,6 +23,15 @@ TEST_CASE("the derivative of Moore's system is that of its values, held and unde
     const Loading<Interval> loading{control, {number(some), number(some)}, {number(some), number(some)}};
     const IntervalEquations equations(chain, loading);
     const Eigen::Index m = equations.size();
+    // as many equations as unknowns but for the load, and a second derivative in all of them
+    const LocalEquations local =
+        equations.at(IntervalVector::Constant(m + 1, Interval(0)), IntervalVector::Constant(m, Interval(1)));
+    CHECK(m == (control == Control::end_point ? 5 : 3));
+    CHECK(local.value.size() == m);
+    CHECK(local.derivative.rows() == m);
+    CHECK(local.derivative.cols() == m + 1);
+    CHECK(local.bend.rows() == m + 1);
+    CHECK(local.bend.cols() == m + 1);
     Vector<double> near(m + 1);
     for (double& x : near) x = some(random) / 64.0;
     const MooreSystem moore(equations, near);
