@@ -228,3 +228,51 @@ TEST_CASE("where a chain comes to rest it is stable, and its energy has fallen")
   }
   CHECK(checked == 20);
 }
+
+namespace {
+
+/// A model that can give residual and end point by themselves.
+struct ChordModel : NominalModel<double> {
+  using NominalModel<double>::NominalModel;
+  void balance(const Vector<double>& theta, const Point<double>& force, Expansion<double, 1>& at) const {
+    Expansion<double, 1> whole;
+    expand(theta, force, whole);
+    at.residual = whole.residual;
+    at.end_point = whole.end_point;
+  }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "chord steps, with the factors of the first place, lead to the equilibrium that Newton's method finds") {
+  const Chain<double> chain({1, 1, 1}, {1, 2, 1}, {0.2, -0.4, 0.3});
+  const Vector<double> rest = absolute_angles(chain.rest());
+  const Point<double> unloaded = end_point(chain, chain.rest());
+  for (const Control control : {Control::end_point, Control::force}) {
+    const Point<double> imposed = control == Control::force
+                                      ? Point<double>{-0.02, 0.03}
+                                      : Point<double>{unloaded.x - 0.02, unloaded.y + 0.01};
+    const ChordModel model(chain);
+    LoadedSystem<ChordModel> system(model);
+    Vector<double> theta = rest;
+    Point<double> force = control == Control::force ? imposed : Point<double>{0, 0};
+    system.expand(theta, force);
+    REQUIRE(system.factor(control));
+    // each step leaves a share of the error that grows with the way from the first place, here less than a
+    // half
+    double turn = 1;
+    for (int step = 0; step < 60; ++step) {
+      turn = system.step_to(imposed);
+      system.move(1, theta, force);
+      system.balance(theta, force);
+    }
+    CHECK(turn < 1e-14);
+    CHECK(system.at().residual.cwiseAbs().maxCoeff() < 1e-14);
+    EquilibriumSolver<ChordModel> solver(model);
+    const auto found = solver.under(control, imposed, rest, force);
+    CHECK((found.theta - theta).cwiseAbs().maxCoeff() < 1e-13);
+    CHECK(std::abs(found.force.x - force.x) < 1e-13);
+    CHECK(std::abs(found.force.y - force.y) < 1e-13);
+  }
+}

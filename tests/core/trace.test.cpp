@@ -371,6 +371,25 @@ TEST_CASE("a cantilever that is bent by a billionth has no crossing, in any unit
   }
 }
 
+TEST_CASE("a held chain's force is bounded up to a million times its own, whichever way it acts") {
+  // two unit links and springs: the reach is 2, the joints' softness at rest 1/2 + 1, and so the force 1/3
+  const Nominal model(Chain<double>({1, 1}, {1, 1}));
+  const Vector<double> straight = Vector<double>::Zero(2);
+  Brancher<Nominal> held(model, {Control::end_point, {2, 0}, {-1, 0}}, straight);
+  Brancher<Nominal> pushed(model, {Control::force, {0, 0}, {-1, 0}}, straight);
+  BranchPoint<double> point{};
+  for (const auto& [x, y] :
+       {std::pair{1.0, 0.0}, {0.0, 1.0}, {-1.0, 0.0}, {0.5, 0.5}, {0.5, -0.5}, {-0.5, -0.5}}) {
+    CAPTURE(x);
+    CAPTURE(y);
+    for (const double million : {0.99e6, 1.01e6}) {
+      point.force = {x * million / 3, y * million / 3};
+      CHECK(held.force_bounded(point) == (million < 1e6));
+      CHECK(pushed.force_bounded(point));  // it is what it is told to be
+    }
+  }
+}
+
 TEST_CASE("the work of a step grows linearly with the chain") {
   // the discretised elastica: its path does not depend on n beyond the discretisation error O(1/n)
   double force_at_200 = 0;
