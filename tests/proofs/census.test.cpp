@@ -379,6 +379,10 @@ TEST_CASE("what cannot be counted is refused") {
       EquilibriumBox(unit_chain({Interval(0), Interval(0)}, {Interval(1), perhaps}), Control::force, {0, 0},
                      {}),
       "census: found a stiffness that may or may not be zero, expected a passive or an elastic joint", Error);
+  CensusLimits few;
+  few.boxes = 10;
+  CHECK_THROWS_WITH_AS(census_under_force(chain, {Interval(-3), Interval(1)}, few),
+                       "census: found 10 boxes without an end, expected a search that fits the limit", Error);
 }
 
 TEST_CASE("fast spans enclose what fifty digits say") {
