@@ -80,6 +80,8 @@ TEST_CASE("a symmetric zigzag crosses a bifurcation; a nearly symmetric one turn
   // on the symmetric branch theta = (-a, b, -a) throughout
   for (const auto& p : branch.points) CHECK(std::abs(p.theta(0) - p.theta(2)) < 1e-9);
   const double critical = buckling[0].point.load;
+  CHECK_THROWS_WITH_AS(load_slowly(symmetric, branch.points.back(), {0, 1}),
+                       "slow loading: found an unstable start, expected a stable one", Error);
   // what the crossing says of itself is what the equations say there, to rounding
   const auto& crossing = buckling[0].point;
   Expansion<double, 1> at;
