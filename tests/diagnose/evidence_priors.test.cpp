@@ -43,7 +43,7 @@ double catalogue_worth(const Study& study) {
   return sum;
 }
 
-double normal_density(double value, double deviation) {
+double prior_density(double value, double deviation) {
   return std::exp(-value * value / (2 * deviation * deviation)) /
          (deviation * std::sqrt(2 * std::numbers::pi));
 }
@@ -63,8 +63,7 @@ TEST_CASE("what a tolerance holds has a normal prior, twice as high where one si
     CHECK(sides == (std::string(id) == "play" ? 2 : 1));
     const Eigen::MatrixXd information = std::pow(sigma, -2) * Eigen::Matrix2d::Identity();
     const double one = 0.7 * tolerance, other = 2 * tolerance;
-    const double expected = sides * normal_density(one, tolerance) * sides *
-                            normal_density(other, tolerance) *
+    const double expected = sides * prior_density(one, tolerance) * sides * prior_density(other, tolerance) *
                             std::pow(std::sqrt(2 * std::numbers::pi) * sigma, 2);
     CHECK(parameters_worth(study, told_of(study, spread, {one, other}, information)) ==
           close_to(std::log(expected)).epsilon(1e-8));

@@ -150,3 +150,21 @@ TEST_CASE("a profile rises by what it is asked to, with the others where they le
     }
   }
 }
+
+TEST_CASE("a bound of a profile that the physical range cuts off is its end") {
+  const Candidate rubbing{{{"guide_friction"}}};
+  const Study study = pressed_twice(rubbing, {0.004});
+  const Fit fitted = fit(study, rubbing, {});
+  REQUIRE_FALSE(fitted.at_bound[0]);
+  const double sigma = std::sqrt(fitted.covariance(0, 0)), value = fitted.parameters[0];
+  // Nothing of it is so many standard deviations away: a rise of the square of fewer stays inside. Bounds are
+  // found to a hundredth of the rise, a half of that of its root; readings that come to count as outliers add
+  // to it.
+  const double away = value / sigma;
+  const Profile inside = profile(study, fitted, 0, {}, std::pow(0.5 * away, 2)),
+                cut = profile(study, fitted, 0, {}, std::pow(2 * away, 2));
+  CHECK(inside.low == close_to(value / 2).epsilon(0.03));
+  CHECK(inside.high == close_to(value * 1.5).epsilon(0.03));
+  CHECK(cut.low == 0);
+  CHECK(cut.high == close_to(3 * value).epsilon(0.03));
+}

@@ -28,7 +28,7 @@ std::string held_of(const HeldOut& held, std::size_t run) {
 }
 
 /// Presses that go so far, there and back or not, named by their numbers from 1.
-Experiment pressed(const std::vector<std::pair<double, bool>>& presses) {
+Experiment with_presses(const std::vector<std::pair<double, bool>>& presses) {
   Experiment experiment = three_links();
   for (const auto& [far, back] : presses) press(experiment, {0.3, -0.5, 0.4}, {far, 0}, 8, back);
   return experiment;
@@ -37,23 +37,25 @@ Experiment pressed(const std::vector<std::pair<double, bool>>& presses) {
 }  // namespace
 
 TEST_CASE("held out is the farthest run but one of the kind that has most") {
-  const Experiment experiment =
-      pressed({{-0.06, true}, {-0.01, true}, {-0.05, true}, {-0.04, true}, {-0.055, false}, {-0.07, false}});
+  const Experiment experiment = with_presses(
+      {{-0.06, true}, {-0.01, true}, {-0.05, true}, {-0.04, true}, {-0.055, false}, {-0.07, false}});
   const HeldOut held = choose_heldout(experiment);
   CHECK(held.names == HeldNames{"press-3"});
   for (std::size_t r = 0; r < 6; ++r) CHECK(held_of(held, r) == (r == 2 ? "0-16" : ""));
   // which way it goes does not matter
-  CHECK(choose_heldout(pressed({{-0.06, true}, {0.05, true}, {-0.04, true}})).names == HeldNames{"press-2"});
-  CHECK(choose_heldout(pressed({{-0.06, true}, {-0.05, true}, {-0.07, false}})).names ==
+  CHECK(choose_heldout(with_presses({{-0.06, true}, {0.05, true}, {-0.04, true}})).names ==
+        HeldNames{"press-2"});
+  CHECK(choose_heldout(with_presses({{-0.06, true}, {-0.05, true}, {-0.07, false}})).names ==
         HeldNames{"press-2"});
   // of two runs equally far the first by its name counts as the nearer
-  CHECK(choose_heldout(pressed({{-0.06, true}, {-0.06, true}, {-0.01, true}})).names == HeldNames{"press-1"});
+  CHECK(choose_heldout(with_presses({{-0.06, true}, {-0.06, true}, {-0.01, true}})).names ==
+        HeldNames{"press-1"});
 }
 
 TEST_CASE("of two runs, or of three of three kinds, blocks are held out") {
-  CHECK(choose_heldout(pressed({{-0.06, true}, {-0.05, true}})).names ==
+  CHECK(choose_heldout(with_presses({{-0.06, true}, {-0.05, true}})).names ==
         HeldNames{"press-1[4:5]", "press-1[12:13]", "press-2[4:5]", "press-2[12:13]"});
-  Experiment three = pressed({{-0.06, true}, {-0.05, false}});
+  Experiment three = with_presses({{-0.06, true}, {-0.05, false}});
   load(three, {0.2, 0.3, -0.3}, {0, 0}, {-2.0, 1.0}, 15);
   const HeldOut held = choose_heldout(three);
   CHECK(held_of(held, 0) == "4-5 12-13");  // eighths of 17 readings, the third and the seventh
@@ -63,7 +65,7 @@ TEST_CASE("of two runs, or of three of three kinds, blocks are held out") {
 }
 
 TEST_CASE("blocks are pairs of eighths that are not the same stretch there and back") {
-  const Experiment experiment = pressed({{-0.06, true}});
+  const Experiment experiment = with_presses({{-0.06, true}});
   const std::vector<HeldOut> parts = block_parts(experiment);
   REQUIRE(parts.size() == 3);
   CHECK(held_of(parts[0], 0) == "2-3 8-9");
@@ -84,16 +86,16 @@ TEST_CASE("blocks are pairs of eighths that are not the same stretch there and b
 }
 
 TEST_CASE("parts of the runs: four at most, of those that another can stand for, farthest apart") {
-  CHECK(run_parts(pressed({{-0.06, true}, {-0.05, true}})).empty());
-  const std::vector<HeldOut> three = run_parts(pressed({{-0.04, true}, {-0.06, true}, {-0.05, false}}));
+  CHECK(run_parts(with_presses({{-0.06, true}, {-0.05, true}})).empty());
+  const std::vector<HeldOut> three = run_parts(with_presses({{-0.04, true}, {-0.06, true}, {-0.05, false}}));
   REQUIRE(three.size() == 2);
   CHECK(three[0].names == HeldNames{"press-2"});
   CHECK(three[1].names == HeldNames{"press-1"});
   CHECK(held_of(three[0], 1) == "0-16");
   CHECK(held_of(three[0], 0).empty());
   // six of two kinds: those that do not come back first, then each kind by how far it goes
-  const std::vector<HeldOut> six = run_parts(
-      pressed({{-0.01, true}, {-0.02, false}, {-0.05, true}, {-0.03, false}, {-0.03, true}, {-0.04, true}}));
+  const std::vector<HeldOut> six = run_parts(with_presses(
+      {{-0.01, true}, {-0.02, false}, {-0.05, true}, {-0.03, false}, {-0.03, true}, {-0.04, true}}));
   REQUIRE(six.size() == 4);
   CHECK(six[0].names == HeldNames{"press-4", "press-5"});
   CHECK(six[1].names == HeldNames{"press-2", "press-1"});
@@ -102,7 +104,7 @@ TEST_CASE("parts of the runs: four at most, of those that another can stand for,
 }
 
 TEST_CASE("without what is held out the measured values are gone, the commands stay, a whole run goes") {
-  Experiment experiment = pressed({{-0.06, true}, {-0.05, true}});
+  Experiment experiment = with_presses({{-0.06, true}, {-0.05, true}});
   load(experiment, {0.2, 0.3, -0.3}, {0, 0}, {-2.0, 1.0}, 15);
   HeldOut held = nothing_held(experiment);
   CHECK(held.empty());
@@ -125,7 +127,7 @@ TEST_CASE("without what is held out the measured values are gone, the commands s
 }
 
 TEST_CASE("named parts are those whose names are all among the names") {
-  const Experiment experiment = pressed({{-0.06, true}, {-0.05, true}, {-0.04, true}});
+  const Experiment experiment = with_presses({{-0.06, true}, {-0.05, true}, {-0.04, true}});
   const HeldOut runs = named(experiment, {"press-1", "press-3"});
   CHECK(runs.names == HeldNames{"press-1", "press-3"});
   CHECK(held_of(runs, 0) == "0-16");
@@ -136,6 +138,6 @@ TEST_CASE("named parts are those whose names are all among the names") {
   CHECK(named(experiment, names).reading == blocks[1].reading);
   names.pop_back();
   CHECK(named(experiment, names).reading == nothing_held(experiment).reading);
-  const Experiment two = pressed({{-0.06, true}, {-0.05, true}});
+  const Experiment two = with_presses({{-0.06, true}, {-0.05, true}});
   CHECK(named(two, choose_heldout(two).names).reading == choose_heldout(two).reading);
 }

@@ -139,3 +139,17 @@ TEST_CASE("a tone is known in another run of its channel once it goes round, as 
   // heard in Fx it says nothing of Fy
   for (const Hum& one : known_in_second(1, 1, 16, 0.8)) CHECK(one.series % 2 == 0);
 }
+
+TEST_CASE("a tone is said to be in the series that has it") {
+  const Measurements measurements(blank_experiment({10, 64, 64}));
+  REQUIRE(measurements.series().size() == 6);
+  for (const std::size_t series : {2U, 3U, 5U}) {
+    std::vector<double> residual(measurements.size(), 0.0);
+    sound(measurements, series, {{16, 1, 0}}, residual);
+    const std::vector<Hum> heard = find_hum(measurements, residual);
+    REQUIRE_FALSE(heard.empty());
+    for (const Hum& one : heard) CHECK(one.series == series);
+    for (const double left : without_hum(measurements, residual, {{series, 4, 1, 0}}))
+      CHECK(std::abs(left) < 1e-12);
+  }
+}

@@ -20,7 +20,7 @@ namespace {
 constexpr double of_rounding = 1e-12;
 
 /// A fit of so many parameters, none at a bound, that leaves these residuals.
-Fit leaving(const Eigen::MatrixXd& jacobian, std::vector<double> whitened) {
+Fit fit_leaving(const Eigen::MatrixXd& jacobian, std::vector<double> whitened) {
   Fit fit;
   fit.jacobian = jacobian;
   fit.whitened = std::move(whitened);
@@ -83,8 +83,8 @@ TEST_CASE("a triangular factor has the lengths and angles of its columns") {
 
 TEST_CASE("what one explanation predicts beyond another is its residual less") {
   const Eigen::MatrixXd slope{{1.0, 0.0}, {0.0, 2.0}, {1.0, 1.0}};
-  const Fit truth = leaving(slope, {0.5, -1, 2});
-  Fit imitator = leaving(slope, {1, 1, 1});
+  const Fit truth = fit_leaving(slope, {0.5, -1, 2});
+  Fit imitator = fit_leaving(slope, {1, 1, 1});
   Imitation rows = imitation(truth, imitator);
   CHECK(rows.difference == Eigen::Vector3d(0.5, 2, -1));
   CHECK(rows.slope == slope);

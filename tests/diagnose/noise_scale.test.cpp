@@ -38,7 +38,7 @@ double uncut(const std::vector<double>& values) {
   return sum / static_cast<double>(values.size()) / cut_mean;
 }
 
-std::vector<double> apart(const std::vector<double>& residual, std::size_t count, std::size_t lag) {
+std::vector<double> steps_apart(const std::vector<double>& residual, std::size_t count, std::size_t lag) {
   std::vector<double> steps;
   for (std::size_t i = lag; i < count; ++i) steps.push_back(residual[i] - residual[i - lag]);
   return steps;
@@ -83,7 +83,7 @@ TEST_CASE("correlation and scale of a wave are those of its differences") {
   const Measurements measurements(blank_experiment({count}));
   // over two readings a wave differs by 4 cos^2(54 degrees) = 1.38 times what it does over one, in squares
   const std::vector<double> residual = wave(count, 1.1, 108);
-  const double near = uncut(apart(residual, count, 1)), far = uncut(apart(residual, count, 2));
+  const double near = uncut(steps_apart(residual, count, 1)), far = uncut(steps_apart(residual, count, 2));
   const RawNoise found = raw_noise(measurements, residual);
   const double phi = far / near - 1;
   CHECK(std::abs(phi - 0.38) < 0.05);
@@ -106,8 +106,8 @@ TEST_CASE("two channels weigh together by their numbers of differences") {
   residual.resize(60);
   const std::vector<double> other = wave(20, 1, 112);
   std::copy(other.begin(), other.begin() + 20, residual.begin() + 40);
-  const double first = uncut(apart(residual, 40, 2)) / uncut(apart(residual, 40, 1)),
-               second = uncut(apart(other, 20, 2)) / uncut(apart(other, 20, 1));
+  const double first = uncut(steps_apart(residual, 40, 2)) / uncut(steps_apart(residual, 40, 1)),
+               second = uncut(steps_apart(other, 20, 2)) / uncut(steps_apart(other, 20, 1));
   CHECK(raw_noise(measurements, residual).correlation == close_to((39 * first + 19 * second) / 58 - 1));
 }
 
@@ -125,8 +125,8 @@ TEST_CASE("differences that grow as those of a slope show no correlation, and se
     std::vector<double> both = residual;
     const std::vector<double> beside = wave(count, 1, 108);
     std::copy(beside.begin(), beside.begin() + count, both.begin() + count);
-    const double near = uncut(apart(beside, count, 1));
-    const double phi = uncut(apart(beside, count, 2)) / near - 1;
+    const double near = uncut(steps_apart(beside, count, 1));
+    const double phi = uncut(steps_apart(beside, count, 2)) / near - 1;
     const RawNoise pair = raw_noise(measurements, both);
     CHECK(pair.correlation == close_to(phi));
     CHECK(pair.scale[at_Fx] == close_to(std::sqrt(uncut(curved) / 2 / ((1 - phi) * (3 - phi)))));

@@ -9,10 +9,10 @@ using namespace plumbline::diagnose;
 
 namespace {
 
-const std::string two_link_text = "[nominal]\nlink_length = [0.3, 0.2]\njoint_stiffness = [2.0, 0.0]\n";
+const std::string two_nominal_links = "[nominal]\nlink_length = [0.3, 0.2]\njoint_stiffness = [2.0, 0.0]\n";
 
 NominalChain chain_of(const std::string& more) {
-  return parse_nominal(two_link_text + more, "N");
+  return parse_nominal(two_nominal_links + more, "N");
 }
 
 std::string chain_fault(const std::string& toml) {
@@ -26,7 +26,7 @@ std::string chain_fault(const std::string& toml) {
 
 /// What is said of two links with this, from line 4 on.
 std::string fault_beside(const std::string& more) {
-  return chain_fault(two_link_text + more);
+  return chain_fault(two_nominal_links + more);
 }
 
 const std::string law_at_two =

@@ -59,16 +59,17 @@ Eigen::VectorXd row_of_change(const Study& study, const Weighed& rows, const Fit
   return column;
 }
 
-Eigen::VectorXd solved(const Eigen::MatrixXd& columns, const Eigen::VectorXd& values) {
+Eigen::VectorXd least_squares_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& values) {
   return columns.colPivHouseholderQr().solve(values);
 }
 
 /// The rows less what the fit's own parameters can follow of them.
-Eigen::VectorXd beyond(const Weighed& rows, const Eigen::VectorXd& values) {
-  return rows.own.cols() == 0 ? values : Eigen::VectorXd(values - rows.own * solved(rows.own, values));
+Eigen::VectorXd beyond_own(const Weighed& rows, const Eigen::VectorXd& values) {
+  return rows.own.cols() == 0 ? values
+                              : Eigen::VectorXd(values - rows.own * least_squares_of(rows.own, values));
 }
 
-const Prospect& prospect(const std::vector<Prospect>& all, const EffectAt& at) {
+const Prospect& prospect_of_effect(const std::vector<Prospect>& all, const EffectAt& at) {
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Prospect& one) { return one.effect == at; });
   REQUIRE(found != all.end());
@@ -86,11 +87,11 @@ void check_proportional(const Study& study, const Fit& fitted, const FitSettings
   parameters.push_back(0);
   const Eigen::VectorXd column =
       row_of_change(study, rows, settings, predict(study, both, parameters, true).sensitivity.back());
-  const Eigen::VectorXd residual = beyond(rows, rows.left), newcomer = beyond(rows, column);
+  const Eigen::VectorXd residual = beyond_own(rows, rows.left), newcomer = beyond_own(rows, column);
   const ParameterRange range = study.ranges(at).front();
   const double step = std::clamp(newcomer.dot(residual) / newcomer.squaredNorm(), range.low, range.high);
   const double share = (residual - step * newcomer).squaredNorm() / residual.squaredNorm();
-  const Prospect found = prospect(screen(study, fitted, settings), at);
+  const Prospect found = prospect_of_effect(screen(study, fitted, settings), at);
   // Both derivatives are quotients of the same step, of a millionth, in rigs that differ by rounding.
   CHECK(found.cost == close_to(fitted.cost * share).epsilon(1e-6));
   REQUIRE(found.from.size() == 3);
@@ -98,7 +99,8 @@ void check_proportional(const Study& study, const Fit& fitted, const FitSettings
   CHECK(found.from[1].back() == 0);
   CHECK(found.from[2].back() == found.from[0].back());
   const auto own = static_cast<std::size_t>(rows.own.cols());
-  const Eigen::VectorXd by = own == 0 ? Eigen::VectorXd() : solved(rows.own, Eigen::VectorXd(step * column));
+  const Eigen::VectorXd by =
+      own == 0 ? Eigen::VectorXd() : least_squares_of(rows.own, Eigen::VectorXd(step * column));
   const std::vector<ParameterRange> ranges = study.ranges(fitted.candidate);
   for (std::size_t p = 0; p < own; ++p) {
     CHECK(found.from[0][p] == fitted.parameters[p]);
@@ -182,7 +184,7 @@ TEST_CASE("a newcomer that a tolerance holds goes less far than the readings ask
       const double others = curved.row(p).dot(steps) - curved(p, p) * steps(p);
       steps(p) = std::clamp((pull(p) - others) / curved(p, p), ranges[0].low, ranges[0].high);
     }
-  const Prospect found = prospect(screen(study, nominal, {}), springs);
+  const Prospect found = prospect_of_effect(screen(study, nominal, {}), springs);
   for (std::size_t p = 0; p < ranges.size(); ++p)
     CHECK(found.from[0][p] == close_to(steps(static_cast<Eigen::Index>(p))).epsilon(1e-5));
   CHECK(found.cost ==
@@ -196,7 +198,7 @@ TEST_CASE(
   const Candidate known{{EffectAt("rest_angle", 2)}};
   const Fit fitted = fit(study, known, {});
   const Weighed rows = weighed_by_hand(study, fitted, {});
-  const Eigen::VectorXd residual = beyond(rows, rows.left);
+  const Eigen::VectorXd residual = beyond_own(rows, rows.left);
   const Prediction main = simulate(study.experiment(), rig_with(study, known, fitted.parameters), {});
   for (const EffectAt& at :
        {EffectAt("joint_friction"), EffectAt("guide_friction"), EffectAt("backlash", 1)}) {
@@ -204,7 +206,7 @@ TEST_CASE(
     CAPTURE(at.label());
     const ParameterRange range = study.ranges(at).front();
     REQUIRE(study.ranges(at).size() == 1);
-    const Prospect found = prospect(screen(study, fitted, {}), at);
+    const Prospect found = prospect_of_effect(screen(study, fitted, {}), at);
     double best = fitted.cost, best_step = 0, best_to = 0;
     Candidate both = known;
     both.effects.push_back(at);
@@ -216,7 +218,7 @@ TEST_CASE(
       Prediction far = simulate(study.experiment(), rig_with(study, both, parameters), {});
       if (!far.reached) continue;
       for (std::size_t r = 0; r < far.runs.size(); ++r) far.runs[r] -= main.runs[r];
-      const Eigen::VectorXd column = beyond(rows, row_of_change(study, rows, {}, far.runs));
+      const Eigen::VectorXd column = beyond_own(rows, row_of_change(study, rows, {}, far.runs));
       const double most = to > 0 ? range.high / to : 1e300;
       const double share = std::clamp(column.dot(residual) / column.squaredNorm(), 0.0, most);
       const double cost = fitted.cost * (residual - share * column).squaredNorm() / residual.squaredNorm();

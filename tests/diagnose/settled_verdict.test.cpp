@@ -33,7 +33,7 @@ Hypothesis evident(const Candidate& candidate, double log_evidence) {
   return evident(candidate, log_evidence, 100 * log_evidence, 1);
 }
 
-Cause settled(const std::vector<Hypothesis>& hypotheses, std::size_t chosen, double unknown) {
+Cause settled_cause(const std::vector<Hypothesis>& hypotheses, std::size_t chosen, double unknown) {
   Cause cause;
   for (const Hypothesis& one : hypotheses) cause.ranking.push_back({one, 0, 0});
   settle_on(cause, chosen, unknown);
@@ -81,9 +81,9 @@ TEST_CASE("the best partial explanation, by Schwarz's criterion of an eighth of 
 
 TEST_CASE("probabilities go with the evidence beside that of a cause outside, of any size") {
   for (const double level : {0.0, -2000.0}) {
-    const Cause cause = settled({evident(too_strong, level), evident(off_centre, level - std::log(4.0)),
-                                 evident(drifting, level - 50)},
-                                0, 0.2);
+    const Cause cause = settled_cause({evident(too_strong, level), evident(off_centre, level - std::log(4.0)),
+                                       evident(drifting, level - 50)},
+                                      0, 0.2);
     CHECK(cause.unknown == 0.2);
     CHECK(cause.best == 0);
     CHECK(cause.ranking[0].probability == close_to(0.8 * 0.8));
@@ -93,9 +93,9 @@ TEST_CASE("probabilities go with the evidence beside that of a cause outside, of
     CHECK(cause.equivalent == Equals{1});
     CHECK(cause.verdict == CauseVerdict::ambiguous);
   }
-  CHECK(settled({evident(too_strong, 0), evident(off_centre, -3.1)}, 0, 0.1).verdict ==
+  CHECK(settled_cause({evident(too_strong, 0), evident(off_centre, -3.1)}, 0, 0.1).verdict ==
         CauseVerdict::identified);
-  CHECK(settled({evident(too_strong, 0), evident(off_centre, -3.1)}, 1, 0.1).equivalent == Equals{0});
+  CHECK(settled_cause({evident(too_strong, 0), evident(off_centre, -3.1)}, 1, 0.1).equivalent == Equals{0});
 }
 
 TEST_CASE("what is less probable than not is named with the next, until together they are") {
@@ -105,27 +105,29 @@ TEST_CASE("what is less probable than not is named with the next, until together
   const double whole = 1 + 30 * std::exp(-3.05), each = std::exp(-3.05) / whole;
   const auto more = static_cast<std::size_t>(std::ceil((0.5 - 1 / whole) / each));
   REQUIRE(more == 5);
-  CHECK(settled(all, 0, 0).equivalent == Equals{1, 2, 3, 4, 5});
-  CHECK(settled(all, 0, 0).verdict == CauseVerdict::ambiguous);
+  CHECK(settled_cause(all, 0, 0).equivalent == Equals{1, 2, 3, 4, 5});
+  CHECK(settled_cause(all, 0, 0).verdict == CauseVerdict::ambiguous);
   // with a fifth for another cause there is less for each
-  CHECK(settled(all, 0, 0.1).equivalent.size() ==
+  CHECK(settled_cause(all, 0, 0.1).equivalent.size() ==
         static_cast<std::size_t>(std::ceil((0.5 - 0.9 / whole) / (0.9 * each))));
   // the one that is chosen and those that come near it are not counted again
   all.resize(3);
   all[2] = evident(drifting, -1);
-  const Cause nearly = settled(all, 0, 0.4);
+  const Cause nearly = settled_cause(all, 0, 0.4);
   CHECK(nearly.equivalent == Equals{2});
   CHECK(nearly.ranking[0].probability + nearly.ranking[2].probability > 0.5);
-  const Cause rest = settled(all, 0, 0.5);
+  const Cause rest = settled_cause(all, 0, 0.5);
   CHECK(rest.equivalent == Equals{2, 1});
   std::swap(all[0], all[1]);
-  CHECK(settled(all, 1, 0).equivalent == Equals{2});
+  CHECK(settled_cause(all, 1, 0).equivalent == Equals{2});
 }
 
 TEST_CASE(
     "what is as likely, with one parameter more and as many effects, comes near; with two it does not") {
   const Hypothesis best = evident(too_strong, 0, 0, 1);
-  const auto near = [&](const Hypothesis& other) { return !settled({best, other}, 0, 0).equivalent.empty(); };
+  const auto near = [&](const Hypothesis& other) {
+    return !settled_cause({best, other}, 0, 0).equivalent.empty();
+  };
   CHECK(near(evident(off_centre, -20, -2.9, 1)));
   CHECK_FALSE(near(evident(off_centre, -20, -3.1, 1)));
   CHECK(near(evident(off_centre, -20, -2.9, 2)));
@@ -138,7 +140,7 @@ TEST_CASE(
   const Hypothesis plain = evident({{{"joint_friction"}}}, 0, 0, 1);
   const auto refines = [&](double gained, std::size_t parameters) {
     const Hypothesis uneven = evident({{{"direction_friction"}}}, -20, gained, parameters);
-    return !settled({plain, uneven}, 0, 0).equivalent.empty();
+    return !settled_cause({plain, uneven}, 0, 0).equivalent.empty();
   };
   CHECK_FALSE(refines(6.63 / 2, 2));
   CHECK(refines(6.64 / 2, 2));

@@ -18,7 +18,7 @@ namespace {
 using Starting = std::vector<std::vector<double>>;
 
 /// A parameter in the user's words.
-std::string told(const std::string& name, const std::string& bounds) {
+std::string told_parameter(const std::string& name, const std::string& bounds) {
   return "[effect.parameters." + name + "]\nunit = \"ratio\"\n" + bounds + "\n";
 }
 
@@ -72,7 +72,7 @@ Experiment one_press() {
 TEST_CASE("a stated effect is read with all that it says") {
   const StatedEffect stated =
       effect_of(at_one_joint + "\"k * a * d + b * Fx\"\n",
-                told("a", one_scale + "\ntolerance = 0.25") + told("b", shape_bounds));
+                told_parameter("a", one_scale + "\ntolerance = 0.25") + told_parameter("b", shape_bounds));
   CHECK(stated.place == "U:2");
   CHECK(stated.id == "mine");
   CHECK(stated.words == "something in joint {}");
@@ -89,8 +89,8 @@ TEST_CASE("a stated effect is read with all that it says") {
   CHECK(stated.uses("d"));
   CHECK(stated.uses("Fx"));
   CHECK_FALSE(stated.uses("s"));
-  const StatedEffect reading =
-      effect_of("[effect.reading]\nq2 = \"a\"\nq = \"a * q\"\nFy = \"a * t\"\n", told("a", one_scale));
+  const StatedEffect reading = effect_of("[effect.reading]\nq2 = \"a\"\nq = \"a * q\"\nFy = \"a * t\"\n",
+                                         told_parameter("a", one_scale));
   CHECK_FALSE(reading.at_joint);
   REQUIRE(reading.readings.size() == 3);
   for (const StatedReading& one : reading.readings) {
@@ -104,7 +104,7 @@ TEST_CASE("a stated effect is read with all that it says") {
 
 TEST_CASE("what makes no sense of a stated effect is refused at its key") {
   const auto with = [](const std::string& bounds) {
-    return effects_fault(effects_file(at_one_joint + "\"a\"\n", told("a", bounds)));
+    return effects_fault(effects_file(at_one_joint + "\"a\"\n", told_parameter("a", bounds)));
   };
   const std::string of = ": effect[1].parameters.a.";
   CHECK(with("scale = 0\nlow = -1\nhigh = 1") == "U:9" + of + "scale: found 0, expected a positive size");
@@ -121,7 +121,7 @@ TEST_CASE("what makes no sense of a stated effect is refused at its key") {
   CHECK(with("scale = 1\nlow = 0.5\nhigh = 1")
             .ends_with("expected a parameter whose bounds include zero, where the chain is nominal"));
   const auto named_by = [](const std::string& name) {
-    return effects_fault(effects_file(at_one_joint + "\"a\"\n", told(name, one_scale)));
+    return effects_fault(effects_file(at_one_joint + "\"a\"\n", told_parameter(name, one_scale)));
   };
   for (const char* taken : {"q", "run", "sin", "k"})
     CHECK(named_by(taken).find("a parameter of that name") != std::string::npos);
@@ -129,7 +129,7 @@ TEST_CASE("what makes no sense of a stated effect is refused at its key") {
     std::string sum = "p1", parameters;
     for (int i = 1; i <= count; ++i) {
       if (i > 1) sum += " + p" + std::to_string(i);
-      parameters += told("p" + std::to_string(i), one_scale);
+      parameters += told_parameter("p" + std::to_string(i), one_scale);
     }
     return effects_fault(effects_file(at_one_joint + "\"" + sum + "\"\n", parameters));
   };
@@ -137,21 +137,21 @@ TEST_CASE("what makes no sense of a stated effect is refused at its key") {
   CHECK(many(9).find("9 parameters, expected at most 8: more follow anything") != std::string::npos);
   CHECK(effects_fault(effects_file(at_one_joint + "\"1\"\n", "[effect.parameters]\n"))
             .ends_with("found an empty table, expected a parameter or more"));
-  CHECK(effects_fault(effects_file("where = \"here\"\ntorque = \"a\"\n", told("a", one_scale)))
+  CHECK(effects_fault(effects_file("where = \"here\"\ntorque = \"a\"\n", told_parameter("a", one_scale)))
             .ends_with("where: found \"here\", expected \"every joint\" or \"one joint\""));
-  CHECK(effects_fault(
-            effects_file("where = \"one joint\"\n[effect.reading]\nx = \"a\"\n", told("a", one_scale)))
+  CHECK(effects_fault(effects_file("where = \"one joint\"\n[effect.reading]\nx = \"a\"\n",
+                                   told_parameter("a", one_scale)))
             .ends_with("found a place, expected none for a correction of readings"));
-  CHECK(effects_fault(effects_file("[effect.reading]\n", told("a", one_scale)))
+  CHECK(effects_fault(effects_file("[effect.reading]\n", told_parameter("a", one_scale)))
             .ends_with("reading: found an empty table, expected a reading or more"));
-  CHECK(effects_fault(effects_file("size = 1\n" + at_one_joint + "\"a\"\n", told("a", one_scale)))
+  CHECK(effects_fault(effects_file("size = 1\n" + at_one_joint + "\"a\"\n", told_parameter("a", one_scale)))
             .starts_with("U:5: effect[1].size: found an unknown key"));
 }
 
 TEST_CASE("words have the braces of a joint once, where there is one") {
   const auto words = [](const std::string& text, const std::string& where) {
     return effects_fault("format = \"user-effects/1\"\n[[effect]]\nid = \"mine\"\nwords = \"" + text +
-                         "\"\nwhere = \"" + where + "\"\ntorque = \"a\"\n" + told("a", one_scale));
+                         "\"\nwhere = \"" + where + "\"\ntorque = \"a\"\n" + told_parameter("a", one_scale));
   };
   CHECK(words("{} in a joint", "one joint").empty());
   CHECK(words("in joint {}", "one joint").empty());
@@ -164,25 +164,25 @@ TEST_CASE("words have the braces of a joint once, where there is one") {
 
 TEST_CASE("fits of a stated effect start a scale to either side, and from nothing where that tells") {
   const Study study(one_press());
-  const StatedEffect plain = effect_of(any_joint + "\"a * d\"\n", told("a", one_scale));
+  const StatedEffect plain = effect_of(any_joint + "\"a * d\"\n", told_parameter("a", one_scale));
   CHECK(starts_on(study, plain).from == Starting{{0}, {0.5}, {-0.5}});
   CHECK(starts_on(study, plain).basins == 2);
   // within bounds, and not twice
   const StatedEffect one_sided =
-      effect_of(any_joint + "\"a * d\"\n", told("a", "scale = 5\nlow = 0\nhigh = 4"));
+      effect_of(any_joint + "\"a * d\"\n", told_parameter("a", "scale = 5\nlow = 0\nhigh = 4"));
   CHECK(starts_on(study, one_sided).from == Starting{{0}, {4}});
   // what depends on the direction of motion does not start from nothing
-  const StatedEffect directed = effect_of(any_joint + "\"a * s\"\n", told("a", one_scale));
+  const StatedEffect directed = effect_of(any_joint + "\"a * s\"\n", told_parameter("a", one_scale));
   CHECK(starts_on(study, directed).from == Starting{{0.5}, {-0.5}});
-  const StatedEffect two =
-      effect_of(any_joint + "\"a * d + b * d^3\"\n", told("a", one_scale) + told("b", one_scale));
+  const StatedEffect two = effect_of(any_joint + "\"a * d + b * d^3\"\n",
+                                     told_parameter("a", one_scale) + told_parameter("b", one_scale));
   CHECK(starts_on(study, two).from == Starting{{0, 0}, {0.5, 0.5}, {-0.5, -0.5}});
 }
 
 TEST_CASE("a parameter that shapes an effect is tried at five places between its bounds, three at one") {
   const Study study(one_press());
-  const StatedEffect shaped =
-      effect_of(any_joint + "\"a * d * c\"\n", told("a", one_scale) + told("c", shape_bounds));
+  const StatedEffect shaped = effect_of(any_joint + "\"a * d * c\"\n",
+                                        told_parameter("a", one_scale) + told_parameter("c", shape_bounds));
   const Starting from = starts_on(study, shaped).from;
   REQUIRE(from.size() == 10);
   for (std::size_t i = 0; i < 10; ++i) {
@@ -190,13 +190,14 @@ TEST_CASE("a parameter that shapes an effect is tried at five places between its
     // by ratios of its bounds, 16: 2^0.4, 2^1.2, 2^2, ...
     CHECK(from[i][1] == close_to(std::exp2(0.4 + 0.8 * static_cast<double>(i / 2))));
   }
-  const StatedEffect two_shapes =
-      effect_of(any_joint + "\"a * d * c * b\"\n",
-                told("a", one_scale) + told("b", shape_bounds) + told("c", shape_bounds));
+  const StatedEffect two_shapes = effect_of(
+      any_joint + "\"a * d * c * b\"\n",
+      told_parameter("a", one_scale) + told_parameter("b", shape_bounds) + told_parameter("c", shape_bounds));
   CHECK(starts_on(study, two_shapes).from.size() == 50);
   const StatedEffect three_shapes =
-      effect_of(any_joint + "\"a * d * c * b * e\"\n", told("a", one_scale) + told("b", shape_bounds) +
-                                                           told("c", shape_bounds) + told("e", shape_bounds));
+      effect_of(any_joint + "\"a * d * c * b * e\"\n",
+                told_parameter("a", one_scale) + told_parameter("b", shape_bounds) +
+                    told_parameter("c", shape_bounds) + told_parameter("e", shape_bounds));
   CHECK(starts_on(study, three_shapes).from == Starting{{0.5, 4, 4, 4}, {-0.5, 4, 4, 4}});
 }
 
@@ -205,7 +206,7 @@ TEST_CASE("the row of a stated effect: ranges, what it dissipates, how it is pro
   const Study study(one_press());
   const StatedEffect spring =
       effect_of(at_one_joint + "\"k * a * d * c\"\n",
-                told("a", one_scale + "\ntolerance = 0.25") + told("c", shape_bounds));
+                told_parameter("a", one_scale + "\ntolerance = 0.25") + told_parameter("c", shape_bounds));
   const Effect of_spring = row(spring);
   CHECK(of_spring.at_joint);
   CHECK_FALSE(of_spring.dissipates);
@@ -225,23 +226,24 @@ TEST_CASE("the row of a stated effect: ranges, what it dissipates, how it is pro
   passive.joint_stiffness[1] = 0;
   CHECK(of_spring.possible({passive, 0}));
   CHECK_FALSE(of_spring.possible({passive, 1}));
-  const Effect drag = row(effect_of(at_one_joint + "\"a * s\"\n", told("a", one_scale)));
+  const Effect drag = row(effect_of(at_one_joint + "\"a * s\"\n", told_parameter("a", one_scale)));
   CHECK(drag.dissipates);
   CHECK(drag.probing.large_step);
   CHECK(drag.probing.growing.empty());
   CHECK(drag.possible({passive, 1}));
-  const Effect everywhere = row(effect_of(any_joint + "\"k * a * d\"\n", told("a", one_scale)));
+  const Effect everywhere = row(effect_of(any_joint + "\"k * a * d\"\n", told_parameter("a", one_scale)));
   CHECK_FALSE(everywhere.at_joint);
   CHECK(everywhere.possible({passive, 1}));
   // time is one where there is a clock
-  const Effect ages = row(effect_of(any_joint + "\"a * t\"\n", told("a", one_scale)));
+  const Effect ages = row(effect_of(any_joint + "\"a * t\"\n", told_parameter("a", one_scale)));
   CHECK(ages.dissipates);
   Sizes timed = study.sizes();
   timed.clock = false;
   CHECK_FALSE(ages.possible({timed, 0}));
   timed.clock = true;
   CHECK(ages.possible({timed, 0}));
-  const Effect gain = row(effect_of("[effect.reading]\nx = \"a\"\nFy = \"a * t\"\n", told("a", one_scale)));
+  const Effect gain =
+      row(effect_of("[effect.reading]\nx = \"a\"\nFy = \"a * t\"\n", told_parameter("a", one_scale)));
   CHECK_FALSE(gain.dissipates);
   timed.measured = {};
   CHECK_FALSE(gain.possible({timed, 0}));
@@ -257,15 +259,15 @@ TEST_CASE("a stated effect acts at its joint, at every joint, or on its channels
     row_of(std::make_shared<StatedEffect>(stated)).add({rig, joint, study.sizes(), {0, -1}, values});
     return rig;
   };
-  const Rig one = added(effect_of(at_one_joint + "\"a * d\"\n", told("a", one_scale)), 1);
+  const Rig one = added(effect_of(at_one_joint + "\"a * d\"\n", told_parameter("a", one_scale)), 1);
   REQUIRE(one.stated_torques.size() == 1);
   CHECK(one.stated_torques[0].joint == 1);
   CHECK(one.stated_torques[0].parameters == std::vector<double>{0.75});
   CHECK(one.stated_torques[0].value({0, 0.5, 0, 0, {0, 0}}, 1) == 0.375);
-  const Rig all = added(effect_of(any_joint + "\"a * d\"\n", told("a", one_scale)), 0);
+  const Rig all = added(effect_of(any_joint + "\"a * d\"\n", told_parameter("a", one_scale)), 0);
   REQUIRE(all.stated_torques.size() == 3);
   CHECK(all.stated_torques[2].joint == 2);
-  const Rig read = added(effect_of("[effect.reading]\nq3 = \"a\"\n", told("a", one_scale)), 0);
+  const Rig read = added(effect_of("[effect.reading]\nq3 = \"a\"\n", told_parameter("a", one_scale)), 0);
   CHECK(read.stated_torques.empty());
   REQUIRE(read.stated_corrections.size() == 1);
   CHECK(read.stated_corrections[0].applies_to({Channel::Name::q, 2}));
@@ -275,7 +277,8 @@ TEST_CASE("a stated effect acts at its joint, at every joint, or on its channels
 TEST_CASE("an expression has a value along the nominal model, and is nothing where all that grows is") {
   const Experiment experiment = one_press();
   const auto torque = [&](const std::string& expression) {
-    return defined_fault(experiment, effect_of(any_joint + "\"" + expression + "\"\n", told("a", one_scale)));
+    return defined_fault(experiment,
+                         effect_of(any_joint + "\"" + expression + "\"\n", told_parameter("a", one_scale)));
   };
   CHECK(torque("a * d").empty());
   CHECK(torque("a * d + 0.5") ==
@@ -293,7 +296,7 @@ TEST_CASE("an expression has a value along the nominal model, and is nothing whe
         std::string::npos);
   const auto reading = [&](const std::string& key, const std::string& expression) {
     return defined_fault(experiment, effect_of("[effect.reading]\n" + key + " = \"" + expression + "\"\n",
-                                               told("a", one_scale)));
+                                               told_parameter("a", one_scale)));
   };
   CHECK(reading("Fx", "a * Fx").empty());
   CHECK(
@@ -307,5 +310,6 @@ TEST_CASE("an expression has a value along the nominal model, and is nothing whe
   CHECK(reading("q", "a + (q > 0.39 ? 1 : 0)").find("the value 1 at reading 0") != std::string::npos);
   Experiment unreachable = experiment;
   for (Reading& one : unreachable.runs[0].readings) one.x = 5;
-  CHECK(defined_fault(unreachable, effect_of(any_joint + "\"a + 1\"\n", told("a", one_scale))).empty());
+  CHECK(defined_fault(unreachable, effect_of(any_joint + "\"a + 1\"\n", told_parameter("a", one_scale)))
+            .empty());
 }

@@ -15,7 +15,7 @@ namespace {
 
 /// Third differences that alternate, each exactly as large as noise of the declared sigma and of r times the
 /// level is, times `common`: no other proportion explains them as well (Jensen's inequality).
-ThirdDifferences exact(const std::vector<double>& levels, double r, double common = 1) {
+ThirdDifferences exactly(const std::vector<double>& levels, double r, double common = 1) {
   ThirdDifferences all;
   all.levels = levels;
   for (std::size_t i = 0; i < levels.size(); ++i)
@@ -65,12 +65,12 @@ TEST_CASE("a proportion that the sizes have exactly is found exactly, in any uni
       CAPTURE(power);
       const double r = on_grid(power, largest);
       const std::vector<double> levels = rising(60, largest);
-      CHECK(proportional_noise({exact(levels, r)}) == close_to(r).epsilon(1e-12));
+      CHECK(proportional_noise({exactly(levels, r)}) == close_to(r).epsilon(1e-12));
       const std::vector<double> first(levels.begin(), levels.begin() + 20),
           second(levels.begin() + 20, levels.end());
-      CHECK(proportional_noise({exact(first, r), exact(second, r)}) == close_to(r).epsilon(1e-12));
+      CHECK(proportional_noise({exactly(first, r), exactly(second, r)}) == close_to(r).epsilon(1e-12));
       // noise between half of what is declared and all of it agrees as well
-      CHECK(proportional_noise({exact(levels, r, 0.6)}) == close_to(r).epsilon(1e-12));
+      CHECK(proportional_noise({exactly(levels, r, 0.6)}) == close_to(r).epsilon(1e-12));
     }
 }
 
@@ -78,16 +78,16 @@ TEST_CASE(
     "noise that is more than declared is rather more in proportion, that is less than half rather less") {
   const std::vector<double> levels = rising(60, 1);
   const double r = on_grid(9, 1);
-  CHECK(proportional_noise({exact(levels, r, 1.6)}) > 1.1 * r);
-  CHECK(proportional_noise({exact(levels, r, 0.25)}) < r / 1.1);
+  CHECK(proportional_noise({exactly(levels, r, 1.6)}) > 1.1 * r);
+  CHECK(proportional_noise({exactly(levels, r, 0.25)}) < r / 1.1);
 }
 
 TEST_CASE("fewer than thirty differences, or none of any size, show no proportion") {
   const double r = on_grid(20, 1);
-  CHECK(proportional_noise({exact(rising(30, 1), r)}) == close_to(r).epsilon(1e-12));
-  CHECK(proportional_noise({exact(rising(29, 1), r)}) == 0);
-  CHECK(proportional_noise({exact(std::vector<double>(60, 0.0), r)}) == 0);
-  ThirdDifferences mostly_none = exact(rising(60, 1), r);
+  CHECK(proportional_noise({exactly(rising(30, 1), r)}) == close_to(r).epsilon(1e-12));
+  CHECK(proportional_noise({exactly(rising(29, 1), r)}) == 0);
+  CHECK(proportional_noise({exactly(std::vector<double>(60, 0.0), r)}) == 0);
+  ThirdDifferences mostly_none = exactly(rising(60, 1), r);
   for (std::size_t i = 0; i < 40; ++i) mostly_none.sizes[i] = 0;
   CHECK(proportional_noise({mostly_none}) == 0);
   CHECK(proportional_noise({}) == 0);
@@ -101,7 +101,7 @@ TEST_CASE("a proportion has to gain sixteen of twice the log-likelihood") {
   for (const std::size_t count : {enough - 2, enough + 2}) {
     std::vector<double> levels(count);
     for (std::size_t i = 0; i < count; ++i) levels[i] = i % 2 == 0 ? 0 : 1;
-    CHECK(proportional_noise({exact(levels, r)}) == close_to(count < enough ? 0 : r).epsilon(1e-12));
+    CHECK(proportional_noise({exactly(levels, r)}) == close_to(count < enough ? 0 : r).epsilon(1e-12));
   }
 }
 
@@ -109,7 +109,7 @@ TEST_CASE("differences that do not alternate by a fifth are those of a curve") {
   // Of each four one has the sign of its neighbour: products -w/w', but one in four of the other sign.
   const double r = on_grid(9, 1);
   const auto with_turns = [&](std::size_t every) {
-    ThirdDifferences all = exact(rising(120, 1), r);
+    ThirdDifferences all = exactly(rising(120, 1), r);
     double sign = 1;
     for (std::size_t i = 0; i < all.sizes.size(); ++i) {
       if (i % every != 0) sign = -sign;
@@ -123,14 +123,14 @@ TEST_CASE("differences that do not alternate by a fifth are those of a curve") {
 
 TEST_CASE("a difference that an outlier enters, and the one to either side, say nothing") {
   const double r = on_grid(9, 1);
-  ThirdDifferences all = exact(rising(63, 1), r);
+  ThirdDifferences all = exactly(rising(63, 1), r);
   for (const std::size_t i : {30U, 31U, 32U}) {
     all.levels[i] = 20;
     all.sizes[i] *= i == 31 ? 100 : 1;
   }
   CHECK(proportional_noise({all}) == close_to(r).epsilon(1e-12));
   // at the ends of a series too
-  all = exact(rising(63, 1), r);
+  all = exactly(rising(63, 1), r);
   all.sizes[0] *= 100;
   all.levels[0] = all.levels[1] = 20;
   CHECK(proportional_noise({all}) == close_to(r).epsilon(1e-12));
