@@ -96,6 +96,10 @@ TEST_CASE("what one explanation predicts beyond another is its residual less") {
   CHECK(rows.slope.col(0) == slope.col(0));
   CHECK(rows.slope.col(1).norm() == 0);
   CHECK(separation(rows) == close_to(5.25 - 0.25 / 2));
+  imitator.at_bound = {true, false};
+  CHECK(separation(imitation(truth, imitator)) == close_to(5.25 - 9.0 / 5));
+  imitator.at_bound = {true, true};
+  CHECK(separation(imitation(truth, imitator)) == close_to(5.25));
 }
 
 TEST_CASE("a separation does not depend on the units of parameters, on rows that matter, or on their order") {

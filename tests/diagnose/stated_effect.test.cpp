@@ -287,6 +287,14 @@ TEST_CASE("an expression has a value along the nominal model, and is nothing whe
         "all parameters that may be zero are: the nominal model");
   CHECK(torque("a / d").find("expected a finite number at every reading of the nominal model") !=
         std::string::npos);
+  CHECK(torque("a == 0 ? 0 : sqrt(0 - 1)").find("with a = 0.5, expected a finite number") !=
+        std::string::npos);
+  // of several parameters each is said, what shapes the effect as it is tried
+  CHECK(
+      defined_fault(experiment, effect_of(any_joint + "\"a * d + c\"\n",
+                                          told_parameter("a", one_scale) + told_parameter("c", shape_bounds)))
+          .find("the value 1.32 in joint 1 at reading 0 of press-1, with a = 0, c = 1.32,") !=
+      std::string::npos);
   // of either direction, each joint, at its own time, stiffness and force
   CHECK(torque("a + (s < 0 ? 1 : 0)").find("the value 1 in joint 1 at reading 0") != std::string::npos);
   CHECK(torque("a + (k < 1.2 ? 1 : 0)").find("the value 1 in joint 3 at reading 0") != std::string::npos);
@@ -308,8 +316,23 @@ TEST_CASE("an expression has a value along the nominal model, and is nothing whe
   CHECK(reading("q4", "a") == "U:2: mine.reading: found q4, expected q, or q1 to q3: the chain has 3 joints");
   CHECK(reading("q2", "a + (q < 0 ? 0 : 1)").empty());
   CHECK(reading("q", "a + (q > 0.39 ? 1 : 0)").find("the value 1 at reading 0") != std::string::npos);
+  // a reading whose command is not known has no value to ask for
+  Experiment holed = experiment;
+  holed.runs[0].readings[3].x = std::nan("");
+  CHECK(defined_fault(holed, effect_of(any_joint + "\"a * d\"\n", told_parameter("a", one_scale))).empty());
+  CHECK(defined_fault(holed, effect_of("[effect.reading]\nFx = \"a * Fx\"\n", told_parameter("a", one_scale)))
+            .empty());
   Experiment unreachable = experiment;
   for (Reading& one : unreachable.runs[0].readings) one.x = 5;
   CHECK(defined_fault(unreachable, effect_of(any_joint + "\"a + 1\"\n", told_parameter("a", one_scale)))
             .empty());
+}
+
+TEST_CASE("a study with stated effects looks for them behind those of the catalogue, and asks them first") {
+  const StatedEffect good = effect_of(any_joint + "\"a * d\"\n", told_parameter("a", one_scale)),
+                     bad = effect_of(any_joint + "\"a * d + 1\"\n", told_parameter("a", one_scale));
+  const Study study = study_with(one_press(), {good});
+  REQUIRE(study.effects().size() == catalogue().size() + 1);
+  CHECK(study.effects().back()->id == "mine");
+  CHECK_THROWS_AS((void)study_with(one_press(), {bad}), Error);
 }
