@@ -126,8 +126,9 @@ std::size_t runs_that_show(const Study& study, const Fit& fit, const EffectAt& a
     for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i)
       change[series.run] += std::pow(with[i] - plain[i], 2);
   constexpr double clearly = 9;  // three deviations of one reading
-  return static_cast<std::size_t>(
-      std::count_if(change.begin(), change.end(), [](const auto& one) { return one.second > clearly; }));
+  std::size_t runs = 0;
+  for (const auto& [run, squares] : change) runs += squares > clearly;
+  return runs;
 }
 
 /// Whether an explanation takes so many effects that it explains much that it is not.
