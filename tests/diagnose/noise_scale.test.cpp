@@ -135,8 +135,8 @@ TEST_CASE("differences that grow as those of a slope show no correlation, and se
 }
 
 TEST_CASE("a slope counts as one beyond twice the deviation of a correlation alone, and as 1 before") {
-  // over two readings 4 cos^2(40 degrees) = 2.35 times as much: among 39 differences 2 + 0.48 are chance,
-  // among 399 2 + 0.15
+  // over two readings 4 cos^2(40 degrees) = 2.35 times as much: among 39 differences 2 + 0.58 are chance,
+  // among 399 2 + 0.18
   for (const std::size_t count : {40U, 400U}) {
     const Measurements measurements(blank_experiment({count}));
     const RawNoise found = raw_noise(measurements, wave(count, 1, 80));
@@ -152,20 +152,37 @@ TEST_CASE("a slope counts as one beyond twice the deviation of a correlation alo
   const RawNoise found = raw_noise(measurements, residual);
   CHECK(found.correlation == 0);
   CHECK(found.scale[at_Fx] == close_to(std::sqrt(uncut(curved) / 6)));
-  CHECK(correlation_deviation(36) == 0.25);
+  CHECK(correlation_deviation(36) == close_to(0.3));
 }
 
-TEST_CASE("noise remembers no longer than a tenth of a run of middle length") {
-  CHECK(largest_correlation(Measurements(blank_experiment({20}))) == close_to(std::exp(-0.5)));
-  CHECK(largest_correlation(Measurements(blank_experiment({10, 50, 20}))) == close_to(std::exp(-0.5)));
-  CHECK(largest_correlation(Measurements(blank_experiment({4000}))) == 0.9);
-  // a run of twelve readings that rise and fall by pairs: 1 + phi = 2 - 1/6, cut at exp(-10/12)
+TEST_CASE("noise beyond what was declared remembers no longer than a tenth of a run of middle length") {
+  const auto largest = [](const std::vector<std::size_t>& runs) {
+    const Measurements measurements(blank_experiment(runs));
+    std::vector<double> rough(measurements.size());
+    for (std::size_t i = 0; i < rough.size(); ++i) rough[i] = i % 2 == 0 ? 2 : -2;
+    return raw_noise(measurements, rough).largest_correlation;
+  };
+  CHECK(largest({20}) == close_to(std::exp(-0.5)));
+  CHECK(largest({10, 50, 20}) == close_to(std::exp(-0.5)));
+  CHECK(largest({4000}) == 0.9);
+}
+
+TEST_CASE(
+    "noise no larger than declared remembers as long as makes it that large, beyond that a tenth of a run") {
+  // A run of twelve readings that rise and fall by pairs: 1 + phi = 2 - 1/6.
   const Measurements measurements(blank_experiment({12}));
-  std::vector<double> residual(24, 0.0);
-  for (std::size_t i = 0; i < 12; ++i) residual[i] = i % 4 == 0 || i % 4 == 3 ? 0.5 : -0.5;
-  const RawNoise found = raw_noise(measurements, residual);
-  CHECK(found.correlation == close_to(5.0 / 6));
-  CHECK(found.scale[at_Fx] == close_to(std::sqrt(6.0 / 11 / cut_mean / 2 / (1 - std::exp(-10.0 / 12)))));
+  const auto found = [&](double size) {
+    std::vector<double> residual(24, 0.0);
+    for (std::size_t i = 0; i < 12; ++i) residual[i] = i % 4 == 0 || i % 4 == 3 ? size : -size;
+    return raw_noise(measurements, residual);
+  };
+  const double near = 6.0 / 11 / cut_mean / 2;  // of six steps of one
+  CHECK(found(0.5).correlation == close_to(5.0 / 6));
+  CHECK(found(0.5).largest_correlation == close_to(1 - near));
+  CHECK(found(0.5).scale[at_Fx] == close_to(1));
+  CHECK(found(5).correlation == close_to(5.0 / 6));
+  CHECK(found(5).largest_correlation == close_to(std::exp(-10.0 / 12)));
+  CHECK(found(5).scale[at_Fx] == close_to(std::sqrt(100 * near / (1 - std::exp(-10.0 / 12)))));
 }
 
 TEST_CASE("what is large and slow at once is no noise beyond one and a half") {
