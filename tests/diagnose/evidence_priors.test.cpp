@@ -130,14 +130,17 @@ TEST_CASE(
   CHECK(bound(0, 2) == close_to(width(0) * width(2) * 2 / det));
 }
 
-TEST_CASE("what machining leaves is one cause among the others, and beside one it is one of two") {
+TEST_CASE("what machining leaves is one cause among the others, and beside others it is none") {
   const Study study = two_blank_links();
   const double all = catalogue_worth(study);
   Candidate machining{{{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}}};
   REQUIRE(machining.machined());
   CHECK(log_prior(study, machining) == close_to(std::log(beliefs::one_cause / all)));
+  const double beside = beliefs::cause_beside_machining / all;
   machining.effects.emplace_back("gravity");
-  CHECK(log_prior(study, machining) == close_to(std::log(beliefs::two_causes * 2 / (all * all))));
+  CHECK(log_prior(study, machining) == close_to(std::log(beside * beliefs::one_cause / all)));
+  machining.effects.emplace_back("force_gain");
+  CHECK(log_prior(study, machining) == close_to(std::log(beside * beliefs::two_causes * 2 / (all * all))));
   // two of its three kinds are two causes
   CHECK(log_prior(study, {{{"stiffness_spread"}, {"length_spread"}}}) ==
         close_to(std::log(beliefs::two_causes * 2 / (all * all))));
