@@ -176,14 +176,25 @@ Experiment make_experiment(const Wish& wish, const std::string& name, Random& ra
     } catch (const Error&) {  // a chain that buckles where it must not, or does not come to rest: another one
     }
   }
-  throw Error("simulator: no bench for experiment " + name + " in " + std::to_string(patience) + " attempts");
+  std::string wished;
+  for (const Kind* kind : wish.kinds) wished += (wished.empty() ? "" : " + ") + std::string(kind->id);
+  throw Error("simulator: no bench for experiment " + name + " (" + wished + ") in " +
+              std::to_string(patience) + " attempts");
 }
 
-/// The wish comes first, so that benches where it cannot be granted do not make it rarer.
+/// The wish comes first, so that benches where it cannot be granted do not make it rarer. One of thousands,
+/// of two effects that hardly any bench lets act together, is given up for another.
 Experiment make_experiment(Trial trial, std::uint64_t seed, std::size_t number, const std::string& name) {
   Random random(seed, number);
-  const Wish wish = trial == Trial::first ? draw_wish(random) : draw_second_wish(random);
-  return make_experiment(wish, name, random);
+  constexpr int wishes = 4;
+  for (int i = 1;; ++i) {
+    const Wish wish = trial == Trial::first ? draw_wish(random) : draw_second_wish(random);
+    try {
+      return make_experiment(wish, name, random);
+    } catch (const Error&) {
+      if (i == wishes) throw;
+    }
+  }
 }
 
 }  // namespace plumbline::simulator
