@@ -54,11 +54,13 @@ std::optional<NoiseModel> tolerance(const Study& study, const NoiseModel& noise)
     count[c] += static_cast<double>(series.readings.size());
   }
   NoiseModel tolerated{noise.scale, 0};
+  // What a reading brings anew: how large the noise is beside depends on how long it is said to remember.
+  const double innovation = std::sqrt(1 - noise.correlation * noise.correlation);
   for (std::size_t c = 0; c < channel_names; ++c) {
     if (count[c] == 0) continue;
     const double rms = std::sqrt(squares[c] / count[c]);
     if (std::log(noise.scale[c]) < -2 * beliefs::scale_spread) tolerated.scale[c] = 1;
-    if (rms > beliefs::far_beyond * noise.scale[c])
+    if (rms > beliefs::far_beyond * noise.scale[c] * innovation)
       tolerated.scale[c] = std::max(tolerated.scale[c], beliefs::tolerated_share * rms);
   }
   return tolerated.scale == noise.scale ? std::nullopt : std::optional(tolerated);
