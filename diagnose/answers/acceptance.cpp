@@ -117,7 +117,8 @@ bool sets_in(const Study& study, const EffectAt& at) {
   });
 }
 
-/// In how many runs an effect of an explanation changes what is predicted by more than the readings scatter.
+/// In how many runs an effect of an explanation changes what is predicted by more than readings are declared
+/// to scatter.
 std::size_t runs_that_show(const Study& study, const Fit& fit, const EffectAt& at) {
   const Instance without =
       part(study, fit.candidate, fit.parameters, [&](const EffectAt& one) { return !(one == at); });
