@@ -101,7 +101,7 @@ def test_other_threads_go_on_while_forces_are_computed():
         while not stop.is_set():
             counted[0] += 1
 
-    lengths = np.linspace(1, 2, 2000)
+    lengths = np.linspace(1, 2, 16000)  # a third of a second, for a busy machine may keep a thread waiting
     counter = threading.Thread(target=count)
     counter.start()
     try:
