@@ -182,8 +182,8 @@ Experiment make_experiment(const Wish& wish, const std::string& name, Random& ra
               std::to_string(patience) + " attempts");
 }
 
-/// The wish comes first, so that benches where it cannot be granted do not make it rarer. One of thousands,
-/// of two effects that hardly any bench lets act together, is given up for another.
+/// The wish comes first, so that benches where it cannot be granted do not make it rarer. One that none of
+/// hundreds grants is given up for another.
 Experiment make_experiment(Trial trial, std::uint64_t seed, std::size_t number, const std::string& name) {
   Random random(seed, number);
   constexpr int wishes = 4;
