@@ -150,6 +150,116 @@ TEST_CASE("what is fitted without a part never sees it, and is measured on it al
   CHECK(found->shrink.chi2_per_value_after == close_to(squares / values));
 }
 
+TEST_CASE("a part of which the others do not tell is passed over; blocks stand in where no run is told of") {
+  const Experiment experiment = measured(four_presses(), only("joint_stiffness", 2), {0.2}, 3);
+  const Study study(experiment);
+  NoiseModel noise;
+  noise.scale = {1, 1, 2, 3, 1.5};
+  noise.correlation = 0.4;
+  // Half of the gap is left of what is asked for, but for parts that `passed` names.
+  const auto halved = [&](const std::function<bool(const HeldOut&)>& passed) {
+    return rotated(study, noise,
+                   [&](const Study&, const HeldOut& part) -> std::optional<std::vector<double>> {
+                     if (passed(part)) return std::nullopt;
+                     std::vector<double> left = study.nominal_residual();
+                     for (double& one : left) one /= 2;
+                     return left;
+                   });
+  };
+  const auto is = [](const HeldOut& part, const std::string& name) {
+    return std::find(part.names.begin(), part.names.end(), name) != part.names.end();
+  };
+  const auto of_runs = [](const HeldOut& part) { return part.names.front().find('[') == std::string::npos; };
+  // The same of all these readings at once.
+  const auto expected = [&](const std::vector<HeldOut>& parts) {
+    HeldOut all = nothing_held(experiment);
+    std::vector<double> after = study.nominal_residual();
+    for (const HeldOut& part : parts) {
+      all.names.insert(all.names.end(), part.names.begin(), part.names.end());
+      for (const Series& series : study.measurements().series())
+        for (std::size_t i = 0; i < series.readings.size(); ++i)
+          if (part.reading[series.run][series.readings[i]]) {
+            all.reading[series.run][series.readings[i]] = true;
+            after[series.first + i] /= 2;
+          }
+    }
+    return measure_shrink(study.measurements(), all, study.nominal_residual(), after, noise);
+  };
+  const auto agree = [&](const std::optional<Rotated>& found, std::vector<HeldOut> parts) {
+    REQUIRE(found);
+    REQUIRE(found->parts.size() == parts.size());
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      CHECK(found->parts[p].names == parts[p].names);
+      CHECK(found->parts[p].reading == parts[p].reading);
+    }
+    const Shrink shrink = expected(parts);
+    CHECK(found->shrink.heldout == shrink.heldout);
+    CHECK(found->shrink.ratio == shrink.ratio);
+    CHECK(found->shrink.ratio < 0.51);  // outliers are told by what is left, of which there may be others
+    CHECK(found->shrink.chi2_per_value_after == shrink.chi2_per_value_after);
+    CHECK(found->shrink.noise_floor_ratio == shrink.noise_floor_ratio);
+    CHECK(found->shrink.independent == shrink.independent);
+  };
+  std::vector<HeldOut> runs = run_parts(experiment);
+  agree(halved([](const HeldOut&) { return false; }), runs);
+  std::erase_if(runs, [&](const HeldOut& part) { return is(part, "press-2"); });
+  REQUIRE(runs.size() == 3);
+  agree(halved([&](const HeldOut& part) { return is(part, "press-2"); }), runs);
+  agree(halved(of_runs), block_parts(experiment));
+  CHECK_FALSE(halved([](const HeldOut&) { return true; }));
+
+  // Where neither carries a gap what was asked first is said, of the runs.
+  noise.scale.fill(1e4);
+  agree(halved([](const HeldOut&) { return false; }), run_parts(experiment));
+  // A run of seven readings has no eighths, and a single one no other.
+  const Study few(blank_experiment({7}));
+  CHECK_FALSE(rotated(few, noise, [](const Study&, const HeldOut&) -> std::optional<std::vector<double>> {
+    FAIL("nothing is held out");
+    return std::nullopt;
+  }));
+}
+
+TEST_CASE(
+    "the others tell of a run where its open tare spreads the prediction by half of the noise or less") {
+  const Experiment bare = measured(four_presses(), {}, {}, 3);  // sizes go by what is read
+  const EffectAt tare{"run_tare", 0};
+  const double sizeable = Study(bare).ranges(tare)[0].scale, sigma = bare.noise.Fx;
+  REQUIRE(bare.noise.Fy == sigma);
+  std::vector<double> values(8);
+  for (std::size_t p = 0; p < 8; ++p) values[p] = p % 3 == 0 ? 5 * sizeable : -5 * sizeable;
+  const Study study(measured(bare, {{tare}}, values, 4));
+  // The tare shifts two of the five channels by itself, and no run but its own tells it: its prior leaves it
+  // open by a width that goes with the forces of the others. The mean of the variances is
+  // 2/5 width^2 / (sigma scale)^2, a half of the noise where the scale is sqrt(4/5) width / sigma.
+  std::map<std::string, double> equal;
+  for (const HeldOut& part : run_parts(study.experiment())) {
+    const Study others = study.of(without(study.experiment(), part));
+    equal[part.names.at(0)] = others.ranges(tare)[0].scale / sigma * std::sqrt(0.8);
+  }
+  REQUIRE(equal.size() == 4);
+  for (const auto& [limit, at] : equal)
+    for (const double share : {0.999, 1.001}) {
+      CAPTURE(limit);
+      CAPTURE(share);
+      NoiseModel noise;
+      noise.scale.fill(share * at);
+      FitSettings settings;
+      settings.noise = noise;
+      std::set<std::string> expected;
+      for (const auto& [name, scale] : equal)
+        if (scale < share * at) expected.insert(name);
+      const auto found = rotated(study, fit(study, {{tare}}, settings), noise);
+      REQUIRE(found);
+      CHECK(found->shrink.tested());  // five widths are more than three times this noise
+      std::set<std::string> names(found->shrink.heldout.begin(), found->shrink.heldout.end());
+      if (expected.empty()) {
+        for (const std::string& name : names) CHECK(name.find('[') != std::string::npos);
+      } else {
+        CHECK(names == expected);
+      }
+    }
+}
+
 TEST_CASE("what a block holds out of one way, a run that comes back shows on the other") {
   for (const auto& turns : {std::vector<double>{0, 1, 0}, {0, 1, -1, 0}}) {
     // 64 steps, as many a unit of the way

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/close_to.hpp"
+#include "tests/diagnose/bench.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 
 using namespace plumbline;
@@ -112,4 +113,85 @@ TEST_CASE("shares of joints: in proportion, largest first, alike where nothing i
   CHECK((some[1].joint == 1 && some[1].share == close_to(0.25)));
   CHECK((some[2].joint == 2 && some[2].share == 0.0));
   for (const JointShare& one : joint_shares({0, 0, 0, 0})) CHECK(one.share == close_to(0.25));
+}
+
+TEST_CASE("along the path of several runs each stretch has its readings, counted as they were taken") {
+  Experiment experiment = blank_experiment({6, 5});
+  // the second run was read ten times: two of its readings were drawn into one each
+  experiment.runs[1].groups = {2, {0, 2, 4, 6, 8, 10}};
+  const Measurements measurements(experiment);
+  std::vector<double> residual(measurements.size());
+  fill(measurements, 0, 3, residual);  // 8 beyond noise a reading
+  fill(measurements, 3, 2, residual);  // 3
+  for (std::size_t s : {1U, 2U}) fill(measurements, s, 1, residual);
+  const Where where = locate(Study(experiment), straight(experiment, 4), residual, {});
+  REQUIRE(where.load_path.size() == 4);
+  struct Stretch {
+    std::string run;
+    std::size_t from, to;
+    double beyond;
+    Regime regime;
+  };
+  // the force grows as stiff up to reading 3: four readings, and what is left of six and of five
+  const std::vector<Stretch> expected{{"run-1", 0, 3, 32, Regime::pre_buckling},
+                                      {"run-1", 4, 5, 16, Regime::post_buckling},
+                                      {"run-2", 0, 7, 12, Regime::pre_buckling},
+                                      {"run-2", 8, 9, 3, Regime::post_buckling}};
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    CAPTURE(i);
+    CHECK(where.load_path[i].run == expected[i].run);
+    CHECK(where.load_path[i].from == expected[i].from);
+    CHECK(where.load_path[i].to == expected[i].to);
+    CHECK(where.load_path[i].regime == expected[i].regime);
+    CHECK(where.load_path[i].share == close_to(expected[i].beyond / 63));
+  }
+}
+
+TEST_CASE("runs and channels stand largest first, those that are alike as they were") {
+  const Experiment experiment = blank_experiment({8, 8, 8, 8});
+  const Measurements measurements(experiment);
+  std::vector<double> residual(measurements.size());
+  for (std::size_t s = 0; s < 8; ++s) fill(measurements, s, s == 5 ? 3 : s % 2 == 1 ? 2 : 1, residual);
+  const Where where = locate(Study(experiment), straight(experiment, 4), residual, {});
+  std::vector<std::string> runs, channels;
+  for (const RunShare& one : where.runs) runs.push_back(one.run);
+  for (const ChannelShare& one : where.channels) channels.push_back(one.channel.label());
+  CHECK(runs == std::vector<std::string>{"run-3", "run-1", "run-2", "run-4"});
+  CHECK(channels == std::vector<std::string>{"Fy", "Fx"});
+  // 3 a reading in three runs, 8 in one
+  CHECK(share_of(where.runs, "run-3") == close_to(8 / 17.0));
+  CHECK(share_of(where.runs, "run-4") == close_to(3 / 17.0));
+
+  // Where nothing is beyond noise all shares are alike.
+  for (double& one : residual) one = 0;
+  const Where nowhere = locate(Study(experiment), straight(experiment, 4), residual, {});
+  for (const RunShare& one : nowhere.runs) CHECK(one.share == 0.25);
+  for (const ChannelShare& one : nowhere.channels) CHECK(one.share == 0.5);
+}
+
+TEST_CASE("the joint whose torque is missing is told by measured angles alone, and said to be") {
+  Experiment experiment = test::three_links();
+  test::press(experiment, {0.3, -0.5, 0.4}, {-0.05, 0}, 20, true);
+  experiment = test::measured(experiment, test::only("joint_stiffness", 2), {0.5}, 3);
+  const Study study(experiment);
+  const Where where = locate(study, study.nominal(), study.nominal_residual(), {});
+  CHECK(where.joint_evidence == JointEvidence::measured);
+  REQUIRE(where.joints.size() == 3);
+  CHECK(where.joints.front().joint == 2);
+  // the others miss what noise of their angles and of the force gives, which is no share of it
+  CHECK(where.joints.front().share == close_to(1));
+  // A hundredfold noise might have given as much.
+  NoiseModel loud;
+  loud.scale.fill(100);
+  CHECK(locate(study, study.nominal(), study.nominal_residual(), loud).joints.empty());
+
+  for (Reading& reading : experiment.runs[0].readings) reading.q.clear();
+  const Study forces(experiment);
+  CHECK(locate(forces, forces.nominal(), forces.nominal_residual(), {}).joints.empty());
+
+  CHECK(joint_evidence_words(JointEvidence::measured) == "of the measured missing torque");
+  CHECK(joint_evidence_words(JointEvidence::implied_by_fits) ==
+        "of the missing torque that the explanation implies");
+  CHECK(joint_evidence_words(JointEvidence::implied_by_law) ==
+        "chance to be the one place of an unknown torque");
 }
