@@ -260,6 +260,81 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("the open spread is the mean over all readings held out, as each channel answers to what is open") {
+  const EffectAt rests{"run_rest", 0};
+  std::vector<double> values;
+  for (int p = 0; p < 12; ++p) values.push_back(p % 2 == 0 ? 0.15 : -0.15);
+  const Study study(measured(four_presses(), {{rests}}, values, 4));
+  const std::vector<ParameterRange> ranges = study.ranges(rests);
+  REQUIRE(ranges.size() == 12);
+  // What no run tells keeps the prior, nothing give or take a tolerance, each by itself: a reading's variance
+  // is the sum of the squares of its slopes there. Those of other runs' angles are zero.
+  const std::vector<double> nothing(12, 0.0);
+  const Prediction at_rest = predict(study, {{rests}}, nothing, true);
+  std::vector<std::pair<double, std::string>> equal;  // scale of noise where the mean is a half of it
+  for (const HeldOut& part : run_parts(study.experiment())) {
+    double sum = 0, count = 0;
+    for (std::size_t p = 0; p < 12; ++p) {
+      REQUIRE(ranges[p].tolerance > 0);
+      const std::vector<double> slopes = study.measurements().in_sigmas(at_rest.sensitivity[p]);
+      for (const Series& series : study.measurements().series())
+        for (std::size_t i = 0; i < series.readings.size(); ++i) {
+          if (!part.reading[series.run][series.readings[i]]) continue;
+          sum += std::pow(ranges[p].tolerance * slopes[series.first + i], 2);
+          count += p == 0 ? 1 : 0;
+        }
+    }
+    equal.emplace_back(std::sqrt(2 * sum / count), part.names.at(0));
+  }
+  std::sort(equal.begin(), equal.end());
+  REQUIRE(equal[0].first < 0.99 * equal[1].first);
+  REQUIRE(equal[1].first < 0.99 * equal[2].first);
+  for (const double share : {0.999, 1.001}) {
+    CAPTURE(share);
+    NoiseModel noise;
+    noise.scale.fill(share * equal[1].first);
+    FitSettings settings;
+    settings.noise = noise;
+    const auto found = rotated(study, fit(study, {{rests}}, settings), noise);
+    REQUIRE(found);
+    std::vector<std::string> names = found->shrink.heldout;
+    std::sort(names.begin(), names.end());
+    std::vector<std::string> expected{equal[0].second};
+    if (share > 1) expected.push_back(equal[1].second);
+    std::sort(expected.begin(), expected.end());
+    CHECK(names == expected);
+  }
+}
+
+TEST_CASE("without a part is fitted in the noise as it is, from where the whole fit stands") {
+  const Study study(measured(four_presses(), only("joint_stiffness", 2), {0.3}, 3));
+  NoiseModel noise;
+  noise.scale = {1, 1, 9, 2, 5};
+  FitSettings settings;
+  settings.noise = noise;
+  // another cause, of which each channel asks another size
+  const Fit whole = fit(study, only("joint_stiffness", 1), settings);
+  const auto found = rotated(study, whole, noise);
+  REQUIRE(found);
+  std::vector<double> after = study.nominal_residual();
+  HeldOut all = nothing_held(study.experiment());
+  for (const HeldOut& part : found->parts) {
+    const Fit blind =
+        fit_from(study.of(without(study.experiment(), part)), whole.candidate, settings, whole.parameters);
+    const std::vector<double> left = study.residual(predict(study, blind.candidate, blind.parameters));
+    all.names.insert(all.names.end(), part.names.begin(), part.names.end());
+    for (const Series& series : study.measurements().series())
+      for (std::size_t i = 0; i < series.readings.size(); ++i)
+        if (part.reading[series.run][series.readings[i]]) {
+          all.reading[series.run][series.readings[i]] = true;
+          after[series.first + i] = left[series.first + i];
+        }
+  }
+  const Shrink expected = measure_shrink(study.measurements(), all, study.nominal_residual(), after, noise);
+  CHECK(found->shrink.ratio == close_to(expected.ratio).epsilon(1e-9));  // two sums of the same numbers
+  CHECK(found->shrink.heldout == expected.heldout);
+}
+
 TEST_CASE("what a block holds out of one way, a run that comes back shows on the other") {
   for (const auto& turns : {std::vector<double>{0, 1, 0}, {0, 1, -1, 0}}) {
     // 64 steps, as many a unit of the way

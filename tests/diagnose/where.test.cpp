@@ -147,6 +147,28 @@ TEST_CASE("along the path of several runs each stretch has its readings, counted
   }
 }
 
+TEST_CASE("every reading of a series counts, the first and the last, and none of another") {
+  const Experiment experiment = blank_experiment({10, 12});
+  const Measurements measurements(experiment);
+  // lines, which have no outliers: each series has squares of its own from end to end
+  std::vector<double> residual(measurements.size());
+  std::vector<double> sum(4);
+  for (std::size_t s = 0; s < 4; ++s) {
+    const Series& series = measurements.series()[s];
+    for (std::size_t i = 0; i < series.readings.size(); ++i) {
+      const double value = static_cast<double>(2 + s + i * (s + 1));
+      residual[series.first + i] = value;
+      sum[s] += value * value - 1;
+    }
+  }
+  const double all = sum[0] + sum[1] + sum[2] + sum[3];
+  const Where where = locate(Study(experiment), straight(experiment, 20), residual, {});
+  CHECK(share_of(where.channels, "Fx") == close_to((sum[0] + sum[2]) / all).epsilon(1e-9));
+  CHECK(share_of(where.runs, "run-1") == close_to((sum[0] + sum[1]) / all).epsilon(1e-9));
+  REQUIRE(where.load_path.size() == 2);
+  CHECK(where.load_path[1].share == close_to((sum[2] + sum[3]) / all).epsilon(1e-9));
+}
+
 TEST_CASE("runs and channels stand largest first, those that are alike as they were") {
   const Experiment experiment = blank_experiment({8, 8, 8, 8});
   const Measurements measurements(experiment);
