@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "diagnose/answers/law_choice.hpp"
+#include "diagnose/answers/torque_balance.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -264,5 +266,201 @@ TEST_CASE("what a joint carries along a run has what the nominal model knows of 
       CHECK(trace.torque(r) ==
             close_to(x * run(r, column_Fy) - y * run(r, column_Fx)).epsilon(1e-6).scale(none.stiffness));
     }
+  }
+}
+namespace {
+
+/// Three presses of three links whose joints have this law, read with noise.
+Experiment pressed_with(const std::function<TorqueLaw(const Study&)>& truth, unsigned seed) {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 40, true);
+  press(experiment, {-0.4, 0.3, 0.5}, {-0.05, 0.03}, 40, true);
+  press(experiment, {0.5, -0.3, 0.4}, {-0.05, -0.02}, 40, false);
+  const Study bare(experiment);
+  const Prediction given = predict_with_law(bare, truth(bare));
+  REQUIRE((given.reached && !given.snapped));
+  experiment = as_measured(experiment, given);
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal;
+  for (Run& run : experiment.runs)
+    for (Reading& reading : run.readings) {
+      reading.Fx += experiment.noise.Fx * normal(engine);
+      reading.Fy += experiment.noise.Fy * normal(engine);
+      for (double& q : reading.q) q += experiment.noise.q * normal(engine);
+    }
+  return experiment;
+}
+
+/// A law over a radian to either side, without what dissipates.
+JointTorqueLaw law_of(const std::vector<std::size_t>& joints, double stiffness,
+                      const std::function<double(double)>& torque) {
+  JointTorqueLaw law{joints, {-1, 1, 160}, Eigen::VectorXd::Zero(law_terms_count), stiffness};
+  for (Eigen::Index k = 0; k < finest_knots; ++k) law.coefficients(k) = torque(knot_place(law.span, k));
+  return law;
+}
+
+/// Five standard deviations of the torque that one reading of a joint tells: of its angle and of the force at
+/// the whole chain's length. A law that many readings tell is nearer.
+double torque_of_one_reading(const Experiment& experiment, std::size_t joint) {
+  const double reach = experiment.link_length[0] + experiment.link_length[1] + experiment.link_length[2];
+  return 5 *
+         std::hypot(experiment.joint_stiffness[joint - 1] * experiment.noise.q, reach * experiment.noise.Fx);
+}
+
+/// What joints carry along the runs with what was found, beside what they carried.
+void check_carried(const Study& study, const TorqueLaw& found, const TorqueLaw& truth) {
+  const std::vector<LawTrace> expected = law_traces(study, truth);
+  for (const LawTrace& one : law_traces(study, found)) {
+    const auto same = std::find_if(expected.begin(), expected.end(), [&](const LawTrace& other) {
+      return other.joint == one.joint && other.run == one.run;
+    });
+    REQUIRE(same != expected.end());
+    const double tolerance = torque_of_one_reading(study.experiment(), one.joint);
+    CAPTURE(one.joint);
+    CHECK((one.torque - same->torque).cwiseAbs().maxCoeff() < tolerance);
+  }
+}
+
+}  // namespace
+
+TEST_CASE(
+    "joints that have each a law of its own are each given one, fitted to the chain that has all of them") {
+  const auto truth = [](const Study& study) {
+    const std::vector<double>& k = study.experiment().joint_stiffness;
+    return TorqueLaw{{},
+                     {law_of({1}, k[0], [&](double d) { return k[0] * d * d * d; }),
+                      law_of({2}, k[1], [&](double d) { return -0.2 * k[1] * d; }),
+                      law_of({3}, k[2], [&](double d) { return 0.15 * k[2] * std::abs(d); })},
+                     finest_knots,
+                     1};
+  };
+  const Study study(pressed_with(truth, 4));
+  const auto found = fit_torque_law(study, NoiseModel(), {});
+  REQUIRE(found);
+  REQUIRE(found->laws.size() == 3);
+  for (std::size_t j = 0; j < 3; ++j) {
+    const JointTorqueLaw& law = found->laws[j];
+    CHECK(law.joints == std::vector{j + 1});
+    CHECK(law.stiffness == study.experiment().joint_stiffness[j]);
+    CHECK(law.span.duration == 160);  // 80 steps of two seconds
+    // as far as the nominal model bends the joint
+    double low = 0, high = 0;
+    for (std::size_t r = 0; r < 3; ++r) {
+      const auto bent = study.nominal().runs[r].col(column_q + static_cast<Eigen::Index>(j)) -
+                        study.experiment().runs[r].rest[j];
+      low = std::min(low, bent.minCoeff()), high = std::max(high, bent.maxCoeff());
+    }
+    CHECK(law.span.low == close_to(low).epsilon(1e-9));
+    CHECK(law.span.high == close_to(high).epsilon(1e-9));
+    CHECK(law.coefficients.size() == plain_terms);
+  }
+  check_carried(study, *found, truth(study));
+  const auto values = static_cast<double>(study.measurements().size());
+  CHECK(left_with(study, NoiseModel(), *found) < values + 5 * std::sqrt(2 * values));
+}
+
+TEST_CASE(
+    "joints that share a law have it in proportion to their stiffness, and one joint alone has it as it is") {
+  const auto values_of = [](const Study& study) { return static_cast<double>(study.measurements().size()); };
+  for (const std::vector<std::size_t>& joints : {std::vector<std::size_t>{1, 2, 3}, {2}}) {
+    const double stiffness = joints.size() == 3 ? (2 + 1.5 + 1) / 3 : 1.5;
+    const auto truth = [&](const Study&) {
+      return TorqueLaw{
+          {}, {law_of(joints, stiffness, [&](double d) { return stiffness * d * d * d; })}, finest_knots, 1};
+    };
+    const Study study(pressed_with(truth, 5));
+    const auto found = fit_torque_law(study, NoiseModel(), {});
+    REQUIRE(found);
+    REQUIRE(found->laws.size() == 1);
+    CHECK(found->laws[0].joints == joints);
+    CHECK(found->laws[0].stiffness == close_to(stiffness).epsilon(1e-12));
+    check_carried(study, *found, truth(study));
+    const double values = values_of(study);
+    CHECK(left_with(study, NoiseModel(), *found) < values + 5 * std::sqrt(2 * values));
+  }
+}
+
+namespace {
+
+/// What the best law at a hinge leaves of the rms where it predicts each fifth of the readings, two blocks of
+/// ten of every run, from the others: as the headers tell it, by sums of its own.
+/// \param stiffer  the spring that it stands beside is by this share
+double left_unseen(const Study& study, const NoiseModel& noise, double stiffer) {
+  const Experiment& experiment = study.experiment();
+  // A rest angle of one is a torque of the spring's stiffness, that way.
+  const Prediction answer =
+      predict(study, {{{"rest_angle", 1}, {"joint_stiffness", 1}}}, {0.0, stiffer}, true);
+  std::vector<double> per_torque = study.measurements().in_sigmas(answer.sensitivity[0]);
+  for (double& one : per_torque) one /= -hinge_stiffness * (1 + stiffer);
+  std::vector<Eigen::VectorXd> bent;
+  LawSpan span;
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    bent.emplace_back(answer.runs[r].col(column_q).matrix().array() - experiment.runs[r].rest[0]);
+    span.low = std::min(span.low, bent.back().minCoeff());
+    span.high = std::max(span.high, bent.back().maxCoeff());
+    span.duration =
+        std::max(span.duration, experiment.runs[r].readings.back().t - experiment.runs[r].readings.front().t);
+  }
+  const std::vector<double> residual = without_outliers(study.measurements(), study.residual(answer)),
+                            before = without_outliers(study.measurements(), study.nominal_residual());
+  const LawSums none{Eigen::MatrixXd::Zero(law_terms_count, law_terms_count),
+                     Eigen::VectorXd::Zero(law_terms_count), 0};
+  std::vector<LawSums> folds(5, none);
+  double nominal = 0;
+  for (const Series& series : study.measurements().series()) {
+    const Run& run = experiment.runs[series.run];
+    const Eigen::MatrixXd terms = law_terms(span, run, bent[series.run]);
+    for (std::size_t i = 0; i < series.readings.size(); ++i) {
+      const std::size_t reading = series.readings[i], block = 10 * reading / run.readings.size();
+      const double left = residual[series.first + i] / noise.of(series.channel);
+      const Eigen::VectorXd slope = per_torque[series.first + i] / noise.of(series.channel) *
+                                    terms.row(static_cast<Eigen::Index>(reading)).transpose();
+      folds[(block + series.run) % 5] += {slope * slope.transpose(), slope * left, left * left};
+      nominal += std::pow(before[series.first + i] / noise.of(series.channel), 2);
+    }
+  }
+  return std::sqrt(choose_law(folds, residual.size()).left / nominal);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a law is worth what it leaves of readings that it has not seen, and offered where that is surely less") {
+  // Many readings, of which a law has to predict a tenth of the rms; and so few that it has to predict more,
+  // for the gain of one that says nothing scatters by 1 / sqrt(values).
+  const auto shortened = [](const std::vector<double>& path, std::size_t step) {
+    std::vector<double> some;
+    for (std::size_t i = 0; i < path.size(); i += step) some.push_back(path[i]);
+    return some;
+  };
+  for (const std::size_t step : {1U, 8U}) {
+    const std::vector<double> there = shortened(cycle(0.4, -0.3), step),
+                              back = shortened(cycle(-0.4, 0.2), step);
+    const double stiffer = step == 1 ? 0.03 : 0;
+    int offered = 0, refused = 0;
+    for (const double size : {0.04, 0.06, 0.065, 0.07, 0.08, 0.1, 0.12, 0.13, 0.15, 0.3}) {
+      CAPTURE(step);
+      CAPTURE(size);
+      Experiment experiment = hinge(
+          {there, back},
+          [&] { return [&](double d) { return hinge_stiffness * d * (1 + size * d * d / 4); }; }, 7);
+      // some forces were not read: the others of their block stay in its fifth
+      experiment.runs[1].readings[3].Fx = experiment.runs[1].readings[5].Fx = nan_value();
+      const Study study(experiment);
+      NoiseModel noise;
+      noise.scale = {1, 1, 1.25, 0.8, 1};
+      const double values = static_cast<double>(study.measurements().size()),
+                   most = std::min(0.9, std::sqrt(1 - 2 / std::sqrt(values)));
+      CHECK((most < 0.9) == (step > 1));
+      const double left = left_unseen(study, noise, stiffer);
+      const auto law = fit_torque_law(study, noise, {only("joint_stiffness", 1), {stiffer}});
+      CHECK(law.has_value() == (left < most));
+      // Both derivatives by a torque are difference quotients of a millionth.
+      if (law) CHECK(law->base.parameters == std::vector{stiffer});
+      if (law) CHECK(law->cross_validated == close_to(left).epsilon(1e-4));
+      ++(law ? offered : refused);
+    }
+    CHECK(offered > 1);
+    CHECK(refused > 1);
   }
 }
