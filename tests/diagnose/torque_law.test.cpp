@@ -464,3 +464,22 @@ TEST_CASE(
     CHECK(refused > 1);
   }
 }
+
+TEST_CASE(
+    "joints that share a loop over a part of the way share its profile, which laws of their own have not") {
+  const auto truth = [](const Study&) {
+    TorqueLaw law{{}, {law_of({1, 2, 3}, 1.5, [](double) { return 0.0; })}, finest_knots, 1};
+    for (Eigen::Index k = 0; k < profile_knots; ++k)
+      law.laws[0].coefficients(plain_terms + k) =
+          0.15 * std::exp(-std::pow((knot_place(law.laws[0].span, 2 * k) - 0.3) / 0.2, 2));
+    return law;
+  };
+  const Study study(pressed_with(truth, 6));
+  const auto found = fit_torque_law(study, NoiseModel(), {});
+  REQUIRE(found);
+  REQUIRE(found->laws.size() == 1);
+  CHECK(found->laws[0].joints == std::vector<std::size_t>{1, 2, 3});
+  REQUIRE(found->laws[0].coefficients.size() == law_terms_count);
+  CHECK_FALSE(found->laws[0].coefficients.tail(law_terms_count - plain_terms).isZero(0));
+  CHECK(found->cross_validated < 0.5);
+}
