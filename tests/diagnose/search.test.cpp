@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include "diagnose/answers/heldout.hpp"
@@ -134,5 +135,212 @@ TEST_CASE("a search finds one cause and two, each combination once, and says how
     known.hypotheses.push_back(all.front());
     const Findings again = search(study, {}, known);
     CHECK(again.hypotheses.front().fit.cost < all.front().fit.cost + 0.1);
+  }
+}
+
+namespace {
+
+/// One press of which forces alone are read.
+Experiment forces_of_a_press(int steps, bool back) {
+  Experiment bench = test::three_links();
+  bench.noise.q = 0;
+  test::press(bench, {0.3, -0.5, 0.4}, {-0.05, 0}, steps, back);
+  for (Reading& reading : bench.runs[0].readings) reading.q.clear();
+  return bench;
+}
+
+/// As a search fits: in what the readings scatter, which does not hang together.
+FitSettings as_a_search(const Study& study) {
+  FitSettings settings;
+  settings.noise.scale =
+      estimate_noise(study.measurements(), without_outliers(study.measurements(), study.nominal_residual()))
+          .scale;
+  return settings;
+}
+
+const Hypothesis* found_among(const Findings& findings, const Candidate& candidate) {
+  const auto place =
+      std::find_if(findings.hypotheses.begin(), findings.hypotheses.end(), [&](const Hypothesis& one) {
+        return std::is_permutation(one.fit.candidate.effects.begin(), one.fit.candidate.effects.end(),
+                                   candidate.effects.begin(), candidate.effects.end());
+      });
+  return place == findings.hypotheses.end() ? nullptr : &*place;
+}
+
+/// Values that a fit is free in; all that tolerances hold count as one.
+std::size_t freedom(const Study& study, const Candidate& candidate) {
+  std::size_t free = 0, held = 0;
+  for (const ParameterRange& range : study.ranges(candidate)) (range.tolerance > 0 ? held : free) += 1;
+  return free + (held > 0 ? 1 : 0);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "an explanation has three values for each that it is free in, and is fitted in what the readings "
+    "scatter") {
+  // nine readings of two forces; and three, one force of which is missing
+  for (const int steps : {4, 1}) {
+    Experiment bench = test::measured(forces_of_a_press(steps, true), test::only("force_gain"), {0.2}, 5);
+    if (steps == 1) bench.runs[0].readings[2].Fy = test::nan_value();
+    const Study study(bench);
+    const std::size_t values = study.measurements().size(), most = values / 3;
+    REQUIRE(values == (steps == 4 ? 18 : 5));
+    const FitSettings settings = as_a_search(study);
+    const Findings findings = search(study);
+    bool just_few_enough = false, too_many = false, held = false;
+    for (const EffectAt& at : possible_effects(study)) {
+      CAPTURE(at.label());
+      const Candidate alone{{at}};
+      const Fit own = fit(study, alone, settings);
+      const Hypothesis* found = found_among(findings, alone);
+      const std::size_t free = freedom(study, alone);
+      CHECK((found != nullptr) == (own.converged && free <= most));
+      if (found != nullptr) CHECK(found->fit.cost == own.cost);
+      just_few_enough = just_few_enough || free == most;
+      too_many = too_many || free > most;
+      held = held || (free == 1 && study.ranges(at).size() > 1);
+    }
+    CHECK(just_few_enough);
+    CHECK(too_many == (steps == 1));
+    CHECK(held);
+    for (const Hypothesis& one : findings.hypotheses) CHECK(freedom(study, one.fit.candidate) <= most);
+  }
+}
+
+TEST_CASE("what is known already stays among what a search finds, better for its own start") {
+  const Study study(test::measured(forces_of_a_press(12, true), test::only("joint_stiffness", 2), {0.2}, 5));
+  // none that a search would look at by itself
+  const Candidate three{{{"joint_stiffness", 1}, {"joint_stiffness", 2}, {"force_gain"}}};
+  REQUIRE(found_among(search(study), three) == nullptr);
+  Findings known;
+  known.hypotheses.push_back({fit(study, three, {}), 0, 0, {}});
+  const Findings findings = search(study, {}, known);
+  const Hypothesis* found = found_among(findings, three);
+  REQUIRE(found != nullptr);
+  const Fit again = fit_from(study, three, as_a_search(study), known.hypotheses.front().fit.parameters);
+  CHECK(found->fit.cost == again.cost);
+  CHECK(found->fit.parameters == again.parameters);
+}
+
+TEST_CASE("where two effects leave structure three are looked for, and none costs more than a part of it") {
+  const Candidate truth{{{"joint_stiffness", 2}, {"backlash", 1}, {"sensor_drift"}}};
+  const std::vector<double> values{0.4, 0.03, 0.03, -0.02};
+  Experiment bench = forces_of_a_press(16, true);
+  bench.noise.Fx = bench.noise.Fy = 1e-3;
+  const Study study(test::measured(bench, truth, values, 5));
+  const FitSettings settings = as_a_search(study);
+  std::vector<double> shares;
+  const Findings findings = search(study, [&](double share) { shares.push_back(share); });
+  CHECK(shares == std::vector{0.1, 0.4, 0.6, 1.0});
+  std::size_t compared = 0;
+  std::vector<const Hypothesis*> triples;
+  for (const Hypothesis& whole : findings.hypotheses) {
+    const Candidate& larger = whole.fit.candidate;
+    if (!larger.machined()) {
+      CHECK(larger.effects.size() <= 3);
+      if (larger.effects.size() == 3) triples.push_back(&whole);
+    }
+    for (const Hypothesis& part : findings.hypotheses) {
+      if (!within(part.fit.candidate, larger) || !tolerated_beside(study, part.fit.candidate, larger))
+        continue;
+      ++compared;
+      CHECK(whole.fit.cost < part.fit.cost + 1);  // a quarter of the noise of a value: where iterations end
+    }
+  }
+  REQUIRE(triples.size() > 10);
+  CHECK(compared > 10);
+  const Hypothesis* found = found_among(findings, truth);
+  REQUIRE(found != nullptr);
+  CHECK(found->fit.cost < fit_from(study, truth, settings, values).cost + 1e-3);
+  // The three best are looked at without each effect, from where they stand.
+  std::sort(triples.begin(), triples.end(),
+            [](const Hypothesis* a, const Hypothesis* b) { return a->fit.cost < b->fit.cost; });
+  for (std::size_t t = 0; t < 3; ++t) {
+    const Fit& whole = triples[t]->fit;
+    for (std::size_t e = 0; e < 3; ++e) {
+      const EffectAt each = whole.candidate.effects[e];
+      const Instance rest =
+          part(study, whole.candidate, whole.parameters, [&](const EffectAt& at) { return at != each; });
+      CAPTURE(rest.candidate.label());
+      const Hypothesis* two = found_among(findings, rest.candidate);
+      REQUIRE(two != nullptr);
+      CHECK(two->fit.cost <= fit_from(study, rest.candidate, settings, rest.parameters).cost);
+    }
+  }
+}
+
+TEST_CASE("the best pairs are looked at with what is a special case of one in its place") {
+  const Candidate truth{{{"load_friction"}, {"sensor_drift"}}};
+  Experiment bench = forces_of_a_press(16, true);
+  bench.noise.Fx = bench.noise.Fy = 1e-3;
+  const Study study(test::measured(bench, truth, {0.02, 3, 0.03, -0.02}, 5));
+  const FitSettings settings = as_a_search(study);
+  const Findings findings = search(study);
+  std::vector<const Hypothesis*> pairs;
+  for (const Hypothesis& one : findings.hypotheses)
+    if (one.fit.candidate.effects.size() == 2) pairs.push_back(&one);
+  REQUIRE(pairs.size() > 10);
+  std::sort(pairs.begin(), pairs.end(),
+            [](const Hypothesis* a, const Hypothesis* b) { return a->fit.cost < b->fit.cost; });
+  int plain_ones = 0;
+  for (std::size_t t = 0; t < 3; ++t) {
+    const Candidate& whole = pairs[t]->fit.candidate;
+    for (std::size_t e = 0; e < 2; ++e)
+      for (const EffectAt& plain : possible_effects(study)) {
+        if (!covers(whole.effects[e], plain) || has(whole, plain)) continue;
+        Candidate plainer = whole;
+        plainer.effects[e] = plain;
+        CAPTURE(plainer.label());
+        CHECK((found_among(findings, plainer) != nullptr) == fit(study, plainer, settings).converged);
+        ++plain_ones;
+      }
+  }
+  CHECK(plain_ones > 0);
+}
+
+TEST_CASE("where an effect of two values fits it is held against two of few values, and against machining") {
+  const Study study(test::measured(forces_of_a_press(16, true), test::only("force_bias"), {0.6, -0.5}, 5));
+  std::vector<double> shares;
+  const Findings findings = search(study, [&](double share) { shares.push_back(share); });
+  CHECK(shares == std::vector{0.1, 1.0});
+  REQUIRE(findings.hypotheses.front().fit.candidate == test::only("force_bias"));
+  std::size_t pairs = 0, machined = 0;
+  for (const Hypothesis& one : findings.hypotheses) {
+    const Candidate& candidate = one.fit.candidate;
+    if (candidate.machined()) {
+      ++machined;
+      continue;
+    }
+    CHECK(candidate.effects.size() <= 2);
+    if (candidate.effects.size() < 2) continue;
+    ++pairs;
+    CHECK(many_valued(study, candidate) == 0);
+  }
+  CHECK(pairs > 0);
+  CHECK(machined > 1);  // alone, and with one effect more
+}
+
+TEST_CASE("of one press, too, no explanation costs more than a part of it, of several causes") {
+  const std::vector<std::pair<Candidate, std::vector<double>>> truths{
+      {{{{"joint_stiffness", 2}, {"force_gain"}, {"backlash", 1}}}, {0.25, 0.2, 0.03}},
+      {{{{"force_gain"}, {"backlash", 2}, {"sensor_drift"}}}, {0.2, 0.03, 0.03, -0.02}}};
+  for (const auto& [truth, values] : truths) {
+    CAPTURE(truth.label());
+    Experiment bench = forces_of_a_press(16, true);
+    bench.noise.Fx = bench.noise.Fy = 1e-3;
+    const Study study(test::measured(bench, truth, values, 5));
+    const Findings findings = search(study);
+    std::size_t compared = 0;
+    for (const Hypothesis& whole : findings.hypotheses)
+      for (const Hypothesis& part : findings.hypotheses) {
+        const Candidate &larger = whole.fit.candidate, &smaller = part.fit.candidate;
+        if (!within(smaller, larger) || !tolerated_beside(study, smaller, larger)) continue;
+        CAPTURE(smaller.label());
+        CAPTURE(larger.label());
+        ++compared;
+        CHECK(whole.fit.cost < part.fit.cost + 1);  // beyond it a search starts again from the part
+      }
+    CHECK(compared > 10);
   }
 }
