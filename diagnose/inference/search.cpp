@@ -321,6 +321,7 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
     if (study.ranges(best).size() > 1) {
       add(fits, searcher.extended(searcher.few_valued(singles), few_valued_seeds, 0));
       add(fits, beside_machining(searcher, singles, fits));
+      add(fits, searcher.from_parts(fits));
     }
   }
   report(1);

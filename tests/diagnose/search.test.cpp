@@ -321,8 +321,9 @@ TEST_CASE("where an effect of two values fits it is held against two of few valu
   CHECK(machined > 1);  // alone, and with one effect more
 }
 
-TEST_CASE("of one press, too, no explanation costs more than a part of it, of several causes") {
+TEST_CASE("of one press, too, no explanation costs more than a part of it, of one cause and of three") {
   const std::vector<std::pair<Candidate, std::vector<double>>> truths{
+      {{{{"joint_stop", 3}}}, {0.02, 3}},
       {{{{"joint_stiffness", 2}, {"force_gain"}, {"backlash", 1}}}, {0.25, 0.2, 0.03}},
       {{{{"force_gain"}, {"backlash", 2}, {"sensor_drift"}}}, {0.2, 0.03, 0.03, -0.02}}};
   for (const auto& [truth, values] : truths) {
