@@ -107,6 +107,9 @@ TEST_CASE("a search finds one cause and two, each combination once, and says how
     CHECK(shares == (truth == one ? std::vector{0.1, 1.0} : std::vector{0.1, 0.4, 0.6, 1.0}));
     CHECK(std::any_of(all.begin(), all.end(),
                       [](const Hypothesis& each) { return each.fit.candidate.machined(); }));
+    CHECK(std::any_of(all.begin(), all.end(), [](const Hypothesis& each) {
+      return each.fit.candidate.machined() && each.fit.candidate.count() == 2;
+    }));
     for (const Hypothesis& each : all)
       CHECK((each.fit.candidate.effects.size() <= 2 || each.fit.candidate.machined()));
     for (const EffectAt& at : possible_effects(study))
@@ -343,5 +346,33 @@ TEST_CASE("of one press, too, no explanation costs more than a part of it, of on
         CHECK(whole.fit.cost < part.fit.cost + 1);  // beyond it a search starts again from the part
       }
     CHECK(compared > 10);
+  }
+}
+
+TEST_CASE("an effect of one value that fits is held against the others of the catalogue alone") {
+  const Study study(test::measured(forces_of_a_press(16, true), test::only("rest_angle", 2), {0.1}, 5));
+  const Findings findings = search(study);
+  REQUIRE(findings.hypotheses.front().fit.candidate == test::only("rest_angle", 2));
+  for (const Hypothesis& one : findings.hypotheses) CHECK(one.fit.candidate.effects.size() == 1);
+}
+
+TEST_CASE("where a bench cannot show all that machining leaves a part of it is no explanation by that name") {
+  // one spring has no spread of stiffness that is not its own
+  Experiment bench = test::three_links();
+  bench.link_length = {0.3};
+  bench.joint_stiffness = {2};
+  bench.link_mass = {0};
+  bench.noise.q = 0;
+  test::load(bench, {0.3}, {0, 0}, {-2, 1}, 16);
+  for (Reading& reading : bench.runs[0].readings) reading.q.clear();
+  const Candidate truth{{{"position_offset"}}};
+  const Study study(test::measured(bench, truth, {0.01, -0.02}, 5));
+  const Findings findings = search(study);
+  for (const Hypothesis& one : findings.hypotheses) {
+    CAPTURE(one.fit.candidate.label());
+    CHECK(one.fit.candidate.effects.size() > 0);
+    CHECK_FALSE(one.fit.candidate.machined());
+    CHECK(std::count_if(one.fit.candidate.effects.begin(), one.fit.candidate.effects.end(),
+                        [](const EffectAt& at) { return at.effect->of_machining; }) <= 1);
   }
 }
