@@ -2,6 +2,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <plumbline/branch/trace.hpp>
+#include <plumbline/loaded/nominal_model.hpp>
 
 #include "proofs/as_double.hpp"
 #include "proofs/decimal.hpp"
@@ -176,6 +178,45 @@ TEST_CASE("a fork joins what lies on its two branches, and no equilibrium of ano
     CHECK(fork->bent == std::vector<std::size_t>{1});
     const auto other = fork_of(from, {straight, bent(0, 0.05, from), bent(1, 0.02, from)});
     CHECK_FALSE((other && other->bent.size() == 2));
+  }
+}
+
+TEST_CASE("a symmetric equilibrium is joined where the loads up to it are proved, and no farther") {
+  const Chain<Rational> chain({1, 1, 1}, {0, 1, 1}, decimals({"-0.1", "0.3", "-0.3"}));
+  const auto exact = from_rational<Interval>(chain);
+  const Loading<Interval> push{Control::end_point, end_point(exact, exact.rest()), {-1, 0}};
+  const NominalModel<double> model(convert<double>(exact, as_double));
+  const auto rest = absolute_angles(model.chain().rest());
+  Brancher<NominalModel<double>> brancher(
+      model, {Control::end_point, {as_double(push.start.x), as_double(push.start.y)}, {-1, 0}}, rest);
+  const auto zigzag = Tracer<NominalModel<double>>(brancher, {0, 0.1}).run(brancher.start(0, rest));
+  REQUIRE(zigzag.events.size() == 1);
+  const BranchPoint<double>& symmetric = zigzag.events[0].point;
+  BranchPoint<double> bent = symmetric;
+  bent.tangent = zigzag.events[0].crossing;
+  const auto end = [&](const BranchPoint<double>& from, double h) {
+    const auto there = brancher.step(from, h);
+    REQUIRE(there);
+    Vector<double> u(6);
+    u << there->theta, there->force.x, there->force.y, there->load;
+    return PieceEnd{u, 1e-9};
+  };
+  Vector<double> crossing(6);
+  crossing << symmetric.theta, symmetric.force.x, symmetric.force.y, symmetric.load;
+  for (const double side : {1.0, -1.0}) {
+    CAPTURE(side);
+    const auto joined = [&](double h) {
+      const auto fork = pitchfork(exact, push, symmetries(chain, Control::end_point, {-1, 0}).at(0), crossing,
+                                  {end(bent, 0.01), end(symmetric, side * h)});
+      REQUIRE(fork);
+      CHECK(fork->bent == std::vector<std::size_t>{0});
+      return !fork->symmetric.empty();
+    };
+    CHECK(joined(0.008));
+    // At the load of the crossing alone the operator contracts over boxes that hold equilibria as far as this
+    // one. Over all the loads up to its own it does not: the branch may leave such a box on the way, and it
+    // is not said to lead here.
+    CHECK_FALSE(joined(0.035));
   }
 }
 
