@@ -2,6 +2,7 @@
 #include <plumbline/chain/strain_energy.hpp>
 #include <plumbline/loaded/nominal_model.hpp>
 
+#include "tests/close_to.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;
@@ -87,6 +88,45 @@ TEST_CASE("a series is the branch: within its reach every place is an equilibriu
     RC_ASSERT(exact.has_value());
     RC_ASSERT(std::abs(exact->stiffness - point.stiffness) < 1e-9 * (1 + std::abs(exact->stiffness)));
   });
+}
+
+TEST_CASE(
+    "tangent stiffness is force over way, and by second derivatives where both turn back, however small") {
+  // of one link with its end point held along x: powers of s of the force and of the way
+  const auto stiffness = [](const std::vector<double>& force, const std::vector<double>& way, double s) {
+    BranchSeries<double> series(4);
+    const auto term = [&](std::size_t k) {
+      return Variation<double>{Vector<double>::Zero(1), {force[k], 0}, way[k]};
+    };
+    series.begin(term(0), {0, 0});
+    for (std::size_t k = 1; k < 5; ++k) series.set(static_cast<Eigen::Index>(k), term(k), {0, 0});
+    series.complete(0, {Control::end_point, {0, 0}, {1, 0}});
+    return series.stiffness(s);
+  };
+  // (s - 1/2)^2 (s^2 + 3) and (s - 1/2)^2 (s + 2): second derivatives 2 (s^2 + 3) = 13 / 2 and 2 (s + 2) = 5
+  const std::vector<double> turning{0.75, -3, 3.25, -1, 1}, back{0.5, -1.75, 1, 1, 0};
+  const std::vector<double> straight{0, 3, 0, 0, 0}, bent{0, 1, 2, 3, 4};
+  // all are sums of few bits, but for one quotient
+  CHECK(stiffness(turning, back, 0.5) == close_to(1.3).epsilon(1e-15));
+  // sums as large as they are small: the sign of a turn is told beside its own second derivative
+  const auto scaled = [](std::vector<double> x, double by) {
+    for (double& one : x) one *= by;
+    return x;
+  };
+  const double tiny = 0x1p-30;
+  CHECK(stiffness(scaled(turning, tiny), scaled(back, tiny), 0.5) == close_to(1.3).epsilon(1e-15));
+  // a hundredth beside the turn: the quotient of the slopes, (2 (s^2 + 3) + 2 s (s - 1/2)) / (2 (s + 2) + s -
+  // 1/2)
+  for (const double unit : {1.0, tiny, 1 / tiny}) {
+    const double s = 0.51, expected = (2 * (s * s + 3) + 2 * s * 0.01) / (2 * (s + 2) + 0.01);
+    // the slopes are differences a hundred times less than their terms
+    CHECK(stiffness(scaled(turning, unit), scaled(back, unit), s) == close_to(expected).epsilon(1e-12));
+  }
+  // where one of them alone turns back it is zero, or infinite
+  CHECK(stiffness(turning, straight, 0.5) == 0);
+  CHECK(std::isinf(stiffness(straight, turning, 0.5)));
+  // s + 2 s^2 + 3 s^3 + 4 s^4 at 1/2: 1 + 2 + 9/4 + 2 = 29/4
+  CHECK(stiffness(bent, straight, 0.5) == close_to(29.0 / 12).epsilon(1e-15));
 }
 
 TEST_CASE("the type of a point inside a stride is that of its own matrix") {

@@ -254,3 +254,13 @@ TEST_CASE(
   CHECK_FALSE(lies_on(brancher, branch, *before));
   CHECK_FALSE(lies_on(brancher, branch, *behind));
 }
+
+TEST_CASE("a chain is straight where no joint is bent at rest, the first and the last included") {
+  const std::vector<double> ones(3, 1);
+  CHECK(is_straight(Chain<double>(ones, ones)));
+  for (std::size_t bent = 0; bent < 3; ++bent) {
+    std::vector<double> rest(3, 0);
+    rest[bent] = -0.1;
+    CHECK_FALSE(is_straight(Chain<double>(ones, ones, rest)));
+  }
+}

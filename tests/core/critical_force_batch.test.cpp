@@ -48,3 +48,35 @@ TEST_CASE("a batch says which chain is wrong") {
   CHECK_THROWS_AS(lowest_forces({4, good, bad}), Error);
   CHECK(lowest_forces({4, {}, {}}).empty());
 }
+
+TEST_CASE("lanes answer for chains in their range alone, and for each of eight by itself") {
+  // two links of length L with springs k: masses 1 / (2 L), spacings 4 L^2 / k and L^2 / k, and 1 / (2 L^2 k)
+  // is what both are made from; forces 5 k / (2 L)
+  struct Size {
+    double length, stiffness;
+    bool in_range;
+  };
+  // beyond 2^120 = 1e36 either way, or 2^500 = 3e150 for the third, the lanes leave it to one chain alone
+  const std::vector<Size> sizes{{1, 1, true},          {1e30, 1e60, true},    {1e-30, 1e-60, true},
+                                {1e40, 1e80, false},   {1e-40, 1e-80, false}, {1, 1e40, false},
+                                {1, 1e-40, false},     {1e34, 1e100, false},  {1e34, 1e88, false},
+                                {1e-34, 1e-88, false}, {1e-30, 1e-95, false}, {1e30, 1e95, false}};
+  for (const Size& one : sizes) {
+    CAPTURE(one.length);
+    CAPTURE(one.stiffness);
+    for (std::size_t odd = 0; odd < detail::lane_count; ++odd) {
+      std::vector<double> length(2 * detail::lane_count, 1), stiffness(length.size(), 1);
+      length[2 * odd] = length[2 * odd + 1] = one.length;
+      stiffness[2 * odd] = stiffness[2 * odd + 1] = one.stiffness;
+      const ChainBatch batch{2, length, stiffness};
+      const auto forces = detail::lowest_in_lanes(batch, {0, 1, 2, 3, 4, 5, 6, 7});
+      for (std::size_t lane = 0; lane < detail::lane_count; ++lane) {
+        const double expected = lane == odd ? 2.5 * (one.stiffness / one.length) : 2.5;
+        if (lane == odd && !one.in_range)
+          CHECK(std::isnan(forces[lane]));
+        else
+          CHECK(forces[lane] == close_to(expected).epsilon(1e-15));  // a run of two beads, and a step
+      }
+    }
+  }
+}

@@ -93,3 +93,19 @@ TEST_CASE("the springs' torque is the gradient of the strain energy, exactly") {
   });
   CHECK(strain_energy(Chain<Rational>({1, 1}, {2, 3}, {1, 1}), {1, 1}) == 0);
 }
+
+TEST_CASE("joints are where the links before them end, and the end point is the last") {
+  const Chain<double> chain({1, 2, 3}, {1, 1, 1});
+  const double right_angle = std::acos(-1.0) / 2;
+  const std::vector<double> q{right_angle, -right_angle, right_angle};
+  const auto places = joint_places(chain, q);
+  const std::vector<Point<double>> expected{{0, 0}, {0, 1}, {2, 1}, {2, 4}};
+  REQUIRE(places.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    // cosines of a rounded right angle are below 1e-16
+    CHECK(std::abs(places[i].x - expected[i].x) < 1e-15);
+    CHECK(std::abs(places[i].y - expected[i].y) < 1e-15);
+  }
+  CHECK(places[3].x == end_point(chain, q).x);
+  CHECK(places[3].y == end_point(chain, q).y);
+}

@@ -38,3 +38,12 @@ TEST_CASE("energy factor and lateral force of exact modes") {
   v << q[0], q[1], Fy;
   CHECK(Vector<Rational>(M * v) == Vector<Rational>(Vector<Rational>::Zero(3)));
 }
+
+TEST_CASE("energy factor and lateral force of any shape are the quotients that they are defined as") {
+  // energy (4 + 3 * 9) / 2 over a shortening (3 * 2^2 + 1 * 5^2) / 2 of links 3 and 1 at angles 2 and 5
+  const Chain<Rational> chain({3, 1}, {1, 3});
+  const std::vector<Rational> q{2, 3};
+  CHECK(energy_factor(chain, q) == Rational(31, 37));
+  // first row of (29): k_1 q_1 - F (z_1 q_1 + z_2 q_2) + z_1 Fy = 0 with z = (4, 1): 2 - 5 * 11 + 4 Fy = 0
+  CHECK(lateral_force(chain, Rational(5), q) == Rational(53, 4));
+}
