@@ -68,6 +68,27 @@ struct Crossing {
     return true;
   }
 
+  /// What rounding can make of mu: its terms by their sizes, psi . psi0 = 1 with psi0 the weighted turn of
+  /// the null vector, of which the largest is one.
+  [[nodiscard]] double rounding(const Brancher<Nominal>& brancher) const {
+    Expansion<double, 1> at;
+    brancher.model().expand(theta, force, at);
+    const Eigen::Index n = theta.size();
+    const Vector<double> turn = null.head(n) / null.head(n).cwiseAbs().maxCoeff(),
+                         psi0 = brancher.weighted(turn);
+    const Vector<double> psi = null.cwiseAbs() / std::abs(psi0.dot(null.head(n)));
+    const double push = std::abs(force.x) + std::abs(force.y),
+                 most = std::max(1.0, theta.cwiseAbs().maxCoeff());
+    double sum = 0, reach = 0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double link = std::abs(at.end_point_gradient(i, 0)) + std::abs(at.end_point_gradient(i, 1));
+      sum += psi(i) * (most * std::abs(at.hessian(0, i)) + push * link);
+      reach += link;
+    }
+    const double unit = psi0.cwiseAbs().maxCoeff() / at.hessian.row(0).cwiseAbs().maxCoeff();
+    return std::numeric_limits<double>::epsilon() * (sum + (psi(n) + psi(n + 1)) * reach) * unit;
+  }
+
   /// With rest angles that put the shape in balance.
   [[nodiscard]] Nominal balanced() const {
     Expansion<double, 1> at;
@@ -126,6 +147,7 @@ TEST_CASE("a crossing without symmetry is found where it is, with both its tange
     CHECK((found->point.theta - made.theta).norm() < 1e-8);
     CHECK(std::abs(found->point.load) < 1e-8);
     CHECK(std::abs(brancher.product(found->tangents[0], found->tangents[1])) < 1 - 1e-4);
+    CHECK(found->rounding == close_to(made.rounding(brancher)).epsilon(1e-4));
     // a branch departs from its tangent by the square of the way, up to what rounding makes of the crossing
     for (const Variation<double>& tangent : found->tangents) {
       BranchPoint<double> at = found->point;
@@ -195,4 +217,39 @@ TEST_CASE(
     }
   }
   CHECK(crossings == 5);
+}
+
+TEST_CASE(
+    "under a force a crossing says what rounding can make of it: torques, and the force on every link") {
+  // two links in line: K phi = F L phi, L the lengths; from K (2, -1; -1, 1) and the lengths two and one
+  const Chain<double> chain({2, 1}, {1, 1});
+  const double F = (2 - std::sqrt(2)) / 2;  // 2 F^2 - 4 F + 1 = 0
+  const Nominal model(chain);
+  Brancher<Nominal> brancher(model, {Control::force, {0.25, 0}, {-0.5, 0}}, Vector<double>::Zero(2));
+  Vector<double> phi(2);
+  phi << 1, 2 - 2 * F;
+  BranchPoint<double> near{};
+  near.theta = Vector<double>::Zero(2);
+  near.load = 0.5 + 2 * F + 1e-3;
+  near.force = {-F - 5e-4, 0};
+  near.tangent = {Vector<double>::Zero(2), {-0.5, 0}, 1};
+  Brancher<Nominal>::scale(near.tangent, 1 / brancher.length(near.tangent));
+  Variation<double> bend{phi, {0, 0}, 0};
+  Brancher<Nominal>::scale(bend, 1 / brancher.length(bend));
+  const auto found = detail::BifurcationSolver<Nominal>(brancher).near(near, bend);
+  REQUIRE(found);
+  CHECK(found->simple());
+  CHECK(found->point.load == close_to(0.5 + 2 * F).epsilon(1e-13));
+  // weights 2/3 and 1/3; psi = phi / (psi0 . phi); it moves the end point by L . psi
+  const Vector<double> turn = phi / phi.maxCoeff();
+  const Vector<double> psi0 = (Vector<double>(2) << 2 * turn(0) / 3, turn(1) / 3).finished(),
+                       psi = phi / psi0.dot(phi);
+  const double H0 = 2 - 2 * F, H1 = 1 - F;
+  const double sum = psi(0) * (std::abs(H0) + F * 2) + psi(1) * (std::abs(H1) + F),
+               imposed = (2 * psi(0) + psi(1)) * (F + 0.5 * (0.5 + 2 * F));
+  const double unit = psi0.maxCoeff() / H0;
+  // all but the last digits of F
+  CHECK(found->rounding ==
+        close_to(std::numeric_limits<double>::epsilon() * (sum + imposed) * unit).epsilon(1e-9));
+  CHECK(found->imperfection <= found->rounding);
 }
