@@ -45,6 +45,7 @@ class Brancher {
     C_ = Matrix<Real>::Constant(n, 3, Real(0));
     R_ = C_;
     D_ = Matrix<Real>::Constant(3, 3, Real(0));
+    w_.resize(3);
     probe_.theta.resize(n);
     probe_.force = {Real(0), Real(0)};
     probe_.load = Real(0);
@@ -127,7 +128,6 @@ class Brancher {
     for (Eigen::Index k = 1; k <= series.order(); ++k) {
       links_.lower_orders(k, series, v_, place_.x, place_.y);
       v_ = -v_;
-      w_.resize(3);
       w_ << (held ? Real(-place_.x) : Real(0)), (held ? Real(-place_.y) : Real(0)), Real(k == 1 ? 1 : 0);
       const Variation<Real>& term = solution();
       const auto [x, y] = links_.turn(k, term.theta);
@@ -269,7 +269,6 @@ class Brancher {
   void defect(const BranchPoint<Real>& point) {
     v_ = -at_.residual;
     const Point<Real> wanted = loading_.at(point.load);
-    w_.resize(3);
     if (loading_.control == Control::end_point)
       w_ << wanted.x - at_.end_point.x, wanted.y - at_.end_point.y, Real(0);
     else
@@ -285,7 +284,6 @@ class Brancher {
   /// The solution for the last row's right-hand side 1, all others 0: along the tangent.
   const Variation<Real>& tangent_solution() {
     v_.setConstant(weight_.size(), Real(0));
-    w_.resize(3);
     w_ << Real(0), Real(0), Real(1);
     return solution();
   }
@@ -353,7 +351,6 @@ class Brancher {
   Variation<Real>& change_of_equations(const BranchPoint<Real>& point, const Variation<Real>& v,
                                        const Variation<Real>& w) {
     model_->second_derivative(at_, point.force, v, w, v_, place_);
-    w_.resize(3);
     w_ << place_.x, place_.y, Real(0);
     if (loading_.control == Control::force) w_.setConstant(Real(0));
     solution();

@@ -31,12 +31,12 @@ bool lies_on(Brancher<Model>& brancher, const Branch<typename Model::Real>& bran
   const Real same = sqrt(epsilon<Real>());
   for (std::size_t i = 1; i < branch.points.size(); ++i) {
     const BranchPoint<Real>&a = branch.points[i - 1], &b = branch.points[i];
-    const Variation<Real> gap{point.theta - a.theta, {Real(0), Real(0)}, point.load - a.load};
-    const Variation<Real> step{b.theta - a.theta, {Real(0), Real(0)}, b.load - a.load};
+    const Variation<Real> gap{point.theta - a.theta, {}, point.load - a.load};
+    const Variation<Real> step{b.theta - a.theta, {}, b.load - a.load};
     if (brancher.length(gap) > Real(2) * brancher.length(step) + same) continue;
     const Real ahead = brancher.product(gap, a.tangent);
     if (ahead < -same || ahead > brancher.product(step, a.tangent) + same) continue;
-    const Variation<Real> back{point.theta - b.theta, {Real(0), Real(0)}, point.load - b.load};
+    const Variation<Real> back{point.theta - b.theta, {}, point.load - b.load};
     for (const auto& there : {brancher.step(a, ahead), brancher.step(b, brancher.product(back, b.tangent))}) {
       if (there && (there->theta - point.theta).cwiseAbs().maxCoeff() < Real(1000) * same) return true;
     }
