@@ -54,7 +54,7 @@ std::vector<ChainPart> parts(const Chain<Rational>& chain) {
 ExactCount::ExactCount(const Chain<Rational>& chain) : parts_(plumbline::proofs::parts(chain)) {
   const Rational per_length = clear_denominators(chain.length(), length_);
   per_force_ = clear_denominators(chain.stiffness(), stiffness_) / per_length;
-  distance_.assign(length_.size(), Integer(0));
+  distance_.resize(length_.size());
   Integer sum(0);
   for (std::size_t i = length_.size(); i-- > 0;) distance_[i] = sum += length_[i];
 }

@@ -9,9 +9,8 @@ namespace {
 bool reads_the_same(const Chain<Rational>& chain, int sign) {
   const std::size_t n = chain.size();
   if (!chain.passive_joint(0)) return false;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 1; i < n; ++i) {  // of the links, the last with the first too
     if (chain.length()[i] != chain.length()[n - 1 - i]) return false;
-    if (i == 0) continue;
     if (chain.stiffness()[i] != chain.stiffness()[n - i]) return false;
     if (chain.rest()[i] != sign * chain.rest()[n - i]) return false;
   }

@@ -247,3 +247,39 @@ TEST_CASE("too many equilibria stop the search") {
   CHECK_THROWS_AS(census_under_force(chain, at("-100", "0"), few), Error);
   CHECK(census_under_force(chain, at("-100", "0")).equilibria.size() == 63);
 }
+
+TEST_CASE("the count has a law where the window is whole turns wide and its edges out of reach") {
+  // three links of one with the end point at 2.5: no joint can be folded, and the shapes are circles, whose
+  // characteristic is 0; two links at 1.5 make two shapes
+  const Interval pi = Interval::pi();
+  const Chain<Interval> two(list({"1", "1"}), list({"0", "1"})), elastic(list({"1", "1"}), list({"1", "1"}));
+  const Point<Interval> place = at("1.5", "0");
+  CHECK(index_sum(two, place, unwound(two)) == 2);
+  CHECK(index_sum(elastic, place, {hull(-pi, pi), hull(-pi, pi)}) == 2);
+  // a joint that may be anywhere in two turns has twice as many
+  const Interval two_turns = hull(-pi, Interval(3) * pi);
+  CHECK(index_sum(two, place, {hull(-pi, pi), two_turns}) == 4);
+  CHECK(index_sum(elastic, place, {two_turns, two_turns}) == 8);
+  // a passive joint is counted once around, whatever is said of it
+  CHECK(index_sum(two, place, {hull(-Interval(1), Interval(1)), hull(-pi, pi)}) == 2);
+  // the joint cannot turn as far as 2.5 to either side, but that is no whole turn wide
+  CHECK_FALSE(index_sum(two, place, {hull(-pi, pi), hull(-Interval(*parse_decimal("2.5")), pi)}));
+  // and a whole turn about another angle has an edge that three links can reach
+  const Chain<Interval> three(list({"1", "1", "1"}), list({"0", "1", "1"}));
+  const Interval half(Rational(1, 2)), turn = pi + pi, whole = hull(-pi, pi);
+  const Point<Interval> far = at("2.5", "0");
+  CHECK(index_sum(three, far, unwound(three)) == 0);
+  CHECK_FALSE(index_sum(three, far, {whole, hull(half, half + turn), whole}));
+  CHECK_FALSE(index_sum(three, far, {whole, whole, hull(-half - turn, -half)}));
+}
+
+TEST_CASE("the characteristic of polygons: none that close, two, a circle, and surfaces") {
+  CHECK(euler_characteristic_of_polygons({1, 1}) == 0);
+  CHECK(euler_characteristic_of_polygons({3, 1, 1}) == 0);
+  CHECK(euler_characteristic_of_polygons({1.5, 1, 1}) == 2);  // a triangle and its mirror image
+  CHECK(euler_characteristic_of_polygons({1, 1, 1.5}) == 2);
+  CHECK(euler_characteristic_of_polygons({2.5, 1, 1, 1}) == 0);     // a circle
+  CHECK(euler_characteristic_of_polygons({3.5, 1, 1, 1, 1}) == 2);  // a sphere
+  CHECK(euler_characteristic_of_polygons({1, 1, 1, 1, 1}) == -6);   // the surface of genus four
+  CHECK(euler_characteristic_of_polygons({9, 1, 1, 1, 1}) == 0);
+}
