@@ -120,3 +120,20 @@ TEST_CASE("forces that tie across a passive joint have a shape on either side ea
     }
   }
 }
+
+TEST_CASE(
+    "a force half-way between two decimals goes to the larger, one beside it to the nearer, however near") {
+  // two links of one: F = (k_1 + 4 k_2) / 2, and the lowest one of three on a passive base is k
+  const Rational little = shifted(Rational(1), -50);
+  for (const auto& [half_way, digits, low, high] :
+       {std::tuple{"2.5", 1, "2", "3"}, {"2.345", 3, "2.34", "2.35"}, {"1234.5", 4, "1234", "1235"}}) {
+    CAPTURE(half_way);
+    const Rational F = *parse_decimal(half_way);
+    const auto rounded = [&, n = digits](const Rational& force) {
+      return forces_in_decimals(Chain<Rational>({1, 1, 1}, {0, force, force}), 1, n).at(0).force;
+    };
+    CHECK(rounded(F) == high);
+    CHECK(rounded(F * (1 + little)) == high);
+    CHECK(rounded(F * (1 - little)) == low);
+  }
+}

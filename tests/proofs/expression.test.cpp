@@ -44,6 +44,14 @@ TEST_CASE("a formula has one text, which can be read again") {
   CHECK(text(f.parse("k*x-L")) == "k*x-L");
   CHECK(text(f.parse("k/(x+L)*2*sin(x-L)^2")) == "2*k*sin(x-L)^2/(L+x)");
   CHECK(text(f.parse("-k/x^2-1/L")) == "-1/L-k/x^2");
+  // of numbers in front, negative ones, fractions and roots
+  CHECK(text(f.parse("-3*k")) == "-3*k");
+  CHECK(text(f.parse("-k")) == "-k");
+  CHECK(text(f.parse("-2*k/3-L/2")) == "-1/2*L-2/3*k");
+  CHECK(text(f.parse("x-3*k")) == "x-3*k");
+  CHECK(text(f.parse("1/(2*k)")) == "1/2/k");
+  CHECK(text(f.parse("k^(-2)")) == "1/k^2");
+  CHECK(text(f.parse("k^(1/2)*3")) == "3*sqrt(k)");
 }
 
 TEST_CASE("a formula has the same text in whatever order its symbols came to be") {

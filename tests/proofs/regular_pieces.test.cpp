@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <plumbline/branch/branch_tree.hpp>
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline;
 using namespace plumbline::proofs;
 
@@ -29,4 +31,38 @@ TEST_CASE("the pieces of a closed branch lead all the way round") {
   REQUIRE(pieces.points.size() == 3);
   const auto &first = pieces.points.front().front(), &last = pieces.points.back().back();
   CHECK((first.theta - last.theta).norm() < same_point);
+}
+
+TEST_CASE(
+    "a branch is cut at a crossing, with a point at the edge of the gap on either side and none within") {
+  const std::vector<double> ones(2, 1);
+  const NominalModel<double> model(Chain<double>(ones, ones));
+  const Vector<double> straight = Vector<double>::Zero(2);
+  Brancher<NominalModel<double>> brancher(model, {Control::force, {0, 0}, {-1, 0}}, straight);
+  const auto branch = Tracer<NominalModel<double>>(brancher, {0, 1, 0.01}).run(brancher.start(0, straight));
+  REQUIRE(branch.events.size() == 1);
+  const double crossing = branch.events[0].point.load, unit = brancher.load_scale();
+  CHECK(crossing == close_to((3 - std::sqrt(5)) / 2).epsilon(1e-12));
+  for (const double gap : {1e-3, 1e-2, 0.05}) {
+    CAPTURE(gap);
+    const RegularPieces pieces = regular_pieces(brancher, branch, gap);
+    REQUIRE(pieces.crossings.size() == 1);
+    REQUIRE(pieces.points.size() == 2);
+    const auto &before = pieces.points[0], &behind = pieces.points[1];
+    // along the straight branch the load alone changes; Newton's method, to a few roundings
+    CHECK((crossing - before.back().load) / unit == close_to(gap).epsilon(1e-9));
+    CHECK((behind.front().load - crossing) / unit == close_to(gap).epsilon(1e-9));
+    CHECK(before.front().load == branch.points.front().load);
+    CHECK(behind.back().load == branch.points.back().load);
+    for (const auto& piece : pieces.points) {
+      for (std::size_t i = 1; i < piece.size(); ++i) CHECK(piece[i - 1].load < piece[i].load);
+    }
+    // points of the branch that are two gaps away or farther are kept, nearer ones are not
+    std::size_t kept = 0;
+    for (const auto& point : branch.points) kept += std::abs(point.load - crossing) / unit >= 2 * gap ? 1 : 0;
+    CHECK(before.size() + behind.size() == kept + 2);
+    CHECK(pieces.crossings[0].point.load == crossing);
+    CHECK(pieces.crossings[0].loads.low == before.back().load);
+    CHECK(pieces.crossings[0].loads.high == behind.front().load);
+  }
 }
