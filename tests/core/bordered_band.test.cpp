@@ -4,6 +4,8 @@
 #include <plumbline/base/bordered_band.hpp>
 #include <random>
 
+#include "tests/close_to.hpp"
+
 using namespace plumbline;
 
 TEST_CASE("negative eigenvalues of matrices with any diagonal, zeros too, beside those that Eigen computes") {
@@ -95,5 +97,29 @@ TEST_CASE("parts of a band in units far apart are solved as each alone") {
     matrix.solve(v, none);
     for (const double x : v)
       CHECK(std::abs(x - 1) < 1e-15);  // sums and products of few bits, one quotient each
+  }
+}
+
+TEST_CASE("a diagonal that is small beside what stands next to it costs no digits, in any unit") {
+  // [d 1 0 0; 1 d 0 0; 0 0 1 1; 0 0 1 d] times a unit
+  for (const double unit : {1e-30, 1e-10, 1.0, 1e10, 1e30}) {
+    for (const double d : {1e-6, -1e-6, 1e-9, 1e-12, 0.0}) {
+      CAPTURE(unit);
+      CAPTURE(d);
+      Band<double, 1> T(2, 4);
+      T << d * unit, d * unit, unit, d * unit,  //
+          unit, 0, unit, 0;
+      BorderedBand<double, 1> matrix;
+      matrix.factor(T);
+      REQUIRE(matrix.no_border());
+      CHECK(matrix.negative(0) == 2);
+      Vector<double> v(4), none(0);
+      const std::vector<double> x{1, 2, 3, 4};
+      v << unit * (d * x[0] + x[1]), unit * (x[0] + d * x[1]), unit * (x[2] + x[3]), unit * (x[2] + d * x[3]);
+      matrix.solve(v, none);
+      // an enlarged pivot is of the size of its row: a few roundings, and none of them grows
+      for (std::size_t i = 0; i < 4; ++i)
+        CHECK(v(static_cast<Eigen::Index>(i)) == close_to(x[i]).epsilon(1e-14));
+    }
   }
 }

@@ -413,3 +413,35 @@ TEST_CASE("the work of a step grows linearly with the chain") {
     }
   }
 }
+
+TEST_CASE("a step is made where Newton's method contracts at once, and to no place far from where it aimed") {
+  // one link, k = L = 1, under a compression of 1.2, pushed aside: load = (1.2 sin theta - theta) / cos theta
+  const Nominal model(Chain<double>({1}, {1}));
+  Brancher<Nominal> brancher(model, {Control::force, {-1.2, 0}, {0, -1}}, Vector<double>::Zero(1));
+  const auto balanced = [](const BranchPoint<double>& point) {
+    const double theta = point.theta(0);
+    return point.load == close_to((1.2 * std::sin(theta) - theta) / std::cos(theta)).epsilon(1e-12);
+  };
+  const auto from = brancher.start(0.01, Vector<double>::Constant(1, -0.9));
+  CHECK(balanced(from));
+  for (const double h : {0.01, 0.1, -0.01}) {
+    const auto step = brancher.step(from, h), at_load = brancher.at_load(from, from.load + h);
+    REQUIRE(step);
+    REQUIRE(at_load);
+    CHECK(balanced(*step));
+    CHECK(balanced(*at_load));
+    CHECK(at_load->load == from.load + h);
+    const double ahead =
+        brancher.product({step->theta - from.theta, {0, 0}, step->load - from.load}, from.tangent);
+    CHECK(ahead == close_to(h).epsilon(1e-12));
+  }
+  // the branch turns by half a radian on the way
+  for (const double h : {0.5, 1.0, 3.0, 30.0}) {
+    CHECK_FALSE(brancher.step(from, h));
+    CHECK_FALSE(brancher.at_load(from, from.load + h));
+  }
+  BranchPoint<double> beside = from;
+  beside.theta(0) += 0.01;
+  CHECK(brancher.onto(beside, 0.1));
+  CHECK_FALSE(brancher.onto(beside, 1e-3));
+}

@@ -37,8 +37,8 @@ class NominalModel {
     using std::cos, std::sin;
     const auto n = static_cast<Eigen::Index>(size());
     at.residual.resize(n);
-    at.hessian.resize(2, n);
-    at.end_point_gradient.resize(n, 2);
+    at.hessian.resize(Eigen::NoChange, n);
+    at.end_point_gradient.resize(n, Eigen::NoChange);
     at.energy = at.end_point.x = at.end_point.y = Real(0);
     Real torque(0);  // of joint i
     for (Eigen::Index i = 0; i < n; ++i) {
