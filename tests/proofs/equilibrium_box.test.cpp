@@ -7,6 +7,7 @@
 
 #include "proofs/branch_equations.hpp"
 #include "proofs/inertia.hpp"
+#include "tests/close_to.hpp"
 
 using namespace plumbline;
 using namespace plumbline::proofs;
@@ -346,4 +347,64 @@ TEST_CASE("everything is what the ranges of the joints and the bound on the forc
     z[1] = Span(-100, 100);
     CHECK(at.system.widest(z) == 1);
   }
+}
+
+TEST_CASE("what a census cannot search is refused: too many links, loads too large, places out of reach") {
+  const auto ones = [](std::size_t n) { return std::vector<Interval>(n, Interval(1)); };
+  const auto forced = [&](std::size_t n, int force) {
+    return EquilibriumBox(Chain<Interval>(ones(n), ones(n)), Control::force,
+                          {Interval(-force), Interval(force)}, {});
+  };
+  CHECK(forced(16, 1).links() == 16);
+  CHECK_THROWS_WITH_AS(forced(17, 1), "census: found 17 links, expected at most 16", Error);
+  CHECK(forced(1, 49000).unknowns() == 1);  // z F / k, F the sum of the sizes of both parts
+  CHECK_THROWS_WITH_AS(
+      forced(1, 51000),
+      "census: found joint 1 turned by more than 1e5 rad, expected a load that the springs can bear, and "
+      "rest angles of a few turns",
+      Error);
+  CHECK_THROWS_AS(forced(2, 26000), Error);  // twice the distance at the base
+  const auto held_at = [&](const std::vector<Interval>& length, const Rational& x) {
+    const Chain<Interval> chain(length, ones(length.size()));
+    return EquilibriumBox(chain, Control::end_point, {Interval(x), Interval(0)}, unwound(chain));
+  };
+  CHECK(held_at({1, 2}, Rational(3, 2)).unknowns() == 4);
+  CHECK(held_at({1, 2}, Rational(3, 2)).held());
+  CHECK_THROWS_WITH_AS(
+      held_at({1, 2}, 4),
+      "end point: found 1.33333 of the chain's reach from the base, expected between 0.333333 "
+      "and 1 of it, both excluded",
+      Error);
+  for (const Rational& x : {Rational(3), Rational(1), Rational(1, 2)})
+    CHECK_THROWS_AS(held_at({1, 2}, x), Error);
+  // within reach, and still in one line: 1 + 1 - 2 + 4 = 4
+  CHECK_THROWS_AS(held_at({1, 1, 2, 4}, 4), Error);
+  CHECK(held_at({1, 1, 2, 4}, Rational(41, 10)).unknowns() == 6);
+}
+
+TEST_CASE("one link is narrowed, solved and isolated as many are") {
+  // theta = 4 sin theta under a force of 4 k / L
+  const EquilibriumBox one(Chain<Interval>({1}, {1}), Control::force, {Interval(-4), Interval(0)}, {});
+  const double bent = 2.474576787369829;
+  CHECK(one.everything()[0].high == close_to(4).epsilon(1e-14));
+  CHECK(one.everything()[0].low == close_to(-4).epsilon(1e-14));
+  for (const double theta : {0.0, bent, -bent}) {
+    Box near;
+    near[0] = Span(theta - 0.2, theta + 0.3);
+    const auto root = one.root_near(near);
+    REQUIRE(root);
+    CHECK(std::abs((*root)[0] - theta) < 1e-14);
+    const auto alone = one.isolate(*root);
+    REQUIRE(alone);
+    CHECK((*alone)[0].contains(theta));
+    CHECK((*alone)[0].width() > 0.05);
+    REQUIRE(one.narrow(near));
+    CHECK(near[0].contains(theta));
+    CHECK(near[0].width() < 0.1);
+    CHECK(one.contracts(*root, 1e-3, 1e-3));
+    CHECK_FALSE(one.contracts({theta + 0.01}, 1e-3, 1e-3));
+  }
+  Box none;
+  none[0] = Span(0.5, 1.5);
+  CHECK_FALSE(one.narrow(none));
 }
