@@ -142,3 +142,50 @@ TEST_CASE("points that are proved rounded have nine decimals, and those that are
   CHECK(decimals_end(ProvedPoints::rounded) == std::vector<bool>(5, true));
   CHECK(decimals_end(ProvedPoints::as_followed) == std::vector<bool>(5, false));
 }
+
+TEST_CASE(
+    "a certificate rounds points to nine decimals, and widens what it says of folds, forks and distances") {
+  ProvedPiece piece;
+  piece.points = {Vector<double>(3), Vector<double>(3)};
+  piece.points[0] << 0.1234567894, -0.0000000004, 2;
+  piece.points[1] << 0.1234567896, -0.25, 1e-9;
+  piece.runs = {{1, 2, 0}, {2, 0.5, 3}};
+  piece.folds = {Span(2, 2.00002)};
+  piece.distance = 1.25e-9;
+  PathCertificate one, two;
+  one.pieces = {piece, piece};
+  two.pieces = {piece};
+  // the unit of a force is max k / max L = 2
+  const PathGiven given{"made up", Chain<Rational>({4, 1}, {8, 2}), true, Control::force, {-1, 0}};
+  const std::vector<EndOfPiece> symmetric{{0, 1, true}, {1, 0, false}}, bent{{0, 0, false}};
+  JoinedBranches all{{one, two}, {}};
+  for (const auto& [reversed, mirrored] : {std::pair{true, false}, {false, true}, {true, true}})
+    all.forks.push_back({Span(2, 2.2), {reversed, mirrored}, symmetric, bent});
+  const json stated = path_certificate(given, all);
+  CHECK(stated["rest_unit"] == "pi");
+  REQUIRE(stated["parts"].size() == 3);
+  for (const json& part : stated["parts"]) {
+    CHECK(part["points"] == json::array({{"0.123456789", "0", "2"}, {"0.12345679", "-0.25", "0.000000001"}}));
+    CHECK(part["runs"] == json::array({{1, 0}, {-1, 3}}));
+    // a tenth of the width, 2e-6, and a billionth of the size, 2e-9, to either side, rounded outwards
+    CHECK(part["folds"] == json::array({{"1.999997997", "2.000022003"}}));
+    // twice 1.25e-9 and 2e-9, rounded up
+    CHECK(part["near"] == "0.000000005");
+  }
+  REQUIRE(stated["pitchforks"].size() == 3);
+  CHECK(stated["pitchforks"][0]["symmetry"] == "reversed");
+  CHECK(stated["pitchforks"][1]["symmetry"] == "mirrored");
+  CHECK(stated["pitchforks"][2]["symmetry"] == "reversed and mirrored");
+  for (const json& fork : stated["pitchforks"]) {
+    // from 1 to 1.1, a hundredth and 1.1e-9 wider, and a last place for the rounding of the room
+    CHECK(std::abs(std::stod(fork["load"][0].get<std::string>()) - (0.99 - 1.1e-9)) < 1.1e-9);
+    CHECK(std::abs(std::stod(fork["load"][1].get<std::string>()) - (1.11 + 1.1e-9)) < 1.1e-9);
+    // parts are counted over all branches
+    CHECK(fork["symmetric"] == json::array({{2, "last"}, {3, "first"}}));
+    CHECK(fork["bent"] == json::array({{1, "first"}}));
+  }
+  all.branches[1].failed_at = Span(1);
+  all.branches[1].failure = "something";
+  CHECK_THROWS_WITH_AS(path_certificate(given, all),
+                       "certificate: found something, expected a path that is proved", Error);
+}
