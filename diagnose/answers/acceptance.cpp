@@ -195,6 +195,8 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
     hedge(cause, Reservation::beyond_noise);
   } else if (has_values_everywhere(study, best.candidate)) {
     hedge(cause, Reservation::many_values);
+  } else if (best.candidate.count() > 1 && blind->noise_floor_ratio > beliefs::tells_compounds) {
+    hedge(cause, Reservation::small_gap);
   } else if (best.candidate.machined() && best.candidate.count() == 1) {
     hedge(cause, Reservation::machining_alone);
   } else if (beyond_tolerance(study, best)) {

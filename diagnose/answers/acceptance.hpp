@@ -26,8 +26,9 @@ bool step_down(const std::optional<Shrink>& blind, Cause& cause);
 /// What does not predict, or could not be tested, is not identified: it may be one of the causes that nobody
 /// has listed. Nor are three effects, which explain much that they are not: they are no more than the best
 /// partial explanation.
-/// Doubtful are two of which one has many values, what machining leaves without another cause, and tolerances
-/// that are wider than that. \param blind  nothing where no readings could test it
+/// Doubtful are two of which one has many values, two that are tested on little more than noise, what
+/// machining leaves without another cause, and tolerances that are wider than that. \param blind  nothing
+/// where no readings could test it
 void demand_prediction(const Study& study, const std::optional<Shrink>& blind, Cause& cause);
 
 /// What leaves most of the gap that held-out readings carry, and does not predict them, explains nothing

@@ -115,6 +115,9 @@ std::string reservation_words(Reservation reservation) {
              "chain met there, would do the same";
     case Reservation::beyond_noise:
       return "it leaves more than the readings scatter, though no more than is tolerated";
+    case Reservation::small_gap:
+      return "it takes two effects, and noise is more than a tenth of the gap in the readings held out: so "
+             "much two may imitate of a third";
     case Reservation::many_values:
       return "beside another an effect with a value at every joint, link or run explains much that it is not";
     case Reservation::machining_alone:

@@ -136,6 +136,26 @@ TEST_CASE("an effect with a value a joint and a run is doubted beside another, n
   }
 }
 
+TEST_CASE("two effects are doubted where noise is more than a tenth of the gap that tests them, one is not") {
+  const Study study = three_runs();
+  const auto asked = [&](const Candidate& candidate, double floor) {
+    Shrink shrink = leaving(1);
+    shrink.noise_floor_ratio = floor;
+    return demanded(study, named(study, candidate), shrink);
+  };
+  // What machining leaves counts as one.
+  for (const Candidate& two :
+       {Candidate{{{"force_gain"}, {"sensor_drift"}}},
+        Candidate{{{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}, {"sensor_drift"}}}}) {
+    CHECK(asked(two, 0.1).verdict == CauseVerdict::identified);
+    const Cause doubted = asked(two, 0.101);
+    CHECK(doubted.verdict == CauseVerdict::ambiguous);
+    CHECK(doubted.reservation == Reservation::small_gap);
+    CHECK(doubted.unknown == 0.25);
+  }
+  CHECK(asked({{{"force_gain"}}}, 0.69).verdict == CauseVerdict::identified);
+}
+
 TEST_CASE("what machining leaves is doubted alone, and not beside a cause") {
   const Study study = three_runs();
   const std::vector<EffectAt> machining{{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}};
