@@ -28,13 +28,13 @@ bool leaves_more_than_noise(const Shrink& blind) {
          std::max(by_chance, beliefs::clearly_more_than_noise * beliefs::clearly_more_than_noise);
 }
 
-/// Place of the best partial explanation with so many effects.
-std::optional<std::size_t> best_partial_of(const Study& study, const Cause& cause, std::size_t effects) {
+/// Place of the best partial explanation of one effect.
+std::optional<std::size_t> best_single(const Study& study, const Cause& cause) {
   std::vector<const Fit*> fits;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
     const Fit& one = cause.ranking[i].hypothesis.fit;
-    if (one.candidate.count() != effects || !genuine(study, one)) continue;
+    if (one.candidate.count() != 1 || !genuine(study, one)) continue;
     fits.push_back(&one);
     places.push_back(i);
   }
@@ -139,28 +139,28 @@ bool takes_three(const Ranked& one) {
   return one.hypothesis.fit.candidate.count() >= 3;
 }
 
-/// Settles on the best partial explanation, of one effect before two, that leaves of held-out readings at
-/// most so many times the noise, where that is clearly less than the gap.
+/// Settles on the best partial explanation of one effect that leaves of held-out readings at most so many
+/// times the noise, where that is clearly less than the gap.
 bool accept_what_leaves(const Study& study, const NoiseModel& noise, double times, Cause& cause) {
   if (cause.verdict != CauseVerdict::unknown) return false;
-  for (const std::size_t effects : {std::size_t{1}, std::size_t{2}}) {
-    const std::optional<std::size_t> place = best_partial_of(study, cause, effects);
-    if (!place) continue;
-    const std::optional<Rotated> blind = rotated(study, cause.ranking[*place].hypothesis.fit, noise);
-    if (!blind) continue;
-    const double left = blind->shrink.ratio, floor = blind->shrink.noise_floor_ratio;
-    if (!predicts(blind->shrink, times) || floor > beliefs::clear) continue;
-    settle_on(cause, *place, beliefs::other_than_nearly);
-    cause.remainder = std::sqrt(std::max(0.0, left * left - floor * floor));
-    return true;
-  }
-  return false;
+  const std::optional<std::size_t> place = best_single(study, cause);
+  if (!place) return false;
+  const std::optional<Rotated> blind = rotated(study, cause.ranking[*place].hypothesis.fit, noise);
+  if (!blind) return false;
+  const double left = blind->shrink.ratio, floor = blind->shrink.noise_floor_ratio;
+  if (!predicts(blind->shrink, times) || floor > beliefs::clear) return false;
+  settle_on(cause, *place, beliefs::other_than_nearly);
+  cause.remainder = std::sqrt(std::max(0.0, left * left - floor * floor));
+  return true;
 }
 
 }  // namespace
 
 bool accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause) {
-  return accept_what_leaves(study, noise, beliefs::nearly, cause);
+  if (!accept_what_leaves(study, noise, beliefs::nearly, cause)) return false;
+  if (many_valued(study, cause.ranking[cause.best].hypothesis.fit.candidate) > 0)
+    hedge(cause, Reservation::beyond_noise);
+  return true;
 }
 
 bool accept_doubtful(const Study& study, const NoiseModel& noise, Cause& cause) {
@@ -189,6 +189,8 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
     refuse(cause, beliefs::wrong_three);
   } else if (!blind || !blind->tested()) {
     hedge(cause, Reservation::not_tested);
+  } else if (!predicts(blind, beliefs::predicts) && best.candidate.count() > 1) {
+    refuse(cause, beliefs::wrong_unpredicted_compound);
   } else if (!predicts(blind, beliefs::predicts)) {
     hedge(cause, Reservation::not_predicted);
   } else if (leaves_more_than_noise(*blind)) {

@@ -110,9 +110,8 @@ std::string reservation_words(Reservation reservation) {
     case Reservation::not_predicted:
       return "fitted without the held-out readings, it does not predict them";
     case Reservation::one_run:
-      return "it shows in one run alone, so that no other run tests where it sets in: a wall, or whatever "
-             "else the "
-             "chain met there, would do the same";
+      return "it shows in one run alone, so that no other run tests where it sets in: a wall, or "
+             "whatever else the chain met there, would do the same";
     case Reservation::beyond_noise:
       return "it leaves more than the readings scatter, though no more than is tolerated";
     case Reservation::small_gap:
@@ -361,8 +360,13 @@ void settle_on(Cause& cause, std::size_t chosen, double unknown) {
     cause.equivalent.push_back(i);
     with_equals += cause.ranking[i].probability;
   }
-  // What is less probable than not, even with its equals, is not named alone.
-  for (std::size_t i = 0; i < cause.ranking.size() && with_equals < 0.5; ++i) {
+  // Less than half together are not named without the next, nor is one alone of which the others are too
+  // much.
+  const auto enough = [&] {
+    return with_equals >= 0.5 &&
+           (!cause.equivalent.empty() || with_equals >= beliefs::named_alone * (1 - unknown));
+  };
+  for (std::size_t i = 0; i < cause.ranking.size() && !enough(); ++i) {
     const auto& known = cause.equivalent;
     if (i == chosen || std::find(known.begin(), known.end(), i) != known.end()) continue;
     cause.equivalent.push_back(i);

@@ -77,6 +77,47 @@ TEST_CASE("what does not predict stands beside a cause outside of the catalogue,
   CHECK(doubted.ranking[0].probability == close_to(0.75));  // of 0.9 + 0.1
 }
 
+TEST_CASE("two effects that do not predict are no answer, what machining leaves and one more included") {
+  const Study study = three_runs();
+  for (const Candidate& two :
+       {Candidate{{{"force_gain"}, {"sensor_drift"}}},
+        Candidate{{{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}, {"sensor_drift"}}}}) {
+    const Cause refused = demanded(study, named(study, two), leaving(1.51));
+    CHECK(refused.verdict == CauseVerdict::unknown);
+    CHECK(refused.reservation == Reservation::none);
+    CHECK(refused.unknown == 0.8);
+    CHECK(refused.ranking[0].probability == close_to(0.2));
+  }
+}
+
+TEST_CASE("of what leaves structure one effect that predicts is what was looked for, with its remainder") {
+  Experiment bench = test::three_links();
+  test::press(bench, {0.3, -0.5, 0.4}, {-0.05, 0}, 20, true);
+  test::press(bench, {-0.2, -0.5, 0.4}, {-0.06, 0.02}, 20, true);
+  test::press(bench, {0.2, 0.5, -0.4}, {-0.04, 0}, 20, true);
+  const auto asked = [&](const Candidate& truth, const std::vector<double>& values, const Candidate& stands) {
+    const Study study(test::measured(bench, truth, values, 5));
+    Cause cause;
+    cause.verdict = CauseVerdict::unknown;
+    cause.ranking = {{{fit(study, stands, {}), 0, 0, 0.0001}, 0.5, 1}};
+    cause.unknown = 0.5;
+    const bool accepted = accept_remainder(study, {}, cause);
+    CHECK(accepted == (cause.verdict != CauseVerdict::unknown));
+    return cause;
+  };
+  const Candidate stiffer{{{"joint_stiffness", 2}}}, and_drift{{{"joint_stiffness", 2}, {"sensor_drift"}}};
+  const Cause one = asked(stiffer, {0.2}, stiffer);
+  CHECK(one.verdict == CauseVerdict::identified);
+  CHECK(one.unknown == 0.05);
+  // another that does not predict them is not
+  CHECK(asked(stiffer, {0.2}, {{{"force_gain"}}}).verdict == CauseVerdict::unknown);
+  // nor are two effects, though they are what is there
+  CHECK(asked(and_drift, {0.2, 0.01, -0.01}, and_drift).verdict == CauseVerdict::unknown);
+  const Cause many = asked({{{"run_tare"}}}, {0.1, -0.1, 0.05, 0.2, -0.1, 0.15}, {{{"run_tare"}}});
+  CHECK(many.verdict == CauseVerdict::ambiguous);
+  CHECK(many.reservation == Reservation::beyond_noise);
+}
+
 TEST_CASE("what predicts, and yet leaves more than noise and chance, stands beside another cause") {
   const Study study = three_runs();
   const auto asked = [&](double times_noise, double independent) {
