@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Eigenvalues>
+#include <limits>
 #include <plumbline/base/bordered_band.hpp>
 #include <random>
 
@@ -122,4 +123,28 @@ TEST_CASE("a diagonal that is small beside what stands next to it costs no digit
         CHECK(v(static_cast<Eigen::Index>(i)) == close_to(x[i]).epsilon(1e-14));
     }
   }
+}
+
+TEST_CASE("a matrix that is singular is told, with borders and without, of infinite entries too") {
+  Band<double, 1> T(2, 2);
+  T << 1, 2,  //
+      0, 0;
+  BorderedBand<double, 1> matrix;
+  matrix.factor(T);
+  Matrix<double> C(2, 1), D(1, 1);
+  C << 2, 4;
+  D << 12;  // 2^2 / 1 + 4^2 / 2
+  CHECK_FALSE(matrix.border(C, C, D));
+  D << 11;
+  CHECK(matrix.border(C, C, D));
+  D << std::numeric_limits<double>::infinity();
+  CHECK_FALSE(matrix.border(C, C, D));
+  T << 1, 0,  //
+      0, 0;
+  matrix.factor(T);
+  CHECK_FALSE(matrix.no_border());
+  T << 1, 2,  //
+      1, 0;
+  matrix.factor(T);
+  CHECK(matrix.no_border());
 }

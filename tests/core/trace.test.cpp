@@ -445,3 +445,32 @@ TEST_CASE("a step is made where Newton's method contracts at once, and to no pla
   CHECK(brancher.onto(beside, 0.1));
   CHECK_FALSE(brancher.onto(beside, 1e-3));
 }
+
+TEST_CASE(
+    "a branch is cut before its first unstable point, at the fold or crossing there, not where it only "
+    "weakens") {
+  const auto cut = [](EventKind last, std::size_t before, std::vector<std::size_t> types) {
+    Branch<double> branch{{}, {}, BranchEnd::load};
+    for (const std::size_t negative : types) {
+      BranchPoint<double> point{};
+      point.load = static_cast<double>(branch.points.size());
+      point.negative_directions = negative;
+      branch.points.push_back(point);
+    }
+    BranchEvent<double> event{last, before, {}, {}};
+    event.point.load = static_cast<double>(before) + 0.5;
+    branch.events = {event, {EventKind::fold, 3, {}, {}}};
+    const bool lost = detail::cut_where_unstable(branch);
+    CHECK(lost == (branch.end == BranchEnd::unstable));
+    std::vector<double> loads;
+    for (const BranchPoint<double>& point : branch.points) loads.push_back(point.load);
+    CHECK(branch.events.size() == (lost ? 1 : 2));  // what lies behind goes
+    return loads;
+  };
+  using Loads = std::vector<double>;
+  CHECK(cut(EventKind::fold, 1, {0, 0, 1, 1, 1}) == Loads{0, 1, 1.5});
+  CHECK(cut(EventKind::bifurcation, 1, {0, 0, 1, 1, 1}) == Loads{0, 1, 1.5});
+  CHECK(cut(EventKind::quasi_buckling, 1, {0, 0, 1, 1, 1}) == Loads{0, 1});
+  CHECK(cut(EventKind::fold, 0, {0, 0, 1, 1, 1}) == Loads{0, 1});  // an event of before
+  CHECK(cut(EventKind::fold, 1, {0, 0, 0, 0, 0}) == Loads{0, 1, 2, 3, 4});
+}
