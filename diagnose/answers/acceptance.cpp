@@ -245,7 +245,7 @@ bool accept_tolerable(const Study& study, const Study& seen, Findings chosen, Fi
   Findings tolerable = confirmed(study, chosen);
   Cause within = judge(study, tolerable);
   if (within.verdict == CauseVerdict::unknown) return false;
-  if (takes_three(within.ranking[within.best])) return false;
+  if (within.ranking[within.best].hypothesis.fit.candidate.count() > 1) return false;
   hedge(within, Reservation::beyond_noise);
   cause = std::move(within);
   findings = std::move(tolerable);

@@ -93,6 +93,7 @@ std::vector<std::vector<Estimate>> estimate(const Study& study, const Fit& found
                                fit.at_bound[p]});
       ++p;
     }
+    if (at.effect->element > 0) put_in_order(result.back(), at.effect->element);
   }
   return result;
 }
@@ -301,6 +302,22 @@ Diagnosis diagnose(const Study& study, const Report& progress, bool plan) {
     diagnosis.proposals = next_runs(study, fits, diagnosis.noise, 5);
   report(1);
   return diagnosis;
+}
+
+void put_in_order(std::vector<Estimate>& estimates, std::size_t element) {
+  std::vector<std::vector<Estimate>> elements;
+  for (std::size_t p = 0; p < estimates.size(); p += element)
+    elements.emplace_back(estimates.begin() + static_cast<std::ptrdiff_t>(p),
+                          estimates.begin() + static_cast<std::ptrdiff_t>(p + element));
+  std::stable_sort(elements.begin(), elements.end(),
+                   [](const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
+                     return a.back().value < b.back().value;
+                   });
+  for (std::size_t p = 0; p < estimates.size(); ++p) {
+    Estimate& moved = elements[p / element][p % element];
+    moved.name = estimates[p].name;
+    estimates[p] = moved;
+  }
 }
 
 }  // namespace plumbline::diagnose

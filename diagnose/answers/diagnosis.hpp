@@ -43,6 +43,10 @@ struct Estimate {
   bool at_bound;
 };
 
+/// Puts elements of so many parameters each that may change places in the order of the last of them; the
+/// names stay where they are.
+void put_in_order(std::vector<Estimate>& estimates, std::size_t element);
+
 struct Diagnosis {
   std::string experiment;
   GapAnswer gap;

@@ -84,6 +84,9 @@ struct Effect {
   /// So many of the parameters that are zero in the nominal model must not be zero: with fewer it is another,
   /// simpler row.
   std::size_t at_least = 1;
+  /// So many parameters make one of several elements that may change places without changing anything: they
+  /// are told in the order of the last of these, a turn or a time. None where nothing may.
+  std::size_t element = 0;
   /// What machining leaves on every chain, and may stand beside any cause.
   bool of_machining = false;
 };

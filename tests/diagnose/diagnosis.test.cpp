@@ -312,3 +312,28 @@ TEST_CASE("the report as JSON holds what its format asks for") {
   CHECK_FALSE(
       as_text(plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {}, {}, 7)))).empty());
 }
+
+TEST_CASE(
+    "elements that may change places are told in the order in which they yield, by the names of their "
+    "places") {
+  std::vector<Estimate> told{{"r_1", "ratio", 0.7, 0.6, 0.8, false}, {"d_1", "rad", 0.3, 0.2, 0.4, true},
+                             {"r_2", "ratio", 0.9, 0.8, 1.0, true},  {"d_2", "rad", 0.1, 0.05, 0.15, false},
+                             {"r_3", "ratio", 0.1, 0.0, 0.2, false}, {"d_3", "rad", 0.2, 0.15, 0.25, false}};
+  put_in_order(told, 2);
+  std::vector<std::string> names;
+  std::vector<double> values, lows, highs;
+  std::vector<bool> at_bound;
+  for (const Estimate& one : told) {
+    names.push_back(one.name);
+    values.push_back(one.value);
+    lows.push_back(one.low);
+    highs.push_back(one.high);
+    at_bound.push_back(one.at_bound);
+  }
+  CHECK(names == std::vector<std::string>{"r_1", "d_1", "r_2", "d_2", "r_3", "d_3"});
+  CHECK(values == std::vector<double>{0.9, 0.1, 0.1, 0.2, 0.7, 0.3});
+  CHECK(lows == std::vector<double>{0.8, 0.05, 0.0, 0.15, 0.6, 0.2});
+  CHECK(highs == std::vector<double>{1.0, 0.15, 0.2, 0.25, 0.8, 0.4});
+  CHECK(at_bound == std::vector<bool>{true, false, false, false, false, true});
+  for (const char* const id : {"hysteresis", "relaxation_spectrum"}) CHECK(EffectAt(id).effect->element == 2);
+}

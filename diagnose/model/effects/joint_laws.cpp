@@ -64,7 +64,8 @@ std::vector<Effect> hysteresis() {
            },
        .possible = [](const Place& at) { return turns_back(at) && several_elastic(at); },
        .starts = [](const Place&, const Exercise& nominal) { return element_starts(nominal.largest); },
-       .probing = probing},
+       .probing = probing,
+       .element = 2},
       {.id = "hysteresis",
        .words = "joint {} giving way little by little and remembering where it turned",
        .at_joint = true,
@@ -77,7 +78,8 @@ std::vector<Effect> hysteresis() {
        .possible = [](const Place& at) { return turns_back(at) && at.sizes.joint_stiffness[at.joint] > 0; },
        .starts = [](const Place& at,
                     const Exercise& nominal) { return element_starts(nominal.deflection[at.joint]); },
-       .probing = probing},
+       .probing = probing,
+       .element = 2},
   };
 }
 
@@ -148,7 +150,8 @@ std::vector<Effect> memory() {
              return Starts{{{0.1, low, 0.1, high}}, 1};
            },
        .probing = {.growing = {0, 2}},
-       .at_least = 2},
+       .at_least = 2,
+       .element = 2},
       {.id = "plastic_set",
        .words = "rest angles that stay moved after a torque that was too large",
        .dissipates = true,
