@@ -203,6 +203,17 @@ TEST_CASE("a symmetric equilibrium is joined where the loads up to it are proved
   };
   Vector<double> crossing(6);
   crossing << symmetric.theta, symmetric.force.x, symmetric.force.y, symmetric.load;
+  // A crossing that is told with a shape off balance is found from there, and none is proved beside it.
+  Vector<double> off_balance = crossing;
+  off_balance.head(3) += 1e-3 * symmetric.tangent.theta;
+  for (const Vector<double>& told : {crossing, off_balance}) {
+    const auto fork = pitchfork(exact, push, symmetries(chain, Control::end_point, {-1, 0}).at(0), told,
+                                {end(bent, 0.01), end(symmetric, 0.008)});
+    REQUIRE(fork);
+    // the events of a branch in doubles are right to some 1e-14
+    CHECK(std::abs(fork->load.low - symmetric.load) < 1e-11);
+    CHECK(std::abs(fork->load.high - symmetric.load) < 1e-11);
+  }
   for (const double side : {1.0, -1.0}) {
     CAPTURE(side);
     const auto joined = [&](double h) {
