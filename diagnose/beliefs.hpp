@@ -119,8 +119,8 @@ inline constexpr double clearly_more_than_noise = 1.1;
 /// whose noise floor is at most `clear`; so probable is another cause then.
 inline constexpr double nearly = 1.2, clear = 0.5, other_than_nearly = 0.05;
 /// Of explanations that did not predict, on simulated experiments, one in four was wrong; of those with two
-/// effects eight of ten, which had a cause outside the catalogue; of those with three, that predicted, all
-/// fifteen: eleven had such a cause.
+/// effects eight of ten, which had a cause outside the catalogue (all four without what machining leaves); of
+/// those with three, that predicted, all fifteen: eleven had such a cause.
 inline constexpr double wrong_unpredicted = 0.25, wrong_unpredicted_compound = 0.8, wrong_three = 0.9;
 /// What does not predict, and leaves more than this share of the squared gap of readings held out, is none:
 /// on simulated experiments all four such had a cause outside the catalogue.

@@ -189,7 +189,8 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
     refuse(cause, beliefs::wrong_three);
   } else if (!blind || !blind->tested()) {
     hedge(cause, Reservation::not_tested);
-  } else if (!predicts(blind, beliefs::predicts) && best.candidate.count() > 1) {
+  } else if (!predicts(blind, beliefs::predicts) && best.candidate.count() > 1 &&
+             !best.candidate.machined()) {
     refuse(cause, beliefs::wrong_unpredicted_compound);
   } else if (!predicts(blind, beliefs::predicts)) {
     hedge(cause, Reservation::not_predicted);
