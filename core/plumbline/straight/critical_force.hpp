@@ -121,6 +121,7 @@ std::optional<Chain<To>> narrowed(const Chain<From>& chain) {
   bool fits = true;
   const auto all = [&](const std::vector<From>& values) {
     std::vector<To> result;
+    result.reserve(values.size());
     for (const From& value : values) {
       result.push_back(static_cast<To>(value));
       fits = fits && std::isfinite(result.back()) && (result.back() > To(0)) == (value > From(0));
