@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <random>
 
 #include "diagnose/answers/law_choice.hpp"
 #include "diagnose/answers/offered_law.hpp"
@@ -240,4 +241,53 @@ TEST_CASE("sums of two folds, what coefficients leave of them, and how many term
   CHECK(affordable({3, {}, {}}, 1, 6));
   CHECK(affordable({3, {0}, {}}, 1, 0));  // four of eight at least
   CHECK_FALSE(affordable({3, {0, 1}, {}}, 1, 8));
+}
+
+namespace {
+
+/// Sums of five folds over a joint that turns there and back ever wider, where it misses the torque of these
+/// coefficients and reads it with a scatter of one.
+std::vector<LawSums> sums_of_missing(const Eigen::VectorXd& coefficients, std::size_t& values) {
+  Run run{"run", Control::end_point, {0}, {}};
+  std::vector<double> path;
+  for (const double far : {0.05, -0.08, 0.15, -0.2, 0.3, -0.4, 0.4, -0.3, 0.2, -0.1, 0.0}) {
+    const double from = path.empty() ? 0 : path.back();
+    for (int i = 1; i <= 60; ++i) path.push_back(from + (far - from) * i / 60);
+  }
+  for (const double d : path)
+    run.readings.push_back({static_cast<double>(run.readings.size()), d, 0, 0, 0, {}});
+  values = path.size();
+  const LawSpan span{-0.4, 0.4, static_cast<double>(values)};
+  const Eigen::MatrixXd terms =
+      law_terms(span, run, Eigen::Map<const Eigen::VectorXd>(path.data(), static_cast<Eigen::Index>(values)));
+  std::mt19937 engine(3);
+  std::normal_distribution<double> scatter;
+  std::vector<LawSums> folds(5, {Eigen::MatrixXd::Zero(law_terms_count, law_terms_count),
+                                 Eigen::VectorXd::Zero(law_terms_count), 0});
+  for (Eigen::Index i = 0; i < terms.rows(); ++i) {
+    const Eigen::VectorXd term = terms.row(i).transpose();
+    const double torque = term.dot(coefficients) + scatter(engine);
+    folds[static_cast<std::size_t>(i / 10 % 5)] += {term * term.transpose(), term * torque, torque * torque};
+  }
+  return folds;
+}
+
+}  // namespace
+
+TEST_CASE("a loop of sliders all over the stroke is taken for what it is, whether they widen or not") {
+  using Places = std::vector<Eigen::Index>;
+  for (const Places& sliders :
+       {Places{0, 2, 4}, Places{0, 2, 4, slip_places, slip_places + 2, slip_places + 4}}) {
+    CAPTURE(sliders.size());
+    Eigen::VectorXd truth = Eigen::VectorXd::Zero(law_terms_count);
+    for (const Eigen::Index m : sliders) truth(finest_knots + m) = 100;
+    std::size_t values = 0;
+    const std::vector<LawSums> folds = sums_of_missing(truth, values);
+    const ChosenLaw found = choose_law(folds, values);
+    CHECK(found.shape.sliders == sliders);
+    // Each value leaves its scatter, 1, and each coefficient about 1 more, for it scatters too. The sum of so
+    // many squares is within five of its standard deviations, sqrt(2 n) each.
+    const auto count = static_cast<double>(values);
+    CHECK(found.left < count + static_cast<double>(found.shape.terms()) + 5 * std::sqrt(2 * count));
+  }
 }

@@ -143,3 +143,18 @@ TEST_CASE("measured without noise: the channels that have one show what is predi
   CHECK(known.runs[1].readings[3].x == nominal.runs[1](3, column_x));
   CHECK(known.runs[1].readings[3].Fx == bench.runs[1].readings[3].Fx);
 }
+
+TEST_CASE("what is planned and some effect cannot follow, however little there is of it, is left out") {
+  Experiment bench = planned_press();
+  // To a ten-millionth of the whole length, 0.6 m, which is 6e-8 m: an end that stands off along x by the
+  // least that is tried, a 64th of what is sizeable, 3 mm, is out of reach.
+  press(bench, {0.3, -0.5, 0.4}, {0, 0}, 2, true);
+  bench = unmeasured(bench);
+  Reading& farthest = bench.runs[1].readings[2];
+  farthest.x = 0.6 * (1 - 1e-7), farthest.y = 0;
+  const Rehearsal all = rehearse(bench);
+  CHECK(all.planned == 1);
+  CHECK(all.descriptions[0] == "press-1 as planned");
+  for (std::size_t r = 1; r < all.descriptions.size(); ++r)
+    CHECK(all.descriptions[r].find("as planned") == std::string::npos);
+}
