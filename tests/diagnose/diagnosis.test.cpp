@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <random>
 
 #include "diagnose/inference/fit.hpp"
@@ -102,6 +103,28 @@ TEST_CASE("a nominal experiment with a mis-declared sigma has no gap") {
       plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {}, {}, 1, 1.4)));
   CHECK_FALSE(diagnosis.gap.present);
   CHECK(diagnosis.cause.verdict == CauseVerdict::none);
+}
+
+TEST_CASE(
+    "how large a gap is, channel by channel in its unit, is the rms of what is read beside the nominal "
+    "model") {
+  const Study study(with_readings(unread_bench(), {}, {}, 1));
+  std::map<Channel, double> squares, count;
+  for (std::size_t r = 0; r < study.experiment().runs.size(); ++r) {
+    const Run& run = study.experiment().runs[r];
+    for (const Channel& channel : run.measured())
+      for (std::size_t i = 0; i < run.readings.size(); ++i) {
+        const double nominal = study.nominal().runs[r](static_cast<Eigen::Index>(i), column_of(channel));
+        squares[channel] += std::pow(channel.of(run.readings[i]) - nominal, 2);
+        count[channel] += 1;
+      }
+  }
+  const std::map<Channel, double> rms = plumbline::diagnose::diagnose(study).gap.rms;
+  REQUIRE(rms.size() == 5);  // two forces and three angles
+  for (const auto& [channel, value] : rms) {
+    CAPTURE(channel.label());
+    CHECK(value == close_to(std::sqrt(squares[channel] / count[channel])));
+  }
 }
 
 TEST_CASE("forces that scatter six times what was declared ripple; positions do from ten times on") {
@@ -278,12 +301,12 @@ TEST_CASE(
 }
 
 TEST_CASE("forces that were taken for weights are said to be, by their runs") {
-  Experiment experiment = full_bench();
+  Experiment experiment = test::full_bench();
   for (Run& run : experiment.runs) run.by_weights = !run.holds_end_point();
   const auto said = [&](bool inferred) {
     Experiment declared = experiment;
     declared.runs[2].weights_inferred = inferred;
-    return plumbline::diagnose::diagnose(Study(measured(declared, {}, {}, 4)));
+    return plumbline::diagnose::diagnose(Study(test::measured(declared, {}, {}, 4)));
   };
   const std::string words = "the forces of load-3 point straight down and have no noise: taken for weights";
   CHECK(as_text(said(true)).find(words) != std::string::npos);

@@ -97,6 +97,25 @@ TEST_CASE("in noise as large as all forces nothing is seen, and no run is worth 
   CHECK(made.fewest.empty());
 }
 
+TEST_CASE("effects that are alike stand in one class, each of them once") {
+  Experiment bench = two_links();
+  bench.noise.Fx = bench.noise.Fy = 8;  // so much that a few effects alone are seen
+  const Blindness never = plan(bench).never;
+  std::vector<EffectAt> classed;
+  for (const Alike& one : never.alike) {
+    CHECK(one.effects.size() + one.others.size() > 1);
+    for (const EffectAt& at : one.effects) {
+      CAPTURE(at.label());
+      CHECK_FALSE(has(classed, at));
+      CHECK_FALSE(has(one.others, at));
+      CHECK_FALSE(has(never.unseen, at));
+      classed.push_back(at);
+    }
+  }
+  CHECK(std::any_of(never.alike.begin(), never.alike.end(),
+                    [](const Alike& one) { return one.effects.size() > 1; }));
+}
+
 TEST_CASE("every run of a rehearsal can be made by the nominal chain and by every effect") {
   Experiment bench = three_links();
   press(bench, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);

@@ -186,6 +186,18 @@ TEST_CASE("where nothing predicts what was held out, nothing is offered") {
   CHECK_FALSE(diagnosis.offers_law());
 }
 
+TEST_CASE("a law of readings so few that none can be held out is offered untested") {
+  // Seven: an eighth of a run is what is held out at once.
+  const auto truth = [](double d) { return hinge_stiffness * d * (1 + 40 * d * d); };
+  const Experiment experiment = hinge(
+      {{0.0, 0.1, 0.2, 0.3, 0.4, 0.25, 0.05}}, [&] { return truth; }, 1);
+  const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(experiment));
+  CHECK(diagnosis.cause.reservation == Reservation::not_tested);
+  REQUIRE(diagnosis.law);
+  CHECK_FALSE(diagnosis.law->shrink);
+  CHECK_FALSE(diagnosis.offers_law());
+}
+
 TEST_CASE("beyond what was exercised a law is not tested") {
   const auto truth = [](double d) { return hinge_stiffness * d * (1 + 4 * d * d); };
   const Experiment experiment = hinge(
