@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 
 #include "tests/close_to.hpp"
@@ -288,4 +289,76 @@ TEST_CASE("where a stop sets in shows in two runs, or it is named beside another
         Reservation::one_run);
   // What is there from the first reading on asks for no second run.
   CHECK(asked_of(0.0, {{{"joint_stiffness", 2}}}, {0.1}).verdict == CauseVerdict::identified);
+}
+
+TEST_CASE("of what is far beyond the noise one effect that leaves little is named, beside the unknown") {
+  const auto unknown = CauseVerdict::unknown;
+  const Candidate stiffer{{{"joint_stiffness", 2}}}, base{{{"joint_stiffness", 1}}},
+      both{{{"joint_stiffness", 2}, {"force_gain"}}};
+  // A gap of which a share, by run, answers to no effect: a slow wave, a quarter out of step between the
+  // forces. Of each that is 1 / sqrt(2) of the share, and 15 % of the gap are tolerated.
+  const auto waved = [&](double sigma, const std::array<double, 2>& shares, double gain = 0) {
+    Experiment bench = test::three_links();
+    bench.noise = {0, 0, sigma, sigma, 0};
+    test::press(bench, {0.3, -0.5, 0.4}, {-0.05, 0}, 20, true);
+    test::press(bench, {-0.2, -0.5, 0.4}, {-0.06, 0.02}, 20, true);
+    for (Run& run : bench.runs)
+      for (Reading& reading : run.readings) reading.q.clear();
+    const std::vector<Trace> nominal = Study(bench).nominal().runs;
+    bench = test::measured(bench, both, {0.3, gain}, 5);
+    for (std::size_t r = 0; r < 2; ++r)
+      for (std::size_t i = 0; i < bench.runs[r].readings.size(); ++i) {
+        Reading& reading = bench.runs[r].readings[i];
+        const auto row = static_cast<Eigen::Index>(i);
+        const double gap = std::hypot(reading.Fx - nominal[r](row, column_Fx),
+                                      reading.Fy - nominal[r](row, column_Fy)),
+                     phase = 0.15 * static_cast<double>(i);
+        reading.Fx += shares[r] * gap * std::sin(phase);
+        reading.Fy += shares[r] * gap * std::cos(phase);
+      }
+    return bench;
+  };
+  struct Answer {
+    bool accepted = false;
+    Cause cause;
+    Findings findings;
+  };
+  // \param held  runs at the end that the search did not see
+  const auto asked = [&](const Experiment& bench, const std::vector<Candidate>& candidates,
+                         std::size_t held = 0, CauseVerdict before = CauseVerdict::unknown) {
+    Experiment shorter = bench;
+    shorter.runs.resize(bench.runs.size() - held);
+    const Study study(bench), seen(shorter);
+    Findings chosen;
+    Answer answer;
+    for (const Candidate& one : candidates) {
+      chosen.hypotheses.push_back({fit(seen, one, {}), 0, 0, {}});
+      answer.findings.hypotheses.push_back({fit(study, one, {}), 0, 0, {}});
+    }
+    weigh(study, answer.findings);
+    answer.cause = judge(study, answer.findings);
+    CHECK(answer.cause.verdict == unknown);
+    answer.cause.verdict = before;
+    answer.accepted = accept_tolerable(study, seen, chosen, answer.findings, answer.cause);
+    return answer;
+  };
+  constexpr std::array<double, 2> little{0.05, 0.05}, much{0.4, 0.4}, much_later{0.05, 0.4};
+  const Answer one = asked(waved(1e-4, little), {stiffer, base});
+  CHECK(one.accepted);
+  CHECK(one.cause.verdict == CauseVerdict::ambiguous);
+  CHECK(one.cause.reservation == Reservation::beyond_noise);
+  CHECK(one.cause.unknown == 0.25);
+  CHECK(one.cause.ranking[one.cause.best].hypothesis.fit.candidate == stiffer);
+  CHECK(one.findings.tolerance.has_value());
+  for (const Answer& refused :
+       {asked(waved(1e-4, little), {base}),                  // leaves too much
+        asked(waved(1e-4, much), {stiffer, base}),           // and so does what is there
+        asked(waved(1e-4, much_later), {stiffer, base}, 1),  // in a run that was held out
+        asked(waved(1e-2, little), {stiffer, base}),         // no more than 50 times the noise
+        asked(waved(1e-4, little, 0.3), {both})}) {          // two, though they are what is there
+    CHECK_FALSE(refused.accepted);
+    CHECK(refused.cause.verdict == unknown);
+    CHECK_FALSE(refused.findings.tolerance.has_value());
+  }
+  CHECK_FALSE(asked(waved(1e-4, little), {stiffer, base}, 0, CauseVerdict::identified).accepted);
 }

@@ -1,0 +1,143 @@
+#include "diagnose/model/rig_solver.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "diagnose/model/nominal.hpp"
+#include "tests/diagnose/bench.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+using namespace plumbline::diagnose::test;
+
+namespace {
+
+const std::vector<double> unloaded_shape{0.3, -0.5, 0.4};
+const Layout three_rigid_links{3, false, false, 0};
+
+/// A rig of three links without history, where it stands unloaded, and what its joints remember of that.
+struct StandingChain {
+  explicit StandingChain(const Rig& rig) : on(rig, unloaded_shape), memory(3), solver(three_rigid_links) {
+    posture.angle.resize(3);
+    double theta = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      memory[i].angle = unloaded_shape[i];
+      posture.angle(static_cast<Eigen::Index>(i)) = theta += unloaded_shape[i];
+    }
+    at = {Control::end_point, solver.end_point(on, posture)};
+  }
+
+  [[nodiscard]] RigStep step() const { return {on, {}, memory}; }
+
+  /// \returns whether it gets there
+  bool go(const Imposed& to) {
+    const Posture guess = posture;
+    const bool arrived = solver.follow(step(), at, to, guess, posture);
+    at = to;
+    return arrived;
+  }
+
+  RunRig on;
+  std::vector<JointMemory> memory;
+  RigSolver<1> solver;
+  Posture posture;
+  Imposed at{Control::end_point, Vector2::Zero()};
+};
+
+StandingChain unloaded_chain() {
+  return StandingChain(nominal_rig(three_links()));
+}
+
+/// By how much the torque of a spring and the moment of the force on the end point about its joint differ.
+double out_of_balance(const StandingChain& chain, std::size_t joint) {
+  const Experiment bench = three_links();
+  double x = 0, y = 0;
+  for (std::size_t j = joint; j < 3; ++j) {
+    const double theta = chain.posture.angle(static_cast<Eigen::Index>(j));
+    x += bench.link_length[j] * std::cos(theta);
+    y += bench.link_length[j] * std::sin(theta);
+  }
+  const double q = three_rigid_links.joint_angle(chain.posture.angle, joint);
+  return bench.joint_stiffness[joint] * (q - unloaded_shape[joint]) -
+         (x * chain.posture.force.y - y * chain.posture.force.x);
+}
+
+// The last step of Newton's method turns by less than 1e-7 rad and leaves an error of its square, and of the
+// force less than a share of 1e-7, squared as well: what is left is rounding, of some newtons and radians.
+constexpr double left_by_newton = 1e-10;
+
+}  // namespace
+
+TEST_CASE("where the end point is held, there it is, and every spring carries the moment of the force") {
+  StandingChain chain = unloaded_chain();
+  const Vector2 start = chain.at.value;
+  for (const Vector2& by : {Vector2(-0.03, 0), Vector2(-0.06, 0.02), Vector2(-0.02, -0.04), Vector2(0, 0)}) {
+    const Vector2 to = start + by;
+    REQUIRE(chain.go({Control::end_point, to}));
+    CHECK_FALSE(chain.solver.snapped());
+    CHECK((chain.solver.end_point(chain.on, chain.posture) - to).norm() < left_by_newton);
+    for (std::size_t i = 0; i < 3; ++i) CHECK(std::abs(out_of_balance(chain, i)) < left_by_newton);
+  }
+  // back where it came from it is unloaded again
+  for (std::size_t i = 0; i < 3; ++i)
+    CHECK(std::abs(three_rigid_links.joint_angle(chain.posture.angle, i) - unloaded_shape[i]) <
+          left_by_newton);
+  CHECK(std::hypot(chain.posture.force.x, chain.posture.force.y) < left_by_newton);
+}
+
+TEST_CASE("under a force the chain carries that force, and where it ends that force holds it too") {
+  StandingChain loaded = unloaded_chain(), held = unloaded_chain();
+  loaded.at = {Control::force, Vector2::Zero()};
+  const Vector2 force(-2.5, 1);
+  REQUIRE(loaded.go({Control::force, force}));
+  CHECK(loaded.posture.force.x == force.x());
+  CHECK(loaded.posture.force.y == force.y());
+  for (std::size_t i = 0; i < 3; ++i) CHECK(std::abs(out_of_balance(loaded, i)) < left_by_newton);
+  REQUIRE(held.go({Control::end_point, loaded.solver.end_point(loaded.on, loaded.posture)}));
+  // A millimetre of the end point is about 5 mrad, one over the length of a link, and some 0.1 N, k / L^2.
+  CHECK((held.posture.angle - loaded.posture.angle).norm() < 10 * left_by_newton);
+  CHECK((Vector2(held.posture.force.x, held.posture.force.y) - force).norm() < 1e3 * left_by_newton);
+}
+
+TEST_CASE("one leap ends where forty strides do") {
+  StandingChain leaps = unloaded_chain(), strides = unloaded_chain();
+  const Vector2 start = leaps.at.value, by(-0.12, 0.05);
+  REQUIRE(leaps.go({Control::end_point, start + by}));
+  for (int i = 1; i <= 40; ++i) REQUIRE(strides.go({Control::end_point, start + i / 40.0 * by}));
+  CHECK_FALSE(leaps.solver.snapped());
+  CHECK((leaps.posture.angle - strides.posture.angle).norm() < 10 * left_by_newton);
+}
+
+TEST_CASE("out of the reach of all links the end point gets nowhere") {
+  StandingChain chain = unloaded_chain();
+  CHECK_FALSE(chain.go({Control::end_point, Vector2(0.61, 0)}));  // of 0.6 m
+}
+
+TEST_CASE(
+    "a rig that is the same stands where the one beside it does, to the bit; one that differs a little is "
+    "told to the square of that") {
+  StandingChain chain = unloaded_chain();
+  const Imposed to{Control::end_point, chain.at.value + Vector2(-0.05, 0.02)};
+  REQUIRE(chain.go(to));
+  chain.solver.prepare(chain.step(), to, chain.posture);
+  Posture beside;
+  chain.solver.neighbour(chain.step(), to, chain.posture, beside);
+  CHECK(beside.angle == chain.posture.angle);
+  CHECK(beside.force.x == chain.posture.force.x);
+  CHECK(beside.force.y == chain.posture.force.y);
+  const auto error = [&](double share) {
+    Rig stiffer = nominal_rig(three_links());
+    stiffer.stiffness[1] *= 1 + share;
+    StandingChain other(stiffer);
+    REQUIRE(other.go(to));
+    chain.solver.neighbour(other.step(), to, chain.posture, beside);
+    return (beside.angle - other.posture.angle).norm();
+  };
+  // A chord step misses a s^2 + b s^3 at a share s: of a tenth of the share a hundredth, but for the cube, a
+  // hundredth or so of the square here.
+  const double large = error(0.01), small = error(0.001);
+  CHECK(large > 1e3 * left_by_newton);
+  CHECK(small < 0.011 * large);
+  CHECK(small > 0.009 * large);
+}
