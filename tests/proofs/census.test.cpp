@@ -275,6 +275,24 @@ TEST_CASE("a place left undecided is told by its joint angles, turned with all o
   CHECK_FALSE(at.balanced);  // what is left open counts for nothing
 }
 
+TEST_CASE("at two folds at once both places are left undecided, each by itself") {
+  // One link pulled by F has q + F sin q = 0; besides q = 0 two equilibria meet at each of ±q where tan q = q
+  // and F = -1 / cos q. Both numbers to thirty digits: what is left of either equation is far below the
+  // square of the smallest box, 1e-12, so that neither fold can be told from none.
+  const Rational q = Rational("449340945790906417530788092728") / mp::pow(Integer(10), 29);
+  const Interval force = -Interval(1) / cos(Interval(q));
+  const Census at = census_under_force(unit_chain({Interval(0)}), {force, Interval(0)});
+  REQUIRE(at.equilibria.size() == 1);
+  CHECK(at.equilibria[0].q[0].contains_zero());
+  REQUIRE(at.undecided.size() == 2);
+  for (const auto& place : at.undecided) {
+    REQUIRE(place.size() == 1);
+    CHECK((place[0].contains(q) || place[0].contains(-q)));
+    CHECK(place[0].width() < Interval::End("0.1"));
+  }
+  CHECK(!intersection(at.undecided[0][0], at.undecided[1][0]));
+}
+
 TEST_CASE(
     "the census of the paper's Z-chain at 0.4 L has the equilibria that floating point finds, and no other") {
   const auto chain =

@@ -17,6 +17,16 @@ TEST_CASE("decimals are read exactly") {
   CHECK(parse_decimal("0.1") != Rational(0.1));  // the double nearest to a tenth is not a tenth
 }
 
+TEST_CASE("a decimal ends where its view does, whatever stands behind it") {
+  const std::string_view text = "12.5e123";
+  CHECK(parse_decimal(text.substr(0, 2)) == Rational(12));
+  CHECK(parse_decimal(text.substr(0, 4)) == Rational(25, 2));
+  CHECK_FALSE(parse_decimal(text.substr(0, 5)));
+  CHECK(parse_decimal(text.substr(0, 6)) == Rational(125));
+  CHECK(parse_decimal(text.substr(0, 7)) == shifted(Rational(25, 2), 12));
+  CHECK(parse_decimal(text) == shifted(Rational(25, 2), 123));
+}
+
 TEST_CASE("what is not a decimal is nothing") {
   for (const char* text : {"", "-", ".", "e5", "1e", "1e+", "nan", "inf", "0x10", "1,5", " 1", "1 ", "1.2.3",
                            "--1", "1e+-5", "1e1000000000"}) {

@@ -66,3 +66,27 @@ TEST_CASE(
     CHECK(pieces.crossings[0].loads.high == behind.front().load);
   }
 }
+
+TEST_CASE("a branch that begins within the gap around a crossing has an empty piece before it") {
+  const std::vector<double> ones(2, 1);
+  const NominalModel<double> model(Chain<double>(ones, ones));
+  const Vector<double> straight = Vector<double>::Zero(2);
+  Brancher<NominalModel<double>> brancher(model, {Control::force, {0, 0}, {-1, 0}}, straight);
+  const double gap = 0.01, unit = brancher.load_scale(),
+               critical = (3 - std::sqrt(5)) / 2;  // the least root of det(K - F L)
+  const auto branch = Tracer<NominalModel<double>>(brancher, {0, 1, 0.01})
+                          .run(brancher.start(critical - gap * unit / 2, straight));
+  REQUIRE(branch.events.size() == 1);
+  const RegularPieces pieces = regular_pieces(brancher, branch, gap);
+  REQUIRE(pieces.crossings.size() == 1);
+  REQUIRE(pieces.points.size() == 2);
+  CHECK(pieces.points[0].empty());
+  REQUIRE(pieces.points[1].size() > 1);
+  // along the straight branch the load alone changes; Newton's method, to a few roundings
+  const Crossing& crossing = pieces.crossings[0];
+  CHECK(crossing.point.load == close_to(critical).epsilon(1e-12));
+  CHECK((pieces.points[1].front().load - critical) / unit == close_to(gap).epsilon(1e-9));
+  CHECK(crossing.loads.low == crossing.point.load);
+  CHECK(crossing.loads.high == pieces.points[1].front().load);
+  CHECK(pieces.points[1].back().load == branch.points.back().load);
+}

@@ -105,3 +105,68 @@ TEST_CASE("even and odd parts, and their derivatives, are those of the equations
     }
   }
 }
+
+TEST_CASE("the equations of a symmetric shape are symmetric, and a bend adds antisymmetric ones") {
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> sixtyfourth(-64, 64);
+  const Rational a(1, 3);
+  struct Symmetric {
+    std::vector<Rational> length, stiffness, rest;
+    Control control;
+    Symmetry symmetry;
+    Eigen::Index means;  ///< so many angles and forces are free in a symmetric shape
+  };
+  const std::vector<Symmetric> all{
+      {{1, 2, 3}, {4, 5, 6}, {0, 0, 0}, Control::force, {false, true}, 0},
+      {{1, 2, 3}, {4, 5, 6}, {0, 0, 0}, Control::end_point, {false, true}, 1},
+      {{1, 2, 1}, {0, 3, 3}, {0, a, -a}, Control::end_point, {true, false}, 4},
+      {{1, 2, 2, 1}, {0, 3, 4, 3}, {0, a, 0, -a}, Control::end_point, {true, false}, 4},
+      {{1, 2, 1}, {0, 3, 3}, {0, 0, 0}, Control::end_point, {true, true}, 2},
+      {{1, 2, 2, 1}, {0, 3, 4, 3}, {0, 0, 0, 0}, Control::end_point, {true, true}, 3}};
+  for (const Symmetric& one : all) {
+    const auto chain = from_rational<Interval>(Chain<Rational>(one.length, one.stiffness, one.rest));
+    const SymmetricParts parts(chain, {one.control, {Interval(5), Interval(0)}, {Interval(-1), Interval(0)}},
+                               one.symmetry);
+    const Eigen::MatrixXd &B = parts.mean(), &N = parts.bend_basis();
+    CHECK(B.cols() == one.means);
+    REQUIRE(B.cols() + N.cols() == parts.size());
+    if (one.means > 0) CHECK((B.transpose() * N).isZero(0));
+    const auto some = [&](const Eigen::MatrixXd& basis) {
+      Vector<double> u = Vector<double>::Zero(parts.size());
+      for (Eigen::Index j = 0; j < basis.cols(); ++j) u += sixtyfourth(random) / 64.0 * basis.col(j);
+      return Vector<Span>(u.cast<Span>());
+    };
+    // no amplitude: the parts are the equations at the mean, and their derivative along the bend
+    const Parts p = parts.at(some(B), Span(0.5), some(N), Span(0));
+    const auto none_of = [&](const Eigen::MatrixXd& basis, const Vector<Span>& part) {
+      for (Eigen::Index j = 0; j < basis.cols(); ++j) {
+        Span share(0);
+        for (Eigen::Index i = 0; i < part.size(); ++i) share += basis(i, j) * part(i);
+        // numbers below a hundred, some twenty roundings of them
+        CHECK(share.contains(0));
+        CHECK(share.width() < 1e-12);
+      }
+    };
+    none_of(N, p.even);
+    none_of(B, p.odd);
+  }
+}
+
+TEST_CASE("the parts of a bent link are as wide as the square of its bend over two, and no wider") {
+  // cos y lies between 1 - y^2 / 2 and 1, sin y / y between 1 - y^2 / 6 and 1: so much the parts may leave
+  // open of a link that is bent by y, of which cosines take a share of the force across and sines along the
+  // link
+  const Chain<Interval> chain({Interval(1)}, {Interval(1)});
+  const SymmetricParts parts(chain, {Control::force, {Interval(0), Interval(0)}, {Interval(1), Interval(0)}},
+                             {false, true});
+  for (const double y : {1.0 / 4, 1.0 / 64, 1.0 / 1024}) {
+    const Parts p =
+        parts.at(Vector<Span>::Constant(1, Span(1)), Span(1), Vector<Span>::Constant(1, Span(1)), Span(y));
+    // a few roundings of numbers near one
+    const double rounding = 1e-14, across = std::sin(1.0), along = std::cos(1.0);
+    CHECK(p.even(0).width() < y * y / 2 * across + rounding);
+    CHECK(p.odd(0).width() < y * y / 6 * along + rounding);
+    CHECK(p.even(0).contains(1 + std::cos(y) * across));
+    CHECK(p.odd(0).contains(1 + std::sin(y) / y * along));
+  }
+}

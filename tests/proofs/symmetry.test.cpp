@@ -33,6 +33,10 @@ TEST_CASE(
   CHECK(symmetries_of({1, 2, 1}, {little, 3, 3}, {0, a, -a}).empty());
   CHECK(symmetries_of({1, 2, 2, 1}, {0, 3, 4, 3}, {0, a, a, -a}).empty());
   CHECK(symmetries_of({1, 2, 1}, {0, 3, 3}, {0, a, -a}, Control::force).empty());
+  // of two links each is the other's place, and the joint between them its own
+  CHECK(symmetries_of({2, 2}, {0, 3}, {5, 0}) == "reversed ");
+  CHECK(symmetries_of({2, 2 + little}, {0, 3}, {5, 0}).empty());
+  CHECK(symmetries_of({2, 2}, {0, 3}, {5, little}).empty());
   // in a mirror: straight, under a load along it
   CHECK(symmetries_of({1, 2, 3}, {4, 5, 6}, {0, 0, 0}) == "mirrored ");
   CHECK(symmetries_of({1, 2, 3}, {4, 5, 6}, {0, 0, 0}, Control::force) == "mirrored ");
