@@ -73,15 +73,15 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("two links that are held bend to two sides, and with a turn more each joint is wound up as well") {
-  // of each side the joints may be at one angle, or at three
-  for (const int turns : {0, 1}) {
+TEST_CASE("two links that are held bend to two sides, and with turns more each joint is wound up as well") {
+  // of each side either joint may be at any of 2 turns + 1 angles, a full turn apart
+  for (const int turns : {0, 1, 2, 3}) {
     const CensusTask task{"",   Chain<Rational>({1, 1}, {1, 1}), false, Given::end_point, {1, Rational(1, 2)},
                           turns};
     const FoundEquilibria found = find_equilibria(task);
     CHECK(found.starts == 2000);
     CHECK(found.exhausted);
-    CHECK(found.equilibria.size() == (turns == 0 ? 2 : 18));
+    CHECK(found.equilibria.size() == static_cast<std::size_t>(2 * (2 * turns + 1) * (2 * turns + 1)));
     REQUIRE(found.window.size() == 2);
     for (const FoundEquilibrium& one : found.equilibria) {
       for (std::size_t i = 0; i < 2; ++i) CHECK(std::abs(one.q[i]) <= (2 * turns + 1) * M_PI);
