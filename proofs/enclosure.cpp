@@ -122,9 +122,6 @@ std::vector<ForceEnclosure> enclose_critical_forces(const Chain<Rational>& chain
     for (const ForceInLanes& force : forces_in_lanes(chain, found.size())) values.push_back(force.value);
     enclose_open(found, count, values, digits, lane_digits);
   }
-  if (digits + 7 <= wide_digits && !complete(found))
-    enclose_open(found, count, critical_forces(from_rational<Wide>(chain), found.size()), digits,
-                 wide_digits);
   for (int working_digits = digits + 12; !complete(found); working_digits += 12) {
     const WorkingPrecision precision(working_digits);
     enclose_open(found, count, forces_in_steps(chain, found.size(), working_digits), digits, working_digits);
