@@ -282,6 +282,28 @@ TEST_CASE("what is left of a small box is less than the square of its width, and
   }
 }
 
+TEST_CASE(
+    "a box is narrowed to the equilibrium in it in any unit of force, however wide the force is there") {
+  for (const double unit : {0x1p-12, 1.0, 0x1p12}) {
+    const Balanced at(Control::end_point, box_lengths, {1.5 * unit, unit, 2 * unit, 0.75 * unit}, box_angles,
+                      {-0.7 * unit, 0.3 * unit});
+    for (const double off : {0.01, 0.05, 0.2}) {
+      CAPTURE(unit);
+      CAPTURE(off);
+      Box z = at.near(off);
+      for (const std::size_t j : {4U, 5U}) z[j] = Span(at.unknown[j]) + unit * Span(-0.1, 0.1);
+      REQUIRE(at.system.narrow(z));
+      // a step squares what is left, up to a factor: 8 rounds lead to a few roundings of numbers near one
+      for (std::size_t j = 0; j < 6; ++j) {
+        const double scale = j < 4 ? 1 : unit;
+        CAPTURE(j);
+        CHECK(z[j].width() < 1e-12 * scale);
+        CHECK(std::abs(z[j].middle() - at.unknown[j]) < 1e-12 * scale);
+      }
+    }
+  }
+}
+
 TEST_CASE("Newton's method ends at the equilibrium beside which it starts") {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> off(-0.1, 0.1);
