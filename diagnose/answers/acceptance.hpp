@@ -46,8 +46,10 @@ void share_with_class(Cause& cause);
 
 /// Where nothing explains the readings to their noise, one effect that leaves no more of them than is
 /// tolerated is as good an explanation as can be had. So much freedom is left to it that a cause outside the
-/// catalogue might do as well. Answers whether there is one. \param seen    the study without the readings
-/// held out \param chosen  what the search found there
+/// catalogue might do as well. Answers whether there is one.
+/// \param seen    the study without the readings held out
+///
+/// \param chosen  what the search found there
 bool accept_tolerable(const Study& study, const Study& seen, Findings chosen, Findings& findings,
                       Cause& cause);
 

@@ -134,7 +134,11 @@ class RunWalk {
  public:
   RunWalk(const Experiment& experiment, const Run& run, const Layout& layout, const Rig& rig,
           const std::vector<Rig>& variations)
-      : run_(run), experiment_(experiment), layout_(layout), solver_(layout), main_(rig, run) {
+      : run_(run),
+        experiment_(experiment),
+        layout_(layout),
+        solver_(layout, run.readings.size()),
+        main_(rig, run) {
     beside_.reserve(variations.size());
     for (const Rig& other : variations) beside_.emplace_back(other, run);
     start();

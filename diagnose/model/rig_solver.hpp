@@ -13,7 +13,9 @@ namespace plumbline::diagnose {
 template <int Bandwidth>
 class RigSolver {
  public:
-  explicit RigSolver(const Layout& layout);
+  /// \param readings  that it is to follow: a chain that takes far more of Newton's steps for them than any
+  /// bench does, snapping at every reading, is given up
+  RigSolver(const Layout& layout, std::size_t readings);
   RigSolver(const RigSolver&) = delete;
   RigSolver& operator=(const RigSolver&) = delete;
 
@@ -55,6 +57,7 @@ class RigSolver {
   std::vector<JointMemory> nothing_remembered_;
   Vector<double> prepared_turn_;  ///< that rounding still asks for where follow() ended
   Point<double> prepared_push_{0, 0};
+  long steps_left_;
   bool snapped_ = false;
 };
 
