@@ -18,7 +18,7 @@ const Layout three_rigid_links{3, false, false, 0};
 
 /// A rig of three links without history, where it stands unloaded, and what its joints remember of that.
 struct StandingChain {
-  explicit StandingChain(const Rig& rig) : on(rig, unloaded_shape), memory(3), solver(three_rigid_links) {
+  explicit StandingChain(const Rig& rig) : on(rig, unloaded_shape), memory(3), solver(three_rigid_links, 40) {
     posture.angle.resize(3);
     double theta = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -66,6 +66,52 @@ double out_of_balance(const StandingChain& chain, std::size_t joint) {
 // The last step of Newton's method turns by less than 1e-7 rad and leaves an error of its square, and of the
 // force less than a share of 1e-7, squared as well: what is left is rounding, of some newtons and radians.
 constexpr double left_by_newton = 1e-10;
+
+/// One link on a spring that is at ease a little above the x axis: pressed against the base by more than k /
+/// L it leans up or down, and a force across it throws it from one side to the other.
+class LeaningLink {
+ public:
+  static constexpr double k = 2, L = 0.5, rest = 0.1, pressed = 1.35 * k / L, across = k / L;
+
+  explicit LeaningLink(std::size_t readings) : solver_({1, false, false, 0}, readings) {
+    posture.angle = Vector<double>::Constant(1, rest);
+  }
+
+  /// Goes on to a force across the link, under the one along it.
+  bool push(double along, double across) {
+    const Imposed next{Control::force, {along, across}};
+    const Posture guess = posture;
+    const bool arrived = solver_.follow({run_, {}, memory_}, at_, next, guess, posture);
+    at_ = next;
+    return arrived;
+  }
+
+  [[nodiscard]] double q() const { return posture.angle(0); }
+  /// Torque that is out of balance, k (q - rest) - L (Fy cos q - Fx sin q), and its derivative by q.
+  [[nodiscard]] double excess() const {
+    return k * (q() - rest) - L * (at_.value.y() * std::cos(q()) - at_.value.x() * std::sin(q()));
+  }
+  [[nodiscard]] double stiffness() const {
+    return k + L * (at_.value.y() * std::sin(q()) + at_.value.x() * std::cos(q()));
+  }
+  [[nodiscard]] bool snapped() const { return solver_.snapped(); }
+
+  Posture posture;
+
+ private:
+  static Rig one_link() {
+    Experiment experiment = three_links();
+    experiment.link_length = {L};
+    experiment.joint_stiffness = {k};
+    experiment.link_mass = {0};
+    return nominal_rig(experiment);
+  }
+
+  RunRig run_{one_link(), {rest}};
+  std::vector<JointMemory> memory_{1};
+  RigSolver<1> solver_;
+  Imposed at_{Control::force, {0, 0}};
+};
 
 }  // namespace
 
@@ -140,4 +186,36 @@ TEST_CASE(
   CHECK(large > 1e3 * left_by_newton);
   CHECK(small < 0.011 * large);
   CHECK(small > 0.009 * large);
+}
+
+TEST_CASE("a link is followed to where its torques balance, across a snap to the other stable side") {
+  LeaningLink link(3);
+  REQUIRE(link.push(-LeaningLink::pressed, 0));
+  CHECK_FALSE(link.snapped());
+  CHECK(link.q() > LeaningLink::rest);
+  // Newton's last step is below 1e-7 rad, and leaves its square times the torque's curvature, k.
+  CHECK(std::abs(link.excess()) < 1e-13);
+  REQUIRE(link.push(-LeaningLink::pressed, -LeaningLink::across));
+  CHECK(link.snapped());
+  CHECK(link.q() < 0);
+  CHECK(std::abs(link.excess()) < 1e-13);
+  CHECK(link.stiffness() > 0);
+  REQUIRE(link.push(-LeaningLink::pressed, 0));
+  CHECK_FALSE(link.snapped());
+  CHECK(link.q() < 0);
+  CHECK(std::abs(link.excess()) < 1e-13);
+}
+
+TEST_CASE("a link that is thrown over again and again is given up, the later the more readings were told") {
+  const auto throws = [](std::size_t readings) {
+    LeaningLink link(readings);
+    int count = 0;
+    while (link.push(-LeaningLink::pressed, count % 2 == 0 ? -LeaningLink::across : LeaningLink::across))
+      if (++count > 100'000) break;
+    return count;
+  };
+  const int few = throws(2), more = throws(2000);
+  CHECK(few > 2);
+  CHECK(more > few);
+  CHECK(more <= 100'000);
 }
