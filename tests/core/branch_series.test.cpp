@@ -90,6 +90,34 @@ TEST_CASE("a series is the branch: within its reach every place is an equilibriu
   });
 }
 
+TEST_CASE("an expansion does not depend on the order of the one before it") {
+  const Chain<double> chain(std::vector<double>(9, 1), std::vector<double>(9, 1),
+                            std::vector<double>(9, 0.1));
+  const NominalModel<double> model(chain);
+  const Vector<double> shape = absolute_angles(chain.rest());
+  const auto after = [&](std::initializer_list<Eigen::Index> orders) {
+    Brancher<NominalModel<double>> brancher(model, {Control::force, {0, 0}, {-1, 0}}, shape);
+    const auto point = brancher.start(0.01, shape);
+    BranchSeries<double> series;
+    for (const Eigen::Index order : orders) {
+      series = BranchSeries<double>(order);
+      brancher.refresh(point);
+      brancher.expand(point, series);
+    }
+    return series;
+  };
+  const auto alone = after({20});
+  for (const auto& series : {after({4, 20}), after({30, 20})}) {
+    CHECK(series.reach == alone.reach);
+    for (Eigen::Index k = 0; k <= 20; ++k) {
+      for (int q = 0; q < BranchSeries<double>::quantities; ++q) {
+        const auto quantity = BranchSeries<double>::Quantity(q);
+        CHECK(series.coefficient(quantity, k) == alone.coefficient(quantity, k));
+      }
+    }
+  }
+}
+
 TEST_CASE(
     "tangent stiffness is force over way, and by second derivatives where both turn back, however small") {
   // of one link with its end point held along x: powers of s of the force and of the way

@@ -229,6 +229,25 @@ TEST_CASE("where a chain comes to rest it is stable, and its energy has fallen")
   CHECK(checked == 20);
 }
 
+TEST_CASE("a link far from rest, under a force millions of times its stiffness, falls over the near way") {
+  // V = theta^2 / 2 - F cos theta falls all the way from either side to its minimum at 0, unless theta is
+  // within pi / F of upside down; beyond that the spring is far too weak to bring it back from another turn
+  const NominalModel<double> model(Chain<double>({1}, {1}));
+  for (const double force : {1e4, 3e6, 3e7, 1e8}) {
+    for (const double angle : {0.5, 1.5, 2.0, 3.0, 3.1}) {
+      for (const double side : {1, -1}) {
+        CAPTURE(force);
+        CAPTURE(side * angle);
+        const auto rest =
+            settle(model, {Control::force, {0, 0}, {1, 0}}, force, Vector<double>::Constant(1, side * angle));
+        // the last step of Newton's method is of a few roundings of a radian, and 0 is where it leads
+        CHECK(std::abs(rest.theta(0)) < 1e-14);
+        CHECK(rest.negative_directions == 0);
+      }
+    }
+  }
+}
+
 namespace {
 
 /// A model that can give residual and end point by themselves.

@@ -80,6 +80,19 @@ TEST_CASE("whether a long string keeps within the range of its type is asked of 
   }
 }
 
+TEST_CASE("a passive joint has no spacing that could leave the range of the type") {
+  // with few links a joint is alone in its lane
+  for (const std::size_t n : {2U, 9U, 10U, 16U, 17U, 40U}) {
+    for (std::size_t at = 0; at < n; ++at) {
+      CAPTURE(n);
+      CAPTURE(at);
+      std::vector<double> stiffness(n, 1);
+      stiffness[at] = 0;
+      CHECK(BeadString<double>(Chain<double>(std::vector<double>(n, 1), stiffness)).in_range());
+    }
+  }
+}
+
 TEST_CASE("both ends give the function that one end gives, but for a factor") {
   std::mt19937 random(8);
   for (const std::size_t n : {5U, 6U, 33U, 34U}) {
