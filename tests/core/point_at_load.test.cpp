@@ -42,6 +42,26 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("in fifty digits a point has the load to fifty digits, zero too") {
+  using Exact = NominalModel<Mpfr50>;
+  const Exact model(Chain<Mpfr50>({1, 2}, {2, 1}, {Mpfr50("0.3"), Mpfr50("-0.5")}));
+  const Vector<Mpfr50> shape = absolute_angles(model.chain().rest());
+  Brancher<Exact> brancher(model, {Control::force, {0, 0}, {0, 1}}, shape);
+  const auto branch = Tracer<Exact>(brancher, {Mpfr50(-1) / 10, Mpfr50(1) / 10, 1})
+                          .run(brancher.start(Mpfr50(-1) / 10, shape));
+  REQUIRE(branch.points.back().load == Mpfr50(1) / 10);
+  for (const Mpfr50& load : {Mpfr50("0.05432"), Mpfr50("-0.05432"), Mpfr50(0)}) {
+    CAPTURE(load);
+    const auto point = point_at_load(brancher, branch, load);
+    REQUIRE(point);
+    // a load of a tenth and angles of one, each rounded
+    CHECK(abs(point->load - load) < 8 * epsilon<Mpfr50>());
+    Expansion<Mpfr50, 1> at;
+    model.expand(point->theta, {Mpfr50(0), load}, at);
+    CHECK(at.residual.cwiseAbs().maxCoeff() < Mpfr50("1e-48"));
+  }
+}
+
 TEST_CASE("the state at a load is on the stretch that holds it, and between two stretches where one leaves") {
   using Nominal = NominalModel<double>;
   const Nominal model(Chain<double>({1, 0.8, 1.2}, {1, 2, 1}, {0.3, -0.5, 0.4}));

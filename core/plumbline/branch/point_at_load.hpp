@@ -16,14 +16,15 @@ std::optional<BranchPoint<typename Model::Real>> between_at_load(Brancher<Model>
                                                                  BranchPoint<typename Model::Real> b,
                                                                  const typename Model::Real& load) {
   using Real = typename Model::Real;
-  using std::abs;
+  using std::abs, std::ceil, std::log;
   const bool rises = b.load > a.load;
   const auto half = [&](const BranchPoint<Real>& from, const BranchPoint<Real>& to) {
     const Variation<Real> chord{
         to.theta - from.theta, {to.force.x - from.force.x, to.force.y - from.force.y}, to.load - from.load};
     return brancher.step(from, brancher.product(chord, from.tangent) / Real(2));
   };
-  constexpr int most = 100;
+  // each half makes a binary digit more right, and a load of zero is met to a share of itself by none
+  const auto most = static_cast<int>(ceil(Real(-2) * log(epsilon<Real>()) / log(Real(2))));
   for (int i = 0; i < most; ++i) {
     // from behind first: where the branch begins in a bifurcation, its first point is singular
     auto middle = half(b, a);

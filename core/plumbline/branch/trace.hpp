@@ -299,6 +299,9 @@ class Tracer {
       auto found = located(branch, EventKind::quasi_buckling, s);
       // where the bend is all rounding, as beside a crossing, its sign means nothing
       if (!found || (found->load > a.load) == (found->load > b.load)) return;
+      // a branch that turns back at a crossing is softest there by itself
+      const bool by_crossing = crossing_ && abs(s - *crossing_) < b.s - a.s;
+      if (by_crossing && !(found->stiffness < series_.stiffness(*crossing_))) return;
       branch.events.push_back({EventKind::quasi_buckling, branch.points.size() - 1, std::move(*found), {}});
     }
   }
