@@ -16,25 +16,24 @@ std::optional<BranchPoint<typename Model::Real>> between_at_load(Brancher<Model>
                                                                  BranchPoint<typename Model::Real> b,
                                                                  const typename Model::Real& load) {
   using Real = typename Model::Real;
-  using std::abs, std::ceil, std::log;
+  using std::abs;
   const bool rises = b.load > a.load;
   const auto half = [&](const BranchPoint<Real>& from, const BranchPoint<Real>& to) {
     const Variation<Real> chord{
         to.theta - from.theta, {to.force.x - from.force.x, to.force.y - from.force.y}, to.load - from.load};
     return brancher.step(from, brancher.product(chord, from.tangent) / Real(2));
   };
-  // each half makes a binary digit more right, and a load of zero is met to a share of itself by none
-  const auto most = static_cast<int>(ceil(Real(-2) * log(epsilon<Real>()) / log(Real(2))));
-  for (int i = 0; i < most; ++i) {
+  // a load of zero is met to a share of itself by no half, however small
+  const Real smallest = epsilon<Real>() * epsilon<Real>();
+  for (Real part(1);; part /= Real(2)) {
     // from behind first: where the branch begins in a bifurcation, its first point is singular
     auto middle = half(b, a);
     if (!middle) middle = half(a, b);
     if (!middle) return std::nullopt;
     const Real off = middle->load - load;
-    if (abs(off) <= Real(4) * epsilon<Real>() * abs(load) || i + 1 == most) return middle;
+    if (abs(off) <= Real(4) * epsilon<Real>() * abs(load) || part < smallest) return middle;
     ((off < Real(0)) == rises ? a : b) = std::move(*middle);
   }
-  return std::nullopt;
 }
 
 }  // namespace detail
