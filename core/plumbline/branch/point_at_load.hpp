@@ -25,7 +25,7 @@ std::optional<BranchPoint<typename Model::Real>> between_at_load(Brancher<Model>
   };
   // a load of zero is met to a share of itself by no half, however small
   const Real smallest = epsilon<Real>() * epsilon<Real>();
-  for (Real part(1);; part /= Real(2)) {
+  for (Real part = Real(1);; part /= Real(2)) {
     // from behind first: where the branch begins in a bifurcation, its first point is singular
     auto middle = half(b, a);
     if (!middle) middle = half(a, b);
