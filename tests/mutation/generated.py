@@ -50,7 +50,6 @@ def negations(source):
             end = i + 1
             while source[end + 1] in ("(", "[", ".", "->", "::") or source[end] in (".", "->", "::", "(", "["):
                 end = source.partner.get(end, end + 1) if source[end] in "([" else end + 1
-            end = source.partner.get(end, end)
             text = source.text[source.tokens[i + 1].begin:source.tokens[end].end]
             # a bool like the right text: beside an optional that would become one, which is true
             after = text if source.python else f"static_cast<bool>({text})"
