@@ -63,8 +63,8 @@ def rendered(path, text, faults, number):
 def culprits(errors, owners):
     """The faults that these messages of the compiler are about; owners gives, for each planted file, whose its lines are. Where
     an error stands on no fault's line, as in a template that is right, that one is taken from whose line it was reached last; where
-    there is none, those beside it."""
-    found, way = set(), []
+    there is none, those beside it, but only where no error is laid to a fault of its own."""
+    found, beside, way = set(), set(), []
 
     def at(places, reach=0):
         return {owners[path][n].key for path, line in places for n in range(line - reach, line + reach + 1) if n in owners[path]}
@@ -77,7 +77,10 @@ def culprits(errors, owners):
             continue
         here = [(path, int(match[2])) for path in owners if match[1].endswith(f"/{path}")]
         if match[3].endswith("error"):
-            found |= next(filter(None, (at([place]) for place in here + way)), at(here + way, reach=12))
+            own = next(filter(None, (at([place]) for place in here + way)), set())
+            found |= own
+            if not own:
+                beside |= at(here + way, reach=12)
         else:
             way += here
-    return found
+    return found or beside  # what stands beside is asked again once the others are gone
