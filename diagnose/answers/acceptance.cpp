@@ -112,9 +112,8 @@ bool has_values_everywhere(const Study& study, const Candidate& candidate) {
 /// took does so anew after every reversal.
 bool sets_in(const Study& study, const EffectAt& at) {
   const std::vector<ParameterRange> ranges = study.ranges(at);
-  return !at.effect->dissipates && std::any_of(ranges.begin(), ranges.end(), [](const ParameterRange& one) {
-    return one.coordinate == Coordinate::plain && one.low > 0;
-  });
+  return !at.effect->dissipates &&
+         std::any_of(ranges.begin(), ranges.end(), [](const ParameterRange& one) { return one.is_onset(); });
 }
 
 /// In how many runs an effect of an explanation changes what is predicted by more than readings are declared

@@ -61,7 +61,7 @@ std::vector<double> sizeable(const Study& study, const EffectAt& at) {
     const ParameterRange& range = ranges[p];
     const bool odd = p % 2 == 1, one_sided = range.low == 0;
     if (range.coordinate == Coordinate::reciprocal) values[p] = std::max(values[p], range.scale);
-    if (range.coordinate != Coordinate::plain || range.low > 0) continue;
+    if (!range.may_be_nothing()) continue;
     if (range.tolerance > 0) {
       values[p] = range.tolerance * (one_sided ? (odd ? 0.5 : 1.5) : (odd ? -1.0 : 1.0));
     } else {
@@ -75,7 +75,7 @@ std::vector<double> sizeable(const Study& study, const EffectAt& at) {
 void halve(const Study& study, Instance& effect) {
   const std::vector<ParameterRange> ranges = study.ranges(effect.candidate);
   for (std::size_t p = 0; p < ranges.size(); ++p)
-    if (ranges[p].coordinate == Coordinate::plain && ranges[p].low <= 0) effect.parameters[p] /= 2;
+    if (ranges[p].may_be_nothing()) effect.parameters[p] /= 2;
 }
 
 /// By candidate, whether the rig with the effect follows it.

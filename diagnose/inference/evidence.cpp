@@ -21,8 +21,7 @@ double log_density(double innovation) {
 }
 
 bool has_natural_zero(const ParameterRange& range) {
-  return range.coordinate != Coordinate::logarithm &&
-         (range.low <= 0 || range.coordinate == Coordinate::reciprocal);
+  return range.may_be_nothing() || range.coordinate == Coordinate::reciprocal;
 }
 
 /// Width of a parameter's prior.

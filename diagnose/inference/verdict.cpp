@@ -13,10 +13,6 @@
 namespace plumbline::diagnose {
 namespace {
 
-bool zero_is_nominal(const ParameterRange& range) {
-  return range.coordinate == Coordinate::plain && range.low <= 0;
-}
-
 /// Degrees of freedom that a fit leaves to the readings.
 double freedom(const Measurements& measurements, const Fit& fit) {
   const std::size_t values = measurements.size(), parameters = fit.parameters.size();
@@ -138,7 +134,7 @@ bool genuine(const Study& study, const Fit& fit) {
     bool begins = false, seen = false, away = false;
     std::vector<Eigen::Index> from_zero;
     for (const ParameterRange& range : study.ranges(at)) {
-      const bool natural_zero = zero_is_nominal(range);
+      const bool natural_zero = range.may_be_nothing();
       const bool at_zero = fit.at_bound[p] && natural_zero && std::abs(fit.parameters[p]) < range.scale;
       // Where the readings hardly tell a parameter from nothing it runs to the end of its range for nothing.
       const bool idle = at_zero || (fit.at_bound[p] && natural_zero && !known_to_itself(fit, p));
@@ -146,7 +142,7 @@ bool genuine(const Study& study, const Fit& fit) {
       acting += (natural_zero && !idle) || range.coordinate == Coordinate::reciprocal;
       away = away || !natural_zero;
       from_zero.push_back(static_cast<Eigen::Index>(p));
-      if (range.coordinate == Coordinate::plain && !natural_zero) {
+      if (range.is_onset()) {
         begins = true;
         seen = seen || known_to_itself(fit, p);
       }

@@ -29,6 +29,11 @@ struct ParameterRange {
   double low, high;  ///< physical bounds
   /// Standard deviation of its prior, a Gaussian about zero, where it is a tolerance; 0 where it is not.
   double tolerance = 0;
+
+  /// Whether zero is the nominal model.
+  [[nodiscard]] bool may_be_nothing() const { return coordinate == Coordinate::plain && low <= 0; }
+  /// Whether it says where an effect sets in, as a stop does: nowhere near zero.
+  [[nodiscard]] bool is_onset() const { return coordinate == Coordinate::plain && low > 0; }
 };
 
 /// A parameter that may have either sign, one that cannot be negative: zero is the nominal model.
