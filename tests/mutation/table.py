@@ -54,4 +54,7 @@ def table(faults, results):
         change = fault.what if fault.listed else f"{fault.what} in `{one_line(fault.before)}`"
         why = fault.argued or ("" if result["reached"] else "no test case comes by it")
         rows.append(f"| {fault.listed + ', ' if fault.listed else ''}{fault.path}:{fault.line} | {change} | {why} |")
+    mute = [fault.listed for fault in faults if fault.listed and results[fault.key].get("unplanted")]
+    if mute:
+        rows += ["", f"Listed, and not planted, for they do not compile here: {', '.join(mute)}."]
     return "\n".join(rows) + "\n"
