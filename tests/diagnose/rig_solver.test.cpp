@@ -78,8 +78,8 @@ class LeaningLink {
   }
 
   /// Goes on to a force across the link, under the one along it.
-  bool push(double along, double across) {
-    const Imposed next{Control::force, {along, across}};
+  bool push(double along, double aside) {
+    const Imposed next{Control::force, {along, aside}};
     const Posture guess = posture;
     const bool arrived = solver_.follow({run_, {}, memory_}, at_, next, guess, posture);
     at_ = next;
