@@ -57,7 +57,7 @@ class RigSolver {
   std::vector<JointMemory> nothing_remembered_;
   Vector<double> prepared_turn_;  ///< that rounding still asks for where follow() ended
   Point<double> prepared_push_{0, 0};
-  long steps_left_;
+  long steps_left_;  ///< of Newton's method and of the flow, before it is given up
   bool snapped_ = false;
 };
 
