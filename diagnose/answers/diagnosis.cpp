@@ -156,11 +156,13 @@ bool fails(const Shrink& shrink) {
   return shrink.tested() && !(shrink.ratio < 1);
 }
 
-/// Whether a law is no use: it does not predict, or no better than what explains a part of the gap.
+/// Whether a law is no use: it does not predict, or clearly worse than what explains a part of the gap; where
+/// both leave much the same, the law has a picture.
 bool is_no_use(const OfferedLaw& law, const Diagnosis& diagnosis) {
+  constexpr double clearly = 1.25;
   if (!law.shrink) return false;
   const bool partial = diagnosis.cause.verdict == CauseVerdict::unknown && diagnosis.shrink;
-  return fails(*law.shrink) || (partial && !(law.shrink->ratio < diagnosis.shrink->ratio));
+  return fails(*law.shrink) || (partial && !(law.shrink->ratio < clearly * diagnosis.shrink->ratio));
 }
 
 /// The best of a few partial explanations, as it is fitted to a study.

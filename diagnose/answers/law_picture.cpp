@@ -5,6 +5,7 @@
 
 #include "diagnose/answers/offered_law.hpp"
 
+#include "diagnose/answers/resemblance.hpp"
 #include "diagnose/bench/median.hpp"
 
 namespace plumbline::diagnose {
@@ -28,13 +29,6 @@ double slope(const FreeLaw::Knot& a, const FreeLaw::Knot& b) {
   return b.deflection != a.deflection ? (b.torque - a.torque) / (b.deflection - a.deflection) : 0;
 }
 
-/// The stiffness between neighbouring knots.
-std::vector<double> slopes(const std::vector<FreeLaw::Knot>& knots) {
-  std::vector<double> all;
-  for (std::size_t i = 1; i < knots.size(); ++i) all.push_back(slope(knots[i - 1], knots[i]));
-  return all;
-}
-
 using Parts = std::vector<std::string>;
 
 void add_stiffness(const JointTorqueLaw& law, const std::vector<double>& stiffness, Parts& parts) {
@@ -44,10 +38,13 @@ void add_stiffness(const JointTorqueLaw& law, const std::vector<double>& stiffne
     parts.push_back(fmt::format("{:.2g} times as stiff as the nominal spring", ratio));
 }
 
-/// Where around zero the joint carries next to nothing.
+/// Where around zero the joint carries next to nothing, beside what it has where it is stiff: a quarter of
+/// the way is stiffer.
 void add_slack(const std::vector<FreeLaw::Knot>& knots, const std::vector<double>& stiffness, Parts& parts) {
   constexpr double soft = 0.25;
-  const double usual = *std::max_element(stiffness.begin(), stiffness.end());
+  std::vector<double> sorted = stiffness;
+  std::sort(sorted.begin(), sorted.end());
+  const double usual = sorted[sorted.size() * 3 / 4];
   std::size_t zero = 0;
   while (zero + 1 < stiffness.size() && knots[zero + 1].deflection < 0) ++zero;
   std::size_t from = zero, to = zero;
@@ -55,7 +52,10 @@ void add_slack(const std::vector<FreeLaw::Knot>& knots, const std::vector<double
   if (!slack(zero)) return;
   while (from > 0 && slack(from - 1)) --from;
   while (to + 1 < stiffness.size() && slack(to + 1)) ++to;
-  if (from == 0 && to + 1 == stiffness.size()) return;
+  // What is soft to the end of a side that was bent is no slack.
+  constexpr double bent = 0.25;  // of the other side
+  const double below = -knots.front().deflection, above = knots.back().deflection;
+  if ((from == 0 && below > bent * above) || (to + 1 == stiffness.size() && above > bent * below)) return;
   parts.push_back(
       fmt::format("slack of {:.2g} rad about zero", knots[to + 1].deflection - knots[from].deflection));
 }
@@ -83,17 +83,31 @@ void add_side(const std::vector<FreeLaw::Knot>& knots, const std::vector<double>
                               sign > 0 ? knots.back().deflection : knots.front().deflection));
 }
 
-void add_rest(const std::vector<FreeLaw::Knot>& knots, const JointTorqueLaw& law, Parts& parts) {
-  constexpr double noticeable = 0.02;  // of the range
+/// Where the law carries nothing.
+std::optional<double> rest_of(const std::vector<FreeLaw::Knot>& knots) {
   for (std::size_t i = 1; i < knots.size(); ++i) {
     const auto [d0, t0] = knots[i - 1];
     const auto [d1, t1] = knots[i];
-    if (!(t0 * t1 <= 0) || t0 == t1) continue;
-    const double rest = d0 - t0 * (d1 - d0) / (t1 - t0);
-    if (std::abs(rest) > noticeable * 2 * law.span.stroke())
-      parts.push_back(fmt::format("at ease at {:.2g} rad", rest));
-    return;
+    if (t0 * t1 <= 0 && t0 != t1) return d0 - t0 * (d1 - d0) / (t1 - t0);
   }
+  return std::nullopt;
+}
+
+/// Both sides, from where it is at ease to the ends.
+void add_asymmetry(const std::vector<FreeLaw::Knot>& knots, double rest, Parts& parts) {
+  constexpr double clearly = 1.5;
+  const auto secant = [&](const FreeLaw::Knot& end) { return end.torque / (end.deflection - rest); };
+  const double above = secant(knots.back()), below = secant(knots.front());
+  if (!(above > 0 && below > 0) || std::max(above, below) < clearly * std::min(above, below)) return;
+  parts.push_back(fmt::format("stiffer to the {} side, {:.3g} N m/rad against {:.3g}",
+                              above > below ? "positive" : "negative", std::max(above, below),
+                              std::min(above, below)));
+}
+
+void add_rest(double rest, const LawSpan& span, Parts& parts) {
+  constexpr double noticeable = 0.02;  // of the range
+  if (std::abs(rest) > noticeable * 2 * span.stroke())
+    parts.push_back(fmt::format("at ease at {:.2g} rad", rest));
 }
 
 /// The ends of what its loop is worth, of the knots where the joint was bent, the wider first.
@@ -145,19 +159,29 @@ std::string in_words(const Parts& parts) {
 
 }  // namespace
 
+std::vector<double> stiffnesses(const std::vector<FreeLaw::Knot>& knots) {
+  std::vector<double> all;
+  for (std::size_t i = 1; i < knots.size(); ++i) all.push_back(slope(knots[i - 1], knots[i]));
+  return all;
+}
+
 LawPicture picture_of(const JointTorqueLaw& law, Eigen::Index knots) {
   FreeLaw bare = free_law(law.span, knots, law.coefficients, law.joints.front(), 1);
-  LawPicture picture{law.joints, drawn_knots(law, knots), std::move(bare.sliders), std::move(bare.arms), ""};
+  LawPicture picture{law.joints, drawn_knots(law, knots), std::move(bare.sliders), std::move(bare.arms), "",
+                     {}};
   Parts parts;
-  if (const std::vector<double> stiffness = slopes(picture.knots); stiffness.size() > 1) {
+  if (const std::vector<double> stiffness = stiffnesses(picture.knots); stiffness.size() > 1) {
+    const std::optional<double> rest = rest_of(picture.knots);
     add_stiffness(law, stiffness, parts);
     add_slack(picture.knots, stiffness, parts);
+    if (rest) add_asymmetry(picture.knots, *rest, parts);
     add_side(picture.knots, stiffness, 1, parts);
     add_side(picture.knots, stiffness, -1, parts);
-    add_rest(picture.knots, law, parts);
+    if (rest) add_rest(*rest, law.span, parts);
   }
   add_memory(picture, law.span, parts);
   picture.words = in_words(parts);
+  picture.resembles = resemblance(picture, law);
   return picture;
 }
 

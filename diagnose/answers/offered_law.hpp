@@ -15,7 +15,9 @@ struct LawPicture {
   std::vector<FreeLaw::Knot> knots;  ///< over what was exercised; of spring and law together
   std::vector<FreeLaw::Slider> sliders;
   std::vector<FreeLaw::Arm> arms;
-  std::string words;  ///< what it resembles
+  std::string words;  ///< what it looks like
+  /// Effects whose shape it has, see resemblance().
+  std::vector<std::vector<std::string>> resembles;
 };
 
 struct OfferedLaw {
@@ -24,6 +26,9 @@ struct OfferedLaw {
   std::optional<Shrink> shrink;      ///< nothing where no part can be held out to test it
   std::vector<LawTrace> traces;
 };
+
+/// The stiffness between neighbouring knots, N m/rad.
+std::vector<double> stiffnesses(const std::vector<FreeLaw::Knot>& knots);
 
 /// The picture of one law.
 LawPicture picture_of(const JointTorqueLaw& law, Eigen::Index knots);

@@ -1,6 +1,7 @@
 #include "diagnose/report/law.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "page/chart.hpp"
 
@@ -25,11 +26,8 @@ Json picture_as_json(const LawPicture& picture) {
                        {"profile", as_json(one.profile)}});
   for (const auto& one : picture.arms)
     arms.push_back({{"time_constant", one.time_constant}, {"stiffness", one.stiffness}});
-  return {{"joints", picture.joints},
-          {"knots", as_json(picture.knots)},
-          {"sliders", sliders},
-          {"relaxation", arms},
-          {"words", picture.words}};
+  return {{"joints", picture.joints}, {"knots", as_json(picture.knots)}, {"sliders", sliders},
+          {"relaxation", arms},       {"words", picture.words},          {"resembles", picture.resembles}};
 }
 
 std::vector<std::string> beside(const OfferedLaw& offered) {
@@ -111,14 +109,23 @@ bool closes(const OfferedLaw& offered) {
   return offered.shrink && offered.shrink->ratio < 1;
 }
 
+std::string resemblance_words(const LawPicture& picture) {
+  std::vector<std::string> features;
+  for (const std::vector<std::string>& alike : picture.resembles)
+    features.push_back(fmt::format("{}", fmt::join(alike, " or ")));
+  return fmt::format("{}", fmt::join(features, ", with "));
+}
+
 std::string law_as_text(const OfferedLaw& offered) {
   std::string text = closes(offered) ? "  a torque law that closes the gap, which is no cause"
                                      : "  a torque law fitted to the gap, which is no cause";
   const std::vector<std::string> base = beside(offered);
   for (std::size_t i = 0; i < base.size(); ++i) text += (i == 0 ? ", beside " : " + ") + base[i];
   text += ":\n";
-  for (const LawPicture& picture : offered.pictures)
+  for (const LawPicture& picture : offered.pictures) {
     text += fmt::format("    {}: {}\n", joint_words(picture.joints), picture.words);
+    if (!picture.resembles.empty()) text += "      looks like " + resemblance_words(picture) + "\n";
+  }
   if (!offered.shrink)
     return text +
            fmt::format(

@@ -17,6 +17,9 @@ bool closes(const OfferedLaw& offered);
 /// "joints 1, 2".
 std::string joint_words(const std::vector<std::size_t>& joints);
 
+/// "joint_stop or nonlinear_spring, with hysteresis": the effects whose shape a law has; empty without any.
+std::string resemblance_words(const LawPicture& picture);
+
 /// The lines of the text report.
 std::string law_as_text(const OfferedLaw& offered);
 

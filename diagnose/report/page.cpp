@@ -210,8 +210,11 @@ void add_charts(Json& view, const Explained& explained) {
   if (!view.contains("law")) return;
   view["law"]["charts"] = charts(law_charts(explained), false);
   view["law"]["closes"] = closes(*explained.diagnosis.law);
-  for (std::size_t i = 0; i < explained.diagnosis.law->pictures.size(); ++i)
-    view["law"]["laws"][i]["whose"] = joint_words(explained.diagnosis.law->pictures[i].joints);
+  for (std::size_t i = 0; i < explained.diagnosis.law->pictures.size(); ++i) {
+    const LawPicture& picture = explained.diagnosis.law->pictures[i];
+    view["law"]["laws"][i]["whose"] = joint_words(picture.joints);
+    view["law"]["laws"][i]["looks_like"] = resemblance_words(picture);
+  }
 }
 
 }  // namespace

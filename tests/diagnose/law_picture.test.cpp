@@ -98,6 +98,18 @@ TEST_CASE("how stiff, how slack, how hard and how soft a law is, in words, by ha
   CHECK(words(with_slopes(10, {10, 10, 2, 2, 2, 10, 10, 10})).starts_with("slack of 0.3 rad about zero"));
   CHECK_FALSE(words(with_slopes(10, {10, 10, 10, 2.6, 2.6, 10, 10, 10})).starts_with("slack"));
 
+  // Soft all over one side is no slack.
+  CHECK(words(with_slopes(10, {2, 2, 2, 2, 10, 10, 10, 10})).find("slack") == std::string::npos);
+
+  CHECK(words(with_slopes(15, {10, 10, 10, 10, 20, 20, 20, 20})) ==
+        "stiffer to the positive side, 20 N m/rad against 10");
+  CHECK(words(with_slopes(10, {16, 16, 16, 16, 10, 10, 10, 10})) ==
+        "1.3 times as stiff as the nominal spring, stiffer to the negative side, 16 N m/rad against 10");
+  CHECK(words(with_slopes(12, {10, 10, 10, 10, 14.5, 14.5, 14.5, 14.5})) == "close to the nominal spring");
+  // From where it is at ease, at 0.05 rad: 30.5 N m along 0.35 rad, 4.5 N m along 0.45 rad.
+  CHECK(words(with_slopes(100, {10, 10, 10, 10, 10, 100, 100, 100}, -0.5))
+            .find("stiffer to the positive side, 87.1 N m/rad against 10") != std::string::npos);
+
   CHECK(words(with_slopes(10, slopes_of(10, 10), -0.5)) == "at ease at 0.05 rad");
   CHECK(words(with_slopes(10, slopes_of(10, 10), 0.5)) == "at ease at -0.05 rad");
   CHECK(words(with_slopes(10, slopes_of(10, 10), -0.15)) ==
