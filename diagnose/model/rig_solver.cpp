@@ -18,6 +18,7 @@ constexpr double shortest_stride = 1e-3;  // share of the way between two readin
 constexpr int newton_limit = 40;
 constexpr int joint_changes = 8;  // iterations that may change all contacts at once
 constexpr long descent_limit = 400;
+constexpr double first_push = 0.01;  // of what turns a joint by a radian: which way a force is to grow
 // A run takes a few steps a reading, 16,000 for 31 readings at most among the fits of 84 experiments. Rigs
 // that a fit tries and that snap at every reading take millions.
 constexpr long steps_per_reading = 50, spare_steps = 20000;
@@ -113,9 +114,25 @@ bool RigSolver<Bandwidth>::descend(const RigStep& step, const Imposed& imposed, 
     model_.become(step, posture.contact);
     return found;
   };
-  const FlowLimits<double> limits{largest_turn, static_cast<int>(std::min(descent_limit, steps_left_))};
-  return flow(system_, imposed.control, point(imposed.value), step.run.largest_stiffness, limits,
-              posture.angle, posture.force, contacts, at_rest);
+  const auto comes_to_rest = [&] {
+    const FlowLimits<double> limits{largest_turn, static_cast<int>(std::min(descent_limit, steps_left_))};
+    return flow(system_, imposed.control, point(imposed.value), step.run.largest_stiffness, limits,
+                posture.angle, posture.force, contacts, at_rest);
+  };
+  system_.expand(posture.angle, posture.force);
+  if (system_.symmetric()) return comes_to_rest();
+  // A force that acts beside the point that is held may grow either way, and from a shape that it leaves, but
+  // is at rest in, neither: it is pressed on towards the base, or, where that ends nowhere, away from it.
+  const Posture from = posture;
+  const Vector2 end(system_.at().end_point.x, system_.at().end_point.y);
+  const Vector2 push =
+      first_push * step.run.largest_stiffness / step.run.rig.length.front() * end.normalized();
+  for (const Vector2& first : {Vector2(-push), push}) {
+    posture = from;
+    posture.force = {from.force.x + first.x(), from.force.y + first.y()};
+    if (comes_to_rest()) return true;
+  }
+  return false;
 }
 
 template <int Bandwidth>

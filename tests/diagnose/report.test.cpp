@@ -473,17 +473,20 @@ TEST_CASE("a torque law in words and as JSON, by hand") {
                        {{-0.1, -0.2}, {0.1, 0.3}},
                        {{0.02, 0.5, 0}, {0.03, 0, 0, {{-0.1, 0.4}, {0.1, -0.6}}}},
                        {{9, 0.7}},
-                       "it hardens"}};
+                       "it hardens",
+                       {{"nonlinear_spring", "joint_stop"}, {"hysteresis"}}}};
   ReportJson json = law_as_json(offered);
   CHECK(json == ReportJson::parse(R"json({"id": "torque_law", "beside": ["gravity", "force_gain"], "laws": [
     {"joints": [1, 3], "knots": [[-0.1, -0.2], [0.1, 0.3]],
      "sliders": [{"slips_at": 0.02, "torque": 0.5, "growth": 0.0, "profile": []},
                  {"slips_at": 0.03, "torque": 0.0, "growth": 0.0, "profile": [[-0.1, 0.4], [0.1, -0.6]]}],
-     "relaxation": [{"time_constant": 9.0, "stiffness": 0.7}], "words": "it hardens"}],
+     "relaxation": [{"time_constant": 9.0, "stiffness": 0.7}], "words": "it hardens",
+     "resembles": [["nonlinear_spring", "joint_stop"], ["hysteresis"]]}],
     "cross_validated": 0.34})json"));
   CHECK(law_as_text(offered) ==
         "  a torque law fitted to the gap, which is no cause, beside gravity + force_gain:\n"
         "    joints 1, 3: it hardens\n"
+        "      looks like nonlinear_spring or joint_stop, with hysteresis\n"
         "    not tested, for the readings held out bend the joints farther; 0.34 of the residual is left on "
         "readings seen, each left out in turn\n");
   CHECK_FALSE(closes(offered));
@@ -493,6 +496,7 @@ TEST_CASE("a torque law in words and as JSON, by hand") {
   offered.shrink->noise_floor_ratio = 0.1;
   offered.law.base = {};
   offered.pictures[0].joints = {2};
+  offered.pictures[0].resembles = {};
   CHECK(closes(offered));
   CHECK(law_as_text(offered) ==
         "  a torque law that closes the gap, which is no cause:\n"

@@ -18,12 +18,13 @@ const Layout three_rigid_links{3, false, false, 0};
 
 /// A rig of three links without history, where it stands unloaded, and what its joints remember of that.
 struct StandingChain {
-  explicit StandingChain(const Rig& rig) : on(rig, unloaded_shape), memory(3), solver(three_rigid_links, 40) {
+  explicit StandingChain(const Rig& rig, std::vector<double> shape = unloaded_shape)
+      : on(rig, shape), unloaded(std::move(shape)), memory(3), solver(three_rigid_links, 40) {
     posture.angle.resize(3);
     double theta = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      memory[i].angle = unloaded_shape[i];
-      posture.angle(static_cast<Eigen::Index>(i)) = theta += unloaded_shape[i];
+      memory[i].angle = unloaded[i];
+      posture.angle(static_cast<Eigen::Index>(i)) = theta += unloaded[i];
     }
     at = {Control::end_point, solver.end_point(on, posture)};
   }
@@ -39,6 +40,7 @@ struct StandingChain {
   }
 
   RunRig on;
+  std::vector<double> unloaded;
   std::vector<JointMemory> memory;
   RigSolver<1> solver;
   Posture posture;
@@ -49,7 +51,8 @@ StandingChain unloaded_chain() {
   return StandingChain(nominal_rig(three_links()));
 }
 
-/// By how much the torque of a spring and the moment of the force on the end point about its joint differ.
+/// By how much the torque of a spring and the moment about its joint of the force, which acts beside the end
+/// point where the rig is such, differ.
 double out_of_balance(const StandingChain& chain, std::size_t joint) {
   const Experiment bench = three_links();
   double x = 0, y = 0;
@@ -59,7 +62,9 @@ double out_of_balance(const StandingChain& chain, std::size_t joint) {
     y += bench.link_length[j] * std::sin(theta);
   }
   const double q = three_rigid_links.joint_angle(chain.posture.angle, joint);
-  return bench.joint_stiffness[joint] * (q - unloaded_shape[joint]) -
+  const double tip = chain.posture.angle(2), e = chain.on.rig.eccentricity;
+  x -= e * std::sin(tip), y += e * std::cos(tip);
+  return bench.joint_stiffness[joint] * (q - chain.unloaded[joint]) -
          (x * chain.posture.force.y - y * chain.posture.force.x);
 }
 
@@ -153,6 +158,26 @@ TEST_CASE("one leap ends where forty strides do") {
   for (int i = 1; i <= 40; ++i) REQUIRE(strides.go({Control::end_point, start + i / 40.0 * by}));
   CHECK_FALSE(leaps.solver.snapped());
   CHECK((leaps.posture.angle - strides.posture.angle).norm() < 10 * left_by_newton);
+}
+
+TEST_CASE("a nearly straight chain is held however far beside its end point the force acts") {
+  // Where the force acts on the other side of the chain than it bends to, the moment bends it back: held and
+  // unloaded it is unstable, and leaves that for where the force presses.
+  for (const double e : {-0.08, -0.04, -0.02, -0.005, 0.005, 0.02, 0.04, 0.08}) {
+    CAPTURE(e);
+    Rig rig = nominal_rig(three_links());
+    rig.eccentricity = e;
+    StandingChain chain(rig, {0.06, -0.03, -0.04});
+    const Vector2 start = chain.at.value;
+    for (const double by : {0.0, -0.003, -0.01, -0.03}) {
+      const Vector2 to = start + Vector2(by, 0);
+      REQUIRE(chain.go({Control::end_point, to}));
+      CHECK((chain.solver.end_point(chain.on, chain.posture) - to).norm() < left_by_newton);
+      // 1e2: in compression forces are tens of newtons.
+      for (std::size_t i = 0; i < 3; ++i) CHECK(std::abs(out_of_balance(chain, i)) < 1e2 * left_by_newton);
+      if (by < 0) CHECK(chain.posture.force.x < 0);
+    }
+  }
 }
 
 TEST_CASE("out of the reach of all links the end point gets nowhere") {

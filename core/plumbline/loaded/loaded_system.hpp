@@ -31,9 +31,10 @@ class LoadedSystem {
   void balance(const Vector<Real>& theta, const Point<Real>& force) { model_->balance(theta, force, at_); }
   [[nodiscard]] const Expansion<Real, bandwidth>& at() const { return at_; }  ///< as last expanded
 
-  /// Factors the equations. `damping`: of equal viscous dampers between the angles, added to H.
+  /// Factors the equations. `damping`: of equal viscous dampers between the angles, added to H; `give`: of
+  /// what holds the end point, added to A.
   /// \return whether they are regular
-  bool factor(Control control, const Real& damping = Real(0)) {
+  bool factor(Control control, const Real& damping = Real(0), const Real& give = Real(0)) {
     held_ = control == Control::end_point;
     const Eigen::Index n = at_.residual.size();
     if (damping > Real(0)) {
@@ -44,14 +45,21 @@ class LoadedSystem {
     }
     matrix_.factor(at_.hessian);
     if (!held_) return matrix_.no_border();
-    return matrix_.border(at_.force_gradient, at_.end_point_gradient,
-                          Eigen::Matrix<Real, 2, 2>(-at_.compliance));
+    Eigen::Matrix<Real, 2, 2> corner = -at_.compliance;
+    corner.diagonal().array() -= give;
+    return matrix_.border(at_.force_gradient, at_.end_point_gradient, corner);
   }
 
   /// Directions in which the (damped) energy falls away, in the sense of the control; 0 at a stable place.
+  /// What acts beside the point that is held has no energy, and may push it the wrong way: whatever holds it
+  /// then drives it on. Each such direction counts too.
   [[nodiscard]] std::size_t negative_directions() {
-    return held_ ? matrix_.negative(2) - 2 : matrix_.negative(0);
+    if (!held_) return matrix_.negative(0);
+    const std::size_t negative = matrix_.negative(2);
+    return negative < 2 ? 2 - negative : negative - 2;
   }
+  /// Whether the force acts at the point that is held, as last expanded.
+  [[nodiscard]] bool symmetric() const { return at_.force_gradient == at_.end_point_gradient; }
 
   /// Replaces (v, w), the right-hand side, by the solution; w is -dF, and empty under a force.
   template <class V, class W>

@@ -14,6 +14,18 @@ struct FlowLimits {
   int most_steps;     ///< after which it is given up
 };
 
+/// How far what holds the end point gives way, over the damping, in units of a step that the dampers alone
+/// stop: none where the force acts at that point. Where it acts beside it, and may push it the wrong way, the
+/// force grows with what is missing of the way, until a shape is found in which it pulls the point along.
+template <LoadedModel Model>
+typename Model::Real give_of(const LoadedSystem<Model>& system, const typename Model::Real& stiffest) {
+  using Real = typename Model::Real;
+  if (system.symmetric()) return Real(0);
+  const Real arm = system.at().end_point_gradient.cwiseAbs().maxCoeff(),
+             lever = system.at().force_gradient.cwiseAbs().maxCoeff();
+  return arm * lever / (Real(100) * stiffest * stiffest);
+}
+
 /// Lets shape and force flow downhill in linearly implicit steps, (H + c D) dtheta = -residual on the
 /// constraint: 1/c is a step's length in time, D the dampers' matrix. Steps grow while they turn the chain
 /// little and the damped energy is convex.
@@ -32,7 +44,8 @@ bool flow(LoadedSystem<Model>& system, Control control, const Point<typename Mod
   if (control == Control::force) force = imposed;
   for (int step = 0; step < limits.most_steps; ++step) {
     system.expand(theta, force);
-    if (!system.factor(control, damping) || system.negative_directions() > 0) {
+    if (!system.factor(control, damping, Real(damping * give_of(system, stiffest))) ||
+        system.negative_directions() > 0) {
       damping *= Real(4);
       if (damping > most) return false;
       continue;
