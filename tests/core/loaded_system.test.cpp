@@ -182,10 +182,11 @@ TEST_CASE("negative directions of a model with compliance and bandwidth 2 agree 
     LoadedSystem<FullModel> system(model);
     const Vector<double> theta = Vector<double>::NullaryExpr(5, [] { return 3 * entry(); });
     const Point<double> force{6 * entry(), 6 * entry()};
-    const double damping = *rc::gen::element(0.0, 0.5, 3.0);
+    const double damping = *rc::gen::element(0.0, 0.5, 3.0), give = *rc::gen::element(0.0, 0.1);
     system.expand(theta, force);
+    RC_ASSERT(system.symmetric());
     const Expansion<double, 2> at = system.at();
-    RC_PRE(system.factor(Control::end_point, damping));
+    RC_PRE(system.factor(Control::end_point, damping, give));
     Eigen::MatrixXd K = Eigen::MatrixXd::Zero(7, 7);
     K.topLeftCorner(5, 5) = dense<2>(at.hessian);
     for (int i = 0; i < 5; ++i) {
@@ -195,7 +196,7 @@ TEST_CASE("negative directions of a model with compliance and bandwidth 2 agree 
     }
     K.topRightCorner(5, 2) = at.force_gradient;
     K.bottomLeftCorner(2, 5) = at.end_point_gradient.transpose();
-    K.bottomRightCorner(2, 2) = -at.compliance;
+    K.bottomRightCorner(2, 2) = -at.compliance - give * Eigen::Matrix2d::Identity();
     const auto eigenvalues = [](const Eigen::MatrixXd& A) {
       return Eigen::VectorXd(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues());
     };
@@ -205,6 +206,26 @@ TEST_CASE("negative directions of a model with compliance and bandwidth 2 agree 
     system.expand(theta, force);
     RC_PRE(system.factor(Control::force, damping));
     RC_ASSERT(static_cast<Eigen::Index>(system.negative_directions()) == (free.array() < 0).count());
+  });
+}
+
+TEST_CASE("a force beside the point that is held: every way in which it drives the point wrong is counted") {
+  check_property("2 - negative eigenvalues of -A - J H^-1 C where H is positive", [] {
+    const FullModel model = full(entry());
+    LoadedSystem<FullModel> system(model);
+    const Vector<double> theta = Vector<double>::NullaryExpr(5, [] { return 3 * entry(); });
+    system.expand(theta, {entry(), entry()});
+    const Expansion<double, 2> at = system.at();
+    const Eigen::MatrixXd H = dense<2>(at.hessian);
+    RC_PRE(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H).eigenvalues().minCoeff() > 1e-3);
+    const Eigen::Matrix2d G =
+        -at.compliance - at.end_point_gradient.transpose() * H.ldlt().solve(at.force_gradient);
+    RC_PRE(std::abs(G.determinant()) > 1e-6 && std::abs(G.trace()) > 1e-6);
+    const Eigen::Vector2cd eigenvalues = Eigen::EigenSolver<Eigen::Matrix2d>(G).eigenvalues();
+    RC_PRE(system.factor(Control::end_point));
+    const auto positive = (eigenvalues.real().array() > 0).count();
+    RC_TAG(positive);
+    RC_ASSERT(static_cast<Eigen::Index>(system.negative_directions()) == positive);
   });
 }
 
