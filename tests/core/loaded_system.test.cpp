@@ -211,7 +211,7 @@ TEST_CASE("negative directions of a model with compliance and bandwidth 2 agree 
 
 TEST_CASE("a force beside the point that is held: every way in which it drives the point wrong is counted") {
   check_property("2 - negative eigenvalues of -A - J H^-1 C where H is positive", [] {
-    const FullModel model = full(entry());
+    const FullModel model = full(5 * entry());
     LoadedSystem<FullModel> system(model);
     const Vector<double> theta = Vector<double>::NullaryExpr(5, [] { return 3 * entry(); });
     system.expand(theta, {entry(), entry()});
