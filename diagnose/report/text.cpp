@@ -135,6 +135,23 @@ std::string unexplained(const Diagnosis& diagnosis) {
   return text;
 }
 
+/// What cannot be told apart from the best: the most probable a line each, the rest together.
+std::string others_alike(const Cause& cause) {
+  constexpr std::size_t lines = 6;
+  const auto label = [&](std::size_t place) { return cause.ranking[place].hypothesis.fit.candidate.label(); };
+  std::vector<std::size_t> places = cause.equivalent;
+  std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+    return cause.ranking[a].probability > cause.ranking[b].probability;
+  });
+  const std::size_t shown = places.size() <= lines + 1 ? places.size() : lines;
+  std::string text;
+  for (std::size_t i = 0; i < shown; ++i) text += "  cannot be told apart from " + label(places[i]) + "\n";
+  if (shown == places.size()) return text;
+  text += fmt::format("  nor from {} less probable ones: ", places.size() - shown);
+  for (std::size_t i = shown; i < places.size(); ++i) text += (i > shown ? " | " : "") + label(places[i]);
+  return text + "\n";
+}
+
 std::string what(const Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
   if (cause.verdict == CauseVerdict::unknown) return unexplained(diagnosis);
@@ -148,8 +165,7 @@ std::string what(const Diagnosis& diagnosis) {
     text += fmt::format("  with a remainder: {} of the gap is left on the readings held out\n",
                         percent(cause.remainder));
   text += fmt::format("  outside the catalogue with probability {:.2g}\n", cause.unknown);
-  for (const std::size_t place : cause.equivalent)
-    text += "  cannot be told apart from " + cause.ranking[place].hypothesis.fit.candidate.label() + "\n";
+  text += others_alike(cause);
   if (cause.reservation != Reservation::none)
     text += "  or a cause outside the catalogue: " + reservation_words(cause.reservation) + "\n";
   if (diagnosis.law) text += law_as_text(*diagnosis.law);

@@ -1,0 +1,79 @@
+#pragma once
+/// \file
+/// A diagnosis by hand, for what reports say of it.
+
+#include "diagnose/report/report.hpp"
+#include "tests/diagnose/bench.hpp"
+
+namespace plumbline::diagnose::test {
+
+using ReportJson = nlohmann::ordered_json;
+
+inline constexpr Channel of_Fx{Channel::Name::Fx}, of_q2{Channel::Name::q, 1};
+
+/// A press there and back, and a load.
+inline Experiment small_bench() {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.02, 0}, 6, true);
+  load(experiment, {0.2, 0.3, -0.3}, {0, 0}, {-0.2, 0.1}, 4);
+  return experiment;
+}
+
+inline Ranked ranked(const Candidate& candidate, const std::vector<double>& parameters, double probability,
+                     double chi2) {
+  Ranked one;
+  one.hypothesis.fit.candidate = candidate;
+  one.hypothesis.fit.parameters = parameters;
+  one.probability = probability;
+  one.chi2_per_dof = chi2;
+  return one;
+}
+
+/// A diagnosis of the small bench in which every number is another.
+inline Diagnosis made_up() {
+  Diagnosis made;
+  made.experiment = "three links";
+  made.noise.scale = {1, 1, 2, 1, 0.5};
+  made.noise.correlation = 0.12;
+  made.gap = {true, {1e-5, 3, {}, made.noise, {}}, 12.5,           {{of_Fx, 0.25}, {of_q2, 0.0031}},
+              {},   {{Channel::Name::Fx, 0.021}},  {{of_q2, 3.2}}, {"load-2"}};
+  made.where.channels = {{of_Fx, 0.75}, {of_q2, 0.25}};
+  made.where.runs = {{"press-1", 0.9}, {"load-2", 0.1}};
+  made.where.load_path = {{"load-2", 0, 4, 0.004, Regime::pre_buckling},
+                          {"press-1", 3, 6, 0.6, Regime::post_buckling},
+                          {"press-1", 0, 2, 0.006, Regime::near_loss_of_stiffness},
+                          {"press-1", 7, 12, 0.39, Regime::unloading}};
+  made.where.joints = {{2, 0.8}, {3, 0.15}, {1, 0.05}};
+  made.where.joint_evidence = JointEvidence::measured;
+  made.cause.verdict = CauseVerdict::identified;
+  made.cause.ranking = {ranked({{{"backlash", 2}, {"gravity"}}}, {0.0312, 0.02}, 0.912, 1.04),
+                        ranked({{{"rest_angle", 2}}}, {0.02}, 0.05, 1.1),
+                        ranked({{{"force_gain"}}}, {0.01}, 0.03, 1.7)};
+  made.cause.unknown = 0.008;
+  made.estimates = {{{"b", "rad", 0.0312, 0.0301, 0.0323, false}}, {{"rho", "kg/m", 0.81, 0.7, 0.9, false}}};
+  Shrink shrink;
+  shrink.heldout = {"press-1[1:2]", "load-2"};
+  shrink.rms_before = {{of_Fx, 0.24}, {of_q2, 0.003}};
+  shrink.rms_after = {{of_Fx, 0.031}, {of_q2, 0.0011}};
+  shrink.ratio = 0.125, shrink.ratio_low = 0.101, shrink.ratio_high = 0.152;
+  shrink.noise_floor_ratio = 0.11;
+  shrink.chi2_per_value_after = 1.21;
+  shrink.channels = {{of_Fx, {0.13, 0.12, 0.14, 0.09}}, {of_q2, {0.36, 0.34, 0.38, 0.3}}};
+  shrink.chosen_blind = true;
+  made.shrink = shrink;
+  return made;
+}
+
+inline Proposal proposal(const std::string& what, double log_odds, double so_far) {
+  Proposal one{};
+  one.description = what;
+  one.log_odds = log_odds;
+  one.log_odds_so_far = so_far;
+  return one;
+}
+
+inline bool has_words(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace plumbline::diagnose::test
