@@ -79,6 +79,12 @@ inline constexpr double fit_level = 0.001;
 /// better one would be the wrong one in five of a hundred experiments (odds of twenty to one).
 inline constexpr double told_apart = 3.0;
 
+/// Where tolerances alone tell a value at each joint from one for all, or from one joint that stands out, and
+/// the readings do not, the odds are those of a prior that is wide: of seven experiments in which one value
+/// for all was named alone, and one at each joint had less evidence by up to this, four had the latter; of
+/// four in which machining alone was named and one joint or link was the cause, three had no more.
+inline constexpr double told_by_tolerances = 8;
+
 /// So probable is it at least that another of a class is the cause than the best: of simulated experiments
 /// whose class held the cause it was in ten of 39, and where the best was stated at more than 0.9 in one of
 /// four.

@@ -9,6 +9,38 @@ bool covers(const EffectAt& whole, const EffectAt& part) {
   return whole == part || std::find(special.begin(), special.end(), part.effect->id) != special.end();
 }
 
+namespace {
+
+/// Whether the values of an effect can make the change that another is.
+bool can_make(const EffectAt& values, const EffectAt& change) {
+  const std::vector<std::string_view>& within = values.effect->within_values;
+  return std::find(within.begin(), within.end(), change.effect->id) != within.end();
+}
+
+/// The effects of one that the other has not.
+std::vector<EffectAt> without(const Candidate& one, const Candidate& other) {
+  std::vector<EffectAt> rest;
+  for (const EffectAt& at : one.effects)
+    if (std::find(other.effects.begin(), other.effects.end(), at) == other.effects.end()) rest.push_back(at);
+  return rest;
+}
+
+}  // namespace
+
+bool has_at_each(const Candidate& one_for_all, const Candidate& other) {
+  const std::vector<EffectAt> plain = without(one_for_all, other), values = without(other, one_for_all);
+  return plain.size() == 1 && values.size() == 1 && plain.front().joint == 0 &&
+         can_make(values.front(), plain.front());
+}
+
+bool singles_out(const Candidate& machining, const Candidate& other) {
+  if (!machining.machined() || !without(machining, other).empty()) return false;
+  const std::vector<EffectAt> more = without(other, machining);
+  return more.size() == 1 &&
+         std::any_of(machining.effects.begin(), machining.effects.end(),
+                     [&](const EffectAt& values) { return can_make(values, more.front()); });
+}
+
 std::size_t many_valued(const Study& study, const Candidate& candidate) {
   constexpr std::size_t few = 4;
   const auto count = std::count_if(

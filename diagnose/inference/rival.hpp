@@ -11,6 +11,14 @@ namespace plumbline::diagnose {
 /// Whether an effect is the other one, or that is a special case of it.
 bool covers(const EffectAt& whole, const EffectAt& part);
 
+/// Whether the one explanation has one value for all joints where the other has one at each, and is else the
+/// same: tolerances tell them apart, no matter how well both fit.
+bool has_at_each(const Candidate& one_for_all, const Candidate& other);
+
+/// Whether the other explanation is what machining leaves, as the first one is, and singles out a change that
+/// is made by its values as well.
+bool singles_out(const Candidate& machining, const Candidate& other);
+
 /// How many of the effects have a value a joint, a link or a run, with which they follow much that they are
 /// not. Machining does not count: together its values are held by narrow tolerances.
 std::size_t many_valued(const Study& study, const Candidate& candidate);

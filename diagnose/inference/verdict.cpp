@@ -290,6 +290,24 @@ bool near(const Hypothesis& best, const Hypothesis& other) {
          (more_of_it && as_many && gains_more_than_chance(best, other));
 }
 
+/// Places of what tolerances alone tell from an explanation: what has a value at each joint where it has one
+/// for all; where machining is all, the most probable changes that its values may hide.
+std::vector<std::size_t> told_by_tolerances(const Cause& cause, std::size_t chosen) {
+  const auto at = [&](std::size_t place) -> const Hypothesis& { return cause.ranking[place].hypothesis; };
+  const Hypothesis& best = at(chosen);
+  std::vector<std::size_t> places;
+  std::optional<double> likeliest;
+  for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
+    if (at(i).log_evidence < best.log_evidence - beliefs::told_by_tolerances) continue;
+    const Candidate &one = best.fit.candidate, &other = at(i).fit.candidate;
+    const bool singled = one.count() == 1 && singles_out(one, other);
+    if (singled && !likeliest) likeliest = at(i).log_evidence;
+    if (has_at_each(one, other) || (singled && at(i).log_evidence > *likeliest - beliefs::told_apart))
+      places.push_back(i);
+  }
+  return places;
+}
+
 /// How much of the gap an explanation closes, as a share of what the best one closes.
 double share_of_best(double nominal, const Ranked& best, const Ranked& other) {
   return (nominal - other.chi2_per_dof) / (nominal - best.chi2_per_dof);
@@ -351,23 +369,22 @@ void settle_on(Cause& cause, std::size_t chosen, double unknown) {
   cause.equivalent.clear();
   const Hypothesis& best = cause.ranking[chosen].hypothesis;
   double with_equals = cause.ranking[chosen].probability;
-  for (std::size_t i = 0; i < cause.ranking.size(); ++i) {
-    if (i == chosen || !near(best, cause.ranking[i].hypothesis)) continue;
+  const auto list = [&](std::size_t i) {
+    const auto& known = cause.equivalent;
+    if (i == chosen || std::find(known.begin(), known.end(), i) != known.end()) return;
     cause.equivalent.push_back(i);
     with_equals += cause.ranking[i].probability;
-  }
+  };
+  for (std::size_t i = 0; i < cause.ranking.size(); ++i)
+    if (near(best, cause.ranking[i].hypothesis)) list(i);
+  for (const std::size_t i : told_by_tolerances(cause, chosen)) list(i);
   // Less than half together are not named without the next, nor is one alone of which the others are too
   // much.
   const auto enough = [&] {
     return with_equals >= 0.5 &&
            (!cause.equivalent.empty() || with_equals >= beliefs::named_alone * (1 - unknown));
   };
-  for (std::size_t i = 0; i < cause.ranking.size() && !enough(); ++i) {
-    const auto& known = cause.equivalent;
-    if (i == chosen || std::find(known.begin(), known.end(), i) != known.end()) continue;
-    cause.equivalent.push_back(i);
-    with_equals += cause.ranking[i].probability;
-  }
+  for (std::size_t i = 0; i < cause.ranking.size() && !enough(); ++i) list(i);
   cause.verdict = cause.equivalent.empty() ? CauseVerdict::identified : CauseVerdict::ambiguous;
 }
 

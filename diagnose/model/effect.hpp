@@ -83,6 +83,9 @@ struct Effect {
   std::function<bool(const Place& at)> possible = [](const Place&) { return true; };
   /// Simpler rows that it is with certain parameters: it says more than they do only where it fits better.
   std::vector<std::string_view> special = {};
+  /// Rows whose change its values can make, one for all joints or one at a single joint: where it has a
+  /// tolerance, that alone tells it from them.
+  std::vector<std::string_view> within_values = {};
   /// Where fits start; none: at zero, and at one scale to either side where there is one parameter.
   std::function<Starts(const Place& at, const Exercise& nominal)> starts = nullptr;
   Probing probing = {};

@@ -98,6 +98,49 @@ TEST_CASE("probabilities go with the evidence beside that of a cause outside, of
   CHECK(settled_cause({evident(too_strong, 0), evident(off_centre, -3.1)}, 1, 0.1).equivalent == Equals{0});
 }
 
+TEST_CASE(
+    "what tolerances alone tell apart is listed up to eight: a value at each joint beside one for all") {
+  const Candidate for_all{{{"length_scale"}}}, at_each{{{"length_spread"}}},
+      more{{{"length_spread"}, {"gravity"}}}, other_spread{{{"rest_spread"}}}, at_one{{{"link_length", 2}}};
+  const auto beside = [&](const Candidate& best, const Candidate& other, double behind) {
+    return settled_cause({evident(best, 0), evident(other, -behind)}, 0, 0.05).equivalent;
+  };
+  CHECK(beside(for_all, at_each, 7.9) == Equals{1});
+  CHECK(beside(for_all, at_each, 8.1).empty());
+  CHECK(beside(at_each, for_all, 7.9).empty());  // what the readings ask for
+  CHECK(beside(for_all, other_spread, 7.9).empty());
+  CHECK(beside(for_all, more, 7.9).empty());
+  CHECK(beside(at_one, at_each, 7.9).empty());
+  CHECK(beside({{{"joint_friction"}, {"gravity"}}}, {{{"gravity"}, {"friction_spread"}}}, 7.9) == Equals{1});
+  CHECK(beside({{{"joint_friction"}, {"gravity"}}}, {{{"friction_spread"}, {"force_gain"}}}, 7.9).empty());
+}
+
+TEST_CASE("beside machining alone the likeliest of the changes that its values may hide are listed") {
+  const auto machining_with = [](std::vector<EffectAt> more) {
+    Candidate all{{{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}}};
+    all.effects.insert(all.effects.end(), more.begin(), more.end());
+    return all;
+  };
+  const Candidate alone = machining_with({});
+  const auto listed = [&](const std::vector<std::pair<Candidate, double>>& others) {
+    std::vector<Hypothesis> all{evident(alone, 0)};
+    for (const auto& [candidate, behind] : others) all.push_back(evident(candidate, -behind));
+    return settled_cause(all, 0, 0.05).equivalent;
+  };
+  const Candidate second_joint = machining_with({{"joint_stiffness", 2}}),
+                  third_rest = machining_with({{"rest_angle", 3}}),
+                  lengths = machining_with({{"length_scale"}}), weight = machining_with({{"gravity"}});
+  // The second within three of the first of them, the third not; gravity is no change that values can make.
+  CHECK(listed({{weight, 4}, {second_joint, 4.5}, {third_rest, 7.4}, {lengths, 7.6}}) == Equals{2, 3});
+  CHECK(listed({{second_joint, 8.1}}).empty());
+  CHECK(listed({{machining_with({{"joint_stiffness", 2}, {"gravity"}}), 5}}).empty());
+  CHECK(listed({{{{{"stiffness_spread"}, {"joint_stiffness", 2}}}, 5}}).empty());
+  // With a cause beside it machining is not all.
+  CHECK(settled_cause({evident(weight, 0), evident(machining_with({{"gravity"}, {"rest_angle", 3}}), -5)}, 0,
+                      0.05)
+            .equivalent.empty());
+}
+
 TEST_CASE("what is less probable than not is named with the next, until together they are") {
   // thirty that fall behind by just too much: 1 and 30 exp(-3.05) = 1.421
   std::vector<Hypothesis> all{evident(too_strong, 0)};

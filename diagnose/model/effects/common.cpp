@@ -47,6 +47,7 @@ std::vector<Effect> common_effects() {
              for_each_elastic(to, [&](std::size_t i, double a) { to.rig.stiffness[i] *= 1 + a; });
            },
        .possible = several_elastic,
+       .within_values = {"stiffness_scale", "joint_stiffness"},
        .of_machining = true},
       {.id = "length_spread",
        .words = "lengths that differ from link to link within their tolerance",
@@ -59,6 +60,7 @@ std::vector<Effect> common_effects() {
              for (std::size_t j = 0; j < to.rig.length.size(); ++j) to.rig.length[j] *= 1 + to.value[j];
            },
        .possible = several_links,
+       .within_values = {"length_scale", "link_length"},
        .of_machining = true},
       {.id = "rest_spread",
        .words = "rest angles that differ from joint to joint within their tolerance",
@@ -71,6 +73,7 @@ std::vector<Effect> common_effects() {
              for_each_elastic(to, [&](std::size_t i, double a) { to.rig.rest_error[i] += a; });
            },
        .possible = several_elastic,
+       .within_values = {"rest_offset", "rest_angle"},
        .of_machining = true},
       {.id = "play",
        .words = "play in every joint",
@@ -109,6 +112,7 @@ std::vector<Effect> common_effects() {
            },
        .possible = several_elastic,
        .special = {"joint_friction"},
+       .within_values = {"joint_friction"},
        .starts =
            [](const Place& at, const Exercise& nominal) {
              Starts starts{{}, 1};
@@ -130,6 +134,7 @@ std::vector<Effect> common_effects() {
            },
        .possible = several_elastic,
        .special = {"nonlinear_spring"},
+       .within_values = {"nonlinear_spring"},
        .starts =
            [](const Place& at, const Exercise&) {
              const double scale = 1 / (at.sizes.deflection * at.sizes.deflection);
