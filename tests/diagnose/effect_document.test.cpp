@@ -197,6 +197,11 @@ std::vector<Same> same_predictions() {
       // No joint turns faster than 0.05 rad/s.
       {{"speed_friction"}, {0.02, 0.5, 1e7}, {"joint_friction"}, {0.03}, left, solved},
       {{"run_tare"}, {0.3, -0.2}, {"force_bias"}, {0.3, -0.2}, press, solved},
+      {{"stiffness_spread"}, {0.2, 0.2}, {"stiffness_scale"}, {0.2}, press, solved},
+      {{"length_spread"}, {0.01, 0.01}, {"length_scale"}, {0.01}, press, solved},
+      {{"rest_spread"}, {0.02, 0.02}, {"rest_offset"}, {0.02}, press, solved},
+      {{"friction_spread"}, {0.02, 0.02}, {"joint_friction"}, {0.02}, press, solved},
+      {{"hardening_spread"}, {0.8, 0.8}, {"nonlinear_spring"}, {0.8}, press, solved},
   };
 }
 
