@@ -80,9 +80,9 @@ inline constexpr double fit_level = 0.001;
 inline constexpr double told_apart = 3.0;
 
 /// Where tolerances alone tell a value at each joint from one for all, or from one joint that stands out, and
-/// the readings do not, the odds are those of a prior that is wide: of seven experiments in which one value
-/// for all was named alone, and one at each joint had less evidence by up to this, four had the latter; of
-/// four in which machining alone was named and one joint or link was the cause, three had no more.
+/// the readings do not, the odds are those of a prior that is wide: of eight experiments in which one value
+/// was named alone, and one at each joint had less evidence by up to this, five had the latter; of four in
+/// which machining alone was named and one joint or link was the cause, three had no more.
 inline constexpr double told_by_tolerances = 8;
 
 /// So probable is it at least that another of a class is the cause than the best: of simulated experiments

@@ -27,10 +27,9 @@ std::vector<EffectAt> without(const Candidate& one, const Candidate& other) {
 
 }  // namespace
 
-bool has_at_each(const Candidate& one_for_all, const Candidate& other) {
-  const std::vector<EffectAt> plain = without(one_for_all, other), values = without(other, one_for_all);
-  return plain.size() == 1 && values.size() == 1 && plain.front().joint == 0 &&
-         can_make(values.front(), plain.front());
+bool has_at_each(const Candidate& plain, const Candidate& other) {
+  const std::vector<EffectAt> one = without(plain, other), values = without(other, plain);
+  return one.size() == 1 && values.size() == 1 && can_make(values.front(), one.front());
 }
 
 bool singles_out(const Candidate& machining, const Candidate& other) {

@@ -11,9 +11,9 @@ namespace plumbline::diagnose {
 /// Whether an effect is the other one, or that is a special case of it.
 bool covers(const EffectAt& whole, const EffectAt& part);
 
-/// Whether the one explanation has one value for all joints where the other has one at each, and is else the
-/// same: tolerances tell them apart, no matter how well both fit.
-bool has_at_each(const Candidate& one_for_all, const Candidate& other);
+/// Whether the one explanation has one value, for all joints or at a single one, where the other has one at
+/// each, and is else the same: tolerances tell them apart, no matter how well both fit.
+bool has_at_each(const Candidate& plain, const Candidate& other);
 
 /// Whether the other explanation is what machining leaves, as the first one is, and singles out a change that
 /// is made by its values as well.

@@ -116,7 +116,7 @@ std::string reservation_words(Reservation reservation) {
     case Reservation::many_values:
       return "beside another an effect with a value at every joint, link or run explains much that it is not";
     case Reservation::machining_alone:
-      return "what machining leaves has three values at every joint, in which a cause of another kind may "
+      return "what machining leaves has values at every joint or link, in which a cause of another kind may "
              "hide";
     case Reservation::beyond_tolerance:
       return "its tolerances are wider than machining leaves";
@@ -290,8 +290,8 @@ bool near(const Hypothesis& best, const Hypothesis& other) {
          (more_of_it && as_many && gains_more_than_chance(best, other));
 }
 
-/// Places of what tolerances alone tell from an explanation: what has a value at each joint where it has one
-/// for all; where machining is all, the most probable changes that its values may hide.
+/// Places of what tolerances alone tell from an explanation: what has a value at each joint where it has one,
+/// for all or at a single joint; where machining is all, the most probable changes that its values may hide.
 std::vector<std::size_t> told_by_tolerances(const Cause& cause, std::size_t chosen) {
   const auto at = [&](std::size_t place) -> const Hypothesis& { return cause.ranking[place].hypothesis; };
   const Hypothesis& best = at(chosen);

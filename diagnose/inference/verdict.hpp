@@ -20,7 +20,7 @@ enum class Reservation {
   beyond_noise,     ///< it leaves more than the readings scatter, though no more than is tolerated
   small_gap,        ///< it takes two effects, and noise is much of the gap that it is tested on
   many_values,      ///< beside one effect it takes another with a value at every joint, link or run
-  machining_alone,  ///< it is what machining leaves and nothing else
+  machining_alone,  ///< it is what machining leaves, or a kind of that, and nothing else
   beyond_tolerance  ///< its tolerances are wider than machining leaves
 };
 

@@ -208,14 +208,18 @@ TEST_CASE("what machining leaves is doubted alone, and not beside a cause") {
   std::vector<EffectAt> with_cause = machining;
   with_cause.emplace_back("force_gain");
   CHECK(demanded(study, named(study, {with_cause}), leaving(1)).verdict == CauseVerdict::identified);
-  // one of the three is the plain answer where it suffices
-  CHECK(demanded(study, named(study, {{{"length_spread"}}}), leaving(1)).verdict == CauseVerdict::identified);
+  for (const EffectAt& kind : machining) {
+    const Cause one = demanded(study, named(study, {{kind}}), leaving(1));
+    CHECK(one.verdict == CauseVerdict::ambiguous);
+    CHECK(one.reservation == Reservation::machining_alone);
+  }
+  CHECK(demanded(study, named(study, {{{"length_scale"}}}), leaving(1)).verdict == CauseVerdict::identified);
 }
 
 TEST_CASE(
     "tolerances are doubted where their squares are beyond what their prior leaves one time in a hundred") {
   const Study study = three_runs();
-  const Candidate spread{{{"stiffness_spread"}}};
+  const Candidate spread{{{"play"}}};  // no kind of machining, which is doubted anyway
   // two joints: the chi-square of two degrees of freedom is above -2 ln 0.01 one time in a hundred
   const double edge = std::sqrt(-std::log(0.01));
   CHECK(demanded(study, named(study, spread, 0.999 * edge), leaving(1)).verdict == CauseVerdict::identified);

@@ -110,7 +110,7 @@ TEST_CASE(
   CHECK(beside(at_each, for_all, 7.9).empty());  // what the readings ask for
   CHECK(beside(for_all, other_spread, 7.9).empty());
   CHECK(beside(for_all, more, 7.9).empty());
-  CHECK(beside(at_one, at_each, 7.9).empty());
+  CHECK(beside(at_one, at_each, 7.9) == Equals{1});
   CHECK(beside({{{"joint_friction"}, {"gravity"}}}, {{{"gravity"}, {"friction_spread"}}}, 7.9) == Equals{1});
   CHECK(beside({{{"joint_friction"}, {"gravity"}}}, {{{"friction_spread"}, {"force_gain"}}}, 7.9).empty());
 }
