@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -14,13 +15,17 @@ namespace plumbline::diagnose {
 namespace {
 
 /// Cosine and sine of a tone, one row a reading.
-Eigen::MatrixX2d tone(std::size_t count, double frequency) {
-  const auto rows = static_cast<Eigen::Index>(count);
-  const Eigen::ArrayXd angle =
-      Eigen::ArrayXd::LinSpaced(rows, 0, static_cast<double>(rows - 1)) * (2 * std::numbers::pi * frequency);
-  Eigen::MatrixX2d waves(rows, 2);
+/// \param clock  when they were read, in intervals
+Eigen::MatrixX2d tone(const Eigen::VectorXd& clock, double frequency) {
+  const Eigen::ArrayXd angle = clock.array() * (2 * std::numbers::pi * frequency);
+  Eigen::MatrixX2d waves(clock.size(), 2);
   waves << angle.cos(), angle.sin();
   return waves;
+}
+
+Eigen::VectorXd clock_of(const Series& series) {
+  return Eigen::Map<const Eigen::VectorXd>(series.clock.data(),
+                                           static_cast<Eigen::Index>(series.clock.size()));
 }
 
 Eigen::Vector2d amplitudes(const Eigen::VectorXd& values, const Eigen::MatrixX2d& waves) {
@@ -49,32 +54,54 @@ double slowest_tone(std::size_t count) {
   return (static_cast<double>(slow_components(count)) / 2 + 1) / static_cast<double>(count);
 }
 
+/// Frequencies at which the spectrum of so many readings is looked at: four an ordinate, so that a line
+/// between two of these loses nothing.
+constexpr int looks_an_ordinate = 4;
+
+double looked_at(std::size_t count, Eigen::Index look) {
+  return slowest_tone(count) + static_cast<double>(look) / (looks_an_ordinate * static_cast<double>(count));
+}
+
+/// Independent ones among them, those of the periodogram.
+double ordinates(std::size_t count) {
+  return (0.5 - slowest_tone(count)) * static_cast<double>(count);
+}
+
+/// At each look the share of the energy of fast values that a tone explains.
+Eigen::VectorXd spectrum(const Eigen::VectorXd& fast, const Eigen::VectorXd& clock, double correlation) {
+  const auto count = static_cast<std::size_t>(fast.size());
+  const Eigen::VectorXd white = innovations(fast, correlation);
+  const double energy = white.squaredNorm();
+  Eigen::VectorXd shares =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(std::ceil(looks_an_ordinate * ordinates(count))));
+  for (Eigen::Index look = 0; look < shares.size() && energy > 0; ++look) {
+    const Eigen::MatrixX2d waves = tone(clock.head(white.size()), looked_at(count, look));
+    shares(look) = (waves * amplitudes(white, waves)).squaredNorm() / energy;
+  }
+  return shares;
+}
+
+/// The tone of this frequency in fast values.
+Hum tone_of(const Eigen::VectorXd& fast, const Eigen::VectorXd& clock, double frequency) {
+  const Eigen::Vector2d size = amplitudes(fast, tone(clock, frequency));
+  return {0, 1 / frequency, size(0), size(1)};
+}
+
 /// The loudest tone in these values, and the chance that noise alone has one as loud.
 struct Loudest {
   Hum tone;
   double chance;
 };
 
-Loudest loudest(const Eigen::VectorXd& values, double correlation) {
-  constexpr double per_ordinate = 4;  // frequencies looked at: a line between two ordinates loses nothing
+Loudest loudest(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double correlation) {
   const auto count = static_cast<std::size_t>(values.size());
-  const Eigen::VectorXd fast = fast_part(values), white = innovations(fast, correlation);
-  const auto m = static_cast<double>(count);
-  const double slowest = slowest_tone(count);
-  double best = 0, at = slowest;
-  const auto looks = static_cast<int>(std::ceil((0.5 - slowest) * per_ordinate * m));
-  for (int i = 0; i < looks; ++i) {
-    const double frequency = slowest + i / (per_ordinate * m);
-    const Eigen::MatrixX2d waves = tone(count - 1, frequency);
-    const double explained = (waves * amplitudes(white, waves)).squaredNorm();
-    if (explained > best) best = explained, at = frequency;
-  }
-  const Eigen::Vector2d size = amplitudes(fast, tone(count, at));
+  const Eigen::VectorXd fast = fast_part(values);
+  Eigen::Index look = 0;
+  const double share = spectrum(fast, clock, correlation).maxCoeff(&look);
   // Fisher: with n ordinates the largest share g of the energy has P(g > x) < n (1 - x)^(n - 1); looking
   // between the ordinates finds no more than twice as often.
-  const double ordinates = (0.5 - slowest) * m, energy = white.squaredNorm();
-  const double share = energy > 0 ? best / energy : 0;
-  return {{0, 1 / at, size(0), size(1)}, 2 * ordinates * std::pow(1 - share, ordinates - 1)};
+  const double n = ordinates(count);
+  return {tone_of(fast, clock, looked_at(count, look)), 2 * n * std::pow(1 - share, n - 1)};
 }
 
 /// A spectrum of fewer ordinates has no line.
@@ -91,56 +118,212 @@ Eigen::VectorXd values_of(const Series& series, const std::vector<double>& resid
 double correlation_beside_tones(const Measurements& measurements, const std::vector<double>& residual) {
   std::vector<Hum> all;
   for (std::size_t s = 0; s < measurements.series().size(); ++s) {
-    if (!long_enough(measurements.series()[s])) continue;
-    all.push_back(loudest(values_of(measurements.series()[s], residual), 0).tone);
+    const Series& series = measurements.series()[s];
+    if (!long_enough(series)) continue;
+    all.push_back(loudest(values_of(series, residual), clock_of(series), 0).tone);
     all.back().series = s;
   }
   return estimate_noise(measurements, without_hum(measurements, residual, all)).correlation;
 }
 
-/// A tone that is known from another run, where it is slow in this one: once around at least, as loud as
-/// there within a factor of two, and not by chance.
-std::optional<Hum> known_tone(const Series& series, const Series& heard_in, const Hum& heard,
-                              const Eigen::VectorXd& values, double level) {
-  constexpr int looks = 9;  // within half an ordinate of the run where it was heard, to either side
-  const auto m = static_cast<double>(series.readings.size());
-  const double ratio = series.interval / heard_in.interval;
-  const double off = 0.5 / static_cast<double>(heard_in.readings.size());
-  const double middle = values.mean(), energy = (values.array() - middle).square().sum();
-  double least = energy;
-  Hum found = heard;
-  for (int i = 0; i < looks; ++i) {
-    const double frequency = ratio * (1 / heard.period + off * (2.0 * i / (looks - 1) - 1));
-    if (!(frequency * m > 1) || !(frequency < slowest_tone(series.readings.size()))) continue;
-    Eigen::MatrixX3d waves(values.size(), 3);
-    waves << tone(series.readings.size(), frequency), Eigen::VectorXd::Ones(values.size());
-    const Eigen::Vector3d size = LeastSquares(waves).solve(values);
-    const double left = (values - waves * size).squaredNorm();
-    if (left < least) least = left, found = {heard.series, 1 / frequency, size(0), size(1)};
+/// A tone in some series of a run, alike in frequency.
+using Chord = std::vector<Hum>;
+
+double rms_of(const Chord& chord) {
+  double squares = 0;
+  for (const Hum& one : chord) squares += one.rms() * one.rms();
+  return std::sqrt(squares / static_cast<double>(chord.size()));
+}
+
+/// The tones of each run, those alike in frequency together; of a series that has two the louder alone.
+std::vector<Chord> chords(const Measurements& measurements, const std::vector<Hum>& all) {
+  std::vector<Chord> heard;
+  for (std::size_t h = 0; h < all.size(); ++h) {
+    if (h > 0 && all[h - 1].series == all[h].series) continue;
+    const std::size_t run = measurements.series()[all[h].series].run;
+    const auto known = std::find_if(heard.begin(), heard.end(), [&](const Chord& chord) {
+      return measurements.series()[chord.front().series].run == run && chord.front().period == all[h].period;
+    });
+    known == heard.end() ? heard.push_back({all[h]}) : known->push_back(all[h]);
   }
-  const double chance = looks * std::pow(least / energy, (m - 3) / 2);
-  const double louder = found.rms() / heard.rms();
+  return heard;
+}
+
+/// A tone of this frequency, slow in a series: beside its mean, and how far noise alone would fall behind.
+struct Slow {
+  Hum tone;
+  double loud;
+};
+
+Slow slow_tone(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double frequency) {
+  Eigen::MatrixX3d waves(values.size(), 3);
+  waves << tone(clock, frequency), Eigen::VectorXd::Ones(values.size());
+  const Eigen::Vector3d size = LeastSquares(waves).solve(values);
+  const double energy = (values.array() - values.mean()).square().sum(),
+               left = (values - waves * size).squaredNorm();
+  return {{0, 1 / frequency, size(0), size(1)},
+          static_cast<double>(values.size() - 3) / 2 * std::log(energy / left)};
+}
+
+/// A chord that is known from another run, in series of this one where it is slow: once around at least, as
+/// loud as there within a factor of two, and not by chance.
+std::optional<Chord> known_chord(const Measurements& measurements, const std::vector<double>& residual,
+                                 const std::vector<std::size_t>& here, const Chord& heard, double level) {
+  constexpr int looks = 9;  // within half an ordinate of the run where it was heard, to either side
+  const Series &there = measurements.series()[heard.front().series],
+               &first = measurements.series()[here.front()];
+  const std::size_t count = first.readings.size();
+  const double ratio = first.interval / there.interval;
+  const double off = 0.5 / static_cast<double>(there.readings.size());
+  double most = 0;
+  Chord found;
+  for (int i = 0; i < looks; ++i) {
+    const double frequency = ratio * (1 / heard.front().period + off * (2.0 * i / (looks - 1) - 1));
+    if (!(frequency * static_cast<double>(count) > 1) || !(frequency < slowest_tone(count))) continue;
+    Chord chord;
+    double loud = 0;
+    for (const std::size_t s : here) {
+      const Series& series = measurements.series()[s];
+      Slow one = slow_tone(values_of(series, residual), clock_of(series), frequency);
+      one.tone.series = s;
+      loud += one.loud;
+      chord.push_back(one.tone);
+    }
+    if (loud > most) most = loud, found = std::move(chord);
+  }
+  if (found.empty()) return std::nullopt;
+  const double chance = looks * boost::math::gamma_q(static_cast<double>(here.size()), most);
+  const double louder = rms_of(found) / rms_of(heard);
   if (!(chance < level) || !(louder > 0.5 && louder < 2)) return std::nullopt;
   return found;
 }
 
-/// Adds to the tones that were heard in some run those that others of its channel then have too.
-void add_known(const Measurements& measurements, const std::vector<double>& residual, double level,
-               std::vector<Hum>& all) {
-  const std::vector<Hum> heard = all;
+/// Series of a run that have no tone yet, are long enough for one, were read together, and are of channels
+/// that the chord was heard in.
+std::vector<std::size_t> deaf_to(const Measurements& measurements, std::size_t run, const Chord& heard,
+                                 const std::vector<Hum>& all) {
   const std::vector<Series>& series = measurements.series();
+  std::vector<std::size_t> here;
   for (std::size_t s = 0; s < series.size(); ++s) {
     const auto is_here = [&](const Hum& one) { return one.series == s; };
-    if (!long_enough(series[s]) || std::any_of(heard.begin(), heard.end(), is_here)) continue;
-    for (const Hum& one : heard) {
-      const Series& there = series[one.series];
-      if (there.channel != series[s].channel || !(there.interval > 0 && series[s].interval > 0)) continue;
-      std::optional<Hum> found = known_tone(series[s], there, one, values_of(series[s], residual), level);
-      if (!found) continue;
-      found->series = s;
-      all.push_back(*found);
-      break;
+    const auto is_alike = [&](const Hum& one) { return series[one.series].channel == series[s].channel; };
+    if (series[s].run == run && long_enough(series[s]) && series[s].interval > 0 &&
+        std::none_of(all.begin(), all.end(), is_here) && std::any_of(heard.begin(), heard.end(), is_alike) &&
+        (here.empty() || series[s].readings == series[here.front()].readings))
+      here.push_back(s);
+  }
+  return here;
+}
+
+/// Adds to the tones that were heard in some run those that the same channels of others then have too.
+void add_known(const Measurements& measurements, const std::vector<double>& residual, double level,
+               std::vector<Hum>& all) {
+  const std::vector<Chord> heard = chords(measurements, all);
+  const std::size_t runs = measurements.series().empty() ? 0 : measurements.series().back().run + 1;
+  for (std::size_t run = 0; run < runs; ++run)
+    for (const Chord& one : heard) {
+      const std::vector<std::size_t> here = deaf_to(measurements, run, one, all);
+      if (here.empty() || !(measurements.series()[one.front().series].interval > 0)) continue;
+      const auto found = known_chord(measurements, residual, here, one, level);
+      if (found) all.insert(all.end(), found->begin(), found->end());
     }
+}
+
+/// Series of a run that were read together, have no tone yet, and are long enough for one.
+std::vector<std::size_t> read_together(const Measurements& measurements, std::size_t first,
+                                       const std::vector<Hum>& all) {
+  const std::vector<Series>& series = measurements.series();
+  std::vector<std::size_t> together;
+  for (std::size_t s = first; s < series.size() && series[s].run == series[first].run; ++s) {
+    const bool has = std::any_of(all.begin(), all.end(), [&](const Hum& one) { return one.series == s; });
+    if (!has && long_enough(series[s]) && series[s].readings == series[first].readings) together.push_back(s);
+  }
+  return together;
+}
+
+/// How far noise alone would fall behind at every look: of independent series the sum of what each has,
+/// -(n - 1) log(1 - share), which is exponential in one of them.
+Eigen::VectorXd loudness(const Measurements& measurements, const std::vector<std::size_t>& together,
+                         const std::vector<double>& residual, double correlation) {
+  Eigen::VectorXd sum;
+  for (const std::size_t s : together) {
+    const Series& one = measurements.series()[s];
+    const Eigen::VectorXd shares = spectrum(fast_part(values_of(one, residual)), clock_of(one), correlation);
+    if (sum.size() == 0) sum.setZero(shares.size());
+    constexpr double whole = 1 - 1e-12;
+    sum.array() -= (ordinates(one.readings.size()) - 1) * (1 - shares.array().min(whole)).log();
+  }
+  return sum;
+}
+
+/// Whether nothing beyond the line itself comes near it, and it is no flank of what is slower: a kink of the
+/// residual is heard at all frequencies.
+bool is_line(const Eigen::VectorXd& loud, Eigen::Index at) {
+  constexpr double stands_out = 2;
+  constexpr Eigen::Index width = 3 * looks_an_ordinate / 2;
+  double beside = 0;
+  for (Eigen::Index look = 0; look < loud.size(); ++look)
+    if (std::abs(look - at) > width) beside = std::max(beside, loud(look));
+  return at >= looks_an_ordinate && loud(at) > stands_out * beside;
+}
+
+/// Where series that were read together have a tone that is too soft to be heard in one of them, and the
+/// chance that noise alone has one as loud.
+struct Shared {
+  Eigen::Index look;
+  double chance;
+};
+
+std::optional<Shared> shared_look(const Eigen::VectorXd& loud, std::size_t count, std::size_t series) {
+  Shared shared{};
+  const double most = loud.maxCoeff(&shared.look);
+  if (series < 2 || !is_line(loud, shared.look)) return std::nullopt;
+  shared.chance = 2 * ordinates(count) * boost::math::gamma_q(static_cast<double>(series), most);
+  return shared;
+}
+
+/// The same beside a tone that was heard in another series of the run: within half an ordinate of that.
+std::optional<Shared> shared_look(const Eigen::VectorXd& loud, std::size_t count, std::size_t series,
+                                  const Hum& heard) {
+  constexpr Eigen::Index near = looks_an_ordinate / 2;
+  const double look =
+      (1 / heard.period - slowest_tone(count)) * looks_an_ordinate * static_cast<double>(count);
+  const Eigen::Index from = std::max<Eigen::Index>(std::lround(look) - near, 0);
+  const Eigen::Index looks = std::min<Eigen::Index>(2 * near + 1, loud.size() - from);
+  if (looks < 1) return std::nullopt;
+  Shared shared{};
+  const double most = loud.segment(from, looks).maxCoeff(&shared.look);
+  shared.look += from;
+  shared.chance = static_cast<double>(looks) * boost::math::gamma_q(static_cast<double>(series), most);
+  return shared;
+}
+
+/// Adds to each run the tones that its series share.
+void add_shared(const Measurements& measurements, const std::vector<double>& residual, double correlation,
+                double level, std::vector<Hum>& all) {
+  const std::vector<Series>& series = measurements.series();
+  const std::vector<Hum> heard = all;
+  for (std::size_t first = 0; first < series.size(); ++first) {
+    if (first > 0 && series[first].run == series[first - 1].run) continue;
+    const std::vector<std::size_t> together = read_together(measurements, first, all);
+    if (together.empty()) continue;
+    const std::size_t count = series[together.front()].readings.size();
+    const Eigen::VectorXd loud = loudness(measurements, together, residual, correlation);
+    const auto here = std::find_if(heard.begin(), heard.end(), [&](const Hum& one) {
+      return series[one.series].run == series[first].run;
+    });
+    const auto found = here == heard.end() ? shared_look(loud, count, together.size())
+                                           : shared_look(loud, count, together.size(), *here);
+    if (!found || !(found->chance < level)) continue;
+    Chord chord;
+    for (const std::size_t s : together) {
+      const Eigen::VectorXd fast = fast_part(values_of(series[s], residual));
+      chord.push_back(tone_of(fast, clock_of(series[s]), looked_at(count, found->look)));
+      chord.back().series = s;
+    }
+    const bool ripples = std::any_of(chord.begin(), chord.end(),
+                                     [](const Hum& one) { return one.rms() > beliefs::largest_scale; });
+    if (!ripples) all.insert(all.end(), chord.begin(), chord.end());
   }
 }
 
@@ -160,13 +343,14 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
     if (!long_enough(series)) continue;
     Eigen::VectorXd values = values_of(series, residual);
     for (int i = 0; i < most; ++i) {
-      auto [one, chance] = loudest(values, correlation);
+      auto [one, chance] = loudest(values, clock_of(series), correlation);
       if (!(chance < level) || one.rms() > beliefs::largest_scale) break;
-      values -= tone(series.readings.size(), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
+      values -= tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
       one.series = s;
       all.push_back(one);
     }
   }
+  add_shared(measurements, residual, correlation, level, all);
   add_known(measurements, residual, level, all);
   return all;
 }
@@ -177,7 +361,7 @@ std::vector<double> without_hum(const Measurements& measurements, std::vector<do
     const Series& series = measurements.series()[one.series];
     Eigen::Map<Eigen::VectorXd> values(residual.data() + series.first,
                                        static_cast<Eigen::Index>(series.readings.size()));
-    values -= tone(series.readings.size(), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
+    values -= tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
   }
   return residual;
 }

@@ -60,6 +60,15 @@ double mean_interval(const Run& run, const std::vector<std::size_t>& readings) {
   return readings.size() > 1 ? time / static_cast<double>(readings.size() - 1) : 0;
 }
 
+std::vector<double> clock_of(const Run& run, const Series& series) {
+  std::vector<double> clock;
+  for (const std::size_t i : series.readings) {
+    const double since = run.readings[i].t - run.readings[series.readings.front()].t;
+    clock.push_back(series.interval > 0 ? since / series.interval : static_cast<double>(clock.size()));
+  }
+  return clock;
+}
+
 }  // namespace
 
 Measurements::Measurements(const Experiment& experiment) {
@@ -68,12 +77,13 @@ Measurements::Measurements(const Experiment& experiment) {
     const Run& run = experiment.runs[r];
     for (const Channel& channel : run.measured()) {
       Series series{
-          r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, 0, {}, 0, 0, 0,
+          r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, 0, {}, {}, 0, 0, 0,
           1, {}};
       for (std::size_t i = 0; i < run.readings.size(); ++i)
         if (!std::isnan(channel.of(run.readings[i]))) series.readings.push_back(i);
       if (series.readings.empty()) continue;
       series.interval = mean_interval(run, series.readings);
+      series.clock = clock_of(run, series);
       std::vector<double> values;
       for (const std::size_t i : series.readings) values.push_back(channel.of(run.readings[i]));
       series.seed = seed_of(channel, values);

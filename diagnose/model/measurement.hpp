@@ -18,6 +18,7 @@ struct Series {
   std::size_t first;                  ///< place of its first value in the flat list
   std::vector<std::size_t> readings;  ///< index of each value's reading in the run
   double interval;                    ///< mean time from value to value, s; 0 of one value
+  std::vector<double> clock;  ///< when each was read, intervals after the first; its number without times
   /// Of each value: the declared one, wider where the readings scatter in proportion to themselves.
   std::vector<double> sigmas;
   double proportion;  ///< that part over the declared sigma, per unit of the reading; mostly 0
