@@ -104,6 +104,9 @@ Loudest loudest(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, dou
   return {tone_of(fast, clock, looked_at(count, look)), 2 * n * std::pow(1 - share, n - 1)};
 }
 
+/// That a series may have.
+constexpr long most_tones = 2;
+
 /// A spectrum of fewer ordinates has no line.
 bool long_enough(const Series& series) {
   return series.readings.size() >= 16;
@@ -162,7 +165,7 @@ Slow slow_tone(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, doub
   const double energy = (values.array() - values.mean()).square().sum(),
                left = (values - waves * size).squaredNorm();
   return {{0, 1 / frequency, size(0), size(1)},
-          static_cast<double>(values.size() - 3) / 2 * std::log(energy / left)};
+          left > 0 ? static_cast<double>(values.size() - 3) / 2 * std::log(energy / left) : 0};
 }
 
 /// A chord that is known from another run, in series of this one where it is slow: once around at least, as
@@ -198,35 +201,48 @@ std::optional<Chord> known_chord(const Measurements& measurements, const std::ve
   return found;
 }
 
-/// Series of a run that have no tone yet, are long enough for one, were read together, and are of channels
-/// that the chord was heard in.
+/// Series of a run that may have a chord too, and have not: long enough, read together, of the channels that
+/// it was heard in or of the others, without two tones of their own or one like it.
 std::vector<std::size_t> deaf_to(const Measurements& measurements, std::size_t run, const Chord& heard,
-                                 const std::vector<Hum>& all) {
+                                 const std::vector<Hum>& all, bool of_its_channels) {
   const std::vector<Series>& series = measurements.series();
+  const Series& there = series[heard.front().series];
+  const double frequency = 1 / (heard.front().period * there.interval),
+               ordinate = 1 / (static_cast<double>(there.readings.size()) * there.interval);
   std::vector<std::size_t> here;
   for (std::size_t s = 0; s < series.size(); ++s) {
+    if (series[s].run != run || !long_enough(series[s]) || !(series[s].interval > 0)) continue;
+    if (!here.empty() && series[s].readings != series[here.front()].readings) continue;
+    const bool alike = std::any_of(heard.begin(), heard.end(), [&](const Hum& one) {
+      return series[one.series].channel == series[s].channel;
+    });
     const auto is_here = [&](const Hum& one) { return one.series == s; };
-    const auto is_alike = [&](const Hum& one) { return series[one.series].channel == series[s].channel; };
-    if (series[s].run == run && long_enough(series[s]) && series[s].interval > 0 &&
-        std::none_of(all.begin(), all.end(), is_here) && std::any_of(heard.begin(), heard.end(), is_alike) &&
-        (here.empty() || series[s].readings == series[here.front()].readings))
+    const auto is_like_it = [&](const Hum& one) {
+      return is_here(one) && std::abs(1 / (one.period * series[s].interval) - frequency) < ordinate;
+    };
+    if (alike == of_its_channels && std::count_if(all.begin(), all.end(), is_here) < most_tones &&
+        std::none_of(all.begin(), all.end(), is_like_it))
       here.push_back(s);
   }
   return here;
 }
 
-/// Adds to the tones that were heard in some run those that the same channels of others then have too.
+/// Adds to the tones that were heard in some run those that others then have too: the same channels first,
+/// and the rest, for what hums in one may be in the room.
 void add_known(const Measurements& measurements, const std::vector<double>& residual, double level,
                std::vector<Hum>& all) {
   const std::vector<Chord> heard = chords(measurements, all);
   const std::size_t runs = measurements.series().empty() ? 0 : measurements.series().back().run + 1;
   for (std::size_t run = 0; run < runs; ++run)
-    for (const Chord& one : heard) {
-      const std::vector<std::size_t> here = deaf_to(measurements, run, one, all);
-      if (here.empty() || !(measurements.series()[one.front().series].interval > 0)) continue;
-      const auto found = known_chord(measurements, residual, here, one, level);
-      if (found) all.insert(all.end(), found->begin(), found->end());
-    }
+    for (const Chord& one : heard)
+      for (const bool its_channels : {true, false}) {
+        if (!(measurements.series()[one.front().series].interval > 0)) continue;
+        const std::vector<std::size_t> here = deaf_to(measurements, run, one, all, its_channels);
+        if (here.empty()) continue;
+        const std::vector<double> left = without_hum(measurements, residual, all);
+        const auto found = known_chord(measurements, left, here, one, level);
+        if (found) all.insert(all.end(), found->begin(), found->end());
+      }
 }
 
 /// Series of a run that were read together, have no tone yet, and are long enough for one.
@@ -334,7 +350,6 @@ double Hum::rms() const {
 }
 
 std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<double>& residual) {
-  constexpr int most = 2;
   constexpr double level = 1e-3;
   std::vector<Hum> all;
   const double correlation = correlation_beside_tones(measurements, residual);
@@ -342,7 +357,7 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
     const Series& series = measurements.series()[s];
     if (!long_enough(series)) continue;
     Eigen::VectorXd values = values_of(series, residual);
-    for (int i = 0; i < most; ++i) {
+    for (long i = 0; i < most_tones; ++i) {
       auto [one, chance] = loudest(values, clock_of(series), correlation);
       if (!(chance < level) || one.rms() > beliefs::largest_scale) break;
       values -= tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);

@@ -19,8 +19,8 @@ struct Hum {
 /// device. Two a series at most; found by Fisher's test (1929) for the largest of many ordinates, by the
 /// clock of the readings. What is too soft for one series is looked for in all that were read together,
 /// beside a tone that one of them has, or else where it stands out as a line. A tone that is fast in one run
-/// is looked for in the same channels of others where it is slow, at the same time's period and about as
-/// loud.
+/// is looked for in others where it is slow, in the same channels and then in the rest, at the same time's
+/// period and about as loud.
 std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<double>& residual);
 
 /// The residual without these tones.

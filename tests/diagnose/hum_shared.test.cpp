@@ -115,6 +115,26 @@ TEST_CASE("a soft tone goes by the clock where readings are uneven, and is known
   CHECK(steps >= 18);
 }
 
+TEST_CASE("what hums in forces and angles is known in positions, which no other run reads") {
+  // The first run is under a force: of it the end point is read. 20 s are fast in the second alone.
+  Experiment experiment = eight_channels({50, 60});
+  experiment.noise.x = experiment.noise.y = 1;
+  experiment.runs[0].control = Control::force;
+  for (Reading& reading : experiment.runs[0].readings) reading.t *= 1.2;
+  for (Reading& reading : experiment.runs[1].readings) reading.t *= 4;
+  const Measurements measurements(experiment);
+  std::mt19937_64 random(47);
+  int known = 0, alarms = 0;
+  for (int draw = 0; draw < draws; ++draw) {
+    const auto hums =
+        noise_and(experiment, measurements, random, [](std::size_t, double t) { return wave(1.5, 20, t); });
+    known += in_run(measurements, find_hum(measurements, hums), 0) == 8;
+    alarms += test_gap(measurements, hums).p_value < beliefs::gap_level;
+  }
+  CHECK(known >= 18);
+  CHECK(alarms <= 3);
+}
+
 TEST_CASE("eight channels of noise share no tone; what is larger than noise may be is none, shared or not") {
   const Experiment experiment = eight_channels({60, 45});
   const Measurements measurements(experiment);
