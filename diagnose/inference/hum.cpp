@@ -87,21 +87,24 @@ Hum tone_of(const Eigen::VectorXd& fast, const Eigen::VectorXd& clock, double fr
   return {0, 1 / frequency, size(0), size(1)};
 }
 
-/// The loudest tone in these values, and the chance that noise alone has one as loud.
+/// The loudest tone in these values, the chance that noise alone has one as loud, and their spectrum.
 struct Loudest {
   Hum tone;
   double chance;
+  Eigen::VectorXd shares;
 };
 
 Loudest loudest(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double correlation) {
   const auto count = static_cast<std::size_t>(values.size());
   const Eigen::VectorXd fast = fast_part(values);
+  Eigen::VectorXd shares = spectrum(fast, clock, correlation);
   Eigen::Index look = 0;
-  const double share = spectrum(fast, clock, correlation).maxCoeff(&look);
+  const double share = shares.maxCoeff(&look);
   // Fisher: with n ordinates the largest share g of the energy has P(g > x) < n (1 - x)^(n - 1); looking
   // between the ordinates finds no more than twice as often.
   const double n = ordinates(count);
-  return {tone_of(fast, clock, looked_at(count, look)), 2 * n * std::pow(1 - share, n - 1)};
+  return {tone_of(fast, clock, looked_at(count, look)), 2 * n * std::pow(1 - share, n - 1),
+          std::move(shares)};
 }
 
 /// That a series may have.
@@ -260,15 +263,12 @@ std::vector<std::size_t> read_together(const Measurements& measurements, std::si
 /// How far noise alone would fall behind at every look: of independent series the sum of what each has,
 /// -(n - 1) log(1 - share), which is exponential in one of them.
 Eigen::VectorXd loudness(const Measurements& measurements, const std::vector<std::size_t>& together,
-                         const std::vector<double>& residual, double correlation) {
-  Eigen::VectorXd sum;
-  for (const std::size_t s : together) {
-    const Series& one = measurements.series()[s];
-    const Eigen::VectorXd shares = spectrum(fast_part(values_of(one, residual)), clock_of(one), correlation);
-    if (sum.size() == 0) sum.setZero(shares.size());
-    constexpr double whole = 1 - 1e-12;
-    sum.array() -= (ordinates(one.readings.size()) - 1) * (1 - shares.array().min(whole)).log();
-  }
+                         const std::vector<Eigen::VectorXd>& spectra) {
+  constexpr double whole = 1 - 1e-12;
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(spectra[together.front()].size());
+  for (const std::size_t s : together)
+    sum.array() -=
+        (ordinates(measurements.series()[s].readings.size()) - 1) * (1 - spectra[s].array().min(whole)).log();
   return sum;
 }
 
@@ -315,8 +315,9 @@ std::optional<Shared> shared_look(const Eigen::VectorXd& loud, std::size_t count
 }
 
 /// Adds to each run the tones that its series share.
-void add_shared(const Measurements& measurements, const std::vector<double>& residual, double correlation,
-                double level, std::vector<Hum>& all) {
+/// \param spectra  of all series
+void add_shared(const Measurements& measurements, const std::vector<double>& residual,
+                const std::vector<Eigen::VectorXd>& spectra, double level, std::vector<Hum>& all) {
   const std::vector<Series>& series = measurements.series();
   const std::vector<Hum> heard = all;
   for (std::size_t first = 0; first < series.size(); ++first) {
@@ -324,7 +325,7 @@ void add_shared(const Measurements& measurements, const std::vector<double>& res
     const std::vector<std::size_t> together = read_together(measurements, first, all);
     if (together.empty()) continue;
     const std::size_t count = series[together.front()].readings.size();
-    const Eigen::VectorXd loud = loudness(measurements, together, residual, correlation);
+    const Eigen::VectorXd loud = loudness(measurements, together, spectra);
     const auto here = std::find_if(heard.begin(), heard.end(), [&](const Hum& one) {
       return series[one.series].run == series[first].run;
     });
@@ -352,20 +353,22 @@ double Hum::rms() const {
 std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<double>& residual) {
   constexpr double level = 1e-3;
   std::vector<Hum> all;
+  std::vector<Eigen::VectorXd> spectra(measurements.series().size());
   const double correlation = correlation_beside_tones(measurements, residual);
   for (std::size_t s = 0; s < measurements.series().size(); ++s) {
     const Series& series = measurements.series()[s];
     if (!long_enough(series)) continue;
     Eigen::VectorXd values = values_of(series, residual);
     for (long i = 0; i < most_tones; ++i) {
-      auto [one, chance] = loudest(values, clock_of(series), correlation);
+      auto [one, chance, shares] = loudest(values, clock_of(series), correlation);
+      spectra[s] = std::move(shares);
       if (!(chance < level) || one.rms() > beliefs::largest_scale) break;
       values -= tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
       one.series = s;
       all.push_back(one);
     }
   }
-  add_shared(measurements, residual, correlation, level, all);
+  add_shared(measurements, residual, spectra, level, all);
   add_known(measurements, residual, level, all);
   return all;
 }
