@@ -9,76 +9,14 @@
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/inference/least_squares.hpp"
-#include "diagnose/inference/slow.hpp"
+#include "diagnose/inference/spectrum.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-/// Cosine and sine of a tone, one row a reading.
-/// \param clock  when they were read, in intervals
-Eigen::MatrixX2d tone(const Eigen::VectorXd& clock, double frequency) {
-  const Eigen::ArrayXd angle = clock.array() * (2 * std::numbers::pi * frequency);
-  Eigen::MatrixX2d waves(clock.size(), 2);
-  waves << angle.cos(), angle.sin();
-  return waves;
-}
-
 Eigen::VectorXd clock_of(const Series& series) {
   return Eigen::Map<const Eigen::VectorXd>(series.clock.data(),
                                            static_cast<Eigen::Index>(series.clock.size()));
-}
-
-Eigen::Vector2d amplitudes(const Eigen::VectorXd& values, const Eigen::MatrixX2d& waves) {
-  return LeastSquares(waves).solve(values);
-}
-
-/// What is left of values without their slow components.
-Eigen::VectorXd fast_part(const Eigen::VectorXd& values) {
-  Eigen::VectorXd fast = values;
-  const auto count = static_cast<std::size_t>(values.size());
-  for (std::size_t k = 0; k < slow_components(count); ++k) {
-    const Eigen::VectorXd wave = cosine_wave(count, k);
-    fast -= wave * wave.dot(fast);
-  }
-  return fast;
-}
-
-/// Innovations of noise whose neighbours correlate: without them, slow noise would look like a line.
-Eigen::VectorXd innovations(const Eigen::VectorXd& values, double correlation) {
-  const Eigen::Index rest = values.size() - 1;
-  return values.tail(rest) - correlation * values.head(rest);
-}
-
-/// Frequency a reading below which a tone of so many readings is slow.
-double slowest_tone(std::size_t count) {
-  return (static_cast<double>(slow_components(count)) / 2 + 1) / static_cast<double>(count);
-}
-
-/// Frequencies at which the spectrum of so many readings is looked at: four an ordinate, so that a line
-/// between two of these loses nothing.
-constexpr int looks_an_ordinate = 4;
-
-double looked_at(std::size_t count, Eigen::Index look) {
-  return slowest_tone(count) + static_cast<double>(look) / (looks_an_ordinate * static_cast<double>(count));
-}
-
-/// Independent ones among them, those of the periodogram.
-double ordinates(std::size_t count) {
-  return (0.5 - slowest_tone(count)) * static_cast<double>(count);
-}
-
-/// At each look the share of the energy of fast values that a tone explains.
-Eigen::VectorXd spectrum(const Eigen::VectorXd& fast, const Eigen::VectorXd& clock, double correlation) {
-  const auto count = static_cast<std::size_t>(fast.size());
-  const Eigen::VectorXd white = innovations(fast, correlation);
-  const double energy = white.squaredNorm();
-  Eigen::VectorXd shares =
-      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(std::ceil(looks_an_ordinate * ordinates(count))));
-  for (Eigen::Index look = 0; look < shares.size() && energy > 0; ++look) {
-    const Eigen::MatrixX2d waves = tone(clock.head(white.size()), looked_at(count, look));
-    shares(look) = (waves * amplitudes(white, waves)).squaredNorm() / energy;
-  }
-  return shares;
 }
 
 /// The tone of this frequency in fast values.
@@ -97,7 +35,7 @@ struct Loudest {
 Loudest loudest(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double correlation) {
   const auto count = static_cast<std::size_t>(values.size());
   const Eigen::VectorXd fast = fast_part(values);
-  Eigen::VectorXd shares = spectrum(fast, clock, correlation);
+  Eigen::VectorXd shares = tone_shares(fast, clock, correlation);
   Eigen::Index look = 0;
   const double share = shares.maxCoeff(&look);
   // Fisher: with n ordinates the largest share g of the energy has P(g > x) < n (1 - x)^(n - 1); looking
