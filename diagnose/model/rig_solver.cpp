@@ -120,7 +120,7 @@ bool RigSolver<Bandwidth>::descend(const RigStep& step, const Imposed& imposed, 
                 posture.angle, posture.force, contacts, at_rest);
   };
   system_.expand(posture.angle, posture.force);
-  if (system_.symmetric()) return comes_to_rest();
+  if (imposed.control == Control::force || system_.symmetric()) return comes_to_rest();
   // A force that acts beside the point that is held may grow either way, and from a shape that it leaves, but
   // is at rest in, neither: it is pressed on towards the base, or, where that ends nowhere, away from it.
   const Posture from = posture;

@@ -14,9 +14,9 @@ struct FlowLimits {
   int most_steps;     ///< after which it is given up
 };
 
-/// How far what holds the end point gives way, over the damping, in units of a step that the dampers alone
-/// stop: none where the force acts at that point. Where it acts beside it, and may push it the wrong way, the
-/// force grows with what is missing of the way, until a shape is found in which it pulls the point along.
+/// Compliance of what holds the end point, over the damping: none where the force acts at that point. Where
+/// it acts beside it, and may push it the wrong way, the force grows with what is missing of the way, until a
+/// shape is found in which it pulls the point along.
 template <LoadedModel Model>
 typename Model::Real give_of(const LoadedSystem<Model>& system, const typename Model::Real& stiffest) {
   using Real = typename Model::Real;
