@@ -47,12 +47,20 @@ Eigen::ArrayXd beyond(const Eigen::ArrayXd& d, double limit) {
   return d.sign() * (d.abs() - limit).max(0);
 }
 
-/// The least that is left by a shape that begins somewhere, over twenty places.
+/// The least that is left by a shape that begins somewhere: over twenty places, then over as many about the
+/// best of these. Coarser, a shape with a coefficient more would pass for it.
 template <class Left>
 double least(double from, double to, const Left& left) {
   constexpr int places = 20;
-  double best = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= places; ++i) best = std::min(best, left(from + (to - from) * i / places));
+  double best = std::numeric_limits<double>::infinity(), at = from;
+  const auto look = [&](double low, double step) {
+    for (int i = 0; i <= places; ++i)
+      if (const double here = left(low + i * step); here < best) best = here, at = low + i * step;
+  };
+  const double step = (to - from) / places;
+  look(from, step);
+  const double around = std::max(from, at - step);
+  look(around, (std::min(to, at + step) - around) / places);
   return best;
 }
 
