@@ -46,8 +46,9 @@ Scene scene_of(const Bench& bench) {
 }
 
 std::optional<Bench> draw_bench(Random& random, bool rough) {
+  constexpr double single_joint = 0.15;  // of what laboratories publish it is more
   Bench bench;
-  bench.plan = draw_plan(random);
+  bench.plan = rough && random.chance(single_joint) ? draw_joint_plan(random) : draw_plan(random);
   const Physics physics = physics_of(bench.plan);
   bench.states = simulate(bench.plan, physics);
   if (!calm(bench.states)) return std::nullopt;

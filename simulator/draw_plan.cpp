@@ -28,6 +28,22 @@ Nominal draw_chain(Random& random) {
   return chain;
 }
 
+/// One sprung joint, as laboratories test it: an arm, or a strut whose second link carries the force alone.
+Nominal draw_joint(Random& random) {
+  const double length = random.log_uniform(0.05, 0.3), stiffness = random.log_uniform(0.3, 15);
+  Nominal joint{{rounded(length, 1e-4)}, {significant(stiffness, 3)}, {}};
+  if (random.chance(0.3)) return joint;
+  joint.length.push_back(rounded(length * random.uniform(0.7, 1.3), 1e-4));
+  joint.stiffness.push_back(0);
+  return joint;
+}
+bool is_arm(const Nominal& chain) {
+  return chain.length.size() == 1;
+}
+bool is_strut(const Nominal& chain) {
+  return chain.stiffness.back() == 0;
+}
+
 void draw_gravity(Plan& plan, Random& random) {
   const double kind = random.uniform(0, 1);
   if (kind < 0.45) return;
@@ -51,8 +67,12 @@ struct Shape {
 };
 
 Shape draw_shape(const Nominal& chain, Random& random) {
-  const std::string name = random.one_of<std::string>({"u", "u", "u", "s", "z", "w", "flat"});
-  const double bend = name == "flat" ? random.uniform(0.03, 0.12) : random.uniform(0.18, 0.6);
+  const bool strut = is_strut(chain);
+  const std::string name =
+      strut ? "strut" : random.one_of<std::string>({"u", "u", "u", "s", "z", "w", "flat"});
+  const double bend = strut            ? random.uniform(0.4, 1.2)
+                      : name == "flat" ? random.uniform(0.03, 0.12)
+                                       : random.uniform(0.18, 0.6);
   const std::size_t n = chain.length.size();
   const double side = random.sign();
   std::vector<double> theta;
@@ -60,6 +80,7 @@ Shape draw_shape(const Nominal& chain, Random& random) {
   for (std::size_t j = 0; j < n; ++j) {
     const double s = (static_cast<double>(j) + 0.5) / static_cast<double>(n);
     double profile = 1 - 2 * s;  // u, flat
+    if (strut) profile = j == 0 ? 1 : -1;
     if (name == "s") profile = std::cos(2 * pi * s);
     if (name == "z") profile = j % 2 == 0 ? 1 : -1;
     if (name == "w") profile = std::cos(3 * pi * s);
@@ -135,12 +156,16 @@ PlannedRun draw_run(const Plan& plan, std::size_t number, Random& random) {
   const bool mechanism = chain.stiffness.front() == 0;  // under a force, with a passive base
   PlannedRun run;
   run.rest = shape.rest;
-  run.force_controlled = !mechanism && random.chance(0.15);
+  run.force_controlled = is_arm(chain) || (!mechanism && !is_strut(chain) && random.chance(0.15));
   const Pair start =
       run.force_controlled ? Pair{0, 0} : Pair{rounded(end[0], place_unit), rounded(end[1], place_unit)};
   std::string motion = "push", profile;
   Pair way;
-  if (run.force_controlled) {
+  if (is_arm(chain)) {
+    const double size = random.uniform(0.05, 0.5) * plan.typical_stiffness() / plan.reach();
+    const double across = random.sign() * 0.5 * pi + random.uniform(-0.3, 0.3);
+    way = {size * std::cos(across), size * std::sin(across)};
+  } else if (run.force_controlled) {
     // a share of the buckling load of the straight chain with a free end, roughly that of a clamped column
     const double size = random.uniform(0.15, 0.5) * 2.5 * plan.typical_stiffness() /
                         (static_cast<double>(plan.size()) * plan.reach());
@@ -161,11 +186,9 @@ PlannedRun draw_run(const Plan& plan, std::size_t number, Random& random) {
   return run;
 }
 
-}  // namespace
-
-Plan draw_plan(Random& random) {
+Plan plan_for(const Nominal& chain, Random& random) {
   Plan plan;
-  plan.nominal = draw_chain(random);
+  plan.nominal = chain;
   draw_gravity(plan, random);
   plan.angles_measured = random.chance(0.4);
   plan.cross_force_measured = random.chance(0.95);
@@ -175,6 +198,16 @@ Plan draw_plan(Random& random) {
     if (run.force_controlled || reachable(run, plan.reach())) plan.runs.push_back(std::move(run));
   }
   return plan;
+}
+
+}  // namespace
+
+Plan draw_plan(Random& random) {
+  return plan_for(draw_chain(random), random);
+}
+
+Plan draw_joint_plan(Random& random) {
+  return plan_for(draw_joint(random), random);
 }
 
 }  // namespace plumbline::simulator

@@ -11,4 +11,7 @@ namespace plumbline::simulator {
 /// Everything is rounded as it is written to the files.
 Plan draw_plan(Random& random);
 
+/// The bench of a single sprung joint: an arm that is pulled across, or a strut whose end point is moved.
+Plan draw_joint_plan(Random& random);
+
 }  // namespace plumbline::simulator
