@@ -15,6 +15,10 @@ constexpr std::array<Channel, 2> force_channels{{{Name::Fx}, {Name::Fy}}};
 
 }  // namespace
 
+std::size_t Side::first() const {
+  return static_cast<std::size_t>(std::find(apart.begin(), apart.end(), true) - apart.begin());
+}
+
 std::array<Channel, 2> Run::imposed() const {
   return holds_end_point() ? place_channels : force_channels;
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <plumbline/loaded/control.hpp>
 #include <string>
 #include <vector>
@@ -35,6 +36,16 @@ struct Groups {
                                    ///< end; empty where none were drawn together
 };
 
+/// Where a chain may go to either of two sides: the joint angles on the one to which it went, and on the
+/// other; a row a reading, a column a joint.
+struct Side {
+  std::vector<bool> apart;  ///< whether they are apart there
+  Eigen::ArrayXXd there, other;
+  Eigen::ArrayX2d force;  ///< on the end point, there, N
+  /// The first reading at which they are apart.
+  [[nodiscard]] std::size_t first() const;
+};
+
 /// One loading history from rest, readings in the order in which they were taken.
 struct Run {
   std::string id;
@@ -46,6 +57,7 @@ struct Run {
   std::vector<Origin> origins = {};  ///< of t, x, y, Fx, Fy and the joint angles; empty where it was not read
   bool by_weights = false;  ///< whether an imposed force is that of weights, not of a servo on the load cell
   bool weights_inferred = false;  ///< whether that is told by the forces, not by who took the readings
+  std::optional<Side> side = std::nullopt;  ///< what the readings say where the model leaves it open
 
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
   /// What the rig imposes, along x and along y.

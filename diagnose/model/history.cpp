@@ -192,6 +192,40 @@ class RunWalk {
     if (std::abs(way) > 1e-4 * reach(experiment_.link_length).largest) direction_ = way > 0 ? 1 : -1;
   }
 
+  /// Whether the chain is nearer to the side that it did not go to than to the one that it did.
+  [[nodiscard]] bool is_on_other_side(std::size_t r) const {
+    const auto row = static_cast<Eigen::Index>(r);
+    double there = 0, other = 0;
+    for (std::size_t i = 0; i < layout_.links; ++i) {
+      const auto joint = static_cast<Eigen::Index>(i);
+      const double q = layout_.joint_angle(main_.posture.angle, i);
+      there = std::max(there, std::abs(q - run_.side->there(row, joint)));
+      other = std::max(other, std::abs(q - run_.side->other(row, joint)));
+    }
+    return other < there;
+  }
+
+  /// Looks for the chain on the side that it went to, where it arrived on the other one or nowhere: a softer
+  /// one loses its stiffness before the sides are apart. \returns whether it is there; if not, it stays
+  bool crosses_over(const RigStep& step, const Imposed& target, std::size_t r, bool arrived) {
+    if (arrived && !(run_.side->apart[r] && is_on_other_side(r))) return false;
+    const Posture stays = main_.posture;
+    main_.posture = last_posture_;
+    const std::size_t apart = std::max(r, run_.side->first());
+    const auto row = static_cast<Eigen::Index>(apart);
+    double theta = 0;
+    for (std::size_t j = 0; j < layout_.links; ++j) {
+      theta += run_.side->there(row, static_cast<Eigen::Index>(j));
+      const auto nodes = static_cast<Eigen::Index>(layout_.nodes_per_link());
+      main_.posture.angle.segment(static_cast<Eigen::Index>(layout_.first(j)), nodes).setConstant(theta);
+    }
+    main_.posture.force = {run_.side->force(row, 0), run_.side->force(row, 1)};
+    guess_ = main_.posture;
+    if (solver_.follow(step, target, target, guess_, main_.posture) && !is_on_other_side(apart)) return true;
+    main_.posture = stays;
+    return false;
+  }
+
   /// Looks first where the last step leads if it goes on as it went, if the load does.
   void extrapolate(const Imposed& target) {
     guess_ = main_.posture;
@@ -219,8 +253,10 @@ class RunWalk {
     const RigStep step = step_of(main_);
     extrapolate(target);
     last_posture_ = main_.posture;
-    if (!solver_.follow(step, at_, target, guess_, main_.posture)) return false;
-    snapped_ = snapped_ || solver_.snapped();
+    const bool arrives = solver_.follow(step, at_, target, guess_, main_.posture);
+    const bool crosses = run_.side && crosses_over(step, target, r, arrives);
+    if (!arrives && !crosses) return false;
+    snapped_ = snapped_ || (!crosses && solver_.snapped());
     if (!beside_.empty()) solver_.prepare(step, target, main_.posture);
     for (Traveller& other : beside_) {
       const RigStep its = step_of(other);

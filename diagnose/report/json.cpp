@@ -35,8 +35,10 @@ Json by_label(const std::map<Channel, double>& values) {
 }
 
 Json gap(const GapAnswer& answer, const NoiseModel& model) {
-  Json proportional = Json::object();
+  Json proportional = Json::object(), other_side = Json::array();
   for (const auto& [name, share] : answer.proportional) proportional[label(name)] = share;
+  for (const OtherSide& one : answer.other_side)
+    other_side.push_back({{"run", one.run}, {"from", one.reading}});
   return {{"present", answer.present},
           {"p_value", answer.test.p_value},
           {"chi2_per_dof", answer.chi2_per_value},
@@ -44,7 +46,8 @@ Json gap(const GapAnswer& answer, const NoiseModel& model) {
           {"noise", noise(model, answer.rms)},
           {"proportional_noise", proportional},
           {"uneven_noise", by_label(answer.uneven)},
-          {"taken_for_weights", answer.taken_for_weights}};
+          {"taken_for_weights", answer.taken_for_weights},
+          {"other_side", other_side}};
 }
 
 Json where(const Where& places) {

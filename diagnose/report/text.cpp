@@ -57,6 +57,12 @@ std::string gap(const Diagnosis& diagnosis) {
   if (!answer.taken_for_weights.empty())
     text += fmt::format("  the forces of {} point straight down and have no noise: taken for weights\n",
                         fmt::join(answer.taken_for_weights, ", "));
+  for (const OtherSide& one : answer.other_side)
+    text += fmt::format(
+        "  from reading {} of {} on the chain is where its imperfections sent it, half a degree of a rest "
+        "angle "
+        "deciding: so is the model\n",
+        one.reading, one.run);
   if (answer.present) return text;
   for (const HummingChannel& one : answer.hum)
     text +=

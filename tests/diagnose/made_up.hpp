@@ -35,8 +35,15 @@ inline Diagnosis made_up() {
   made.experiment = "three links";
   made.noise.scale = {1, 1, 2, 1, 0.5};
   made.noise.correlation = 0.12;
-  made.gap = {true, {1e-5, 3, {}, made.noise, {}}, 12.5,           {{of_Fx, 0.25}, {of_q2, 0.0031}},
-              {},   {{Channel::Name::Fx, 0.021}},  {{of_q2, 3.2}}, {"load-2"}};
+  made.gap = {true,
+              {1e-5, 3, {}, made.noise, {}},
+              12.5,
+              {{of_Fx, 0.25}, {of_q2, 0.0031}},
+              {},
+              {{Channel::Name::Fx, 0.021}},
+              {{of_q2, 3.2}},
+              {"load-2"},
+              {{"press-1", 3}}};
   made.where.channels = {{of_Fx, 0.75}, {of_q2, 0.25}};
   made.where.runs = {{"press-1", 0.9}, {"load-2", 0.1}};
   made.where.load_path = {{"load-2", 0, 4, 0.004, Regime::pre_buckling},
