@@ -46,22 +46,16 @@ std::optional<std::size_t> best_single(const Study& study, const Cause& cause) {
 /// may repeat better than they are true; and of a gap that is far beyond the noise a share, for no model of a
 /// device reaches what such readings show. Nothing where this is no more than the noise.
 std::optional<NoiseModel> tolerance(const Study& study, const NoiseModel& noise) {
-  std::array<double, channel_names> squares{}, count{};
-  const std::vector<double> gap = without_outliers(study.measurements(), study.nominal_residual());
-  for (const Series& series : study.measurements().series()) {
-    const auto c = static_cast<std::size_t>(series.channel.name);
-    for (std::size_t i = 0; i < series.readings.size(); ++i) squares[c] += std::pow(gap[series.first + i], 2);
-    count[c] += static_cast<double>(series.readings.size());
-  }
+  const std::array<double, channel_names> gap =
+      rms_by_name(study.measurements(), without_outliers(study.measurements(), study.nominal_residual()));
   NoiseModel tolerated{noise.scale, 0};
   // What a reading brings anew: how large the noise is beside depends on how long it is said to remember.
   const double innovation = std::sqrt(1 - noise.correlation * noise.correlation);
   for (std::size_t c = 0; c < channel_names; ++c) {
-    if (count[c] == 0) continue;
-    const double rms = std::sqrt(squares[c] / count[c]);
+    if (gap[c] == 0) continue;
     if (std::log(noise.scale[c]) < -2 * beliefs::scale_spread) tolerated.scale[c] = 1;
-    if (rms > beliefs::far_beyond * noise.scale[c] * innovation)
-      tolerated.scale[c] = std::max(tolerated.scale[c], beliefs::tolerated_share * rms);
+    if (gap[c] > beliefs::far_beyond * noise.scale[c] * innovation)
+      tolerated.scale[c] = std::max(tolerated.scale[c], beliefs::tolerated_share * gap[c]);
   }
   return tolerated.scale == noise.scale ? std::nullopt : std::optional(tolerated);
 }

@@ -8,6 +8,7 @@
 #include "diagnose/answers/acceptance.hpp"
 #include "diagnose/answers/implied_shares.hpp"
 #include "diagnose/answers/rotation.hpp"
+#include "diagnose/answers/single_joint.hpp"
 #include "diagnose/beliefs.hpp"
 
 namespace plumbline::diagnose {
@@ -47,8 +48,10 @@ GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
   }
   for (const Series& series : measurements.series())
     if (series.times > 1) gap.uneven[series.channel] = series.times;
-  for (const Run& run : study.experiment().runs)
+  for (const Run& run : study.experiment().runs) {
     if (run.weights_inferred) gap.taken_for_weights.push_back(run.id);
+    if (run.side) gap.other_side.push_back({run.id, run.first_taken(run.side->first())});
+  }
   for (const Series& series : measurements.series()) {
     if (series.proportion == 0) continue;
     double& share = gap.proportional[series.channel.name];
@@ -156,13 +159,14 @@ bool fails(const Shrink& shrink) {
   return shrink.tested() && !(shrink.ratio < 1);
 }
 
-/// Whether a law is no use: it does not predict, or clearly worse than what explains a part of the gap; where
-/// both leave much the same, the law has a picture.
+/// Whether a law is no use: it does not predict, or no better than what is named, or clearly worse than what
+/// explains a part of the gap; where these leave much the same, the law has a picture.
 bool is_no_use(const OfferedLaw& law, const Diagnosis& diagnosis) {
   constexpr double clearly = 1.25;
   if (!law.shrink) return false;
-  const bool partial = diagnosis.cause.verdict == CauseVerdict::unknown && diagnosis.shrink;
-  return fails(*law.shrink) || (partial && !(law.shrink->ratio < clearly * diagnosis.shrink->ratio));
+  if (fails(*law.shrink)) return true;
+  const double times = diagnosis.cause.verdict == CauseVerdict::unknown ? clearly : 1;
+  return diagnosis.shrink && !(law.shrink->ratio < times * diagnosis.shrink->ratio);
 }
 
 /// The best of a few partial explanations, as it is fitted to a study.
@@ -232,6 +236,11 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
     test_best();
   demand_shrink(diagnosis.shrink, diagnosis.cause);
   demand_second_run(study, diagnosis.cause);
+  diagnosis.allowed = findings.noise;
+  if (const std::optional<NamedLaw> named = name_single_joint(study, diagnosis.noise, diagnosis.cause)) {
+    diagnosis.shrink = named->shrink;
+    diagnosis.allowed = named->allowed;
+  }
   share_with_class(diagnosis.cause);
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.reservation != Reservation::none)
     offer_law_to(study, chosen, diagnosis);
@@ -245,7 +254,7 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
   }
   if (diagnosis.cause.verdict != CauseVerdict::unknown)
     diagnosis.estimates =
-        estimate(study, diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit, findings.noise);
+        estimate(study, diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit, diagnosis.allowed);
 }
 
 /// The best explanation and those that cannot be told apart from it.
@@ -288,7 +297,7 @@ Diagnosis diagnose(const Study& study, const Report& progress, bool plan) {
   Diagnosis diagnosis;
   diagnosis.experiment = study.experiment().name;
   diagnosis.gap = ask_for_gap(study, residual);
-  diagnosis.noise = diagnosis.gap.test.noise;
+  diagnosis.allowed = diagnosis.noise = diagnosis.gap.test.noise;
   if (diagnosis.gap.present) {
     explain(study, diagnosis, report);
   } else if (ripples(study.measurements(), diagnosis.noise)) {
@@ -301,7 +310,7 @@ Diagnosis diagnose(const Study& study, const Report& progress, bool plan) {
   if (diagnosis.gap.present && diagnosis.cause.verdict == CauseVerdict::unknown)
     diagnosis.missing = describe_missing(study, residual, diagnosis.where);
   if (const std::vector<Fit> fits = to_separate(diagnosis.cause, plan); fits.size() > 1)
-    diagnosis.proposals = next_runs(study, fits, diagnosis.noise, 5);
+    diagnosis.proposals = next_runs(study, fits, diagnosis.allowed, 5);
   report(1);
   return diagnosis;
 }

@@ -22,6 +22,12 @@ struct HummingChannel {
   double rms;     ///< declared sigmas
 };
 
+/// A run whose chain went to the other side than its nominal model goes to by itself.
+struct OtherSide {
+  std::string run;
+  std::size_t reading;  ///< as it was taken, from 0: the first one there
+};
+
 struct GapAnswer {
   bool present;
   GapTest test;
@@ -34,6 +40,7 @@ struct GapAnswer {
   std::map<Channel, double> uneven;
   /// Runs whose forces were taken for those of weights, since they look like it (Run::weights_inferred).
   std::vector<std::string> taken_for_weights;
+  std::vector<OtherSide> other_side;
 };
 
 /// A parameter of the best explanation with its 95 % bounds, in catalogue units.
@@ -52,7 +59,8 @@ struct Diagnosis {
   GapAnswer gap;
   Where where;
   Cause cause;
-  NoiseModel noise;  ///< that the best explanation leaves
+  NoiseModel noise;    ///< that the best explanation leaves
+  NoiseModel allowed;  ///< what is named was let leave: the noise, of a single joint's law more
   std::vector<std::vector<Estimate>>
       estimates;                        ///< [effect of the best explanation][parameter]; of a known cause
   std::vector<EffectAt> not_exercised;  ///< effects that these runs could not have shown

@@ -65,19 +65,24 @@ std::optional<Rotated> rotated(const Study& study, const NoiseModel& noise, cons
   return first;
 }
 
-std::optional<Rotated> rotated(const Study& study, const Fit& fitted, const NoiseModel& noise) {
+std::optional<Rotated> rotated(const Study& study, const Fit& fitted, const NoiseModel& noise,
+                               const NoiseModel& allowed) {
   FitSettings settings;
-  settings.noise = noise;
+  settings.noise = allowed;
   return rotated(
       study, noise, [&](const Study& seen, const HeldOut& part) -> std::optional<std::vector<double>> {
         const Fit blind = fit_from(seen, fitted.candidate, settings, fitted.parameters);
         if (!blind.converged) return std::nullopt;
         const Prediction predicted = predict(study, blind.candidate, blind.parameters, true);
-        if (!predicted.reached ||
-            spread(study, predicted, part, posterior_covariance(seen, blind), noise) > beliefs::undetermined)
+        if (!predicted.reached || spread(study, predicted, part, posterior_covariance(seen, blind), allowed) >
+                                      beliefs::undetermined)
           return std::nullopt;
         return study.residual(predicted);
       });
+}
+
+std::optional<Rotated> rotated(const Study& study, const Fit& fitted, const NoiseModel& noise) {
+  return rotated(study, fitted, noise, noise);
 }
 
 }  // namespace plumbline::diagnose

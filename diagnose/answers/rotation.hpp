@@ -27,6 +27,10 @@ std::optional<Rotated> rotated(const Study& study, const NoiseModel& noise, cons
 /// The explanation, refitted without each part in its turn. The others do not tell where they do not
 /// determine what is fitted: the open parameters would spread the prediction by more than a part of the
 /// noise.
+/// \param allowed  what it may leave, where that is more than noise: fits are weighed by it, and what is open
+///                 is measured by it
+std::optional<Rotated> rotated(const Study& study, const Fit& fitted, const NoiseModel& noise,
+                               const NoiseModel& allowed);
 std::optional<Rotated> rotated(const Study& study, const Fit& fitted, const NoiseModel& noise);
 
 }  // namespace plumbline::diagnose

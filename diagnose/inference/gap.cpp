@@ -165,4 +165,18 @@ GapTest test_gap(const Measurements& measurements, const std::vector<double>& re
   return test;
 }
 
+std::array<double, channel_names> rms_by_name(const Measurements& measurements,
+                                              const std::vector<double>& residual) {
+  std::array<double, channel_names> squares{}, count{};
+  for (const Series& series : measurements.series()) {
+    const auto c = static_cast<std::size_t>(series.channel.name);
+    for (std::size_t i = 0; i < series.readings.size(); ++i)
+      squares[c] += std::pow(residual[series.first + i], 2);
+    count[c] += static_cast<double>(series.readings.size());
+  }
+  for (std::size_t c = 0; c < channel_names; ++c)
+    if (count[c] > 0) squares[c] = std::sqrt(squares[c] / count[c]);
+  return squares;
+}
+
 }  // namespace plumbline::diagnose

@@ -22,4 +22,8 @@ struct GapTest {
 /// same layout that runs through the same estimators, over every correlation that the estimate leaves open.
 GapTest test_gap(const Measurements& measurements, const std::vector<double>& residual);
 
+/// Root mean square of a residual by Channel::Name; zero where nothing was measured.
+std::array<double, channel_names> rms_by_name(const Measurements& measurements,
+                                              const std::vector<double>& residual);
+
 }  // namespace plumbline::diagnose

@@ -104,14 +104,14 @@ class Searcher {
     return fits;
   }
 
-  /// Everything that machining leaves, at once; nothing where the bench cannot show it all, or where it has
-  /// too many values to be fitted in time.
+  /// Everything that machining leaves, at once, also of a single joint, of which one kind alone would be a
+  /// wrong stiffness or rest angle; nothing where it has too many values to be fitted in time.
   [[nodiscard]] std::vector<Fit> machined() const {
     constexpr std::size_t most_values = 40;
     Candidate candidate;
-    for (const EffectAt& at : possible_effects(study_))
-      if (at.effect->of_machining) candidate.effects.push_back(at);
-    const bool can_be = candidate.machined() && study_.ranges(candidate).size() <= most_values;
+    for (const Effect* row : study_.effects())
+      if (row->of_machining) candidate.effects.emplace_back(*row);
+    const bool can_be = study_.ranges(candidate).size() <= most_values;
     return side_by_side(can_be ? 1 : 0, [&](std::size_t) { return fit(study_, candidate, settings_); });
   }
 

@@ -19,13 +19,6 @@ double freedom(const Measurements& measurements, const Fit& fit) {
   return static_cast<double>(values > parameters ? values - parameters : 1);
 }
 
-double chi2_per_dof(const Measurements& measurements, const Fit& fit, const NoiseModel& noise) {
-  double sum = 0;
-  for (const double z : whiten(measurements, without_outliers(measurements, fit.residual), noise))
-    sum += huber(z, FitSettings().outlier_bound);
-  return sum / freedom(measurements, fit);
-}
-
 /// What an explanation may leave of a reading.
 const NoiseModel& allowed(const Findings& findings) {
   return findings.tolerance ? *findings.tolerance : findings.noise;
@@ -83,6 +76,13 @@ std::vector<Ranked> ranked(const Study& study, const Findings& findings) {
 
 }  // namespace
 
+double chi2_per_dof(const Measurements& measurements, const Fit& fit, const NoiseModel& noise) {
+  double sum = 0;
+  for (const double z : whiten(measurements, without_outliers(measurements, fit.residual), noise))
+    sum += huber(z, FitSettings().outlier_bound);
+  return sum / freedom(measurements, fit);
+}
+
 std::string verdict_word(CauseVerdict verdict) {
   switch (verdict) {
     case CauseVerdict::none:
@@ -120,6 +120,10 @@ std::string reservation_words(Reservation reservation) {
              "hide";
     case Reservation::beyond_tolerance:
       return "its tolerances are wider than machining leaves";
+    case Reservation::single_joint:
+      return "it closes nearly all of the gap, beside a spring that is not as it was believed, but leaves "
+             "more "
+             "than the readings scatter";
   }
   return "";
 }
@@ -348,14 +352,16 @@ void drop_refinements(Cause& cause) {
 
 }  // namespace
 
-std::size_t best_partial(const Measurements& measurements, const std::vector<const Fit*>& fits) {
+double partial_criterion(const Measurements& measurements, const Fit& fit) {
   const double independent = static_cast<double>(measurements.size()) / beliefs::share_a_misfit;
-  const auto criterion = [&](const Fit* one) {
-    return independent * std::log(one->cost) +
-           static_cast<double>(one->parameters.size()) * std::log(std::max(independent, 2.0));
-  };
-  const auto place = std::min_element(
-      fits.begin(), fits.end(), [&](const Fit* a, const Fit* b) { return criterion(a) < criterion(b); });
+  return independent * std::log(fit.cost) +
+         static_cast<double>(fit.parameters.size()) * std::log(std::max(independent, 2.0));
+}
+
+std::size_t best_partial(const Measurements& measurements, const std::vector<const Fit*>& fits) {
+  const auto place = std::min_element(fits.begin(), fits.end(), [&](const Fit* a, const Fit* b) {
+    return partial_criterion(measurements, *a) < partial_criterion(measurements, *b);
+  });
   return static_cast<std::size_t>(place - fits.begin());
 }
 

@@ -14,14 +14,16 @@ std::string verdict_word(CauseVerdict verdict);
 /// Why an explanation that stands out may not be the cause.
 enum class Reservation {
   none,
-  not_tested,       ///< no readings that could be held out carry a gap that it could shrink
-  not_predicted,    ///< it does not predict the readings that were held out
-  one_run,          ///< where it sets in shows in one run alone
-  beyond_noise,     ///< it leaves more than the readings scatter, though no more than is tolerated
-  small_gap,        ///< it takes two effects, and noise is much of the gap that it is tested on
-  many_values,      ///< beside one effect it takes another with a value at every joint, link or run
-  machining_alone,  ///< it is what machining leaves, or a kind of that, and nothing else
-  beyond_tolerance  ///< its tolerances are wider than machining leaves
+  not_tested,        ///< no readings that could be held out carry a gap that it could shrink
+  not_predicted,     ///< it does not predict the readings that were held out
+  one_run,           ///< where it sets in shows in one run alone
+  beyond_noise,      ///< it leaves more than the readings scatter, though no more than is tolerated
+  small_gap,         ///< it takes two effects, and noise is much of the gap that it is tested on
+  many_values,       ///< beside one effect it takes another with a value at every joint, link or run
+  machining_alone,   ///< it is what machining leaves, or a kind of that, and nothing else
+  beyond_tolerance,  ///< its tolerances are wider than machining leaves
+  single_joint  ///< it draws the torque law of the only sprung joint, all but a part, and leaves more than
+                ///< noise
 };
 
 /// Why, in words of which "it" is the explanation; empty for none.
@@ -54,8 +56,14 @@ bool genuine(const Study& study, const Fit& fit);
 /// the leading one, fitted to all readings.
 Findings confirmed(const Study& study, const Findings& found);
 
-/// Place of the explanation that is worth most where none is right: what it leaves is then taken as noise
-/// that eight neighbouring readings share, and parameters are charged by Schwarz's criterion.
+/// Chi-square per degree of freedom that a fit leaves in this noise, without outliers.
+double chi2_per_dof(const Measurements& measurements, const Fit& fit, const NoiseModel& noise);
+
+/// What a partial explanation costs, the less the better: what it leaves is taken as noise that eight
+/// neighbouring readings share, and parameters are charged by Schwarz's criterion.
+double partial_criterion(const Measurements& measurements, const Fit& fit);
+
+/// Place of the explanation that is worth most where none is right, by partial_criterion().
 std::size_t best_partial(const Measurements& measurements, const std::vector<const Fit*>& fits);
 
 /// Makes the explanation at a place of the ranking the one that stands out, or the head of a class with those
