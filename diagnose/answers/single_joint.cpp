@@ -53,10 +53,11 @@ std::vector<Candidate> laws(const Study& study, std::size_t joint) {
 }
 
 /// What an ideal law may leave of a device: of each channel's gap a share, where that is more than noise.
+/// What is left is no noise that remembers; how neighbours share it is in what the law is worth.
 NoiseModel allowed_of(const Study& study, const NoiseModel& noise) {
   const std::array<double, channel_names> gap =
       rms_by_name(study.measurements(), without_outliers(study.measurements(), study.nominal_residual()));
-  NoiseModel allowed = noise;
+  NoiseModel allowed{noise.scale, 0};
   for (std::size_t c = 0; c < channel_names; ++c)
     allowed.scale[c] = std::max(noise.scale[c], beliefs::tolerated_share * gap[c]);
   return allowed;
@@ -78,13 +79,44 @@ Fit simplified(const Study& study, Fit law, const FitSettings& settings) {
   return law;
 }
 
+/// Whether a parameter ran to an end of its range that is not nothing: the law stands for another one then (a
+/// relaxation slower than the experiment for a softer spring). Where something sets in may be anywhere, and
+/// of several elements one may be anything.
+bool runs_away(const Study& study, const Fit& law) {
+  constexpr double end = 0.05;  // of it
+  std::size_t p = 0;
+  for (const EffectAt& at : law.candidate.effects)
+    for (const ParameterRange& range : study.ranges(at)) {
+      const double value = law.parameters[p++];
+      if (range.is_onset() || at.effect->element > 0) continue;
+      const bool low_is_nothing = range.coordinate == Coordinate::plain && range.low == 0;
+      if (range.high - value < end * std::abs(range.high)) return true;
+      if (!low_is_nothing && value - range.low < end * std::abs(range.low)) return true;
+    }
+  return false;
+}
+
+/// Whether a part of a law is worth more than all of it.
+bool is_outdone(const Study& study, const Fit& law, const std::vector<Fit>& others) {
+  const auto has = [](const Candidate& whole, const EffectAt& at) {
+    return std::find(whole.effects.begin(), whole.effects.end(), at) != whole.effects.end();
+  };
+  return std::any_of(others.begin(), others.end(), [&](const Fit& other) {
+    const Effects& part = other.candidate.effects;
+    return part.size() < law.candidate.effects.size() && worth(study, other) <= worth(study, law) &&
+           std::all_of(part.begin(), part.end(), [&](const EffectAt& at) { return has(law.candidate, at); });
+  });
+}
+
 /// The laws that are worth most, best first.
 std::vector<Fit> leading(const Study& study, const std::vector<Candidate>& laws,
                          const FitSettings& settings) {
   std::vector<Fit> fits(laws.size());
   in_parallel(laws.size(), study.threads(),
               [&](std::size_t i) { fits[i] = simplified(study, fit(study, laws[i], settings), settings); });
-  std::erase_if(fits, [&](const Fit& one) { return !one.converged || !genuine(study, one); });
+  std::erase_if(fits, [&](const Fit& one) { return !one.converged || runs_away(study, one); });
+  const std::vector<Fit> all = fits;
+  std::erase_if(fits, [&](const Fit& one) { return is_outdone(study, one, all); });
   std::sort(fits.begin(), fits.end(),
             [&](const Fit& a, const Fit& b) { return worth(study, a) < worth(study, b); });
   constexpr std::size_t few = 8;
