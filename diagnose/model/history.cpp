@@ -192,17 +192,20 @@ class RunWalk {
     if (std::abs(way) > 1e-4 * reach(experiment_.link_length).largest) direction_ = way > 0 ? 1 : -1;
   }
 
-  /// Whether the chain is nearer to the side that it did not go to than to the one that it did.
+  /// Whether the chain is on the side that it did not go to: of the way from between the sides to that one it
+  /// is a tenth at least. What friction holds between them is on neither.
   [[nodiscard]] bool is_on_other_side(std::size_t r) const {
+    constexpr double clearly = 0.1;
     const auto row = static_cast<Eigen::Index>(r);
-    double there = 0, other = 0;
+    double along = 0, whole = 0;
     for (std::size_t i = 0; i < layout_.links; ++i) {
       const auto joint = static_cast<Eigen::Index>(i);
-      const double q = layout_.joint_angle(main_.posture.angle, i);
-      there = std::max(there, std::abs(q - run_.side->there(row, joint)));
-      other = std::max(other, std::abs(q - run_.side->other(row, joint)));
+      const double there = run_.side->there(row, joint), other = run_.side->other(row, joint);
+      const double way = (other - there) / 2;
+      along += (layout_.joint_angle(main_.posture.angle, i) - (there + other) / 2) * way;
+      whole += way * way;
     }
-    return other < there;
+    return along > clearly * whole;
   }
 
   /// Looks for the chain on the side that it went to, where it arrived on the other one or nowhere: a softer

@@ -81,6 +81,18 @@ TEST_CASE("a softer straight column without any imperfection goes to the side of
   CHECK(without.runs[0](30, column_y) == doctest::Approx(read.runs[0].readings.back().y).epsilon(0.02));
 }
 
+TEST_CASE("a column that friction holds between its sides stays there") {
+  const Candidate truth{{"joint_friction", "rest_spread"}};
+  std::vector<double> values{0.01};
+  for (const double off : crooked(-1)) values.push_back(off);
+  const Experiment read = measured(column(), truth, values, 8);
+  REQUIRE(std::abs(read.runs[0].readings.back().y) < 0.01);
+  const Study by_itself(read), study(on_their_sides(read));
+  REQUIRE(study.experiment().runs[0].side);
+  const double expected = mean_square(by_itself, predict(by_itself, truth, values));
+  CHECK(mean_square(study, predict(study, truth, values)) == doctest::Approx(expected));
+}
+
 TEST_CASE("a nearly symmetric chain that goes to the other side shows no gap there") {
   // Pressed, it comes near a crossing of branches, and two thousandths of a radian decide where it goes.
   Experiment experiment;
