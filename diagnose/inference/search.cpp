@@ -116,12 +116,20 @@ class Searcher {
   }
 
   /// The best combinations with one effect left out, started where the combination stands: a search that went
-  /// astray alone may have found its place in company.
+  /// astray alone may have found its place in company. A kind of machining is not left out where the others
+  /// are no rows by themselves.
   [[nodiscard]] std::vector<Fit> parts(const std::vector<Fit>& combinations) const {
+    const std::vector<EffectAt> possible = possible_effects(study_);
+    const bool has_kinds =
+        std::all_of(study_.effects().begin(), study_.effects().end(), [&](const Effect* row) {
+          return !row->of_machining ||
+                 std::find(possible.begin(), possible.end(), EffectAt(*row)) != possible.end();
+        });
     std::vector<std::pair<const Fit*, EffectAt>> cuts;
     for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c)
       for (const EffectAt& left_out : combinations[c].candidate.effects)
-        cuts.emplace_back(&combinations[c], left_out);
+        if (has_kinds || !combinations[c].candidate.has_as_machining(left_out))
+          cuts.emplace_back(&combinations[c], left_out);
     return side_by_side(cuts.size(), [&](std::size_t i) { return without(*cuts[i].first, cuts[i].second); });
   }
 

@@ -97,19 +97,30 @@ Measurements::Measurements(const Experiment& experiment) {
   weigh(experiment, all);
 }
 
-/// Gives the angles of a joint that scatters more than the others a sigma to match.
+/// Gives the angles of a joint that scatters more than the others a sigma to match, unless it does because it
+/// is bent more than they are: noise in proportion is that of all.
 void Measurements::weigh_joints(const Experiment& experiment,
                                 const std::vector<std::vector<double>>& values) {
-  std::vector<std::vector<double>> sizes(experiment.link_length.size());
+  std::vector<ThirdDifferences> all;
+  std::vector<std::size_t> joints;
   for (std::size_t s = 0; s < series_.size(); ++s) {
     const Series& series = series_[s];
     if (series.channel.name != Channel::Name::q) continue;
     const std::vector<bool> evenly = goes_evenly(experiment.runs[series.run], series.readings);
-    const ThirdDifferences found = ThirdDifferences(values[s], series.sigma).where(evenly);
-    std::vector<double>& all = sizes[series.channel.joint];
-    all.insert(all.end(), found.sizes.begin(), found.sizes.end());
+    all.push_back(ThirdDifferences(values[s], series.sigma).where(evenly));
+    joints.push_back(series.channel.joint);
   }
-  const std::vector<double> times = uneven_noise(sizes);
+  const auto times_beside = [&](double proportion) {
+    std::vector<std::vector<double>> sizes(experiment.link_length.size());
+    for (std::size_t s = 0; s < all.size(); ++s)
+      for (std::size_t i = 0; i < all[s].sizes.size(); ++i)
+        sizes[joints[s]].push_back(all[s].sizes[i] / std::hypot(1.0, proportion * all[s].levels[i]));
+    return uneven_noise(sizes);
+  };
+  const std::vector<double> times = times_beside(0);
+  const std::vector<double> beside = times_beside(proportional_noise(all));
+  const auto stands_out = [](double one) { return one > 1; };
+  if (std::none_of(beside.begin(), beside.end(), stands_out)) return;
   for (Series& series : series_) {
     if (series.channel.name != Channel::Name::q) continue;
     series.times = times[series.channel.joint];

@@ -36,11 +36,12 @@ double spread(const std::vector<ThirdDifferences>& series) {
 }
 
 /// The differences without those that an outlier or a step enters: one reading that is off spoils four in a
-/// row, the two in the middle most.
+/// row, the two in the middle most. Of what is large all along the noise is.
 std::vector<ThirdDifferences> without_steps(std::vector<ThirdDifferences> series) {
   constexpr double limit = 4.5;
-  const double tolerance = limit * spread(series);
+  const double usual = spread(series);
   for (ThirdDifferences& one : series) {
+    const double tolerance = limit * std::max(usual, spread({one}));
     const auto off = [&](std::size_t i) {
       return i < one.sizes.size() && std::abs(one.sizes[i]) > tolerance;
     };

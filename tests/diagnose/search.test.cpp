@@ -353,7 +353,7 @@ TEST_CASE("an effect of one value that fits is held against the others of the ca
   for (const Hypothesis& one : findings.hypotheses) CHECK(one.fit.candidate.effects.size() == 1);
 }
 
-TEST_CASE("where a bench cannot show all that machining leaves a part of it is no explanation by that name") {
+TEST_CASE("of a single joint what machining leaves is looked at as a whole, and no part of it by itself") {
   // one spring has no spread of stiffness that is not its own
   Experiment bench = test::three_links();
   bench.link_length = {0.3};
@@ -365,11 +365,14 @@ TEST_CASE("where a bench cannot show all that machining leaves a part of it is n
   const Candidate truth{{{"position_offset"}}};
   const Study study(test::measured(bench, truth, {0.01, -0.02}, 5));
   const Findings findings = search(study);
+  bool whole = false;
   for (const Hypothesis& one : findings.hypotheses) {
     CAPTURE(one.fit.candidate.label());
     CHECK(one.fit.candidate.effects.size() > 0);
-    CHECK_FALSE(one.fit.candidate.machined());
-    CHECK(std::count_if(one.fit.candidate.effects.begin(), one.fit.candidate.effects.end(),
-                        [](const EffectAt& at) { return at.effect->of_machining; }) <= 1);
+    const bool machined = one.fit.candidate.machined();
+    whole = whole || machined;
+    CHECK((machined || std::none_of(one.fit.candidate.effects.begin(), one.fit.candidate.effects.end(),
+                                    [](const EffectAt& at) { return at.effect->of_machining; })));
   }
+  CHECK(whole);
 }

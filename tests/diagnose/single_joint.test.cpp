@@ -37,7 +37,8 @@ void ripple(Experiment& experiment, double size) {
     for (Reading& reading : run.readings) reading.Fx += size * std::sin(300 * reading.x);
 }
 
-const Candidate law{{"nonlinear_spring", {"hysteresis", 1}, {"joint_stiffness", 1}, {"rest_angle", 1}}};
+const Candidate law_of_joint{
+    {"nonlinear_spring", {"hysteresis", 1}, {"joint_stiffness", 1}, {"rest_angle", 1}}};
 const std::vector<double> of_law{3, 0.25, 0.03, 0.2, 0.1, 0, 0.2, 0.35, 0.04};
 
 /// The verdict of a search that found nothing.
@@ -68,7 +69,7 @@ std::vector<Candidate> listed(const Cause& cause) {
 }  // namespace
 
 TEST_CASE("shape and memory of a single joint are named though its spring was a guess and it has a ripple") {
-  Experiment experiment = measured(strut(), law, of_law, 5);
+  Experiment experiment = measured(strut(), law_of_joint, of_law, 5);
   ripple(experiment, 0.15);
   const Study study(experiment);
   Cause cause = nothing_found();
@@ -91,7 +92,7 @@ TEST_CASE("shape and memory of a single joint are named though its spring was a 
 TEST_CASE("a value of the nominal spring that is right is not named beside the law") {
   std::vector<double> right_spring = of_law;
   right_spring[7] = right_spring[8] = 0;
-  Experiment experiment = measured(strut(), law, right_spring, 6);
+  Experiment experiment = measured(strut(), law_of_joint, right_spring, 6);
   ripple(experiment, 0.15);
   const Study study(experiment);
   Cause cause = nothing_found();
@@ -114,7 +115,7 @@ TEST_CASE("nothing is named of several sprung joints, nor where a cause is") {
   const Study several(measured(two, {{"nonlinear_spring"}}, {3}, 8));
   Cause cause = nothing_found();
   CHECK_FALSE(name_single_joint(several, noise_of(several), cause));
-  const Study one(measured(strut(), law, of_law, 9));
+  const Study one(measured(strut(), law_of_joint, of_law, 9));
   Cause known = nothing_found();
   known.verdict = CauseVerdict::identified;
   CHECK_FALSE(name_single_joint(one, noise_of(one), known));

@@ -74,3 +74,20 @@ TEST_CASE("the angle of a joint with a worse encoder counts for less") {
     if (worse) CHECK(series.times == doctest::Approx(std::hypot(1, 4)).epsilon(0.3));
   }
 }
+
+TEST_CASE("the angle of a joint that is bent more than others, where all scatter in proportion, is as good") {
+  Experiment experiment = three_links();
+  for (int i = 0; i < 3; ++i) press(experiment, {0.1, -0.15, 1.2}, {-0.06, 0.01 * i}, 40, true);
+  experiment = measured(experiment, {}, {}, 4);
+  std::mt19937 random(8);
+  std::normal_distribution<double> normal(0, 6 * experiment.noise.q);  // a radian
+  for (Run& run : experiment.runs)
+    for (Reading& reading : run.readings)
+      for (double& q : reading.q) q += q * normal(random);
+  const Measurements all(experiment);
+  for (const Series& series : all.series()) {
+    if (series.channel.name != Channel::Name::q) continue;
+    CHECK(series.times == 1);
+    CHECK(series.proportion * series.sigma == doctest::Approx(6 * experiment.noise.q).epsilon(0.25));
+  }
+}
