@@ -133,7 +133,9 @@ inline constexpr double wrong_unpredicted = 0.25, wrong_unpredicted_compound = 0
 inline constexpr double leaves_the_gap = 0.5, wrong_unshrunk = 0.9;
 
 /// A law of a single joint closes the gap where it leaves no more than this of held-out readings, and others
-/// come near it that leave so many times as much; so probable is a cause that is in no catalogue then.
+/// come near it that leave so many times as much. Of 43 simulated single joints with a cause outside the
+/// catalogue four were named so, and one of 62 others; of nine that laboratories measured, and whose gap
+/// nothing explained, six. So there is as much to be said for another cause.
 inline constexpr double closed = 0.25, closes_near = 1.25, wrong_single_joint = 0.5;
 
 }  // namespace plumbline::diagnose::beliefs

@@ -161,20 +161,19 @@ bool chosen_blind(const Study& study, const std::vector<Fit>& leading, const std
   });
 }
 
-/// Names them, in front of what was ranked before, none of which explained the gap.
+/// Names them in place of what was ranked before, none of which explained the gap.
 void name(const Study& study, const std::vector<Tried>& named, const NoiseModel& noise, Cause& cause) {
-  for (Ranked& one : cause.ranking) one.probability = 0;
   double sum = 0;
-  std::vector<Ranked> front;
+  cause.ranking.clear();
   for (const Tried& one : named) {
     const double odds = std::exp((worth(study, named[0].fit) - worth(study, one.fit)) / 2);
     sum += odds;
     Hypothesis hypothesis;
     hypothesis.fit = one.fit;
-    front.push_back({std::move(hypothesis), odds, chi2_per_dof(study.measurements(), one.fit, noise)});
+    cause.ranking.push_back(
+        {std::move(hypothesis), odds, chi2_per_dof(study.measurements(), one.fit, noise)});
   }
-  for (Ranked& one : front) one.probability *= (1 - beliefs::wrong_single_joint) / sum;
-  cause.ranking.insert(cause.ranking.begin(), front.begin(), front.end());
+  for (Ranked& one : cause.ranking) one.probability *= (1 - beliefs::wrong_single_joint) / sum;
   cause.best = 0;
   cause.equivalent.clear();
   for (std::size_t i = 1; i < named.size(); ++i) cause.equivalent.push_back(i);

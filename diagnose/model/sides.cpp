@@ -72,10 +72,9 @@ std::optional<Side> side_of(const Experiment& one) {
 }  // namespace
 
 Experiment on_their_sides(Experiment experiment) {
-  for (std::size_t r = 0; r < experiment.runs.size(); ++r) experiment.runs[r].number = r;
-  experiment.run_count = experiment.runs.size();
-  for (Run& run : experiment.runs) run.side = side_of(alone(experiment, run));
-  return experiment;
+  Experiment numbered = Study(std::move(experiment)).experiment();
+  for (Run& run : numbered.runs) run.side = side_of(alone(numbered, run));
+  return numbered;
 }
 
 }  // namespace plumbline::diagnose
