@@ -6,7 +6,6 @@
 #include "app/example_files.hpp"
 #include "diagnose/bench/condense.hpp"
 #include "diagnose/bench/read_experiment.hpp"
-#include "diagnose/model/sides.hpp"
 #include "diagnose/stated/read_effects.hpp"
 #include "exchange/read_model.hpp"
 #include "files/experiment_files.hpp"
@@ -50,9 +49,9 @@ diagnose::Experiment bench_of(const ExperimentInput& input) {
 }
 
 diagnose::Study study_of(const ExperimentInput& input, const diagnose::Experiment& experiment) {
-  return diagnose::study_with(
-      on_their_sides(condensed(experiment)),
-      input.effects.empty() ? std::vector<diagnose::StatedEffect>{} : diagnose::read_effects(input.effects));
+  return diagnose::study_with(condensed(experiment), input.effects.empty()
+                                                         ? std::vector<diagnose::StatedEffect>{}
+                                                         : diagnose::read_effects(input.effects));
 }
 
 }  // namespace plumbline::app

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <plumbline/base/error.hpp>
 
+#include "diagnose/model/sides.hpp"
 #include "diagnose/stated/stated_effect.hpp"
 
 namespace plumbline::diagnose {
@@ -110,7 +111,8 @@ void require_defined(const StatedEffect& stated, const Study& study) {
 Study study_with(Experiment experiment, const std::vector<StatedEffect>& stated) {
   std::vector<Effect> rows;
   for (const StatedEffect& one : stated) rows.push_back(row_of(std::make_shared<StatedEffect>(one)));
-  Study study(std::move(experiment), std::make_shared<const std::vector<Effect>>(std::move(rows)));
+  const Study read(std::move(experiment), std::make_shared<const std::vector<Effect>>(std::move(rows)));
+  Study study = read.of(on_their_sides(read.experiment()));
   for (const StatedEffect& one : stated) require_defined(one, study);
   return study;
 }

@@ -44,7 +44,7 @@ Effect row_of(std::shared_ptr<const StatedEffect> stated);
 void require_defined(const StatedEffect& stated, const Study& study);
 
 /// A study in which these are looked for beside the effects of the catalogue, and which the nominal chain may
-/// have among its own. \throws Error as require_defined() does
+/// have among its own, each run on the side that its readings are on. \throws Error as require_defined() does
 Study study_with(Experiment experiment, const std::vector<StatedEffect>& stated);
 
 }  // namespace plumbline::diagnose

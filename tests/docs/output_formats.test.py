@@ -86,6 +86,23 @@ def dragged():
     return law
 
 
+def column(folder):
+    """A straight link on a spring of 2 N m under a force along it, and past its critical one beside it to one side."""
+    folder.mkdir()
+    length, k, crooked = 0.5, 2.0, 2e-3
+    (folder / "experiment.toml").write_text(
+        f'format = "chain-experiment/1"\nname = "column"\n[nominal]\nlink_length = [{length}]\n'
+        f'joint_stiffness = [{k}]\n[bench]\ngravity_plane = "horizontal"\n[noise]\nx = 1e-4\ny = 1e-4\n'
+        '[[run]]\nid = "press"\ncontrol = "force"\nrest = [0]\nsamples = "press.csv"\n', encoding="utf-8")
+    lines, q = ["t,x,y,Fx,Fy"], crooked
+    for t in range(40):
+        force = 1.6 * k / length * t / 39
+        for _ in range(500):  # downhill: k (q - crooked) = F L sin q
+            q -= 0.2 * (q - crooked - force * length / k * math.sin(q))
+        lines.append(f"{t},{length * math.cos(q):.6f},{length * math.sin(q):.6f},{-force:.6f},0")
+    (folder / "press.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
 def reports(folder):
     linear = lambda joint, d, k: k * d
     rippled = lambda joint, d, k: k * d + (0.12 * math.sin(25 * d) if joint == 1 else 0)
@@ -96,6 +113,9 @@ def reports(folder):
     verdicts = {}
     for name in ("no-gap", "ripple", "drag", "one-spring"):
         verdicts[name] = written("diagnose", name, "--corrected", f"{name}.xml", folder=folder)
+    column(folder / "column")
+    on_its_side = written("diagnose", "column", folder=folder)
+    assert [one["run"] for one in on_its_side["gap"]["other_side"]] == ["press"]
     bundled = written("diagnose", "--next", "--corrected", "corrected.toml", folder=folder)
     found = {name: report["cause"]["verdict"] for name, report in verdicts.items()}
     assert found == {"no-gap": "none", "ripple": "unknown", "drag": "unknown", "one-spring": "ambiguous"}, found
@@ -106,7 +126,7 @@ def reports(folder):
         assert (len(files) > 1) == (report["cause"]["verdict"] == "ambiguous"), files
     assert bundled["cause"]["verdict"] == "identified"
     edited = written("diagnose", "no-gap", "--model", "no-gap.xml", "--corrected", "edited.xml", folder=folder)
-    hold("gap-diagnosis", [*verdicts.values(), bundled, edited])
+    hold("gap-diagnosis", [*verdicts.values(), on_its_side, bundled, edited])
 
 
 def trial(folder):
