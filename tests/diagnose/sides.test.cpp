@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "diagnose/answers/diagnosis.hpp"
 #include "diagnose/inference/gap.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -51,6 +52,16 @@ TEST_CASE("a straight column buckles to the side that its readings are on") {
     // Of the bent one the nominal model is where the readings are.
     CHECK_FALSE(study.experiment().runs[1].side);
   }
+}
+
+TEST_CASE("a diagnosis says which run is on a side of its own, and finds what bends the column") {
+  const Study study(on_their_sides(measured(column(), only("rest_spread"), crooked(-1), 3)));
+  const Diagnosis diagnosis = diagnose::diagnose(study);
+  REQUIRE(diagnosis.gap.other_side.size() == 1);
+  CHECK(diagnosis.gap.other_side[0].run == "load-1");
+  CHECK(diagnosis.gap.other_side[0].reading == study.experiment().runs[0].side->first());
+  REQUIRE(diagnosis.cause.verdict != CauseVerdict::unknown);
+  CHECK(diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate == only("rest_spread"));
 }
 
 TEST_CASE("what explains the readings does so on their side as by itself") {

@@ -78,6 +78,9 @@ TEST_CASE("shape and memory of a single joint are named though its spring was a 
   CHECK(cause.verdict == CauseVerdict::ambiguous);
   CHECK(cause.reservation == Reservation::single_joint);
   CHECK(named->shrink.ratio < beliefs::closed);
+  const double gap = rms_by_name(study.measurements(), study.nominal_residual())[2];
+  CHECK(named->allowed.of({Channel::Name::Fx}) ==
+        doctest::Approx(beliefs::tolerated_share * gap).epsilon(0.01));
   CHECK(named->shrink.ratio > named->shrink.noise_floor_ratio);
   const std::vector<Candidate> all = listed(cause);
   CHECK(std::any_of(all.begin(), all.end(), [](const Candidate& one) {
