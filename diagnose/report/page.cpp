@@ -232,8 +232,6 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
     view["uneven"].push_back({{"sensor", sensor}, {"times", times}});
   if (const auto& runs = diagnosis.gap.taken_for_weights; !runs.empty())
     view["weights"] = fmt::format("{}", fmt::join(runs, ", "));
-  for (const OtherSide& one : diagnosis.gap.other_side)
-    view["other_side"].push_back({{"run", one.run}, {"from", one.reading}});
   view["channels_rms"] = gap_channels(diagnosis.gap, view["gap"]["rms"]);
   add_where(view, report, explained);
   add_cause(view, report, explained);

@@ -60,8 +60,7 @@ std::string gap(const Diagnosis& diagnosis) {
   for (const OtherSide& one : answer.other_side)
     text += fmt::format(
         "  from reading {} of {} on the chain is where its imperfections sent it, half a degree of a rest "
-        "angle "
-        "deciding: so is the model\n",
+        "angle deciding: so is the model\n",
         one.reading, one.run);
   if (answer.present) return text;
   for (const HummingChannel& one : answer.hum)
