@@ -98,13 +98,8 @@ bool runs_away(const Study& study, const Fit& law) {
 
 /// Whether a part of a law is worth more than all of it.
 bool is_outdone(const Study& study, const Fit& law, const std::vector<Fit>& others) {
-  const auto has = [](const Candidate& whole, const EffectAt& at) {
-    return std::find(whole.effects.begin(), whole.effects.end(), at) != whole.effects.end();
-  };
   return std::any_of(others.begin(), others.end(), [&](const Fit& other) {
-    const Effects& part = other.candidate.effects;
-    return part.size() < law.candidate.effects.size() && worth(study, other) <= worth(study, law) &&
-           std::all_of(part.begin(), part.end(), [&](const EffectAt& at) { return has(law.candidate, at); });
+    return other.candidate.is_part_of(law.candidate) && worth(study, other) <= worth(study, law);
   });
 }
 

@@ -140,7 +140,7 @@ class Searcher {
     std::vector<std::pair<const Fit*, const Fit*>> astray;
     for (const Fit& whole : fits) {
       const auto better_part = std::find_if(fits.begin(), fits.end(), [&](const Fit& one) {
-        return one.cost + sizeable < whole.cost && within(one.candidate, whole.candidate);
+        return one.cost + sizeable < whole.cost && one.candidate.is_part_of(whole.candidate);
       });
       if (better_part != fits.end()) astray.emplace_back(&whole, &*better_part);
     }
@@ -159,7 +159,7 @@ class Searcher {
       for (std::size_t e = 0; e < whole.effects.size(); ++e) {
         if (whole.has_as_machining(whole.effects[e])) continue;
         for (const EffectAt& plain : possible_effects(study_)) {
-          if (!covers(whole.effects[e], plain) || has(whole, plain)) continue;
+          if (!covers(whole.effects[e], plain) || whole.has(plain)) continue;
           plain_ones.push_back(whole);
           plain_ones.back().effects[e] = plain;
         }
@@ -176,23 +176,12 @@ class Searcher {
     return fit_from(study_, rest.candidate, settings_, rest.parameters);
   }
 
-  static bool has(const Candidate& candidate, const EffectAt& at) {
-    return std::find(candidate.effects.begin(), candidate.effects.end(), at) != candidate.effects.end();
-  }
-
-  /// Whether one has fewer effects than the other, which has them all.
-  static bool within(const Candidate& one, const Candidate& other) {
-    return one.effects.size() < other.effects.size() &&
-           std::all_of(one.effects.begin(), one.effects.end(),
-                       [&](const EffectAt& at) { return has(other, at); });
-  }
-
   /// Parameters of the whole: those of the part where it has them, nothing for tolerances that it has not,
   /// and its own for the rest.
   [[nodiscard]] std::vector<double> completed(const Fit& whole, const Fit& known) const {
     std::vector<double> parameters;
     for (const EffectAt& at : whole.candidate.effects) {
-      const Fit& from = has(known.candidate, at) ? known : whole;
+      const Fit& from = known.candidate.has(at) ? known : whole;
       std::vector<double> own = part(study_, from.candidate, from.parameters, [&](const EffectAt& one) {
                                   return one == at;
                                 }).parameters;

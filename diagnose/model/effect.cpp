@@ -77,6 +77,15 @@ std::string Candidate::label() const {
   return text;
 }
 
+bool Candidate::has(const EffectAt& at) const {
+  return std::find(effects.begin(), effects.end(), at) != effects.end();
+}
+
+bool Candidate::is_part_of(const Candidate& other) const {
+  return effects.size() < other.effects.size() &&
+         std::all_of(effects.begin(), effects.end(), [&](const EffectAt& at) { return other.has(at); });
+}
+
 bool Candidate::machined() const {
   const auto rows = [](const auto& all, auto row) { return std::count_if(all.begin(), all.end(), row); };
   return rows(effects, [](const EffectAt& at) { return at.effect->of_machining; }) ==

@@ -129,6 +129,9 @@ struct Candidate {
 
   /// "backlash(2) + gravity"
   [[nodiscard]] std::string label() const;
+  [[nodiscard]] bool has(const EffectAt& at) const;
+  /// Whether it has fewer effects than the other, which has them all.
+  [[nodiscard]] bool is_part_of(const Candidate& other) const;
   /// Whether everything that machining leaves is in it.
   [[nodiscard]] bool machined() const;
   /// Whether this effect of it is a part of what machining leaves, which is one cause.
