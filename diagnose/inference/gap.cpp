@@ -4,8 +4,8 @@
 #include <boost/math/distributions/gamma.hpp>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
-#include <utility>
 
 #include "diagnose/inference/slow.hpp"
 
@@ -88,7 +88,9 @@ struct Null {
   std::vector<double> mean, variance;
 };
 
-Null null_distribution(const Measurements& measurements, const NoiseModel& noise) {
+/// \param taken  the noise that statistics are reckoned with; else what is estimated of every draw
+Null null_distribution(const Measurements& measurements, const NoiseModel& noise,
+                       const std::optional<NoiseModel>& taken) {
   constexpr int draws = 100;  // the spread is then known to 7 %
   Simulation simulation(measurements);
   const std::size_t count = measurements.series().size();
@@ -98,7 +100,8 @@ Null null_distribution(const Measurements& measurements, const NoiseModel& noise
   double square_total = 0, square_whole = 0;
   for (int draw = 0; draw < draws; ++draw) {
     const std::vector<double> residual = simulation.draw(noise);
-    const Energy energy = slow_energy(measurements, residual, estimate_noise(measurements, residual));
+    const Energy energy =
+        slow_energy(measurements, residual, taken ? *taken : estimate_noise(measurements, residual));
     null.mean_total += energy.total() / draws;
     square_total += energy.total() * energy.total() / draws;
     null.mean_whole += energy.whole / draws;
@@ -114,21 +117,13 @@ Null null_distribution(const Measurements& measurements, const NoiseModel& noise
   return null;
 }
 
-/// What the noise may be, with its probability: by how much neighbours correlate is known to a deviation
-/// alone, and by more at the upper places of five (Gauss and Hermite's); the tail of what they give together
-/// is longer than that of their mean. The lower places, whose tails are shorter, count as the estimate.
-std::vector<std::pair<NoiseModel, double>> possible_noise(const Measurements& measurements,
-                                                          const NoiseModel& noise, double largest) {
-  constexpr std::pair<double, double> places[] = {
-      {0, 0.7666667}, {1.3556262, 0.2220759}, {2.8569700, 0.0112574}};
-  const double deviation = correlation_deviation(static_cast<double>(measurements.size()));
-  std::vector<std::pair<NoiseModel, double>> all;
-  for (const auto& [place, probability] : places) {
-    all.emplace_back(noise, probability);
-    double& correlation = all.back().first.correlation;
-    correlation = std::clamp(correlation + place * deviation, 0.0, largest);
-  }
-  return all;
+/// The noise, were neighbours to correlate by more: what is known of its scale is that of their differences,
+/// as long as it is none beyond the declared.
+NoiseModel slower(NoiseModel noise, double correlation) {
+  const double grown = std::sqrt((1 - noise.correlation) / (1 - correlation));
+  for (double& scale : noise.scale) scale = std::max(scale, std::min(1.0, grown * scale));
+  noise.correlation = correlation;
+  return noise;
 }
 
 /// Upper tail of the gamma distribution with this mean and variance.
@@ -148,15 +143,21 @@ GapTest test_gap(const Measurements& measurements, const std::vector<double>& re
   const Energy energy = slow_energy(measurements, clean, test.noise);
   test.series_p_value.assign(energy.value.size(), 0.0);
   double mean_total = 0, p_total = 0, p_whole = 0;
-  const double largest = raw_noise(measurements, clean).largest_correlation;
-  for (const auto& [noise, probability] : possible_noise(measurements, test.noise, largest)) {
-    const Null null = null_distribution(measurements, noise);
+  const auto add = [&](const Null& null, double probability) {
     mean_total += probability * null.mean_total;
     p_total += probability * upper_tail(energy.total(), null.mean_total, null.variance_total);
     p_whole += probability * upper_tail(energy.whole, null.mean_whole, null.variance_whole);
     for (std::size_t s = 0; s < energy.value.size(); ++s)
       test.series_p_value[s] += probability * upper_tail(energy.value[s], null.mean[s], null.variance[s]);
+  };
+  // The tail of what several places give together is longer than that of their mean.
+  double estimated = 1;
+  for (const auto& [correlation, probability] :
+       larger_correlations(measurements, clean, test.noise.correlation)) {
+    add(null_distribution(measurements, slower(test.noise, correlation), test.noise), probability);
+    estimated -= probability;
   }
+  add(null_distribution(measurements, test.noise, std::nullopt), estimated);
   test.structure = energy.total() / mean_total;
   const double p_single = static_cast<double>(energy.value.size()) *
                           *std::min_element(test.series_p_value.begin(), test.series_p_value.end());

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "diagnose/beliefs.hpp"
+#include "diagnose/bench/median.hpp"
 #include "diagnose/inference/least_squares.hpp"
 #include "diagnose/inference/spectrum.hpp"
 
@@ -19,30 +20,79 @@ Eigen::VectorXd clock_of(const Series& series) {
                                            static_cast<Eigen::Index>(series.clock.size()));
 }
 
-/// The tone of this frequency in fast values.
-Hum tone_of(const Eigen::VectorXd& fast, const Eigen::VectorXd& clock, double frequency) {
-  const Eigen::Vector2d size = amplitudes(fast, tone(clock, frequency));
+/// The interval at which most of a series was read, in mean ones: readings may be missing.
+double tick(const Series& series) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < series.clock.size(); ++i)
+    steps.push_back(series.clock[i] - series.clock[i - 1]);
+  return median(std::move(steps));
+}
+
+/// The tone of this frequency in values, beside what is slow.
+Hum tone_of(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double frequency) {
+  const Fast fast(static_cast<std::size_t>(values.size()));
+  const Eigen::Vector2d size = fast.amplitudes(values, tone(clock, frequency));
   return {0, 1 / frequency, size(0), size(1)};
 }
 
-/// The loudest tone in these values, the chance that noise alone has one as loud, and their spectrum.
+/// A tone of this frequency, slow in a series, and how far noise alone would fall behind.
+struct Slow {
+  Hum tone;
+  double loud;
+};
+
+/// Beside the mean of the values, where the tone goes round; of less than a round the mean is a part.
+Slow slow_tone(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double frequency, bool round) {
+  const Eigen::Index columns = round ? 3 : 2;
+  Eigen::MatrixXd waves(values.size(), columns);
+  waves.leftCols(2) = tone(clock, frequency);
+  if (round) waves.col(2).setOnes();
+  const Eigen::VectorXd size = LeastSquares(waves).solve(values);
+  const double energy = (values.array() - (round ? values.mean() : 0)).square().sum(),
+               left = (values - waves * size).squaredNorm();
+  return {{0, 1 / frequency, size(0), size(1)},
+          left > 0 ? static_cast<double>(values.size() - columns) / 2 * std::log(energy / left) : 0};
+}
+
+/// The slowest tone of the spectrum, or one that is slower by up to an ordinate where that leaves less: of
+/// what goes round 3.7 times the spectrum shows the flank.
+Hum slowest_in(const Eigen::VectorXd& values, const Eigen::VectorXd& clock) {
+  const auto count = static_cast<std::size_t>(values.size());
+  Hum best = tone_of(values, clock, slowest_tone(count));
+  double loud = 0;
+  for (Eigen::Index look = 0; look > -looks_an_ordinate; --look) {
+    const Slow one = slow_tone(values, clock, looked_at(count, look), true);
+    if (!(one.loud > loud)) continue;
+    loud = one.loud;
+    if (look < 0) best = one.tone;
+  }
+  return best;
+}
+
+/// The loudest tone in these values, and their spectrum.
 struct Loudest {
   Hum tone;
-  double chance;
+  double frequency;
   Eigen::VectorXd shares;
 };
 
 Loudest loudest(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double correlation) {
   const auto count = static_cast<std::size_t>(values.size());
-  const Eigen::VectorXd fast = fast_part(values);
-  Eigen::VectorXd shares = tone_shares(fast, clock, correlation);
+  Eigen::VectorXd shares = tone_shares(values, clock, correlation);
   Eigen::Index look = 0;
-  const double share = shares.maxCoeff(&look);
-  // Fisher: with n ordinates the largest share g of the energy has P(g > x) < n (1 - x)^(n - 1); looking
-  // between the ordinates finds no more than twice as often.
-  const double n = ordinates(count);
-  return {tone_of(fast, clock, looked_at(count, look)), 2 * n * std::pow(1 - share, n - 1),
+  shares.maxCoeff(&look);
+  const double frequency = looked_at(count, look);
+  return {look == 0 ? slowest_in(values, clock) : tone_of(values, clock, frequency), frequency,
           std::move(shares)};
+}
+
+/// The chance that noise alone has as loud a tone as this one, the loudest. Fisher: with n ordinates the
+/// largest share g of the energy has P(g > x) < n (1 - x)^(n - 1); looking between the ordinates finds no
+/// more than twice as often.
+double chance_of(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double frequency,
+                 double correlation) {
+  const double n = ordinates(static_cast<std::size_t>(values.size()));
+  return 2 * n * std::pow(1 - tone_share(values, clock, frequency, correlation), n - 1);
 }
 
 /// That a series may have.
@@ -93,42 +143,53 @@ std::vector<Chord> chords(const Measurements& measurements, const std::vector<Hu
   return heard;
 }
 
-/// A tone of this frequency, slow in a series: beside its mean, and how far noise alone would fall behind.
-struct Slow {
-  Hum tone;
-  double loud;
+/// A place in the spectrum of a run where a tone of another may be.
+struct Place {
+  double frequency;  ///< rounds an interval of this run, at the times as they are
+  double rounds;     ///< as often as its readings go round
 };
 
-Slow slow_tone(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double frequency) {
-  Eigen::MatrixX3d waves(values.size(), 3);
-  waves << tone(clock, frequency), Eigen::VectorXd::Ones(values.size());
-  const Eigen::Vector3d size = LeastSquares(waves).solve(values);
-  const double energy = (values.array() - values.mean()).square().sum(),
-               left = (values - waves * size).squaredNorm();
-  return {{0, 1 / frequency, size(0), size(1)},
-          left > 0 ? static_cast<double>(values.size() - 3) / 2 * std::log(energy / left) : 0};
+/// Where a tone that was heard there is here, if slow: within half an ordinate of the run where it was heard,
+/// and there at any of the frequencies that the same readings would show, a round or two a reading more or
+/// less.
+std::vector<Place> slow_places(const Series& there, double period, const Series& here) {
+  constexpr int most_rounds_more = 2;
+  constexpr double least_rounds = 0.5;
+  const auto count = static_cast<double>(here.readings.size());
+  const double ratio = here.interval / there.interval,
+               off = ratio * 0.5 / static_cast<double>(there.readings.size()),
+               step = 1.0 / (looks_an_ordinate * count);
+  const auto looks = std::max(std::lround(std::ceil(off / step)), 4L);
+  std::vector<Place> places;
+  for (int more = 0; more <= most_rounds_more; ++more)
+    for (const int sign : {1, -1}) {
+      const double middle = ratio * (more / tick(there) + sign / period);
+      for (long look = -looks; look <= looks && middle > 0; ++look) {
+        const double frequency = middle + off * static_cast<double>(look) / static_cast<double>(looks);
+        const double shown = frequency * tick(here);
+        const double rounds = std::abs(shown - std::round(shown)) / tick(here) * count;
+        if (rounds > least_rounds && rounds < slowest_tone(here.readings.size()) * count)
+          places.push_back({frequency, rounds});
+      }
+    }
+  return places;
 }
 
-/// A chord that is known from another run, in series of this one where it is slow: once around at least, as
+/// A chord that is known from another run, in series of this one where it is slow: half around at least, as
 /// loud as there within a factor of two, and not by chance.
 std::optional<Chord> known_chord(const Measurements& measurements, const std::vector<double>& residual,
                                  const std::vector<std::size_t>& here, const Chord& heard, double level) {
-  constexpr int looks = 9;  // within half an ordinate of the run where it was heard, to either side
   const Series &there = measurements.series()[heard.front().series],
                &first = measurements.series()[here.front()];
-  const std::size_t count = first.readings.size();
-  const double ratio = first.interval / there.interval;
-  const double off = 0.5 / static_cast<double>(there.readings.size());
+  const std::vector<Place> places = slow_places(there, heard.front().period, first);
   double most = 0;
   Chord found;
-  for (int i = 0; i < looks; ++i) {
-    const double frequency = ratio * (1 / heard.front().period + off * (2.0 * i / (looks - 1) - 1));
-    if (!(frequency * static_cast<double>(count) > 1) || !(frequency < slowest_tone(count))) continue;
+  for (const Place& place : places) {
     Chord chord;
     double loud = 0;
     for (const std::size_t s : here) {
       const Series& series = measurements.series()[s];
-      Slow one = slow_tone(values_of(series, residual), clock_of(series), frequency);
+      Slow one = slow_tone(values_of(series, residual), clock_of(series), place.frequency, place.rounds > 1);
       one.tone.series = s;
       loud += one.loud;
       chord.push_back(one.tone);
@@ -136,7 +197,8 @@ std::optional<Chord> known_chord(const Measurements& measurements, const std::ve
     if (loud > most) most = loud, found = std::move(chord);
   }
   if (found.empty()) return std::nullopt;
-  const double chance = looks * boost::math::gamma_q(static_cast<double>(here.size()), most);
+  const double chance =
+      static_cast<double>(places.size()) * boost::math::gamma_q(static_cast<double>(here.size()), most);
   const double louder = rms_of(found) / rms_of(heard);
   if (!(chance < level) || !(louder > 0.5 && louder < 2)) return std::nullopt;
   return found;
@@ -272,8 +334,8 @@ void add_shared(const Measurements& measurements, const std::vector<double>& res
     if (!found || !(found->chance < level)) continue;
     Chord chord;
     for (const std::size_t s : together) {
-      const Eigen::VectorXd fast = fast_part(values_of(series[s], residual));
-      chord.push_back(tone_of(fast, clock_of(series[s]), looked_at(count, found->look)));
+      chord.push_back(
+          tone_of(values_of(series[s], residual), clock_of(series[s]), looked_at(count, found->look)));
       chord.back().series = s;
     }
     const bool ripples = std::any_of(chord.begin(), chord.end(),
@@ -293,14 +355,25 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
   std::vector<Hum> all;
   std::vector<Eigen::VectorXd> spectra(measurements.series().size());
   const double correlation = correlation_beside_tones(measurements, residual);
+  const auto larger = larger_correlations(measurements, residual, correlation);
+  const auto by_chance = [&](const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double frequency) {
+    const double estimated = chance_of(values, clock, frequency, correlation);
+    if (!(estimated < level)) return estimated;
+    // Of noise that is slower than was estimated slow tones are none.
+    double chance = estimated;
+    for (const auto& [value, probability] : larger)
+      chance += probability * (chance_of(values, clock, frequency, value) - estimated);
+    return chance;
+  };
   for (std::size_t s = 0; s < measurements.series().size(); ++s) {
     const Series& series = measurements.series()[s];
     if (!long_enough(series)) continue;
     Eigen::VectorXd values = values_of(series, residual);
     for (long i = 0; i < most_tones; ++i) {
-      auto [one, chance, shares] = loudest(values, clock_of(series), correlation);
+      auto [one, frequency, shares] = loudest(values, clock_of(series), correlation);
       spectra[s] = std::move(shares);
-      if (!(chance < level) || one.rms() > beliefs::largest_scale) break;
+      if (!(by_chance(values, clock_of(series), frequency) < level) || one.rms() > beliefs::largest_scale)
+        break;
       values -= tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
       one.series = s;
       all.push_back(one);

@@ -204,7 +204,7 @@ std::vector<double> without_outliers(const Measurements& measurements, const std
 namespace {
 
 /// Variance of one channel's noise times 1 - phi, as first differences show it, and how much larger
-/// differences over two readings are.
+/// differences over two readings are; without what rounding adds, which does not correlate.
 struct Steps {
   double near = 0, ratio = 1, curved = 0, values = 0;
 };
@@ -215,10 +215,14 @@ Steps steps_of(const Measurements& measurements, const std::vector<double>& resi
   Steps steps;
   steps.values = static_cast<double>(near.size());
   if (near.empty() || far.empty()) return steps;
-  steps.near = robust_variance(near) / 2;
-  if (!(steps.near > 0)) return steps;
-  steps.ratio = robust_variance(far) / (2 * steps.near);
-  steps.curved = robust_variance(second_differences(measurements, residual, name)) / 2;
+  const double plain = robust_variance(near) / 2;
+  if (!(plain > 0)) return steps;
+  // Of coarser readings, which repeat, the rest is no noise.
+  double rounded = std::pow(rounding(measurements, name), 2);
+  if (rounded > plain / 2) rounded = 0;
+  steps.near = plain - rounded;
+  steps.ratio = (robust_variance(far) / 2 - rounded) / steps.near;
+  steps.curved = robust_variance(second_differences(measurements, residual, name)) / 2 - 3 * rounded;
   return steps;
 }
 
@@ -243,7 +247,7 @@ double largest_correlation(const Measurements& measurements, const std::array<St
 }  // namespace
 
 double correlation_deviation(double values) {
-  return 1.8 / std::sqrt(values);
+  return 2.1 / std::sqrt(values);
 }
 
 RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual) {
@@ -289,6 +293,16 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
     noise.scale[c] = std::min(noise.scale[c], scale_bound(measurements, all_names[c]));
   }
   return noise;
+}
+
+std::array<PossibleCorrelation, 2> larger_correlations(const Measurements& measurements,
+                                                       const std::vector<double>& residual,
+                                                       double estimated) {
+  std::array<PossibleCorrelation, 2> all{{{1.3556262, 0.2220759}, {2.8569700, 0.0112574}}};
+  const double deviation = correlation_deviation(static_cast<double>(measurements.size())),
+               largest = raw_noise(measurements, residual).largest_correlation;
+  for (auto& [value, probability] : all) value = std::clamp(estimated + value * deviation, 0.0, largest);
+  return all;
 }
 
 std::vector<double> whiten(const Measurements& measurements, const std::vector<double>& residual,

@@ -44,12 +44,20 @@ std::vector<double> without_outliers(const Measurements& measurements, const std
 RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual);
 
 /// Standard deviation of a correlation that so many values tell: 1.4 over their root in simulated noise that
-/// does not correlate, 1.8 in noise that does by 0.9, which is taken.
+/// does not correlate, 2.1 in noise that does by 0.8 to 0.9, which is taken.
 double correlation_deviation(double values);
 
 /// The same with the priors: a scale near one unless the readings say otherwise, and a half-normal
 /// correlation.
 NoiseModel estimate_noise(const Measurements& measurements, const std::vector<double>& residual);
+
+/// By how much neighbours may correlate more than is estimated, at the upper places of five (Gauss and
+/// Hermite's): the rest is the estimate's, for the lower places, where noise is less slow, count as that.
+struct PossibleCorrelation {
+  double value, probability;
+};
+std::array<PossibleCorrelation, 2> larger_correlations(const Measurements& measurements,
+                                                       const std::vector<double>& residual, double estimated);
 
 /// Standardised innovations: independent and of unit variance when the residual is this noise.
 std::vector<double> whiten(const Measurements& measurements, const std::vector<double>& residual,

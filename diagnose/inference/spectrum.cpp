@@ -12,9 +12,9 @@ namespace plumbline::diagnose {
 namespace {
 
 /// Innovations of noise whose neighbours correlate: without them, slow noise would look like a line.
-Eigen::VectorXd innovations(const Eigen::VectorXd& values, double correlation) {
-  const Eigen::Index rest = values.size() - 1;
-  return values.tail(rest) - correlation * values.head(rest);
+Eigen::MatrixXd innovations(const Eigen::MatrixXd& columns, double correlation) {
+  const Eigen::Index rest = columns.rows() - 1;
+  return columns.bottomRows(rest) - correlation * columns.topRows(rest);
 }
 
 }  // namespace
@@ -26,18 +26,18 @@ Eigen::MatrixX2d tone(const Eigen::VectorXd& clock, double frequency) {
   return waves;
 }
 
-Eigen::Vector2d amplitudes(const Eigen::VectorXd& values, const Eigen::MatrixX2d& waves) {
-  return LeastSquares(waves).solve(values);
+Fast::Fast(std::size_t count)
+    : slow_(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(slow_components(count))) {
+  for (Eigen::Index k = 0; k < slow_.cols(); ++k)
+    slow_.col(k) = cosine_wave(count, static_cast<std::size_t>(k));
 }
 
-Eigen::VectorXd fast_part(const Eigen::VectorXd& values) {
-  Eigen::VectorXd fast = values;
-  const auto count = static_cast<std::size_t>(values.size());
-  for (std::size_t k = 0; k < slow_components(count); ++k) {
-    const Eigen::VectorXd wave = cosine_wave(count, k);
-    fast -= wave * wave.dot(fast);
-  }
-  return fast;
+Eigen::MatrixXd Fast::part(const Eigen::MatrixXd& columns) const {
+  return columns - slow_ * (slow_.transpose() * columns);
+}
+
+Eigen::Vector2d Fast::amplitudes(const Eigen::VectorXd& values, const Eigen::MatrixX2d& waves) const {
+  return LeastSquares(part(waves)).solve(part(values));
 }
 
 double slowest_tone(std::size_t count) {
@@ -52,16 +52,45 @@ double ordinates(std::size_t count) {
   return (0.5 - slowest_tone(count)) * static_cast<double>(count);
 }
 
-Eigen::VectorXd tone_shares(const Eigen::VectorXd& fast, const Eigen::VectorXd& clock, double correlation) {
-  const auto count = static_cast<std::size_t>(fast.size());
-  const Eigen::VectorXd white = innovations(fast, correlation);
-  const double energy = white.squaredNorm();
-  Eigen::VectorXd shares =
-      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(std::ceil(looks_an_ordinate * ordinates(count))));
-  for (Eigen::Index look = 0; look < shares.size() && energy > 0; ++look) {
-    const Eigen::MatrixX2d waves = tone(clock.head(white.size()), looked_at(count, look));
-    shares(look) = (waves * amplitudes(white, waves)).squaredNorm() / energy;
+namespace {
+
+/// Values of which tones may explain a share.
+class Whitened {
+ public:
+  Whitened(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double correlation)
+      : fast_(static_cast<std::size_t>(values.size())),
+        clock_(clock),
+        correlation_(correlation),
+        white_(innovations(fast_.part(values), correlation)),
+        energy_(white_.squaredNorm()) {}
+
+  [[nodiscard]] double share(double frequency) const {
+    if (!(energy_ > 0)) return 0;
+    const Eigen::MatrixXd waves = innovations(fast_.part(tone(clock_, frequency)), correlation_);
+    return (waves * LeastSquares(waves).solve(white_)).squaredNorm() / energy_;
   }
+
+ private:
+  Fast fast_;
+  const Eigen::VectorXd& clock_;
+  double correlation_;
+  Eigen::VectorXd white_;
+  double energy_;
+};
+
+}  // namespace
+
+double tone_share(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double frequency,
+                  double correlation) {
+  return Whitened(values, clock, correlation).share(frequency);
+}
+
+Eigen::VectorXd tone_shares(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double correlation) {
+  const auto count = static_cast<std::size_t>(values.size());
+  const Whitened white(values, clock, correlation);
+  Eigen::VectorXd shares(static_cast<Eigen::Index>(std::ceil(looks_an_ordinate * ordinates(count))));
+  for (Eigen::Index look = 0; look < shares.size(); ++look)
+    shares(look) = white.share(looked_at(count, look));
   return shares;
 }
 

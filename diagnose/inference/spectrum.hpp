@@ -11,11 +11,19 @@ namespace plumbline::diagnose {
 /// \param clock  when they were read, in intervals
 Eigen::MatrixX2d tone(const Eigen::VectorXd& clock, double frequency);
 
-/// Of cosine and sine, by least squares.
-Eigen::Vector2d amplitudes(const Eigen::VectorXd& values, const Eigen::MatrixX2d& waves);
+/// Takes what is slow from series of so many readings.
+class Fast {
+ public:
+  explicit Fast(std::size_t count);
+  /// What is left of each column without its slow components.
+  [[nodiscard]] Eigen::MatrixXd part(const Eigen::MatrixXd& columns) const;
+  /// Amplitudes of cosine and sine of a tone that leave least of values, but for what is slow.
+  [[nodiscard]] Eigen::Vector2d amplitudes(const Eigen::VectorXd& values,
+                                           const Eigen::MatrixX2d& waves) const;
 
-/// What is left of values without their slow components.
-Eigen::VectorXd fast_part(const Eigen::VectorXd& values);
+ private:
+  Eigen::MatrixXd slow_;  ///< orthonormal, a column each
+};
 
 /// Frequency a reading below which a tone of so many readings is slow.
 double slowest_tone(std::size_t count);
@@ -28,8 +36,12 @@ double looked_at(std::size_t count, Eigen::Index look);
 /// Independent ones among them, those of the periodogram.
 double ordinates(std::size_t count);
 
-/// At each look the share of the energy of fast values that a tone explains, as innovations of noise whose
-/// neighbours correlate.
-Eigen::VectorXd tone_shares(const Eigen::VectorXd& fast, const Eigen::VectorXd& clock, double correlation);
+/// The share of the energy of values, but for what is slow, that a tone explains, as innovations of noise
+/// whose neighbours correlate.
+double tone_share(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double frequency,
+                  double correlation);
+
+/// The same at each look.
+Eigen::VectorXd tone_shares(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double correlation);
 
 }  // namespace plumbline::diagnose

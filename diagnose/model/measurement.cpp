@@ -13,21 +13,32 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// What coarse readings are rounded to: the smallest difference of two values that differ by more than double
-/// precision does, where a quarter of them and more repeat; else 0.
-double rounding_step(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const double same = 1e-9 * std::max(std::abs(values.front()), std::abs(values.back()));
-  double smallest = values.back() - values.front();
-  std::size_t repeated = 0;
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    const double step = values[i] - values[i - 1];
-    if (step > same)
-      smallest = std::min(smallest, step);
-    else
-      ++repeated;
+/// The largest number of which both are multiples, to so much; zero where that is no larger.
+double common_divisor(double one, double other, double tolerance) {
+  while (other > tolerance) {
+    const double left = std::abs(one - std::round(one / other) * other);
+    one = other, other = left;
   }
-  return 4 * repeated >= values.size() ? smallest : 0;
+  return one > 100 * tolerance ? one : 0;
+}
+
+/// What readings are rounded to: the largest step of which all their differences are multiples, to more
+/// digits than anybody writes; zero where there is none, or the differences are so few that it may be larger.
+double rounding_step(const std::vector<double>& values) {
+  constexpr std::size_t enough = 8;  // random integers have another divisor than 1 in 1 of 120 cases
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  const double tolerance = 1e-9 * largest;
+  double step = 0;
+  std::size_t steps = 0;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double difference = std::abs(values[i] - values[i - 1]);
+    if (difference <= tolerance) continue;
+    step = steps == 0 ? difference : common_divisor(step, difference, tolerance);
+    ++steps;
+    if (step == 0) return 0;
+  }
+  return steps >= enough || 4 * (values.size() - 1 - steps) >= values.size() ? step : 0;
 }
 
 /// What random numbers for the values of a channel begin with.

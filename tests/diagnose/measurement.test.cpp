@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
@@ -51,6 +52,36 @@ TEST_CASE("what is measured is listed channel by channel, without what is missin
   CHECK(series[0].readings == std::vector<std::size_t>{0});
   CHECK(series[1].readings == std::vector<std::size_t>{0, 1});
   CHECK(measurements.size() == 8);
+}
+
+TEST_CASE("what readings are rounded to is the step of which their differences are multiples, in sigmas") {
+  const auto step_of = [](const std::vector<double>& values) {
+    Experiment experiment = two_runs();
+    experiment.runs.resize(1);
+    experiment.runs[0].readings.clear();
+    for (const double value : values)
+      experiment.runs[0].readings.push_back(
+          {static_cast<double>(experiment.runs[0].readings.size()), 0.3, 0, value, 8, {0, 0}});
+    const Measurements measurements(experiment);
+    REQUIRE(measurements.series().front().channel.label() == "Fx");
+    return measurements.series().front().step;
+  };
+  for (const double step : {0.03, 0.5, std::numbers::pi / 180}) {
+    CAPTURE(step);
+    std::vector<double> values, finer, few;
+    for (const int multiple : {0, 14, 33, 57, 77, 111, 140, 161, 180, 175})
+      values.push_back(7.1 + step * multiple);
+    CHECK(step_of(values) == close_to(step / 0.4).epsilon(1e-6));
+    finer = values;
+    finer[4] += step / 4;
+    CHECK(step_of(finer) == close_to(step / 4 / 0.4).epsilon(1e-6));
+    finer[5] += step / std::numbers::e * 1e-3;
+    CHECK(step_of(finer) < 1e-3 * step / 0.4);
+    few.assign(values.begin(), values.begin() + 8);
+    CHECK(step_of(few) == 0);  // seven differences may have a larger divisor by chance
+  }
+  CHECK(step_of({1, 1, 1, 1, 1}) == 0);
+  CHECK(step_of({1, 1, 3, 3, 3}) == close_to(2 / 0.4));  // few differences, but coarse ones repeat
 }
 
 TEST_CASE("a residual is measured less predicted, in declared sigmas of its channel") {
