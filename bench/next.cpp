@@ -19,6 +19,7 @@
 #include "diagnose/answers/candidate_runs.hpp"
 #include "diagnose/answers/diagnosis.hpp"
 #include "diagnose/beliefs.hpp"
+#include "diagnose/inference/gap.hpp"
 
 namespace plumbline::bench {
 using namespace diagnose;
@@ -207,6 +208,10 @@ std::optional<Draw> draw(std::mt19937& random, double noise) {
     one.truth.parameters.push_back(range.scale * uniform(random, 0.5, 1.5) *
                                    (range.low < 0 && uniform(random, 0, 1) < 0.5 ? -1 : 1));
   if (!make(one.bench, one.truth, run, random)) return std::nullopt;
+  // Where no gap shows nobody asks what to measure next.
+  const Study measured(one.bench);
+  if (test_gap(measured.measurements(), measured.nominal_residual()).p_value >= beliefs::gap_level)
+    return std::nullopt;
   return one;
 }
 

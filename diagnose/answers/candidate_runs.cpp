@@ -26,7 +26,10 @@ const std::vector<Direction>& directions() {
                                           {"along +x", {1, 0}},
                                           {"along +y", {0, 1}},
                                           {"along -y", {0, -1}},
-                                          {"between -x and +y", {-0.8, 0.6}}};
+                                          {"between -x and +y", {-0.8, 0.6}},
+                                          {"between -x and -y", {-0.8, -0.6}},
+                                          {"between +x and +y", {0.8, 0.6}},
+                                          {"between +x and -y", {0.8, -0.6}}};
   return all;
 }
 
@@ -65,18 +68,40 @@ std::vector<double> mirrored(std::vector<double> rest) {
   return rest;
 }
 
+/// Whether the nominal chain can follow a run, and it asks no more than may be asked.
+bool follows(const Experiment& experiment, const Run& run, const Extent& so_far) {
+  Experiment bench = experiment;
+  bench.runs = {run};
+  const Prediction nominal = simulate(bench, nominal_rig(bench), {});
+  return nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], run.rest);
+}
+
+/// The two longest ways along a direction, one half as long again as the other, that the nominal chain
+/// follows.
+std::vector<double> ways(const Experiment& experiment, const Shape& shape, const Vector2& start,
+                         const Vector2& along, const Extent& so_far) {
+  // Powers of one and a half. Without limits of force and deflection no farther than half as far again.
+  const int longest = so_far.is_limit() ? 2 : 1;
+  constexpr int shortest = -4;
+  std::vector<double> all;
+  for (int power = longest; power >= shortest && all.size() < 2; --power) {
+    const double by = std::pow(1.5, power) * so_far.travel;
+    const Run there_and_back = gone(Control::end_point, shape.rest, start, by * along, true, so_far.pause);
+    if (follows(experiment, there_and_back, so_far)) all.push_back(by);
+  }
+  std::reverse(all.begin(), all.end());
+  return all;
+}
+
 std::vector<CandidateRun> presses(const Experiment& experiment, const Shape& shape, const Extent& so_far) {
   std::vector<CandidateRun> all;
   const Vector2 start = unloaded_end(experiment, shape.rest);
-  for (const Direction& one : directions()) {
-    for (const double range : {1.0, 1.5}) {
-      const double by = range * so_far.travel;
+  for (const Direction& one : directions())
+    for (const double by : ways(experiment, shape, start, one.along, so_far))
       for (const bool back : {false, true})
         all.push_back({fmt::format("press {} by {:.3g} m from {}{}", one.name, by, shape.words,
                                    back ? " and unload" : ""),
                        gone(Control::end_point, shape.rest, start, by * one.along, back, so_far.pause)});
-    }
-  }
   return all;
 }
 
@@ -113,6 +138,10 @@ std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape
 }
 
 }  // namespace
+
+bool Extent::is_limit() const {
+  return force > 0 || deflection > 0;
+}
 
 bool Extent::allows(const Trace& trace, const std::vector<double>& rest) const {
   return (force == 0 || largest_force(trace) <= 2 * force) &&

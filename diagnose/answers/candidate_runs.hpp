@@ -17,6 +17,8 @@ struct Extent {
   double deflection = 0;  ///< of a joint, rad
   double pause = 2;       ///< between readings, s: as slow as the slowest
 
+  /// Whether they asked anything.
+  [[nodiscard]] bool is_limit() const;
   /// Whether the first run of a prediction asks no more than twice the force, and half as much deflection
   /// again, as the runs so far; anything where they asked nothing.
   [[nodiscard]] bool allows(const Trace& trace, const std::vector<double>& rest) const;
@@ -40,9 +42,11 @@ struct Shape {
 /// the first. \param most  so many of them, at most
 std::vector<Shape> shapes(const Experiment& experiment, std::size_t most);
 
-/// Runs from a shape along x, along y and between, with and without unloading. A held end point is pressed as
-/// far as before and half as far again. Another is loaded with weights on a string: as much as in the runs so
-/// far, or as deflects the nominal chain as much as they did, a third of a radian where they asked nothing.
+/// Runs from a shape along x, along y and between, with and without unloading, that the nominal chain
+/// follows. A held end point is pressed as far as the limits of the runs so far let it, and by two thirds of
+/// that: up to nine quarters as far as before, where they set none half as far again. Another is loaded with
+/// weights on a string: as much as in the runs so far, or as deflects the nominal chain as much as they did,
+/// a third of a radian where they asked nothing.
 std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape, const Extent& so_far);
 
 }  // namespace plumbline::diagnose

@@ -125,7 +125,7 @@ bool overturned(const Findings& on_fewer, const Findings& on_all) {
 }
 
 bool leaves_structure(const Measurements& measurements, const Findings& findings) {
-  return test_gap(measurements, findings.hypotheses.front().fit.residual).p_value < beliefs::fit_level;
+  return structure_p_value(measurements, findings.hypotheses.front().fit.residual) < beliefs::fit_level;
 }
 
 /// Whether the choice that is made without a part falls on the best explanation, or among those that are then
@@ -273,6 +273,12 @@ std::vector<Fit> to_separate(const Cause& cause, bool on_request) {
   return {cause.ranking[cause.best].hypothesis.fit, cause.ranking[other].hypothesis.fit};
 }
 
+Aim aim_of(const Cause& cause) {
+  const bool hardly_shown =
+      cause.reservation == Reservation::not_tested || cause.reservation == Reservation::small_gap;
+  return hardly_shown ? Aim::to_show : Aim::to_tell;
+}
+
 /// Shares of the joints where nothing measured shows them: from what was found, else by the best torque law.
 void imply_joints(const Study& study, const std::vector<double>& residual, Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
@@ -310,7 +316,7 @@ Diagnosis diagnose(const Study& study, const Report& progress, bool plan) {
   if (diagnosis.gap.present && diagnosis.cause.verdict == CauseVerdict::unknown)
     diagnosis.missing = describe_missing(study, residual, diagnosis.where);
   if (const std::vector<Fit> fits = to_separate(diagnosis.cause, plan); fits.size() > 1)
-    diagnosis.proposals = next_runs(study, fits, diagnosis.allowed, 5);
+    diagnosis.proposals = next_runs(study, fits, diagnosis.allowed, 5, aim_of(diagnosis.cause));
   report(1);
   return diagnosis;
 }

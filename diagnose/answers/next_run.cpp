@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "diagnose/answers/candidate_runs.hpp"
 #include "diagnose/answers/expected_information.hpp"
@@ -77,6 +78,11 @@ Forecast forecast(const Prediction& predicted, const std::vector<Channel>& chann
   return result;
 }
 
+/// Root mean square of what one expects to read and another does not.
+double apart(const Forecast& one, const Forecast& other) {
+  return (one.read - other.read).norm() / std::sqrt(static_cast<double>(one.read.size()));
+}
+
 /// Rows of the run for an imitation.
 Imitation rows_of(const Forecast& truth, const Forecast& imitator) {
   return {truth.read - imitator.read, -imitator.slope};
@@ -122,9 +128,14 @@ class Planner {
     for (const CandidateRun& one : runs_from(experiment_, shape, so_far_)) add(one.description, one.run);
   }
 
-  [[nodiscard]] std::vector<Proposal> best(std::size_t count) {
+  [[nodiscard]] std::vector<Proposal> best(std::size_t count, Aim aim) {
+    constexpr double clear = 2;
     // Of runs that promise the same to a few percent the one that asks least stands first.
-    const auto grade = [](const Proposal& one) { return std::lround(16 * std::log(one.information + 1e-4)); };
+    const auto grade = [&](const Proposal& one) {
+      const double shown = aim == Aim::to_show ? std::min(one.gap, clear) : clear;
+      return std::pair(std::lround(4 * std::log(shown + 1e-4)),
+                       std::lround(16 * std::log(one.information + 1e-4)));
+    };
     std::stable_sort(proposals_.begin(), proposals_.end(),
                      [&](const Proposal& a, const Proposal& b) { return grade(a) > grade(b); });
     std::vector<Proposal> chosen;
@@ -147,18 +158,21 @@ class Planner {
     const bool weighs = experiment_.bench.plane != Bench::Plane::horizontal;
     for (const bool out_of_gravity : {false, true}) {
       if (out_of_gravity && !weighs) continue;
-      const auto all = predictions(Study(bench_for(experiment_, run, out_of_gravity)), rivals_, so_far_);
+      const Study bench(bench_for(experiment_, run, out_of_gravity));
+      const auto all = predictions(bench, rivals_, so_far_);
       if (!all) continue;
       for (const bool angles : {false, true}) {
         if (reads_angles_ && !angles) continue;
         const std::vector<Forecast> rivals = forecasts(*all, run, angles);
+        const Forecast nominal = forecasts({bench.nominal()}, run, angles).front();
         if (rivals.front().read.size() == 0) continue;
         const double after = expected_log_odds(rivals.size(), [&](std::size_t a, std::size_t b) {
           return stacked(known(a, b), rows_of(rivals[a], rivals[b]));
         });
         proposals_.push_back({what + (out_of_gravity ? ", the rig turned out of gravity" : "") +
                                   (angles && !reads_angles_ ? ", joint angles measured" : ""),
-                              run, angles, out_of_gravity, expected_information(rivals), after, before_});
+                              run, angles, out_of_gravity, expected_information(rivals), after, before_,
+                              apart(rivals.front(), nominal)});
       }
     }
   }
@@ -187,11 +201,11 @@ class Planner {
 }  // namespace
 
 std::vector<Proposal> next_runs(const Study& study, const std::vector<Fit>& rivals, const NoiseModel& noise,
-                                std::size_t count) {
+                                std::size_t count, Aim aim) {
   constexpr std::size_t most_shapes = 12;
   Planner planner(study, rivals, noise);
   for (const Shape& shape : shapes(study.experiment(), most_shapes)) planner.add_runs_from(shape);
-  return planner.best(count);
+  return planner.best(count, aim);
 }
 
 }  // namespace plumbline::diagnose

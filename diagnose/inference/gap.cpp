@@ -132,9 +132,20 @@ double upper_tail(double value, double mean, double variance) {
   return boost::math::cdf(boost::math::complement(gamma, value));
 }
 
-}  // namespace
+/// How noise may be slower than was estimated: as large as the differences of neighbours then mean, and by
+/// chance estimated as it was; or as large as it seems, which draws of it rarely seem.
+enum class Slower { larger, as_large };
 
-GapTest test_gap(const Measurements& measurements, const std::vector<double>& residual) {
+/// Statistics of noise that is slower than this estimate.
+Null null_of_slower(const Measurements& measurements, const NoiseModel& estimate, double correlation,
+                    Slower how) {
+  if (how == Slower::larger) return null_distribution(measurements, slower(estimate, correlation), estimate);
+  NoiseModel noise = estimate;
+  noise.correlation = correlation;
+  return null_distribution(measurements, noise, std::nullopt);
+}
+
+GapTest tested(const Measurements& measurements, const std::vector<double>& residual, Slower how) {
   std::vector<double> clean = without_outliers(measurements, residual);
   GapTest test;
   test.hum = find_hum(measurements, clean);
@@ -154,7 +165,7 @@ GapTest test_gap(const Measurements& measurements, const std::vector<double>& re
   double estimated = 1;
   for (const auto& [correlation, probability] :
        larger_correlations(measurements, clean, test.noise.correlation)) {
-    add(null_distribution(measurements, slower(test.noise, correlation), test.noise), probability);
+    add(null_of_slower(measurements, test.noise, correlation, how), probability);
     estimated -= probability;
   }
   add(null_distribution(measurements, test.noise, std::nullopt), estimated);
@@ -164,6 +175,16 @@ GapTest test_gap(const Measurements& measurements, const std::vector<double>& re
   // Three looks, so three times the smallest (Bonferroni).
   test.p_value = std::min(1.0, 3 * std::min({p_total, p_single, p_whole}));
   return test;
+}
+
+}  // namespace
+
+GapTest test_gap(const Measurements& measurements, const std::vector<double>& residual) {
+  return tested(measurements, residual, Slower::larger);
+}
+
+double structure_p_value(const Measurements& measurements, const std::vector<double>& residual) {
+  return tested(measurements, residual, Slower::as_large).p_value;
 }
 
 std::array<double, channel_names> rms_by_name(const Measurements& measurements,

@@ -22,6 +22,10 @@ struct GapTest {
 /// same layout that runs through the same estimators, over every correlation that the estimate leaves open.
 GapTest test_gap(const Measurements& measurements, const std::vector<double>& residual);
 
+/// The same chance for what a fit leaves, which is held to more: noise is hardly slower than it seems there,
+/// for a model that is nearly right leaves little that is slow, and would pass as noise.
+double structure_p_value(const Measurements& measurements, const std::vector<double>& residual);
+
 /// Root mean square of a residual by Channel::Name; zero where nothing was measured.
 std::array<double, channel_names> rms_by_name(const Measurements& measurements,
                                               const std::vector<double>& residual);

@@ -294,7 +294,7 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
   const std::vector<Fit> singles = searcher.singles();
   std::vector<Fit> fits = singles;
   add(fits, searcher.again(known));
-  const auto p_value = [&] { return test_gap(study.measurements(), fits.front().residual).p_value; };
+  const auto p_value = [&] { return structure_p_value(study.measurements(), fits.front().residual); };
   report(0.1);
   constexpr double look_further = 0.05;  // a search more costs time alone
   if (!fits.empty() && p_value() < look_further) {

@@ -207,7 +207,7 @@ std::size_t first_of(const std::vector<Ranked>& ranking, std::size_t effects) {
 /// that.
 double fit_p_value(const Measurements& measurements, const Findings& findings, const Fit& fit) {
   if (fit.parameters.size() >= measurements.size()) return 0;
-  if (!findings.tolerance) return test_gap(measurements, fit.residual).p_value;
+  if (!findings.tolerance) return structure_p_value(measurements, fit.residual);
   const double dof = freedom(measurements, fit);
   return boost::math::cdf(
       boost::math::complement(boost::math::chi_squared_distribution<double>(dof),

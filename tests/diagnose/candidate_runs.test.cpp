@@ -72,13 +72,15 @@ TEST_CASE("how far the runs so far went, by hand") {
   CHECK(extent(Study(loaded)).pause == 2);
 }
 
-TEST_CASE("a held end point is pressed as far as before and half as far again, five ways, there and back") {
+TEST_CASE("without limits a held end point is pressed as far as before and half as far again, eight ways") {
   const Experiment experiment = press_and_load();
   const Shape shape{Control::end_point, {0.3, -0.5, 0.4}, "the rest"};
-  const std::vector<CandidateRun> all = runs_from(experiment, shape, {0.01, 1, 0.1, 3});
-  REQUIRE(all.size() == 20);
-  const char* ways[] = {"along -x", "along +x", "along +y", "along -y", "between -x and +y"};
-  const Vector2 along[] = {{-1, 0}, {1, 0}, {0, 1}, {0, -1}, {-0.8, 0.6}};
+  const std::vector<CandidateRun> all = runs_from(experiment, shape, {0.01, 0, 0, 3});
+  REQUIRE(all.size() == 32);
+  const char* ways[] = {"along -x",          "along +x",          "along +y",          "along -y",
+                        "between -x and +y", "between -x and -y", "between +x and +y", "between +x and -y"};
+  const Vector2 along[] = {{-1, 0},     {1, 0},       {0, 1},     {0, -1},
+                           {-0.8, 0.6}, {-0.8, -0.6}, {0.8, 0.6}, {0.8, -0.6}};
   const Vector2 start = unloaded_end(experiment, shape.rest);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::size_t way = i / 4;
@@ -100,11 +102,48 @@ TEST_CASE("a held end point is pressed as far as before and half as far again, f
   }
 }
 
+TEST_CASE(
+    "a held end point is pressed as far as the limits of force and deflection let it, and two thirds of it") {
+  const Experiment experiment = press_and_load();
+  const Shape shape{Control::end_point, {0.3, -0.5, 0.4}, "the rest"};
+  const auto followed = [&](const Run& run, const Extent& so_far) {
+    Experiment bench = experiment;
+    bench.runs = {run};
+    const Prediction nominal = Study(bench).nominal();
+    return nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], run.rest);
+  };
+  const auto longer = [](Run run) {
+    for (Reading& one : run.readings) {
+      one.x += 0.5 * (one.x - run.readings[0].x);
+      one.y += 0.5 * (one.y - run.readings[0].y);
+    }
+    return run;
+  };
+  std::size_t shortened = 0;
+  for (const Extent& so_far : {Extent{0.01, 1, 0.1, 3}, Extent{0.02, 0.3, 0, 3}, Extent{0.03, 0, 0.02, 3}}) {
+    const std::vector<CandidateRun> all = runs_from(experiment, shape, so_far);
+    REQUIRE_FALSE(all.empty());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Run& run = all[i].run;
+      CHECK(followed(run, so_far));
+      const double way =
+          (run.command(run.readings[20]) - run.command(run.readings[0])).norm() / so_far.travel;
+      CHECK(way < 2.25 + 1e-12);
+      shortened += way < 0.99;
+      // the next longer way is in the list too, or too long
+      const bool is_longest =
+          i + 2 >= all.size() || all[i + 2].description.substr(0, 14) != all[i].description.substr(0, 14);
+      if (is_longest && way < 2.2) CHECK_FALSE(followed(longer(run), so_far));
+    }
+  }
+  CHECK(shortened > 0);
+}
+
 TEST_CASE("a chain that is loaded is loaded as before, or as little as deflects it no more than before") {
   const Experiment experiment = press_and_load();
   const Shape shape{Control::force, {0.2, 0.3, -0.3}, "the rest"};
   const std::vector<CandidateRun> all = runs_from(experiment, shape, {0, 0.1, 0.33, 3});
-  REQUIRE(all.size() == 10);
+  REQUIRE(all.size() == 16);
   CHECK(all[0].description == "load with 0.1 N along -x from the rest");
   CHECK(all[9].description == "load with 0.1 N between -x and +y from the rest and unload");
   const Run& run = all[9].run;
@@ -137,7 +176,7 @@ TEST_CASE("a chain that is loaded is loaded as before, or as little as deflects 
   CHECK(halved > 0);
   // Nothing so far: a third of a radian at most.
   const std::vector<CandidateRun> first = runs_from(experiment, shape, {});
-  CHECK(first.size() == 10);
+  CHECK(first.size() == 16);
   for (const CandidateRun& one : first) CHECK(one.run.readings[1].t == 2);
 }
 
