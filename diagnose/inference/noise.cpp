@@ -256,9 +256,9 @@ RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& 
   const std::array<Steps, channel_names> steps = steps_by_channel(measurements, residual);
   for (std::size_t c = 0; c < steps.size(); ++c) {
     noise.values[c] = steps[c].values;
-    // Differences over two readings that exceed twice those over one by more than chance are of a slope, not
-    // of noise.
-    const double by_chance = 2 * correlation_deviation(steps[c].values);
+    // Differences over two readings that exceed twice those over one by more than chance, one in twenty, are
+    // of a slope, not of noise.
+    const double by_chance = 1.7 * correlation_deviation(steps[c].values);
     if (!(steps[c].near > 0) || steps[c].ratio > 2 + by_chance) continue;
     ratio += steps[c].values * std::min(2.0, steps[c].ratio);
     weight += steps[c].values;

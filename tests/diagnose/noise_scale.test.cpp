@@ -134,18 +134,18 @@ TEST_CASE("differences that grow as those of a slope show no correlation, and se
   }
 }
 
-TEST_CASE("a slope counts as one beyond twice the deviation of a correlation alone, and as 1 before") {
-  // over two readings 4 cos^2(40 degrees) = 2.35 times as much: among 39 differences 2 + 0.67 are chance,
-  // among 399 2 + 0.21
+TEST_CASE("a slope counts as one beyond 1.7 deviations of a correlation alone, and as 1 before") {
+  // over two readings 4 cos^2(40 degrees) = 2.35 times as much: among 39 differences 2 + 0.57 are chance,
+  // among 399 2 + 0.18
   for (const std::size_t count : {40U, 400U}) {
     const Measurements measurements(blank_experiment({count}));
     const RawNoise found = raw_noise(measurements, wave(count, 1, 80));
     CHECK(found.correlation == (count == 40 ? 1 : 0));
   }
-  // over two readings 4 cos^2(41.75 degrees) = 2.23 times as much, and second differences of
-  // 4 sin^2(41.75 degrees) = 1.77 times those over one: 1.77 / 3 of its variance
+  // over two readings 4 cos^2(42.25 degrees) = 2.19 times as much, and second differences of
+  // 4 sin^2(42.25 degrees) = 1.81 times those over one: 1.81 / 3 of its variance
   const Measurements measurements(blank_experiment({400}));
-  const std::vector<double> residual = wave(400, 1, 83.5);
+  const std::vector<double> residual = wave(400, 1, 84.5);
   std::vector<double> curved;
   for (std::size_t i = 1; i + 1 < 400; ++i)
     curved.push_back(residual[i - 1] - 2 * residual[i] + residual[i + 1]);
