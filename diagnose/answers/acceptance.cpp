@@ -145,7 +145,7 @@ bool accept_what_leaves(const Study& study, const NoiseModel& noise, double time
   if (cause.verdict != CauseVerdict::unknown) return false;
   const std::optional<std::size_t> place = best_single(study, cause);
   if (!place) return false;
-  const std::optional<Rotated> blind = rotated(study, cause.ranking[*place].hypothesis.fit, noise);
+  const std::optional<Rotated> blind = rotated(study, cause.ranking[*place].hypothesis.fit, noise, noise);
   if (!blind) return false;
   const double left = blind->shrink.ratio, floor = blind->shrink.noise_floor_ratio;
   if (!predicts(blind->shrink, times) || floor > beliefs::clear) return false;

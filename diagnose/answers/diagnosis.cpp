@@ -146,7 +146,7 @@ bool chosen_without(const Study& study, const HeldOut& part, const Findings& fin
 std::optional<Shrink> shrink_of(const Study& study, const Findings& findings, const NoiseModel& noise,
                                 const Cause& cause) {
   if (cause.ranking.empty()) return std::nullopt;
-  std::optional<Rotated> blind = rotated(study, cause.ranking[cause.best].hypothesis.fit, noise);
+  std::optional<Rotated> blind = rotated(study, cause.ranking[cause.best].hypothesis.fit, noise, noise);
   if (!blind) return std::nullopt;
   blind->shrink.chosen_blind =
       std::all_of(blind->parts.begin(), blind->parts.end(),

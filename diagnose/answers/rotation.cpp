@@ -81,8 +81,4 @@ std::optional<Rotated> rotated(const Study& study, const Fit& fitted, const Nois
       });
 }
 
-std::optional<Rotated> rotated(const Study& study, const Fit& fitted, const NoiseModel& noise) {
-  return rotated(study, fitted, noise, noise);
-}
-
 }  // namespace plumbline::diagnose

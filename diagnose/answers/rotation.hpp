@@ -31,6 +31,5 @@ std::optional<Rotated> rotated(const Study& study, const NoiseModel& noise, cons
 ///                 is measured by it
 std::optional<Rotated> rotated(const Study& study, const Fit& fitted, const NoiseModel& noise,
                                const NoiseModel& allowed);
-std::optional<Rotated> rotated(const Study& study, const Fit& fitted, const NoiseModel& noise);
 
 }  // namespace plumbline::diagnose

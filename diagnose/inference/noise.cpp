@@ -246,8 +246,8 @@ double largest_correlation(const Measurements& measurements, const std::array<St
 
 }  // namespace
 
-double correlation_deviation(double values) {
-  return 2.1 / std::sqrt(values);
+double correlation_deviation(double correlation, double values) {
+  return (1.4 + 0.8 * correlation) / std::sqrt(values);
 }
 
 RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual) {
@@ -258,7 +258,7 @@ RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& 
     noise.values[c] = steps[c].values;
     // Differences over two readings that exceed twice those over one by more than chance, one in twenty, are
     // of a slope, not of noise.
-    const double by_chance = 1.7 * correlation_deviation(steps[c].values);
+    const double by_chance = 1.64 * correlation_deviation(1, steps[c].values);
     if (!(steps[c].near > 0) || steps[c].ratio > 2 + by_chance) continue;
     ratio += steps[c].values * std::min(2.0, steps[c].ratio);
     weight += steps[c].values;
@@ -299,7 +299,7 @@ std::array<PossibleCorrelation, 2> larger_correlations(const Measurements& measu
                                                        const std::vector<double>& residual,
                                                        double estimated) {
   std::array<PossibleCorrelation, 2> all{{{1.3556262, 0.2220759}, {2.8569700, 0.0112574}}};
-  const double deviation = correlation_deviation(static_cast<double>(measurements.size())),
+  const double deviation = correlation_deviation(estimated, static_cast<double>(measurements.size())),
                largest = raw_noise(measurements, residual).largest_correlation;
   for (auto& [value, probability] : all) value = std::clamp(estimated + value * deviation, 0.0, largest);
   return all;

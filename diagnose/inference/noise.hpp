@@ -43,9 +43,9 @@ std::vector<double> without_outliers(const Measurements& measurements, const std
 /// E(e_{t-1} - 2 e_t + e_{t+1})^2 = 2 sigma^2 (1 - phi)(3 - phi).
 RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual);
 
-/// Standard deviation of a correlation that so many values tell: 1.4 over their root in simulated noise that
-/// does not correlate, 2.1 in noise that does by 0.8 to 0.9, which is taken.
-double correlation_deviation(double values);
+/// Standard deviation of a correlation as so many values tell it: 1.4 over their root in simulated noise that
+/// does not correlate, 1.8 in noise that does by a half, 2.1 by 0.9.
+double correlation_deviation(double correlation, double values);
 
 /// The same with the priors: a scale near one unless the readings say otherwise, and a half-normal
 /// correlation.

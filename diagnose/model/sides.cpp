@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnose/model/study.hpp"
-
 namespace plumbline::diagnose {
 namespace {
 
@@ -71,10 +69,10 @@ std::optional<Side> side_of(const Experiment& one) {
 
 }  // namespace
 
-Experiment on_their_sides(Experiment experiment) {
-  Experiment numbered = Study(std::move(experiment)).experiment();
-  for (Run& run : numbered.runs) run.side = side_of(alone(numbered, run));
-  return numbered;
+Experiment on_their_sides(const Study& study) {
+  Experiment experiment = study.experiment();
+  for (Run& run : experiment.runs) run.side = side_of(alone(study.experiment(), run));
+  return experiment;
 }
 
 }  // namespace plumbline::diagnose

@@ -2,7 +2,7 @@
 /// \file
 /// Which side a chain went to where its nominal model may go to either.
 
-#include "diagnose/bench/experiment.hpp"
+#include "diagnose/model/study.hpp"
 
 namespace plumbline::diagnose {
 
@@ -11,6 +11,6 @@ namespace plumbline::diagnose {
 /// to either. A run whose readings are not where the nominal chain goes is looked at on the sides to which a
 /// rest angle that is off by half a degree sends it; where they are there, clearly, its Side is set. Where
 /// the nominal chain gets nowhere by itself, to the one that they are nearest to.
-Experiment on_their_sides(Experiment experiment);
+Experiment on_their_sides(const Study& study);
 
 }  // namespace plumbline::diagnose

@@ -112,7 +112,7 @@ Study study_with(Experiment experiment, const std::vector<StatedEffect>& stated)
   std::vector<Effect> rows;
   for (const StatedEffect& one : stated) rows.push_back(row_of(std::make_shared<StatedEffect>(one)));
   const Study read(std::move(experiment), std::make_shared<const std::vector<Effect>>(std::move(rows)));
-  Study study = read.of(on_their_sides(read.experiment()));
+  Study study = read.of(on_their_sides(read));
   for (const StatedEffect& one : stated) require_defined(one, study);
   return study;
 }

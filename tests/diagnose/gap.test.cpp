@@ -66,9 +66,9 @@ TEST_CASE("noise that remembers as long as noise may is rarely refused outright"
 }
 
 TEST_CASE("noise of the declared size is no gap, however long it remembers") {
-  // A correlation of 0.9 is known from so few readings to no better than 0.17: 9 of 200 were called a gap, and
-  // more than 8 of 60 have a chance of 0.3 %. Of noise that was held to remember no longer than a tenth of a
-  // run 165 of 200 were.
+  // A correlation of 0.9 is known from so few readings to no better than 0.17: 9 of 200 were called a gap,
+  // and more than 8 of 60 have a chance of 0.3 %. Of noise that was held to remember no longer than a tenth
+  // of a run 165 of 200 were.
   const Measurements measurements(blank_experiment({25, 30, 25}));
   std::mt19937_64 random(31);
   int alarms = 0;

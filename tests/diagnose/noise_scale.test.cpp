@@ -134,8 +134,8 @@ TEST_CASE("differences that grow as those of a slope show no correlation, and se
   }
 }
 
-TEST_CASE("a slope counts as one beyond 1.7 deviations of a correlation alone, and as 1 before") {
-  // over two readings 4 cos^2(40 degrees) = 2.35 times as much: among 39 differences 2 + 0.57 are chance,
+TEST_CASE("a slope counts as one beyond what chance gives one time in twenty alone, and as 1 before") {
+  // over two readings 4 cos^2(40 degrees) = 2.35 times as much: among 39 differences 2 + 0.58 are chance,
   // among 399 2 + 0.18
   for (const std::size_t count : {40U, 400U}) {
     const Measurements measurements(blank_experiment({count}));
@@ -152,7 +152,7 @@ TEST_CASE("a slope counts as one beyond 1.7 deviations of a correlation alone, a
   const RawNoise found = raw_noise(measurements, residual);
   CHECK(found.correlation == 0);
   CHECK(found.scale[at_Fx] == close_to(std::sqrt(uncut(curved) / 6)));
-  CHECK(correlation_deviation(36) == close_to(0.35));
+  CHECK(correlation_deviation(0.5, 36) == close_to(0.3));
 }
 
 TEST_CASE("rounding, which does not correlate, hides neither correlation nor scale of noise that does") {
@@ -168,9 +168,9 @@ TEST_CASE("rounding, which does not correlate, hides neither correlation nor sca
   }
   const RawNoise found = raw_noise(Measurements(experiment), residual);
   // three of the deviations of 80,000 values
-  CHECK(std::abs(found.correlation - 0.85) < 3 * correlation_deviation(2.0 * count));
+  CHECK(std::abs(found.correlation - 0.85) < 3 * correlation_deviation(0.85, 2.0 * count));
   // s^2 = d / (1 - phi): that of phi, and the 0.5 % of the variance of d that so many differences leave open
-  const double off = std::hypot(correlation_deviation(2.0 * count) / 0.15, 0.005);
+  const double off = std::hypot(correlation_deviation(0.85, 2.0 * count) / 0.15, 0.005);
   CHECK(std::abs(std::log(std::pow(found.scale[at_Fx], 2))) < 3 * off);
 }
 

@@ -248,7 +248,7 @@ TEST_CASE(
       std::set<std::string> expected;
       for (const auto& [name, scale] : equal)
         if (scale < share * at) expected.insert(name);
-      const auto found = rotated(study, fit(study, {{tare}}, settings), noise);
+      const auto found = rotated(study, fit(study, {{tare}}, settings), noise, noise);
       REQUIRE(found);
       CHECK(found->shrink.tested());  // five widths are more than three times this noise
       std::set<std::string> names(found->shrink.heldout.begin(), found->shrink.heldout.end());
@@ -295,7 +295,7 @@ TEST_CASE("the open spread is the mean over all readings held out, as each chann
     noise.scale.fill(share * equal[1].first);
     FitSettings settings;
     settings.noise = noise;
-    const auto found = rotated(study, fit(study, {{rests}}, settings), noise);
+    const auto found = rotated(study, fit(study, {{rests}}, settings), noise, noise);
     REQUIRE(found);
     std::vector<std::string> names = found->shrink.heldout;
     std::sort(names.begin(), names.end());
@@ -314,7 +314,7 @@ TEST_CASE("without a part is fitted in the noise as it is, from where the whole 
   settings.noise = noise;
   // another cause, of which each channel asks another size
   const Fit whole = fit(study, only("joint_stiffness", 1), settings);
-  const auto found = rotated(study, whole, noise);
+  const auto found = rotated(study, whole, noise, noise);
   REQUIRE(found);
   std::vector<double> after = study.nominal_residual();
   HeldOut all = nothing_held(study.experiment());
@@ -370,8 +370,8 @@ TEST_CASE("what shrinks belongs to the cause that it is asked of") {
   const Experiment experiment = measured(four_presses(), only("joint_stiffness", 2), {0.2}, 3);
   const Study study(experiment);
   const NoiseModel noise;
-  const auto right = rotated(study, fit(study, only("joint_stiffness", 2), {}), noise);
-  const auto wrong = rotated(study, fit(study, only("joint_stiffness", 1), {}), noise);
+  const auto right = rotated(study, fit(study, only("joint_stiffness", 2), {}), noise, noise);
+  const auto wrong = rotated(study, fit(study, only("joint_stiffness", 1), {}), noise, noise);
   REQUIRE(right);
   REQUIRE(wrong);
   CHECK(right->shrink.heldout.size() == 4);
@@ -387,7 +387,7 @@ TEST_CASE("a run's own tare is tested on blocks of the run: no other run determi
   for (std::size_t p = 0; p < values.size(); ++p)
     values[p] = (p % 2 == 0 ? 1 : -1) * bare.ranges(tare)[p].scale;
   const Study study(measured(experiment, {{tare}}, values, 4));
-  const auto found = rotated(study, fit(study, {{tare}}, {}), {});
+  const auto found = rotated(study, fit(study, {{tare}}, {}), {}, {});
   REQUIRE(found);
   for (const std::string& name : found->shrink.heldout) CHECK(name.find('[') != std::string::npos);
   CHECK(found->shrink.ratio < 1.2 * found->shrink.noise_floor_ratio);
@@ -400,7 +400,7 @@ TEST_CASE("where the runs that can be spared carry no gap, blocks are held out")
   load(experiment, {0.2, 0.5, -0.4}, {0, 0}, {-2, 0}, 30);
   const Candidate truth = only("joint_stiffness", 2);
   const Study study(measured(experiment, truth, {0.2}, 3));
-  const auto found = rotated(study, fit(study, truth, {}), {});
+  const auto found = rotated(study, fit(study, truth, {}), {}, {});
   REQUIRE(found);
   for (const std::string& name : found->shrink.heldout) CHECK(name.find('[') != std::string::npos);
   CHECK(found->shrink.tested());
@@ -408,7 +408,7 @@ TEST_CASE("where the runs that can be spared carry no gap, blocks are held out")
 
   // Where no block carries a gap either, runs are.
   const Study gapless(measured(experiment, truth, {0}, 4));
-  const auto untested = rotated(gapless, fit(gapless, truth, {}), {});
+  const auto untested = rotated(gapless, fit(gapless, truth, {}), {}, {});
   REQUIRE(untested);
   for (const std::string& name : untested->shrink.heldout) CHECK(name.find('[') == std::string::npos);
   CHECK_FALSE(untested->shrink.tested());
