@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "simulator/bench.hpp"
 
@@ -16,14 +19,31 @@ bool passes_for(const Bench& bench, const Outcome& outcome, std::size_t e, const
   return rms(rest) * std::sqrt(static_cast<double>(rest.size())) <= noticed;
 }
 
-/// All stops at one angle pass for that of the one joint that gets there, all springs that are stiffer to one
-/// side for a scale where all bend to one side.
+/// The effect of a single joint that may do alone what this one does.
+std::string_view of_one_joint(std::string_view id) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> pairs{
+      {{"joint_stops", "joint_stop"},
+       {"stiffness_scale", "joint_stiffness"},
+       {"force_gain", "joint_stiffness"},
+       {"length_scale", "link_length"},
+       {"rest_offset", "rest_angle"}}};
+  const auto known =
+      std::find_if(pairs.begin(), pairs.end(), [&](const auto& one) { return one.first == id; });
+  return known == pairs.end() ? std::string_view() : known->second;
+}
+
+/// All stops at one angle pass for that of the one joint that gets there; of a single sprung joint what is
+/// common to all for the same of that joint, as does the load cell's gain; all springs that are stiffer to
+/// one side for a scale where all bend to one side.
 std::vector<std::string> tried(const Bench& bench, const Outcome& outcome, std::size_t e) {
   const Effect& effect = outcome.effects[e];
   std::vector<Effect> candidates;
-  if (effect.kind->id == "joint_stops")
+  const std::vector<double>& k = bench.plan.nominal.stiffness;
+  const bool one_joint = std::count_if(k.begin(), k.end(), [](double one) { return one > 0; }) == 1;
+  const std::string_view single = of_one_joint(effect.kind->id);
+  if (effect.kind->id == "joint_stops" || (one_joint && !single.empty()))
     for (Place j = 0; j < bench.plan.size(); ++j)
-      candidates.push_back({&kind("joint_stop", true), j, effect.values});
+      candidates.push_back({&kind(single, true), j, effect.values});
   if (effect.kind->id == "asymmetric_spring")
     for (const double sign : {1.0, -1.0})
       candidates.push_back({&kind("stiffness_scale", false), 0, {sign * effect.values[0]}});
@@ -43,14 +63,14 @@ std::vector<std::string> twins(const Bench& bench, const Outcome& outcome, std::
   const std::string_view id = outcome.effects[e].kind->id;
   if (id == "tip_payload") return {"force_bias"};
   if (id == "train_compliance" && imposed) return {"base_compliance"};
-  if (id == "stiffness_scale" && scales) return {"force_gain"};
-  if (id == "force_gain" && scales) return {"stiffness_scale"};
   const Effect& effect = outcome.effects[e];
   if (id == "base_compliance" && imposed &&
       passes_for(bench, outcome, e, {effect.kind, 0, {effect.values[0], 0}}))
     return {"train_compliance"};
   std::vector<std::string> others = tried(bench, outcome, e);
   if (id == "asymmetric_spring" && !others.empty() && scales) others.emplace_back("force_gain");
+  if (id == "stiffness_scale" && scales) others.emplace_back("force_gain");
+  if (id == "force_gain" && scales) others.emplace_back("stiffness_scale");
   return others;
 }
 

@@ -140,25 +140,28 @@ bool takes_three(const Ranked& one) {
 }
 
 /// Settles on the best partial explanation of one effect that leaves of held-out readings at most so many
-/// times the noise, where that is clearly less than the gap.
-bool accept_what_leaves(const Study& study, const NoiseModel& noise, double times, Cause& cause) {
-  if (cause.verdict != CauseVerdict::unknown) return false;
+/// times the noise, where that is clearly less than the gap. \returns what it leaves
+std::optional<Shrink> accept_what_leaves(const Study& study, const NoiseModel& noise, double times,
+                                         Cause& cause) {
+  if (cause.verdict != CauseVerdict::unknown) return std::nullopt;
   const std::optional<std::size_t> place = best_single(study, cause);
-  if (!place) return false;
+  if (!place) return std::nullopt;
   const std::optional<Rotated> blind = rotated(study, cause.ranking[*place].hypothesis.fit, noise, noise);
-  if (!blind) return false;
+  if (!blind) return std::nullopt;
   const double left = blind->shrink.ratio, floor = blind->shrink.noise_floor_ratio;
-  if (!predicts(blind->shrink, times) || floor > beliefs::clear) return false;
+  if (!predicts(blind->shrink, times) || floor > beliefs::clear) return std::nullopt;
   settle_on(cause, *place, beliefs::other_than_nearly);
   cause.remainder = std::sqrt(std::max(0.0, left * left - floor * floor));
-  return true;
+  return blind->shrink;
 }
 
 }  // namespace
 
 bool accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause) {
-  if (!accept_what_leaves(study, noise, beliefs::nearly, cause)) return false;
-  if (many_valued(study, cause.ranking[cause.best].hypothesis.fit.candidate) > 0)
+  const std::optional<Shrink> blind = accept_what_leaves(study, noise, beliefs::nearly, cause);
+  if (!blind) return false;
+  if (leaves_more_than_noise(*blind) ||
+      many_valued(study, cause.ranking[cause.best].hypothesis.fit.candidate) > 0)
     hedge(cause, Reservation::beyond_noise);
   return true;
 }

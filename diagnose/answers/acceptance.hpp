@@ -12,9 +12,9 @@ namespace plumbline::diagnose {
 
 /// With thousands of readings every model fails a test for exactness. The best partial explanation of one
 /// effect that predicts held-out readings nearly to the noise, where these show the gap clearly, is what was
-/// looked for, with a remainder: beside a cause outside the catalogue where it has a value at every joint,
-/// link or run. Two effects are not: of 14 such on simulated experiments eleven had a cause outside the
-/// catalogue. Answers whether there is one.
+/// looked for, with a remainder: beside a cause outside the catalogue where it leaves clearly more than noise
+/// does, by more than chance, or has a value at every joint, link or run. Two effects are not: of 14 such on
+/// simulated experiments eleven had a cause outside the catalogue. Answers whether there is one.
 bool accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause);
 
 /// Where nothing better was found: names beside a cause outside the catalogue the best partial explanation

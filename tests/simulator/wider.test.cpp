@@ -5,6 +5,7 @@
 #include <set>
 
 #include "simulator/bench.hpp"
+#include "simulator/make_experiment.hpp"
 #include "simulator/nominal_error.hpp"
 #include "tests/simulator/a_bench.hpp"
 
@@ -135,4 +136,31 @@ TEST_CASE("the second trial: a third outside, a third with groups or tolerances,
   CHECK(groups > count * 0.3);
   CHECK(near(none, 0.3 / 3));
   CHECK(seen.size() == outside().size());
+}
+
+TEST_CASE(
+    "of a single sprung joint what is common to all passes for the same of that joint, of several it does "
+    "not") {
+  const std::pair<std::string_view, std::string_view> pairs[] = {{"stiffness_scale", "joint_stiffness(1)"},
+                                                                 {"length_scale", "link_length(1)"},
+                                                                 {"rest_offset", "rest_angle(1)"}};
+  for (const auto& [common, single] : pairs) {
+    CAPTURE(common);
+    std::size_t alone = 0, several = 0;
+    for (std::uint64_t stream = 0; alone < 2 || several < 2; ++stream) {
+      REQUIRE(stream < 100);
+      Random random(7, stream);
+      const Experiment made = make_experiment({{&kind(common, false)}, {20}, false, true}, "one", random);
+      const auto& k = made.plan.nominal.stiffness;
+      const bool arm = made.plan.size() == 1;
+      const bool chain = std::count_if(k.begin(), k.end(), [](double one) { return one > 0; }) > 1;
+      const auto& twins = made.label.equivalent;
+      const bool listed =
+          std::find(twins.begin(), twins.end(), std::vector<std::string>{std::string(single)}) != twins.end();
+      if (arm) CHECK(listed);
+      if (chain) CHECK_FALSE(listed);
+      alone += arm;
+      several += chain;
+    }
+  }
 }
