@@ -122,8 +122,8 @@ inline constexpr double predicts = 1.5;
 /// experiments three of five that were identified wrongly left as much, and seven of 76 that were right.
 inline constexpr double clearly_more_than_noise = 1.1;
 /// It is what was looked for, with a remainder, where it leaves at most so many times the noise, of a gap
-/// whose noise floor is at most `clear`; so probable is another cause then. Of 334 that were identified in three
-/// trials one left a remainder, clearly more than noise, and was wrong: such are hedged.
+/// whose noise floor is at most `clear`; so probable is another cause then. Of 334 that were identified in
+/// three trials one left a remainder, clearly more than noise, and was wrong: such are hedged.
 inline constexpr double nearly = 1.2, clear = 0.5, other_than_nearly = 0.05;
 /// Of explanations that did not predict, on simulated experiments, one in four was wrong; of those with two
 /// effects eight of ten, which had a cause outside the catalogue (all four without what machining leaves); of
