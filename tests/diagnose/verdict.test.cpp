@@ -166,8 +166,8 @@ TEST_CASE("what no fit explains is unknown, however well it ranks") {
   const Fit gain = found(experiment, of({{"force_gain"}}), residual);
   const Cause cause = judge(Study(experiment), {{worth(gain, 0, 0)}, {}});
   CHECK(cause.verdict == CauseVerdict::unknown);
-  CHECK(cause.unknown == close_to(5.0 / 6));  // odds of 5, where p says no more
-  CHECK(cause.ranking.at(0).probability == close_to(1.0 / 6));
+  CHECK(cause.unknown == close_to(20.0 / 21));  // odds of 20, where p says no more
+  CHECK(cause.ranking.at(0).probability == close_to(1.0 / 21));
 }
 
 TEST_CASE("the probability of a cause outside the catalogue, by hand from the test of what is left") {
