@@ -53,7 +53,7 @@ inline constexpr double refinement = 0.1;
 /// Prior probability that a gap's cause is in nobody's catalogue.
 inline constexpr double outside = 0.1;
 /// Share of experiments whose cause is listed, and yet the right explanation leaves structure: beside the
-/// cause the bench has something of its own. Of 231 answers by which nothing listed explained the gap, in
+/// cause the bench has something of its own. Of 194 answers by which nothing listed explained the gap, in
 /// three trials that nobody had looked at, five had a listed cause or none.
 inline constexpr double misfit = 0.005;
 /// Of the explanations that fit by chance alone, as simulated experiments show: the odds that a bad fit gives
