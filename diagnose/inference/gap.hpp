@@ -22,8 +22,9 @@ struct GapTest {
 /// same layout that runs through the same estimators, over every correlation that the estimate leaves open.
 GapTest test_gap(const Measurements& measurements, const std::vector<double>& residual);
 
-/// The same chance for what a fit leaves, which is held to more: noise is hardly slower than it seems there,
-/// for a model that is nearly right leaves little that is slow, and would pass as noise.
+/// The same chance for what a fit leaves, by which the levels that verdicts go by were found: noise that is
+/// slower than it seems is taken to be as large as it seems. In long runs that refuses more than the test for
+/// a gap does, in short ones it may refuse less.
 double structure_p_value(const Measurements& measurements, const std::vector<double>& residual);
 
 /// Root mean square of a residual by Channel::Name; zero where nothing was measured.
