@@ -25,6 +25,19 @@ void require_reached(const Study& study) {
               "end points within reach and a stable posture at every reading");
 }
 
+std::vector<RougherRun> rougher_runs(const Study& study) {
+  std::vector<RougherRun> rougher;
+  for (const Series& series : study.measurements().series()) {
+    const std::string& run = study.experiment().runs[series.run].id;
+    const Sensor sensor = series.channel.sensor();
+    const bool told = std::any_of(rougher.begin(), rougher.end(), [&](const RougherRun& one) {
+      return one.run == run && one.sensor == sensor;
+    });
+    if (series.beside_runs > 1 && !told) rougher.push_back({run, sensor, series.beside_runs});
+  }
+  return rougher;
+}
+
 GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
   const Measurements& measurements = study.measurements();
   GapAnswer gap;
@@ -47,7 +60,8 @@ GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
     gap.hum.push_back({study.experiment().runs[series.run].id, series.channel, one.period, one.rms()});
   }
   for (const Series& series : measurements.series())
-    if (series.times > 1) gap.uneven[series.channel] = series.times;
+    if (series.beside_joints > 1) gap.uneven[series.channel] = series.beside_joints;
+  gap.rougher = rougher_runs(study);
   for (const Run& run : study.experiment().runs) {
     if (run.weights_inferred) gap.taken_for_weights.push_back(run.id);
     if (run.side) gap.other_side.push_back({run.id, run.first_taken(run.side->first())});

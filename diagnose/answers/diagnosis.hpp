@@ -28,6 +28,13 @@ struct OtherSide {
   std::size_t reading;  ///< as it was taken, from 0: the first one there
 };
 
+/// A run in which a sensor scatters more than in the others, and how many times.
+struct RougherRun {
+  std::string run;
+  Sensor sensor;
+  double times;
+};
+
 struct GapAnswer {
   bool present;
   GapTest test;
@@ -38,6 +45,7 @@ struct GapAnswer {
   std::map<Channel::Name, double> proportional;
   /// Of joints whose angles scatter more than those of the others: how many times.
   std::map<Channel, double> uneven;
+  std::vector<RougherRun> rougher;
   /// Runs whose forces were taken for those of weights, since they look like it (Run::weights_inferred).
   std::vector<std::string> taken_for_weights;
   std::vector<OtherSide> other_side;

@@ -9,6 +9,11 @@ Sensor Channel::sensor() const {
   return name == Name::x || name == Name::y ? Sensor::position : Sensor::force;
 }
 
+std::string label(Sensor sensor) {
+  if (sensor == Sensor::position) return "position";
+  return sensor == Sensor::force ? "force" : "angle";
+}
+
 std::string label(Channel::Name name) {
   switch (name) {
     case Channel::Name::x:

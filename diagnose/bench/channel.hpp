@@ -14,6 +14,9 @@ struct Reading;
 /// What kind of sensor a value comes from: each kind shares one correction of its declared noise.
 enum class Sensor { position, force, angle };
 
+/// "position", "force" or "angle".
+std::string label(Sensor sensor);
+
 /// How many names of channels there are: x, y, Fx, Fy, q.
 inline constexpr std::size_t channel_names = 5;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "diagnose/beliefs.hpp"
@@ -147,15 +148,29 @@ double rounding(const Measurements& measurements, Name name) {
   return step / std::sqrt(12.0);
 }
 
+/// Standard deviation of a channel as values show it that were read close to each other on the path, at
+/// other times: neither what changes along the path nor what is slow is in it. Infinite where there are few.
+double scatter_in_place(const Measurements& measurements, const std::vector<double>& residual, Name name) {
+  constexpr std::size_t few = 8;
+  std::vector<double> off;
+  for (const Series& series : measurements.series()) {
+    if (series.channel.name != name) continue;
+    for (const Between& one : series.between) off.push_back(one.off(residual.data() + series.first));
+  }
+  return off.size() < few ? std::numeric_limits<double>::infinity() : std::sqrt(robust_variance(off));
+}
+
 /// What no scale of a channel's noise exceeds: readings that go smoothly have no more noise than they are
 /// rough, whatever a model leaves of them. Noise that most of a run has less of, in proportion to small
 /// readings, say, or that changes slowly, shows a part of itself alone in the middle of third differences.
-double scale_bound(const Measurements& measurements, Name name) {
-  constexpr double hidden = 3;
+double scale_bound(const Measurements& measurements, const std::vector<double>& residual, Name name) {
+  constexpr double hidden = 3, by_chance = 1.5;
   double rough = 0;
   for (const Series& series : measurements.series())
     if (series.channel.name == name) rough = std::max(rough, series.roughness);
-  return std::max({1.0, hidden * rough, rounding(measurements, name)});
+  const double least = std::max(1.0, rounding(measurements, name));
+  return std::max(least,
+                  std::min(hidden * rough, by_chance * scatter_in_place(measurements, residual, name)));
 }
 
 /// Standard deviations by channel, as far as differences of neighbours show them.
@@ -290,7 +305,7 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
     noise.scale[c] = raw.values[c] > 0 && scale > 0 ? with_prior(scale, raw.values[c] / 2) : 1.0;
     // Large and slow at once is a gap, not noise; in runs too short for noise so slow, what has a slope.
     if (noise.correlation > 0.5 || raw.correlation > 0.9) noise.scale[c] = std::min(noise.scale[c], 1.5);
-    noise.scale[c] = std::min(noise.scale[c], scale_bound(measurements, all_names[c]));
+    noise.scale[c] = std::min(noise.scale[c], scale_bound(measurements, residual, all_names[c]));
   }
   return noise;
 }

@@ -1,10 +1,12 @@
 #include "diagnose/model/measurement.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include "diagnose/bench/median.hpp"
 #include "diagnose/model/proportional_noise.hpp"
@@ -80,7 +82,73 @@ std::vector<double> clock_of(const Run& run, const Series& series) {
   return clock;
 }
 
+/// How far along the direction in which its commands differ most each value was read;
+/// not a number where the command is missing.
+std::vector<double> places(const Run& run, const std::vector<std::size_t>& readings) {
+  Eigen::Vector2d mean(0, 0);
+  double count = 0;
+  Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
+  for (const std::size_t i : readings) {
+    const Eigen::Vector2d command = run.command(run.readings[i]);
+    if (!command.allFinite()) continue;
+    count += 1;
+    const Eigen::Vector2d off = command - mean;
+    mean += off / count;
+    squares += off * (command - mean).transpose();
+  }
+  const Eigen::Vector2d way =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(squares).eigenvectors().col(1);
+  std::vector<double> along;
+  for (const std::size_t i : readings) along.push_back(way.dot(run.command(run.readings[i]) - mean));
+  return along;
+}
+
+/// Of values in the order of their places, those beside which others were read at another time.
+std::vector<Between> between(const std::vector<std::size_t>& order, const std::vector<double>& place) {
+  const auto another_time = [](std::size_t a, std::size_t b) { return std::max(a, b) - std::min(a, b) > 2; };
+  std::vector<Between> all;
+  for (std::size_t k = 1; k + 1 < order.size(); ++k) {
+    const std::size_t before = order[k - 1], value = order[k], after = order[k + 1];
+    if (!another_time(before, value) || !another_time(after, value)) continue;
+    const double way = place[after] - place[before];
+    all.push_back({value, before, after, way > 0 ? (place[value] - place[before]) / way : 0.5});
+  }
+  return all;
+}
+
+/// Values beside which others were read, on another way in the same direction; in either, where few were.
+std::vector<Between> between(const Run& run, const std::vector<std::size_t>& readings) {
+  const std::vector<double> place = places(run, readings);
+  std::vector<std::size_t> all, there, back;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (!std::isfinite(place[i])) continue;
+    const bool returns = !all.empty() && place[i] < place[all.back()];
+    (returns ? back : there).push_back(i);
+    all.push_back(i);
+  }
+  const auto beside = [&](std::vector<std::size_t>& values) {
+    std::stable_sort(values.begin(), values.end(),
+                     [&](std::size_t a, std::size_t b) { return place[a] < place[b]; });
+    return between(values, place);
+  };
+  std::vector<Between> same_way = beside(there);
+  for (const Between& one : beside(back)) same_way.push_back(one);
+  return 3 * same_way.size() > all.size() ? same_way : beside(all);
+}
+
+/// Makes the sigma of a series so many times as large.
+void widen(Series& series, double times, ThirdDifferences& evenly) {
+  series.sigma *= times;
+  series.step /= times;
+  for (double& size : evenly.sizes) size /= times;
+}
+
 }  // namespace
+
+double Between::off(const double* values) const {
+  const double line = (1 - share) * values[before] + share * values[after];
+  return (values[value] - line) / std::sqrt(1 + share * share + (1 - share) * (1 - share));
+}
 
 Measurements::Measurements(const Experiment& experiment) {
   std::vector<std::vector<double>> all;
@@ -88,13 +156,14 @@ Measurements::Measurements(const Experiment& experiment) {
     const Run& run = experiment.runs[r];
     for (const Channel& channel : run.measured()) {
       Series series{
-          r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, 0, {}, {}, 0, 0, 0,
-          1, {}};
+          r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, 0, {}, {}, 0, 0, {},
+          0, 1, 1, {}};
       for (std::size_t i = 0; i < run.readings.size(); ++i)
         if (!std::isnan(channel.of(run.readings[i]))) series.readings.push_back(i);
       if (series.readings.empty()) continue;
       series.interval = mean_interval(run, series.readings);
       series.clock = clock_of(run, series);
+      series.between = between(run, series.readings);
       std::vector<double> values;
       for (const std::size_t i : series.readings) values.push_back(channel.of(run.readings[i]));
       series.seed = seed_of(channel, values);
@@ -104,60 +173,62 @@ Measurements::Measurements(const Experiment& experiment) {
       all.push_back(std::move(values));
     }
   }
-  weigh_joints(experiment, all);
-  weigh(experiment, all);
+  std::vector<ThirdDifferences> evenly;
+  for (std::size_t s = 0; s < series_.size(); ++s)
+    evenly.push_back(
+        ThirdDifferences(all[s], series_[s].sigma)
+            .where(goes_evenly(experiment.runs[series_[s].run], series_[s].readings)));
+  weigh_joints(evenly);
+  weigh_runs(experiment.runs.size(), evenly);
+  weigh(all, evenly);
 }
 
-/// Gives the angles of a joint that scatters more than the others a sigma to match, unless it does because it
-/// is bent more than they are: noise in proportion is that of all.
-void Measurements::weigh_joints(const Experiment& experiment,
-                                const std::vector<std::vector<double>>& values) {
-  std::vector<ThirdDifferences> all;
-  std::vector<std::size_t> joints;
+/// Gives the angles of a joint that scatters more than the others a sigma to match.
+void Measurements::weigh_joints(std::vector<ThirdDifferences>& evenly) {
+  std::vector<std::vector<ThirdDifferences>> joints;
   for (std::size_t s = 0; s < series_.size(); ++s) {
-    const Series& series = series_[s];
-    if (series.channel.name != Channel::Name::q) continue;
-    const std::vector<bool> evenly = goes_evenly(experiment.runs[series.run], series.readings);
-    all.push_back(ThirdDifferences(values[s], series.sigma).where(evenly));
-    joints.push_back(series.channel.joint);
+    const Channel& channel = series_[s].channel;
+    if (channel.sensor() != Sensor::angle) continue;
+    joints.resize(std::max(joints.size(), channel.joint + 1));
+    joints[channel.joint].push_back(evenly[s]);
   }
-  const auto times_beside = [&](double proportion) {
-    std::vector<std::vector<double>> sizes(experiment.link_length.size());
-    for (std::size_t s = 0; s < all.size(); ++s)
-      for (std::size_t i = 0; i < all[s].sizes.size(); ++i)
-        sizes[joints[s]].push_back(all[s].sizes[i] / std::hypot(1.0, proportion * all[s].levels[i]));
-    return uneven_noise(sizes);
-  };
-  const std::vector<double> times = times_beside(0);
-  const std::vector<double> beside = times_beside(proportional_noise(all));
-  const auto stands_out = [](double one) { return one > 1; };
-  if (std::none_of(beside.begin(), beside.end(), stands_out)) return;
-  for (Series& series : series_) {
-    if (series.channel.name != Channel::Name::q) continue;
-    series.times = times[series.channel.joint];
-    series.sigma *= series.times;
-    series.step /= series.times;
+  const std::vector<double> times = uneven_noise(joints);
+  for (std::size_t s = 0; s < series_.size(); ++s) {
+    const Channel& channel = series_[s].channel;
+    if (channel.sensor() != Sensor::angle) continue;
+    series_[s].beside_joints = times[channel.joint];
+    widen(series_[s], times[channel.joint], evenly[s]);
+  }
+}
+
+/// Gives the readings of a sensor in a run where it scatters more than in the others a sigma to match.
+void Measurements::weigh_runs(std::size_t runs, std::vector<ThirdDifferences>& evenly) {
+  for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle}) {
+    std::vector<std::vector<ThirdDifferences>> by_run(runs);
+    for (std::size_t s = 0; s < series_.size(); ++s)
+      if (series_[s].channel.sensor() == sensor) by_run[series_[s].run].push_back(evenly[s]);
+    const std::vector<double> times = uneven_noise(by_run);
+    for (std::size_t s = 0; s < series_.size(); ++s) {
+      if (series_[s].channel.sensor() != sensor) continue;
+      series_[s].beside_runs = times[series_[s].run];
+      widen(series_[s], times[series_[s].run], evenly[s]);
+    }
   }
 }
 
 /// Gives every value its sigma. What scatters in proportion does so in all runs of a channel.
-void Measurements::weigh(const Experiment& experiment, const std::vector<std::vector<double>>& values) {
-  std::vector<ThirdDifferences> differences;
-  std::map<Channel::Name, std::vector<ThirdDifferences>> even;
-  for (std::size_t s = 0; s < series_.size(); ++s) {
-    const Series& series = series_[s];
-    differences.emplace_back(values[s], series.sigma);
-    const std::vector<bool> evenly = goes_evenly(experiment.runs[series.run], series.readings);
-    even[series.channel.name].push_back(differences.back().where(evenly));
-  }
+void Measurements::weigh(const std::vector<std::vector<double>>& values,
+                         const std::vector<ThirdDifferences>& evenly) {
+  std::map<Channel::Name, std::vector<ThirdDifferences>> by_name;
+  for (std::size_t s = 0; s < series_.size(); ++s) by_name[series_[s].channel.name].push_back(evenly[s]);
   std::map<Channel::Name, double> proportions;
-  for (const auto& [name, all] : even) proportions[name] = proportional_noise(all);
+  for (const auto& [name, all] : by_name) proportions[name] = proportional_noise(all);
   for (std::size_t s = 0; s < series_.size(); ++s) {
     Series& series = series_[s];
     series.proportion = proportions[series.channel.name];
     for (const double value : values[s])
       series.sigmas.push_back(series.sigma * std::hypot(1.0, series.proportion * value));
-    series.roughness = roughness(differences[s], series.proportion);
+    series.roughness = roughness(ThirdDifferences(values[s], series.sigma), series.proportion);
   }
 }
 

@@ -7,14 +7,24 @@
 #include <vector>
 
 #include "diagnose/model/history.hpp"
+#include "diagnose/model/third_differences.hpp"
 
 namespace plumbline::diagnose {
+
+/// A value between two others of its series that were read at places of the path before and after its own, at
+/// other times: what it is off the line between them, over what it would be off one that is exact.
+struct Between {
+  std::size_t value, before, after;  ///< by their number in the series
+  double share;                      ///< of `after` in the line
+
+  [[nodiscard]] double off(const double* values) const;
+};
 
 /// The values of one channel in one run, in the order in which they were taken, without the missing ones.
 struct Series {
   std::size_t run;
   Channel channel;
-  double sigma;                       ///< declared noise, times `times`
+  double sigma;                       ///< declared noise, times how many times more it scatters than others
   std::size_t first;                  ///< place of its first value in the flat list
   std::vector<std::size_t> readings;  ///< index of each value's reading in the run
   double interval;                    ///< mean time from value to value, s; 0 of one value
@@ -23,9 +33,11 @@ struct Series {
   std::vector<double> sigmas;
   double proportion;  ///< that part over the declared sigma, per unit of the reading; mostly 0
   double step;        ///< that coarse readings are rounded to, declared sigmas; 0 where none shows
-  double roughness;   ///< of the readings themselves, in sigmas: their noise is hardly larger
-  /// How many times more it scatters than the angles of the other joints do; mostly 1.
-  double times;
+  std::vector<Between> between;  ///< where its run went the same way more than once
+  double roughness;              ///< of the readings themselves, in sigmas: their noise is hardly larger
+  /// How many times more it scatters than the angles of the other joints do, and than the same sensor in the
+  /// other runs; mostly 1.
+  double beside_joints, beside_runs;
   /// Its own, made of its readings: begins random numbers that do not depend on the order of the runs.
   std::vector<std::uint32_t> seed;
 };
@@ -46,8 +58,9 @@ class Measurements {
   [[nodiscard]] std::vector<double> in_sigmas(const std::vector<Trace>& traces) const;
 
  private:
-  void weigh(const Experiment& experiment, const std::vector<std::vector<double>>& values);
-  void weigh_joints(const Experiment& experiment, const std::vector<std::vector<double>>& values);
+  void weigh_joints(std::vector<ThirdDifferences>& evenly);
+  void weigh_runs(std::size_t runs, std::vector<ThirdDifferences>& evenly);
+  void weigh(const std::vector<std::vector<double>>& values, const std::vector<ThirdDifferences>& evenly);
 
   std::vector<Series> series_;
   std::size_t size_ = 0;

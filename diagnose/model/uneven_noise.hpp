@@ -1,14 +1,18 @@
 #pragma once
 /// \file
-/// One joint's encoder that is worse than the others', found in the readings themselves: no model enters.
+/// A joint's encoder that is worse than the others', or a run that is rougher, found in the readings
+/// themselves: no model enters.
 
 #include <vector>
 
+#include "diagnose/model/third_differences.hpp"
+
 namespace plumbline::diagnose {
 
-/// How many times more the angle of each joint scatters than that of the others does, in the middle of them;
-/// 1 where it may be chance, where there are few readings of it, and of fewer than three joints.
-/// \param sizes  by joint: third differences of its readings, in declared sigmas
-std::vector<double> uneven_noise(const std::vector<std::vector<double>>& sizes);
+/// How many times more each group of readings (of one joint, of one run) scatters than the others do, in the
+/// middle of them, of two groups than the quieter one; 1 where it may be chance, where there are few readings
+/// of it, or where they scatter in proportion to themselves and one group has larger ones.
+/// \param groups  third differences of their series
+std::vector<double> uneven_noise(const std::vector<std::vector<ThirdDifferences>>& groups);
 
 }  // namespace plumbline::diagnose

@@ -35,8 +35,10 @@ Json by_label(const std::map<Channel, double>& values) {
 }
 
 Json gap(const GapAnswer& answer, const NoiseModel& model) {
-  Json proportional = Json::object(), other_side = Json::array();
+  Json proportional = Json::object(), rougher = Json::array(), other_side = Json::array();
   for (const auto& [name, share] : answer.proportional) proportional[label(name)] = share;
+  for (const RougherRun& one : answer.rougher)
+    rougher.push_back({{"run", one.run}, {"sensor", label(one.sensor)}, {"times", one.times}});
   for (const OtherSide& one : answer.other_side)
     other_side.push_back({{"run", one.run}, {"from", one.reading}});
   return {{"present", answer.present},
@@ -46,6 +48,7 @@ Json gap(const GapAnswer& answer, const NoiseModel& model) {
           {"noise", noise(model, answer.rms)},
           {"proportional_noise", proportional},
           {"uneven_noise", by_label(answer.uneven)},
+          {"rougher_runs", rougher},
           {"taken_for_weights", answer.taken_for_weights},
           {"other_side", other_side}};
 }

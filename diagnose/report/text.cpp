@@ -54,6 +54,9 @@ std::string gap(const Diagnosis& diagnosis) {
   for (const auto& [channel, times] : answer.uneven)
     text += fmt::format("  the readings of {} scatter {:.1f} times as much as those of the other joints\n",
                         channel.label(), times);
+  for (const RougherRun& one : answer.rougher)
+    text += fmt::format("  {} readings of {} scatter {:.1f} times as much as those of the other runs\n",
+                        label(one.sensor), one.run, one.times);
   if (!answer.taken_for_weights.empty())
     text += fmt::format("  the forces of {} point straight down and have no noise: taken for weights\n",
                         fmt::join(answer.taken_for_weights, ", "));

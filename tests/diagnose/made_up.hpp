@@ -42,6 +42,7 @@ inline Diagnosis made_up() {
               {},
               {{Channel::Name::Fx, 0.021}},
               {{of_q2, 3.2}},
+              {{"load-2", Sensor::force, 2.7}},
               {"load-2"},
               {{"press-1", 3}}};
   made.where.channels = {{of_Fx, 0.75}, {of_q2, 0.25}};

@@ -40,6 +40,7 @@ TEST_CASE("a page holds the numbers of the JSON at its keys, and says what was f
                           "/gap/noise/correlation",
                           "/gap/proportional_noise/Fx",
                           "/gap/uneven_noise/q2",
+                          "/gap/rougher_runs/0/times",
                           "/where/joints/2/share",
                           "/where/runs/1/share",
                           "/where/channels/1/share",
