@@ -63,6 +63,18 @@ double correlation_beside_tones(const Measurements& measurements, const std::vec
   return estimate_noise(measurements, without_hum(measurements, residual, all)).correlation;
 }
 
+/// Whether a tone is much the same wherever the path comes to the same place: then it is of the chain.
+bool goes_with_the_path(const Series& series, const Hum& one) {
+  constexpr std::size_t few = 8;
+  constexpr double share = 0.25;
+  if (series.between.size() < few) return false;
+  const Eigen::VectorXd wave =
+      tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
+  double off = 0;
+  for (const Between& between : series.between) off += std::pow(between.off(wave.data()), 2);
+  return off < share * static_cast<double>(series.between.size()) * one.rms() * one.rms();
+}
+
 }  // namespace
 
 std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<double>& residual) {
@@ -96,6 +108,9 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
   }
   add_shared(measurements, residual, spectra, level, all);
   add_known(measurements, residual, level, all);
+  std::erase_if(all, [&](const Hum& one) {
+    return goes_with_the_path(measurements.series()[one.series], one);
+  });
   return all;
 }
 

@@ -149,28 +149,29 @@ double rounding(const Measurements& measurements, Name name) {
 }
 
 /// Standard deviation of a channel as values show it that were read close to each other on the path, at
-/// other times: neither what changes along the path nor what is slow is in it. Infinite where there are few.
-double scatter_in_place(const Measurements& measurements, const std::vector<double>& residual, Name name) {
+/// other times, and half as much again, which leaves room for chance and for what it varies by: neither what
+/// changes along the path nor what is slow is in it. Infinite where there are few.
+double largest_in_place(const Measurements& measurements, const std::vector<double>& residual, Name name) {
   constexpr std::size_t few = 8;
+  constexpr double room = 1.5;
   std::vector<double> off;
   for (const Series& series : measurements.series()) {
     if (series.channel.name != name) continue;
     for (const Between& one : series.between) off.push_back(one.off(residual.data() + series.first));
   }
-  return off.size() < few ? std::numeric_limits<double>::infinity() : std::sqrt(robust_variance(off));
+  return off.size() < few ? std::numeric_limits<double>::infinity() : room * std::sqrt(robust_variance(off));
 }
 
 /// What no scale of a channel's noise exceeds: readings that go smoothly have no more noise than they are
 /// rough, whatever a model leaves of them. Noise that most of a run has less of, in proportion to small
 /// readings, say, or that changes slowly, shows a part of itself alone in the middle of third differences.
 double scale_bound(const Measurements& measurements, const std::vector<double>& residual, Name name) {
-  constexpr double hidden = 3, by_chance = 1.5;
+  constexpr double hidden = 3;
   double rough = 0;
   for (const Series& series : measurements.series())
     if (series.channel.name == name) rough = std::max(rough, series.roughness);
   const double least = std::max(1.0, rounding(measurements, name));
-  return std::max(least,
-                  std::min(hidden * rough, by_chance * scatter_in_place(measurements, residual, name)));
+  return std::max(least, std::min(hidden * rough, largest_in_place(measurements, residual, name)));
 }
 
 /// Standard deviations by channel, as far as differences of neighbours show them.
@@ -259,6 +260,17 @@ double largest_correlation(const Measurements& measurements, const std::array<St
   return std::min(0.9, std::max(std::exp(-10 / median(lengths)), 1 - rough));
 }
 
+/// What noise that seems to correlate so much really may, for it would scatter more in place than it does.
+double correlation_in_place(const Measurements& measurements, const std::vector<double>& residual,
+                            const std::array<Steps, channel_names>& steps, double seeming) {
+  double largest = seeming;
+  for (std::size_t c = 0; c < steps.size(); ++c) {
+    const double most = std::pow(largest_in_place(measurements, residual, all_names[c]), 2);
+    if (steps[c].near > (1 - seeming) * most) largest = std::min(largest, 1 - steps[c].near / most);
+  }
+  return std::max(0.0, largest);
+}
+
 }  // namespace
 
 double correlation_deviation(double correlation, double values) {
@@ -281,7 +293,9 @@ RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& 
   // (1 - phi^2) / (1 - phi) = 1 + phi
   noise.correlation = weight > 0 ? ratio / weight - 1 : 0.0;
   noise.largest_correlation = largest_correlation(measurements, steps);
-  const double phi = std::clamp(noise.correlation, 0.0, noise.largest_correlation);
+  const double seeming = std::clamp(noise.correlation, 0.0, noise.largest_correlation);
+  const double phi = correlation_in_place(measurements, residual, steps, seeming);
+  if (phi < seeming) noise.largest_correlation = phi;
   for (std::size_t c = 0; c < steps.size(); ++c) {
     if (!(steps[c].near > 0)) continue;
     const double straight = steps[c].near / (1 - phi), curved = steps[c].curved / ((1 - phi) * (3 - phi));

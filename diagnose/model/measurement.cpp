@@ -56,7 +56,7 @@ std::vector<std::uint32_t> seed_of(const Channel& channel, const std::vector<dou
 
 /// Standard deviation of independent noise whose third differences are in the middle as large as those of the
 /// values, which a smooth curve hardly has; infinite where there are too few to say, or most of them repeat.
-double roughness(const ThirdDifferences& differences, double proportion) {
+double roughness(const Differences& differences, double proportion) {
   constexpr std::size_t few = 9;
   constexpr double unknown = std::numeric_limits<double>::infinity();
   if (differences.sizes.size() < few) return unknown;
@@ -137,18 +137,13 @@ std::vector<Between> between(const Run& run, const std::vector<std::size_t>& rea
 }
 
 /// Makes the sigma of a series so many times as large.
-void widen(Series& series, double times, ThirdDifferences& evenly) {
+void widen(Series& series, double times, Differences& evenly) {
   series.sigma *= times;
   series.step /= times;
   for (double& size : evenly.sizes) size /= times;
 }
 
 }  // namespace
-
-double Between::off(const double* values) const {
-  const double line = (1 - share) * values[before] + share * values[after];
-  return (values[value] - line) / std::sqrt(1 + share * share + (1 - share) * (1 - share));
-}
 
 Measurements::Measurements(const Experiment& experiment) {
   std::vector<std::vector<double>> all;
@@ -173,10 +168,10 @@ Measurements::Measurements(const Experiment& experiment) {
       all.push_back(std::move(values));
     }
   }
-  std::vector<ThirdDifferences> evenly;
+  std::vector<Differences> evenly;
   for (std::size_t s = 0; s < series_.size(); ++s)
     evenly.push_back(
-        ThirdDifferences(all[s], series_[s].sigma)
+        Differences(all[s], series_[s].sigma)
             .where(goes_evenly(experiment.runs[series_[s].run], series_[s].readings)));
   weigh_joints(evenly);
   weigh_runs(experiment.runs.size(), evenly);
@@ -184,8 +179,8 @@ Measurements::Measurements(const Experiment& experiment) {
 }
 
 /// Gives the angles of a joint that scatters more than the others a sigma to match.
-void Measurements::weigh_joints(std::vector<ThirdDifferences>& evenly) {
-  std::vector<std::vector<ThirdDifferences>> joints;
+void Measurements::weigh_joints(std::vector<Differences>& evenly) {
+  std::vector<std::vector<Differences>> joints;
   for (std::size_t s = 0; s < series_.size(); ++s) {
     const Channel& channel = series_[s].channel;
     if (channel.sensor() != Sensor::angle) continue;
@@ -202,9 +197,9 @@ void Measurements::weigh_joints(std::vector<ThirdDifferences>& evenly) {
 }
 
 /// Gives the readings of a sensor in a run where it scatters more than in the others a sigma to match.
-void Measurements::weigh_runs(std::size_t runs, std::vector<ThirdDifferences>& evenly) {
+void Measurements::weigh_runs(std::size_t runs, std::vector<Differences>& evenly) {
   for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle}) {
-    std::vector<std::vector<ThirdDifferences>> by_run(runs);
+    std::vector<std::vector<Differences>> by_run(runs);
     for (std::size_t s = 0; s < series_.size(); ++s)
       if (series_[s].channel.sensor() == sensor) by_run[series_[s].run].push_back(evenly[s]);
     const std::vector<double> times = uneven_noise(by_run);
@@ -218,17 +213,25 @@ void Measurements::weigh_runs(std::size_t runs, std::vector<ThirdDifferences>& e
 
 /// Gives every value its sigma. What scatters in proportion does so in all runs of a channel.
 void Measurements::weigh(const std::vector<std::vector<double>>& values,
-                         const std::vector<ThirdDifferences>& evenly) {
-  std::map<Channel::Name, std::vector<ThirdDifferences>> by_name;
-  for (std::size_t s = 0; s < series_.size(); ++s) by_name[series_[s].channel.name].push_back(evenly[s]);
+                         const std::vector<Differences>& evenly) {
+  std::map<Channel::Name, std::vector<Differences>> in_time, in_place;
+  for (std::size_t s = 0; s < series_.size(); ++s) {
+    const Series& series = series_[s];
+    in_time[series.channel.name].push_back(evenly[s]);
+    in_place[series.channel.name].emplace_back(values[s], series.sigma, series.between);
+  }
   std::map<Channel::Name, double> proportions;
-  for (const auto& [name, all] : by_name) proportions[name] = proportional_noise(all);
+  for (const auto& [name, all] : in_time) {
+    const double ratio = proportional_noise(all);
+    // Along a path that is sampled coarsely a stop looks like noise where forces are large.
+    proportions[name] = is_likely(in_place[name], ratio) ? ratio : 0;
+  }
   for (std::size_t s = 0; s < series_.size(); ++s) {
     Series& series = series_[s];
     series.proportion = proportions[series.channel.name];
     for (const double value : values[s])
       series.sigmas.push_back(series.sigma * std::hypot(1.0, series.proportion * value));
-    series.roughness = roughness(ThirdDifferences(values[s], series.sigma), series.proportion);
+    series.roughness = roughness(Differences(values[s], series.sigma), series.proportion);
   }
 }
 

@@ -7,18 +7,9 @@
 #include <vector>
 
 #include "diagnose/model/history.hpp"
-#include "diagnose/model/third_differences.hpp"
+#include "diagnose/model/differences.hpp"
 
 namespace plumbline::diagnose {
-
-/// A value between two others of its series that were read at places of the path before and after its own, at
-/// other times: what it is off the line between them, over what it would be off one that is exact.
-struct Between {
-  std::size_t value, before, after;  ///< by their number in the series
-  double share;                      ///< of `after` in the line
-
-  [[nodiscard]] double off(const double* values) const;
-};
 
 /// The values of one channel in one run, in the order in which they were taken, without the missing ones.
 struct Series {
@@ -58,9 +49,9 @@ class Measurements {
   [[nodiscard]] std::vector<double> in_sigmas(const std::vector<Trace>& traces) const;
 
  private:
-  void weigh_joints(std::vector<ThirdDifferences>& evenly);
-  void weigh_runs(std::size_t runs, std::vector<ThirdDifferences>& evenly);
-  void weigh(const std::vector<std::vector<double>>& values, const std::vector<ThirdDifferences>& evenly);
+  void weigh_joints(std::vector<Differences>& evenly);
+  void weigh_runs(std::size_t runs, std::vector<Differences>& evenly);
+  void weigh(const std::vector<std::vector<double>>& values, const std::vector<Differences>& evenly);
 
   std::vector<Series> series_;
   std::size_t size_ = 0;

@@ -17,19 +17,22 @@ double agreement(const Proportion& one) {
          2 * std::log1p(std::pow(off / beliefs::scale_spread, 2));
 }
 
+bool enough_to_say(const std::vector<Differences>& series) {
+  constexpr std::size_t few = 30;
+  std::size_t count = 0;
+  for (const Differences& one : series) count += one.sizes.size();
+  return count >= few && spread(series) > 0;
+}
+
 }  // namespace
 
-double proportional_noise(const std::vector<ThirdDifferences>& series) {
-  constexpr std::size_t few = 30;
-  if (alternation(series) > beliefs::alternates || !(spread(series) > 0)) return 0;
-  const std::vector<ThirdDifferences> plain = without_steps(series);
+double proportional_noise(const std::vector<Differences>& series) {
+  if (alternation(series) > beliefs::alternates || !enough_to_say(series)) return 0;
+  const std::vector<Differences> plain = without_steps(series);
   double reach = 0;
-  std::size_t count = 0;
-  for (const ThirdDifferences& one : plain) {
+  for (const Differences& one : plain)
     for (const double level : one.levels) reach = std::max(reach, level);
-    count += one.sizes.size();
-  }
-  if (count < few || !(reach > 0)) return 0;
+  if (!enough_to_say(plain) || !(reach > 0)) return 0;
   const std::vector<double> ratios = possible_ratios(reach);
   const double plain_likelihood = in_proportion(plain, ratios.front()).twice_likelihood;
   double gain = 0;
@@ -40,6 +43,12 @@ double proportional_noise(const std::vector<ThirdDifferences>& series) {
     if (i == 1 || agreement(one) > agreement(best)) best = one;
   }
   return gain > beliefs::proportional_gain ? best.ratio : 0;
+}
+
+bool is_likely(const std::vector<Differences>& series, double ratio) {
+  const std::vector<Differences> plain = without_steps(series);
+  return !enough_to_say(plain) ||
+         in_proportion(plain, ratio).twice_likelihood >= in_proportion(plain, 0).twice_likelihood;
 }
 
 }  // namespace plumbline::diagnose

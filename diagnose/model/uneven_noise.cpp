@@ -10,7 +10,7 @@
 namespace plumbline::diagnose {
 namespace {
 
-using Group = std::vector<ThirdDifferences>;
+using Group = std::vector<Differences>;
 
 /// Above which ratio of two deviations, one of `values` third differences, no chance is left. A median of
 /// sizes is 0.37 as efficient as their squares, and every second of third differences is new, so that the
@@ -23,7 +23,7 @@ double beyond_chance(std::size_t values) {
 
 std::size_t values_of(const Group& group) {
   std::size_t count = 0;
-  for (const ThirdDifferences& one : group) count += one.sizes.size();
+  for (const Differences& one : group) count += one.sizes.size();
   return count;
 }
 
@@ -42,7 +42,7 @@ std::optional<double> proportion_within(const std::vector<Group>& groups) {
   for (const Group& group : groups) {
     plain.push_back(without_steps(group));
     all.insert(all.end(), plain.back().begin(), plain.back().end());
-    for (const ThirdDifferences& one : plain.back())
+    for (const Differences& one : plain.back())
       for (const double level : one.levels) reach = std::max(reach, level);
   }
   double together = 0, apart = 0, ratio = 0;
@@ -60,7 +60,7 @@ std::optional<double> proportion_within(const std::vector<Group>& groups) {
 }
 
 double deviation(Group group, double ratio) {
-  for (ThirdDifferences& one : group)
+  for (Differences& one : group)
     for (std::size_t i = 0; i < one.sizes.size(); ++i) one.sizes[i] /= std::hypot(1.0, ratio * one.levels[i]);
   return spread(group);
 }

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "diagnose/model/third_differences.hpp"
+#include "diagnose/model/differences.hpp"
 
 namespace plumbline::diagnose {
 
@@ -13,6 +13,6 @@ namespace plumbline::diagnose {
 /// middle of them, of two groups than the quieter one; 1 where it may be chance, where there are few readings
 /// of it, or where they scatter in proportion to themselves and one group has larger ones.
 /// \param groups  third differences of their series
-std::vector<double> uneven_noise(const std::vector<std::vector<ThirdDifferences>>& groups);
+std::vector<double> uneven_noise(const std::vector<std::vector<Differences>>& groups);
 
 }  // namespace plumbline::diagnose

@@ -39,8 +39,8 @@ TEST_CASE("by what share of themselves readings scatter is found in them alone")
   for (const double correlation : {0.0, 0.6}) {
     std::vector<double> found;
     for (int draw = 0; draw < 40; ++draw)
-      found.push_back(proportional_noise({ThirdDifferences(readings(80, 0.05, correlation, random), 1),
-                                          ThirdDifferences(readings(120, 0.05, correlation, random), 1)}));
+      found.push_back(proportional_noise({Differences(readings(80, 0.05, correlation, random), 1),
+                                          Differences(readings(120, 0.05, correlation, random), 1)}));
     // r is the share over what all readings scatter, which few of these show: a third of them in third
     // differences, and of those a fifth near zero force. It spreads by a third, its median by a fifteenth.
     CHECK(median(found) == close_to(0.05).epsilon(0.15));
@@ -53,7 +53,7 @@ TEST_CASE("where no reading is small, all scatter as was declared beside their s
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
   for (int draw = 0; draw < 60; ++draw) {
-    std::vector<ThirdDifferences> runs;
+    std::vector<Differences> runs;
     for (const std::size_t count : {80U, 120U}) {
       std::vector<double> values;
       for (std::size_t i = 0; i < count; ++i) {
@@ -78,7 +78,7 @@ TEST_CASE("noise that is the same at every reading is not said to be in proporti
     for (int draw = 0; draw < 200; ++draw) {
       std::vector<double> values = readings(100, 0, correlation, random);
       add_outliers(values, 0.02, 15, random);
-      found += proportional_noise({ThirdDifferences(values, 1)}) > 0 ? 1 : 0;
+      found += proportional_noise({Differences(values, 1)}) > 0 ? 1 : 0;
     }
   }
   CHECK(found <= 1);  // of 400
@@ -90,7 +90,7 @@ TEST_CASE("a channel that reads little but its noise has no noise in proportion"
   std::normal_distribution<double> normal;
   int found = 0;
   for (int draw = 0; draw < 400; ++draw) {
-    std::vector<ThirdDifferences> runs;
+    std::vector<Differences> runs;
     for (const std::size_t count : {56U, 55U, 25U}) {
       std::vector<double> values;
       for (std::size_t i = 0; i < count; ++i)
@@ -109,8 +109,8 @@ TEST_CASE("a curve that its readings hardly follow has no noise in proportion") 
     coarse.push_back(100 * std::exp(-0.2 * i));
     snapping.push_back(i < 40 ? 3.0 * i : 40 - 0.5 * i);
   }
-  CHECK(proportional_noise({ThirdDifferences(coarse, 1e-3)}) == 0);
-  CHECK(proportional_noise({ThirdDifferences(snapping, 1e-3)}) == 0);
+  CHECK(proportional_noise({Differences(coarse, 1e-3)}) == 0);
+  CHECK(proportional_noise({Differences(snapping, 1e-3)}) == 0);
 }
 
 TEST_CASE("readings taken twice at every step of a staircase, or about a turn, are of no use for it") {

@@ -24,7 +24,7 @@ std::vector<std::vector<double>> scattered(const std::vector<double>& deviations
   for (const double deviation : deviations) {
     std::vector<double> readings(values);
     for (double& one : readings) one = deviation * normal(random);
-    sizes.push_back(ThirdDifferences(readings, 1).sizes);
+    sizes.push_back(Differences(readings, 1).sizes);
   }
   return sizes;
 }

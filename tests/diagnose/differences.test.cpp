@@ -15,8 +15,8 @@ namespace {
 
 /// Third differences that alternate, each exactly as large as noise of the declared sigma and of r times the
 /// level is, times `common`: no other proportion explains them as well (Jensen's inequality).
-ThirdDifferences exactly(const std::vector<double>& levels, double r, double common = 1) {
-  ThirdDifferences all;
+Differences exactly(const std::vector<double>& levels, double r, double common = 1) {
+  Differences all;
   all.levels = levels;
   for (std::size_t i = 0; i < levels.size(); ++i)
     all.sizes.push_back((i % 2 == 0 ? common : -common) * std::hypot(1.0, r * levels[i]));
@@ -38,24 +38,24 @@ double on_grid(int power, double largest) {
 }  // namespace
 
 TEST_CASE("a third difference and its level, by hand") {
-  const ThirdDifferences step({0, 0, 0, 1}, 0.5);
+  const Differences step({0, 0, 0, 1}, 0.5);
   REQUIRE(step.sizes.size() == 1);
   CHECK(step.sizes[0] == close_to(1 / (std::sqrt(20.0) * 0.5)));
   // the parabola through them is 0.05, -0.15, 0.15, 0.95, weighed 1, 9, 9, 1
   CHECK(step.levels[0] == close_to(std::sqrt((0.0025 + 9 * 0.0225 + 9 * 0.0225 + 0.9025) / 20)));
   // a parabola has none, and is its own level
-  const ThirdDifferences parabola({1, 4, 9, 16, 25}, 1);
+  const Differences parabola({1, 4, 9, 16, 25}, 1);
   REQUIRE(parabola.sizes.size() == 2);
   CHECK(parabola.sizes[1] == 0);
   CHECK(parabola.levels[0] == close_to(std::sqrt((1 + 9 * 16 + 9 * 81 + 256) / 20.0)));
   CHECK(parabola.levels[1] == close_to(std::sqrt((16 + 9 * 81 + 9 * 256 + 625) / 20.0)));
-  const ThirdDifferences third({1, 0, 0, 0, 2}, 1);
+  const Differences third({1, 0, 0, 0, 2}, 1);
   CHECK(third.sizes[0] == close_to(-1 / std::sqrt(20.0)));
   CHECK(third.sizes[1] == close_to(2 / std::sqrt(20.0)));
-  CHECK(ThirdDifferences({1, 2, 3}, 1).sizes.empty());
-  CHECK(ThirdDifferences({1, 0, 0, 0, 2}, 1).where({false, true}).sizes ==
+  CHECK(Differences({1, 2, 3}, 1).sizes.empty());
+  CHECK(Differences({1, 0, 0, 0, 2}, 1).where({false, true}).sizes ==
         std::vector<double>{third.sizes[1]});
-  CHECK(ThirdDifferences({1, 0, 0, 0, 2}, 1).where({true, false}).levels ==
+  CHECK(Differences({1, 0, 0, 0, 2}, 1).where({true, false}).levels ==
         std::vector<double>{third.levels[0]});
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("fewer than thirty differences, or none of any size, show no proportio
   CHECK(proportional_noise({exactly(rising(30, 1), r)}) == close_to(r).epsilon(1e-12));
   CHECK(proportional_noise({exactly(rising(29, 1), r)}) == 0);
   CHECK(proportional_noise({exactly(std::vector<double>(60, 0.0), r)}) == 0);
-  ThirdDifferences mostly_none = exactly(rising(60, 1), r);
+  Differences mostly_none = exactly(rising(60, 1), r);
   for (std::size_t i = 0; i < 40; ++i) mostly_none.sizes[i] = 0;
   CHECK(proportional_noise({mostly_none}) == 0);
   CHECK(proportional_noise({}) == 0);
@@ -109,7 +109,7 @@ TEST_CASE("differences that do not alternate by a fifth are those of a curve") {
   // Of each four one has the sign of its neighbour: products -w/w', but one in four of the other sign.
   const double r = on_grid(9, 1);
   const auto with_turns = [&](std::size_t every) {
-    ThirdDifferences all = exactly(rising(120, 1), r);
+    Differences all = exactly(rising(120, 1), r);
     double sign = 1;
     for (std::size_t i = 0; i < all.sizes.size(); ++i) {
       if (i % every != 0) sign = -sign;
@@ -123,7 +123,7 @@ TEST_CASE("differences that do not alternate by a fifth are those of a curve") {
 
 TEST_CASE("a difference that an outlier enters, and the one to either side, say nothing") {
   const double r = on_grid(9, 1);
-  ThirdDifferences all = exactly(rising(63, 1), r);
+  Differences all = exactly(rising(63, 1), r);
   for (const std::size_t i : {30U, 31U, 32U}) {
     all.levels[i] = 20;
     all.sizes[i] *= i == 31 ? 100 : 1;

@@ -8,19 +8,31 @@
 
 namespace plumbline::diagnose {
 
-/// Third differences of the values of one series: a smooth curve hardly has any, noise is wholly in them.
-struct ThirdDifferences {
-  std::vector<double> sizes;  ///< noise of the declared sigma gives them a standard deviation of one
-  /// Root mean square of the parabola nearest the four values, weighed as their noise enters.
-  std::vector<double> levels;
+/// A value between two others of its series that were read at places of the path before and after its own, at
+/// other times.
+struct Between {
+  std::size_t value, before, after;  ///< by their number in the series
+  double share;                      ///< of `after` in the line between the two
 
-  ThirdDifferences() = default;
+  /// What it is off that line, over what it would be were the two exact.
+  [[nodiscard]] double off(const double* values) const;
+};
+
+/// Differences of the values of one series that a smooth curve hardly has, and noise wholly.
+struct Differences {
+  std::vector<double> sizes;   ///< noise of the declared sigma gives them a standard deviation of one
+  std::vector<double> levels;  ///< how large the values themselves are, weighed as their noise enters
+
+  Differences() = default;
+  /// Third differences, which a parabola has not; its are the levels.
   /// \param values  in the order in which they were taken, of any length
   /// \param sigma   the declared noise
-  ThirdDifferences(const std::vector<double>& values, double sigma);
+  Differences(const std::vector<double>& values, double sigma);
+  /// Those of values from their neighbours on the path, which may be sampled as coarsely as it likes.
+  Differences(const std::vector<double>& values, double sigma, const std::vector<Between>& between);
 
   /// Those of which `even` says so, by the first of the four values.
-  [[nodiscard]] ThirdDifferences where(const std::vector<bool>& even) const;
+  [[nodiscard]] Differences where(const std::vector<bool>& even) const;
 };
 
 /// By reading, whether the command goes on alike from it to the next, to the one after and to the third:
@@ -30,14 +42,14 @@ std::vector<bool> goes_evenly(const Run& run, const std::vector<std::size_t>& re
 
 /// Mean of the products of neighbours over the larger of their squares, so that a step in a curve counts no
 /// more than noise does; those of independent noise alternate.
-double alternation(const std::vector<ThirdDifferences>& series);
+double alternation(const std::vector<Differences>& series);
 
 /// Standard deviation of all sizes by their median; zero where most of them are.
-double spread(const std::vector<ThirdDifferences>& series);
+double spread(const std::vector<Differences>& series);
 
 /// The differences without those that an outlier or a step enters: one reading that is off spoils four in a
 /// row, the two in the middle most. Of what is large all along the noise is.
-std::vector<ThirdDifferences> without_steps(std::vector<ThirdDifferences> series);
+std::vector<Differences> without_steps(std::vector<Differences> series);
 
 /// Sizes whose standard deviations are s sqrt(1 + r^2 level^2).
 struct Proportion {
@@ -47,7 +59,7 @@ struct Proportion {
 };
 
 /// \param series  of which some size is not zero
-Proportion in_proportion(const std::vector<ThirdDifferences>& series, double r);
+Proportion in_proportion(const std::vector<Differences>& series, double r);
 
 /// Of no proportion, and of all that readings up to `reach` can show, ascending.
 std::vector<double> possible_ratios(double reach);

@@ -1,4 +1,4 @@
-#include "diagnose/model/third_differences.hpp"
+#include "diagnose/model/differences.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,12 @@ constexpr double third_difference_squares = 20;
 
 }  // namespace
 
-ThirdDifferences::ThirdDifferences(const std::vector<double>& values, double sigma) {
+double Between::off(const double* values) const {
+  const double line = (1 - share) * values[before] + share * values[after];
+  return (values[value] - line) / std::sqrt(1 + share * share + (1 - share) * (1 - share));
+}
+
+Differences::Differences(const std::vector<double>& values, double sigma) {
   for (std::size_t i = 3; i < values.size(); ++i) {
     const double difference = values[i] - 3 * values[i - 1] + 3 * values[i - 2] - values[i - 3];
     sizes.push_back(difference / (std::sqrt(third_difference_squares) * sigma));
@@ -26,8 +31,18 @@ ThirdDifferences::ThirdDifferences(const std::vector<double>& values, double sig
   }
 }
 
-ThirdDifferences ThirdDifferences::where(const std::vector<bool>& even) const {
-  ThirdDifferences kept;
+Differences::Differences(const std::vector<double>& values, double sigma,
+                         const std::vector<Between>& between) {
+  for (const Between& one : between) {
+    const double before = (1 - one.share) * values[one.before], after = one.share * values[one.after];
+    sizes.push_back(one.off(values.data()) / sigma);
+    levels.push_back(std::sqrt((std::pow(values[one.value], 2) + before * before + after * after) /
+                               (1 + one.share * one.share + (1 - one.share) * (1 - one.share))));
+  }
+}
+
+Differences Differences::where(const std::vector<bool>& even) const {
+  Differences kept;
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     if (!even[i]) continue;
     kept.sizes.push_back(sizes[i]);
@@ -49,9 +64,9 @@ std::vector<bool> goes_evenly(const Run& run, const std::vector<std::size_t>& re
   return even;
 }
 
-double alternation(const std::vector<ThirdDifferences>& series) {
+double alternation(const std::vector<Differences>& series) {
   double products = 0, sizes = 0;
-  for (const ThirdDifferences& one : series) {
+  for (const Differences& one : series) {
     for (std::size_t i = 1; i < one.sizes.size(); ++i) {
       const double a = one.sizes[i - 1], b = one.sizes[i];
       const double size = std::max(a * a, b * b);
@@ -63,21 +78,21 @@ double alternation(const std::vector<ThirdDifferences>& series) {
   return sizes > 0 ? products / sizes : 0;
 }
 
-double spread(const std::vector<ThirdDifferences>& series) {
+double spread(const std::vector<Differences>& series) {
   std::vector<double> sizes;
-  for (const ThirdDifferences& one : series) sizes.insert(sizes.end(), one.sizes.begin(), one.sizes.end());
+  for (const Differences& one : series) sizes.insert(sizes.end(), one.sizes.begin(), one.sizes.end());
   return median_deviation(std::move(sizes));
 }
 
-std::vector<ThirdDifferences> without_steps(std::vector<ThirdDifferences> series) {
+std::vector<Differences> without_steps(std::vector<Differences> series) {
   constexpr double limit = 4.5;
   const double usual = spread(series);
-  for (ThirdDifferences& one : series) {
+  for (Differences& one : series) {
     const double tolerance = limit * std::max(usual, spread({one}));
     const auto off = [&](std::size_t i) {
       return i < one.sizes.size() && std::abs(one.sizes[i]) > tolerance;
     };
-    ThirdDifferences kept;
+    Differences kept;
     for (std::size_t i = 0; i < one.sizes.size(); ++i) {
       if (off(i) || off(i + 1) || (i > 0 && off(i - 1))) continue;
       kept.sizes.push_back(one.sizes[i]);
@@ -88,9 +103,9 @@ std::vector<ThirdDifferences> without_steps(std::vector<ThirdDifferences> series
   return series;
 }
 
-Proportion in_proportion(const std::vector<ThirdDifferences>& series, double r) {
+Proportion in_proportion(const std::vector<Differences>& series, double r) {
   double widths = 0, squares_sum = 0, count = 0;
-  for (const ThirdDifferences& one : series) {
+  for (const Differences& one : series) {
     for (std::size_t i = 0; i < one.sizes.size(); ++i) {
       const double width = std::hypot(1.0, r * one.levels[i]);
       widths += std::log(width);
