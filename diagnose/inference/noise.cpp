@@ -149,17 +149,19 @@ double rounding(const Measurements& measurements, Name name) {
 }
 
 /// Standard deviation of a channel as values show it that were read close to each other on the path, at
-/// other times, and half as much again, which leaves room for chance and for what it varies by: neither what
-/// changes along the path nor what is slow is in it. Infinite where there are few.
+/// other times, with room for what it varies by and for chance: neither what changes along the path nor what
+/// is slow is in it. Infinite where there are few.
 double largest_in_place(const Measurements& measurements, const std::vector<double>& residual, Name name) {
   constexpr std::size_t few = 8;
-  constexpr double room = 1.5;
   std::vector<double> off;
   for (const Series& series : measurements.series()) {
     if (series.channel.name != name) continue;
     for (const Between& one : series.between) off.push_back(one.off(residual.data() + series.first));
   }
-  return off.size() < few ? std::numeric_limits<double>::infinity() : room * std::sqrt(robust_variance(off));
+  if (off.size() < few) return std::numeric_limits<double>::infinity();
+  // Every second of such differences is new: two deviations of their root mean square.
+  const double room = 1.5 + 2 / std::sqrt(static_cast<double>(off.size()));
+  return room * std::sqrt(robust_variance(off));
 }
 
 /// What no scale of a channel's noise exceeds: readings that go smoothly have no more noise than they are
