@@ -152,7 +152,7 @@ class Builder {
   void joint(std::size_t j) {
     const std::string name = fmt::format("q{}", j + 1), parent = here_;
     const Pair place{at_, 0};
-    const double k = rig_.stiffness[j], asymmetric = std::abs(rig_.asymmetry);
+    const double k = rig_.stiffness[j], asymmetric = std::abs(rig_.asymmetry[j]);
     Hinge own = hinge(name, k * (1 - asymmetric) - shared(j), rest_[j]);
     own.armature = (k > 0 ? k : typical_) * response_time * response_time;
     own.damping = 2 * (k > 0 ? k : typical_) * response_time;
@@ -216,9 +216,9 @@ class Builder {
       arm(name + "_stop", all, parent, place, rig_.stop_stiffness[j], [&](Hinge& one) {
         one.range = {-s, s};
       });
-    if (rig_.asymmetry != 0 && k > 0)
-      arm(name + "_side", {name}, parent, place, 2 * k * std::abs(rig_.asymmetry), [&](Hinge& one) {
-        one.range = rig_.asymmetry > 0 ? Pair{-far, 0} : Pair{0, far};
+    if (rig_.asymmetry[j] != 0 && k > 0)
+      arm(name + "_side", {name}, parent, place, 2 * k * std::abs(rig_.asymmetry[j]), [&](Hinge& one) {
+        one.range = rig_.asymmetry[j] > 0 ? Pair{-far, 0} : Pair{0, far};
       });
     for (std::size_t a = 0; a < rig_.arms.size() && k > 0; ++a) {
       const double stiffness = rig_.arms[a].ratio * k;

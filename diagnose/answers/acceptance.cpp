@@ -23,7 +23,7 @@ bool leaves_more_than_noise(const Shrink& blind) {
   if (!(blind.independent >= 1)) return false;
   const boost::math::chi_squared_distribution<double> noise(blind.independent);
   const double by_chance =
-      boost::math::quantile(boost::math::complement(noise, beliefs::fit_level)) / blind.independent;
+      boost::math::quantile(boost::math::complement(noise, beliefs::gap_level)) / blind.independent;
   return blind.chi2_per_value_after >
          std::max(by_chance, beliefs::clearly_more_than_noise * beliefs::clearly_more_than_noise);
 }

@@ -29,6 +29,7 @@ Rig without_effects(const Experiment& experiment) {
   rig.stop.assign(n, std::numeric_limits<double>::infinity());
   rig.stop_stiffness.assign(n, 0);
   rig.hardening.assign(n, 0);
+  rig.asymmetry.assign(n, 0);
   rig.friction.assign(n, 0);
   rig.sliders.resize(n);
   for (const Point<double>& weight : weights(experiment)) rig.weight.emplace_back(weight.x, weight.y);
@@ -50,16 +51,28 @@ std::vector<const Effect*> rows_of(const Experiment& experiment) {
   return rows;
 }
 
-/// The row that the effect names. \throws Error for a word or joint that no row has
-const Effect& row_of(const Experiment& experiment, std::size_t number) {
+/// Whether a row has these parameters, no more and no fewer, in a chain.
+bool has_parameters(const Effect& row, const NominalEffect& own, const Sizes& sizes) {
+  const std::vector<ParameterRange> ranges = row.parameters({sizes, own.joint > 0 ? own.joint - 1 : 0});
+  return ranges.size() == own.parameters.size() &&
+         std::all_of(ranges.begin(), ranges.end(), [&](const ParameterRange& one) {
+           return own.parameters.contains(std::string(one.name));
+         });
+}
+
+/// The row that the effect names, of two the one that has its parameters. \throws Error for a word or joint that no row has
+const Effect& row_of(const Experiment& experiment, const Sizes& sizes, std::size_t number) {
   const NominalEffect& own = experiment.effects[number];
   const std::size_t n = experiment.link_length.size();
   bool known = false;
+  const Effect* named = nullptr;
   for (const Effect* row : rows_of(experiment)) {
     if (row->id != own.id) continue;
-    if (row->at_joint == (own.joint > 0) && own.joint <= n) return *row;
     known = true;
+    if (row->at_joint != (own.joint > 0) || own.joint > n) continue;
+    if (named == nullptr || has_parameters(*row, own, sizes)) named = row;
   }
+  if (named != nullptr) return *named;
   if (!known)
     throw Error(place_of(experiment, number, "id"), files::shown(own.id),
                 "an id of the effect catalogue, or of the file that --effects names");
@@ -123,7 +136,7 @@ Rig nominal_rig(const Experiment& experiment) {
   rig.laws = experiment.laws;
   const Sizes sizes = sizes_of(experiment);
   for (std::size_t e = 0; e < experiment.effects.size(); ++e) {
-    const Effect& row = row_of(experiment, e);
+    const Effect& row = row_of(experiment, sizes, e);
     const std::size_t joint = row.at_joint ? experiment.effects[e].joint - 1 : 0;
     const std::vector<double> values = values_of(experiment, e, row, {sizes, joint});
     row.add({rig, joint, sizes, experiment.bench.down(), values.data()});

@@ -50,12 +50,12 @@ struct Rig {
   std::vector<double> stop;        ///< deflection at which the stop is reached, s; infinite without a stop
   std::vector<double> stop_stiffness;        ///< k_s
   std::vector<double> hardening;             ///< c of k d (1 + c d^2), 1/rad^2
+  std::vector<double> asymmetry;             ///< e: stiffer by it where d > 0, softer where d < 0
   std::vector<double> friction;              ///< tau_c, N m; acts at elastic joints
   std::vector<std::vector<Slider>> sliders;  ///< at elastic joints
   std::vector<Vector2> weight;               ///< dead weight of each link, at its middle, N
 
   // The chain as a whole.
-  double asymmetry = 0;      ///< e: springs are stiffer by it where d > 0, softer where d < 0
   FrictionLaw friction_law;  ///< of the dry friction of all joints
   double yield = std::numeric_limits<double>::infinity();  ///< tau_y beyond which rest angles move, N m
   double flow = 0;                                         ///< how far they move, over (torque - tau_y) / k

@@ -30,7 +30,7 @@ JointLaw joint_law(const Rig& rig, const std::vector<double>& times, std::size_t
   law.stop = rig.stop[i];
   law.stop_stiffness = rig.stop_stiffness[i];
   law.hardening = rig.hardening[i];
-  law.asymmetry = rig.asymmetry;
+  law.asymmetry = rig.asymmetry[i];
   law.yield = rig.yield;
   law.flow = rig.flow;
   for (std::size_t a = 0; a < rig.arms.size(); ++a)

@@ -127,14 +127,14 @@ TEST_CASE("what predicts, and yet leaves more than noise and chance, stands besi
     shrink.independent = independent;
     return demanded(study, named(study, {{{"force_gain"}}}), shrink);
   };
-  // One time in a thousand 100 independent values leave more than 149.4 squares, 10,000 more than 10,442.
-  CHECK(asked(std::sqrt(1.49), 100).verdict == CauseVerdict::identified);
-  const Cause doubted = asked(std::sqrt(1.50), 100);
+  // One time in a hundred 100 independent values leave more than 135.8 squares, 10,000 more than 10,332.
+  CHECK(asked(std::sqrt(1.35), 100).verdict == CauseVerdict::identified);
+  const Cause doubted = asked(std::sqrt(1.36), 100);
   CHECK(doubted.verdict == CauseVerdict::ambiguous);
   CHECK(doubted.reservation == Reservation::beyond_noise);
   CHECK(doubted.unknown == 0.25);
-  CHECK(asked(1.09, 10000).verdict == CauseVerdict::identified);
-  CHECK(asked(1.11, 10000).verdict == CauseVerdict::ambiguous);
+  CHECK(asked(1.06, 10000).verdict == CauseVerdict::identified);
+  CHECK(asked(1.08, 10000).verdict == CauseVerdict::ambiguous);
 }
 
 TEST_CASE("what leaves most of the gap of held-out readings is none, unless it predicts them") {

@@ -415,7 +415,7 @@ TEST_CASE("effects of one kind add up, and what each adds to the rig, by hand") 
         std::vector<Arm>{{1, 2}, {3, 4}, {1, 2}, {3, 4}});
   CHECK(with("axial_compliance", 0, {0.25}).axial == 0.5);
   CHECK(with("link_bending", 0, {4}).flexibility == 0.5);
-  CHECK(with("asymmetric_spring", 0, {0.25}).asymmetry == 0.5);
+  check_values(with("asymmetric_spring", 0, {0.25}).asymmetry, {0.5, 0.5, 0.5});
   CHECK(with("tendon_friction", 0, {0.25}).capstan == 0.5);
   CHECK(with("plastic_set", 0, {0.25, 3}).yield == 0.25);
   CHECK(with("plastic_set", 0, {0.25, 3}).flow == 3);

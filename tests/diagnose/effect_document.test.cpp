@@ -124,10 +124,12 @@ TEST_CASE("words, places, parameters, units and ranges are those of the catalogu
   // By hand: the mean of 2 and 1; lengths 0.3 and 0.2; all forces 4; 0.3 4 0.5 / 1.5; times 0, 2, 4.
   const std::map<std::string, double> symbols{{"k", 1.5}, {"k_j", 1.0}, {"L", 0.5}, {"l", 0.25},
                                               {"f", 4.0}, {"phi", 0.4}, {"T", 4.0}, {"dt", 2.0}};
-  for (const DocumentedEffect& documented : document.effects) {
+  REQUIRE(document.effects.size() == catalogue().size());
+  for (std::size_t e = 0; e < catalogue().size(); ++e) {
+    const DocumentedEffect& documented = document.effects[e];
     INFO(documented.id);
     const std::size_t joint = documented.at_joint ? 2 : 0;
-    const Effect& row = effect(documented.id, joint);
+    const Effect& row = catalogue()[e];
     CHECK(row.at_joint == documented.at_joint);
     const EffectAt at(row, joint);
     CHECK(at.in_words() == with_joint(documented.words, at.joint));

@@ -22,7 +22,7 @@ Rig full_rig(bool bending, bool coupled) {
   Rig rig = nominal_rig(three_links());
   rig.rest_error = {0.01, -0.02, 0.03};
   rig.hardening = {0.7, -0.3, 1.1};
-  rig.asymmetry = 0.1;
+  rig.asymmetry = {0.1, -0.05, 0.2};
   rig.coupling = coupled ? 0.4 : 0;
   rig.flexibility = bending ? 0.6 : 0;
   rig.axial = 0.011;

@@ -23,7 +23,7 @@ Experiment column() {
 }
 
 /// Rest angles that are off by thousandths of a radian; with another sign the column goes to the other side.
-std::vector<double> crooked(double sign) {
+std::vector<double> leaning(double sign) {
   return {sign * 2e-3, -sign * 1.5e-3, sign * 1e-3};
 }
 
@@ -42,7 +42,7 @@ double beside(const Study& study) {
 
 TEST_CASE("a straight column buckles to the side that its readings are on") {
   for (const double sign : {1.0, -1.0}) {
-    const Experiment read = measured(column(), only("rest_spread"), crooked(sign), 3);
+    const Experiment read = measured(column(), only("rest_spread"), leaning(sign), 3);
     CHECK_FALSE(Study(read).nominal().reached);
     const Study study(on_their_sides(Study(read)));
     REQUIRE(study.nominal().reached);
@@ -55,7 +55,7 @@ TEST_CASE("a straight column buckles to the side that its readings are on") {
 }
 
 TEST_CASE("a diagnosis says which run is on a side of its own, and finds what bends the column") {
-  const Study study(on_their_sides(Study(measured(column(), only("rest_spread"), crooked(-1), 3))));
+  const Study study(on_their_sides(Study(measured(column(), only("rest_spread"), leaning(-1), 3))));
   const Diagnosis diagnosis = diagnose::diagnose(study);
   REQUIRE(diagnosis.gap.other_side.size() == 1);
   CHECK(diagnosis.gap.other_side[0].run == "load-1");
@@ -71,7 +71,7 @@ TEST_CASE("what explains the readings does so on their side as by itself") {
       CAPTURE(sign);
       CAPTURE(change);
       const Candidate truth{{"rest_spread", {"joint_stiffness", 2}}};
-      std::vector<double> values = crooked(sign);
+      std::vector<double> values = leaning(sign);
       values.push_back(change);
       const Experiment read = measured(column(), truth, values, 4);
       const Study by_itself(read), study(on_their_sides(Study(read)));
@@ -82,7 +82,7 @@ TEST_CASE("what explains the readings does so on their side as by itself") {
 }
 
 TEST_CASE("a softer straight column without any imperfection goes to the side of the readings") {
-  std::vector<double> values = crooked(-1);
+  std::vector<double> values = leaning(-1);
   values.push_back(-0.3);
   const Candidate truth{{"rest_spread", {"joint_stiffness", 2}}}, softer = only("joint_stiffness", 2);
   const Experiment read = measured(column(), truth, values, 5);
@@ -95,7 +95,7 @@ TEST_CASE("a softer straight column without any imperfection goes to the side of
 TEST_CASE("a column that friction holds between its sides stays there") {
   const Candidate truth{{"joint_friction", "rest_spread"}};
   std::vector<double> values{0.01};
-  for (const double off : crooked(-1)) values.push_back(off);
+  for (const double off : leaning(-1)) values.push_back(off);
   const Experiment read = measured(column(), truth, values, 8);
   REQUIRE(std::abs(read.runs[0].readings.back().y) < 0.01);
   const Study by_itself(read), study(on_their_sides(Study(read)));

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "diagnose/model/measurement.hpp"
-#include "diagnose/model/proportional_noise.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -16,23 +15,23 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-/// Third differences of noise of these deviations, one a joint.
-std::vector<std::vector<double>> scattered(const std::vector<double>& deviations, std::size_t values,
-                                           std::mt19937& random) {
+using RoughGroups = std::vector<std::vector<Differences>>;
+
+/// Third differences of noise of these deviations, one a group.
+RoughGroups scattered(const std::vector<double>& deviations, std::size_t values, std::mt19937& random) {
   std::normal_distribution<double> normal;
-  std::vector<std::vector<double>> sizes;
+  RoughGroups groups;
   for (const double deviation : deviations) {
     std::vector<double> readings(values);
     for (double& one : readings) one = deviation * normal(random);
-    sizes.push_back(Differences(readings, 1).sizes);
+    groups.push_back({Differences(readings, 1)});
   }
-  return sizes;
+  return groups;
 }
 
 }  // namespace
 
-TEST_CASE(
-    "joints that scatter alike are seldom told apart; one that scatters three times as much mostly is") {
+TEST_CASE("groups that scatter alike are seldom told apart; one that scatters three times as much mostly is") {
   std::mt19937 random(11);
   constexpr int draws = 400;
   int false_alarms = 0, found = 0;
@@ -44,17 +43,46 @@ TEST_CASE(
     found += times[1] > 1;
     sum += times[1] > 1 ? std::log(times[1]) : 0;
   }
-  // Five joints each time, one of 700 by chance; twenty would be a rate of one in 100.
+  // Five groups each time, one of 700 by chance; twenty would be a rate of one in 100.
   CHECK(false_alarms < 20);
   CHECK(found > 0.9 * draws);
-  // Of the logarithm of a ratio, by the root of 1 / (0.37 * 60) a time.
-  CHECK(std::abs(sum / found - std::log(3)) < 4 * std::sqrt(1 / (0.37 * 60) / draws) + 0.05);
+  // Of the smaller of two measures, the median's logarithm scatters by the root of 1 / (0.37 * 60) a time.
+  CHECK(std::abs(sum / found - std::log(3)) < 4 * std::sqrt(1 / (0.37 * 60) / draws) + 0.1);
 }
 
-TEST_CASE("two joints, and joints of few readings, are left as they were declared") {
+TEST_CASE("of two groups the rougher one is told, and none of few readings, of a curve, or of zeros") {
   std::mt19937 random(5);
-  CHECK(uneven_noise(scattered({1, 9}, 200, random)) == std::vector<double>{1, 1});
+  const std::vector<double> of_two = uneven_noise(scattered({1, 9}, 200, random));
+  CHECK(of_two[0] == 1);
+  CHECK(of_two[1] == doctest::Approx(9).epsilon(0.4));
   CHECK(uneven_noise(scattered({1, 1, 9}, 12, random)) == std::vector<double>{1, 1, 1});
+  RoughGroups one_is_a_curve = scattered({1, 1}, 100, random);
+  std::vector<double> curve(100);
+  for (std::size_t i = 0; i < curve.size(); ++i) curve[i] = 500 * std::sin(0.3 * static_cast<double>(i));
+  one_is_a_curve.push_back({Differences(curve, 1)});
+  CHECK(uneven_noise(one_is_a_curve) == std::vector<double>{1, 1, 1});
+  CHECK(uneven_noise({{}, {Differences(std::vector<double>(50, 2.0), 1)}}) == std::vector<double>{1, 1});
+}
+
+TEST_CASE("a run that is rougher than the others counts for less, in the sensor that is") {
+  Experiment experiment = three_links();
+  for (int i = 0; i < 3; ++i) press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0.02 * i}, 40, true);
+  experiment = measured(experiment, {}, {}, 6);
+  const Measurements before(experiment);
+  std::mt19937 random(9);
+  std::normal_distribution<double> normal;
+  for (Reading& reading : experiment.runs[1].readings) {
+    reading.Fx += 4 * experiment.noise.Fx * normal(random);
+    reading.Fy += 4 * experiment.noise.Fy * normal(random);
+  }
+  const Measurements rough(experiment);
+  for (std::size_t s = 0; s < rough.series().size(); ++s) {
+    const Series &series = rough.series()[s], &smooth = before.series()[s];
+    const bool is_rough = series.run == 1 && series.channel.sensor() == Sensor::force;
+    CHECK(smooth.beside_runs == 1);
+    CHECK(series.sigma == close_to(smooth.sigma * (is_rough ? series.beside_runs : 1)));
+    if (is_rough) CHECK(series.beside_runs == doctest::Approx(std::hypot(1, 4)).epsilon(0.3));
+  }
 }
 
 TEST_CASE("the angle of a joint with a worse encoder counts for less") {
@@ -69,9 +97,9 @@ TEST_CASE("the angle of a joint with a worse encoder counts for less") {
   for (std::size_t s = 0; s < uneven.series().size(); ++s) {
     const Series& series = uneven.series()[s];
     const bool worse = series.channel == Channel{Channel::Name::q, 1};
-    CHECK(even.series()[s].times == 1);
-    CHECK(series.sigma == close_to(even.series()[s].sigma * (worse ? series.times : 1)));
-    if (worse) CHECK(series.times == doctest::Approx(std::hypot(1, 4)).epsilon(0.3));
+    CHECK(even.series()[s].beside_joints == 1);
+    CHECK(series.sigma == close_to(even.series()[s].sigma * (worse ? series.beside_joints : 1)));
+    if (worse) CHECK(series.beside_joints == doctest::Approx(std::hypot(1, 4)).epsilon(0.3));
   }
 }
 
@@ -87,7 +115,7 @@ TEST_CASE("the angle of a joint that is bent more than others, where all scatter
   const Measurements all(experiment);
   for (const Series& series : all.series()) {
     if (series.channel.name != Channel::Name::q) continue;
-    CHECK(series.times == 1);
+    CHECK(series.beside_joints == 1);
     CHECK(series.proportion * series.sigma == doctest::Approx(6 * experiment.noise.q).epsilon(0.25));
   }
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "diagnose/beliefs.hpp"
 #include "diagnose/model/effects/each_joint.hpp"
 #include "diagnose/model/effects/rows.hpp"
 
@@ -98,7 +99,23 @@ std::vector<Effect> springs() {
       {.id = "asymmetric_spring",
        .words = "springs that are stiffer to one side",
        .parameters = [](const Place&) { return std::vector{both_ways("e", "ratio", 0.05, -0.9, 0.9)}; },
-       .add = [](const Addition& to) { to.rig.asymmetry += to.value[0]; }},
+       .add =
+           [](const Addition& to) {
+             for (double& e : to.rig.asymmetry) e += to.value[0];
+           }},
+      {.id = "asymmetric_spring",
+       .words = "springs that are stiffer to one side, each on its own",
+       .parameters =
+           [](const Place& at) {
+             return each(at, {"e", "ratio", beliefs::asymmetry_tolerance, -0.9, 0.9});
+           },
+       .add =
+           [](const Addition& to) {
+             for_each_elastic(to, [&](std::size_t i, double e) { to.rig.asymmetry[i] += e; });
+           },
+       .possible = several_elastic,
+       .special = {"asymmetric_spring"},
+       .within_values = {"asymmetric_spring"}},
       {.id = "joint_stops",
        .words = "stops at every joint",
        .parameters =
