@@ -96,6 +96,10 @@ inline constexpr double another_of_class = 0.2;
 /// alone in four trials one had less, and was wrong.
 inline constexpr double named_alone = 0.75;
 
+/// A single effect with more values than this explains much that it is not: twelve rest angles of four runs
+/// did a spring beside the chain, on a bench of another simulator.
+inline constexpr unsigned too_many_values = 8;
+
 /// A plainer explanation that closes so much of the gap that the best one closes (of the squares) stands
 /// beside it: what is then left to the refinement is less than a tenth of the residual.
 inline constexpr double closes_alike = 0.99;

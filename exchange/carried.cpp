@@ -37,7 +37,8 @@ bool springs_left(const Rig& rig) {
   const std::size_t n = rig.length.size();
   for (std::size_t j = 0; j < n; ++j) {
     const double neighbours = (j > 0 ? 1 : 0) + (j + 1 < n ? 1 : 0);
-    if (rig.stiffness[j] * (1 - std::abs(rig.asymmetry[j])) < neighbours * std::abs(rig.coupling)) return false;
+    if (rig.stiffness[j] * (1 - std::abs(rig.asymmetry[j])) < neighbours * std::abs(rig.coupling))
+      return false;
   }
   return true;
 }

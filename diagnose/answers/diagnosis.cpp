@@ -21,6 +21,12 @@ constexpr double rise_95 = 3.841;
 
 void require_reached(const Study& study) {
   if (study.nominal().reached) return;
+  const std::vector<Run>& runs = study.experiment().runs;
+  if (study.experiment().link_length.size() == 1 &&
+      std::any_of(runs.begin(), runs.end(), [](const Run& run) { return run.holds_end_point(); }))
+    throw Error("experiment \"" + study.experiment().name + "\"",
+                "a single link whose end point is imposed, which pulls along the link with any force",
+                "runs under a force, or a second link that turns freely to carry the force");
   throw Error("experiment \"" + study.experiment().name + "\"", "runs that the nominal chain cannot follow",
               "end points within reach and a stable posture at every reading");
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "diagnose/bench/unit.hpp"
 
@@ -171,6 +172,46 @@ void add_angles(const Experiment& e, bool rest, bool readings, std::vector<Conve
   }
 }
 
+/// Whether a joint is bent at rest so far, in every run, that no error of its zero turns it to the other
+/// side.
+bool is_bent_at_rest(const Experiment& e, std::size_t joint) {
+  constexpr double least = 0.15;
+  return std::all_of(e.runs.begin(), e.runs.end(),
+                     [&](const Run& run) { return std::abs(run.rest[joint]) > least; });
+}
+
+/// One joint whose angle is counted the other way: at rest, as it is read, or both.
+void add_turned_joints(const Experiment& e, std::vector<Conversion>& all) {
+  const std::size_t joints = e.link_length.size();
+  const bool measured = std::any_of(e.runs.begin(), e.runs.end(), [](const Run& run) {
+    return !run.readings.empty() && !run.readings.front().q.empty();
+  });
+  const auto add = [&](const std::string& what, const std::string& remedy, const auto& turn) {
+    all.push_back({what,
+                   "an angle of the opposite sign",
+                   "relative joint angles, counter-clockwise",
+                   remedy,
+                   0,
+                   false,
+                   turn,
+                   {}});
+  };
+  for (std::size_t j = 0; joints > 1 && j < joints; ++j) {
+    if (!is_bent_at_rest(e, j)) continue;
+    const auto turn_rest = [j](Run& run) { run.rest[j] *= -1; };
+    const auto turn_readings = [j](Run& run) {
+      for (Reading& r : run.readings)
+        if (j < r.q.size()) r.q[j] *= -1;
+    };
+    const std::string number = std::to_string(j + 1), rest = "rest of joint " + number, q = "q" + number,
+                      sign = " with the sign of joint " + number + " turned", column = "the column of " + q;
+    add(rest, "rest" + sign, turn_rest);
+    if (!measured) continue;
+    add(q, column + " with its sign turned", turn_readings);
+    add(rest + ", " + q, "rest and " + column + sign, [=](Run& run) { turn_rest(run), turn_readings(run); });
+  }
+}
+
 void add_positions(const Experiment& e, std::vector<Conversion>& all) {
   for (const Other& unit : others(lengths, quantity::length, origin_of_channel(e, "x", quantity::length))) {
     const double factor = unit.factor;
@@ -274,6 +315,7 @@ std::vector<Conversion> conversions(const Experiment& experiment) {
   add_angles(experiment, false, true, all);
   add_angles(experiment, true, false, all);
   add_angles(experiment, true, true, all);
+  add_turned_joints(experiment, all);
   add_positions(experiment, all);
   add_units_of_chain(experiment, all);
   add_order_of_chain(all);

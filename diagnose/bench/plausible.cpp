@@ -64,7 +64,7 @@ std::string as_if(const Experiment& experiment, const Run& run) {
   double least = 0.1;
   for (const Conversion& conversion : conversions(experiment)) {
     const std::string& what = conversion.what;
-    if (what != "q" && what != "x, y" && what != "link_length") continue;
+    if (what == "Fx, Fy" || what == "x, y, Fx, Fy") continue;
     Experiment alone = experiment;
     alone.runs = {run};
     alone = converted(std::move(alone), conversion);
@@ -77,11 +77,13 @@ std::string as_if(const Experiment& experiment, const Run& run) {
     if (start == other.readings.end()) continue;
     const Chain<double> chain(alone.link_length, alone.joint_stiffness);
     const double gap =
-        std::max(contradiction(run.rest, *start, chain), middle_contradiction(other, chain)) / limits.largest;
+        std::max(contradiction(other.rest, *start, chain), middle_contradiction(other, chain)) /
+        limits.largest;
     if (gap >= least) continue;
     least = gap;
-    best = "; " + what + (what == "x, y" ? " look like " : " looks like ") + conversion.looks_like +
-           ": if so, " + conversion.remedy;
+    const bool several = what.find(", ") != std::string::npos;
+    best = "; " + what + (several ? " look like " : " looks like ") + conversion.looks_like + ": if so, " +
+           conversion.remedy;
   }
   return best;
 }

@@ -68,8 +68,7 @@ bool goes_with_the_path(const Series& series, const Hum& one) {
   constexpr std::size_t few = 8;
   constexpr double share = 0.25;
   if (series.between.size() < few) return false;
-  const Eigen::VectorXd wave =
-      tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
+  const Eigen::VectorXd wave = tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
   double off = 0;
   for (const Between& between : series.between) off += std::pow(between.off(wave.data()), 2);
   return off < share * static_cast<double>(series.between.size()) * one.rms() * one.rms();
@@ -108,9 +107,8 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
   }
   add_shared(measurements, residual, spectra, level, all);
   add_known(measurements, residual, level, all);
-  std::erase_if(all, [&](const Hum& one) {
-    return goes_with_the_path(measurements.series()[one.series], one);
-  });
+  std::erase_if(all,
+                [&](const Hum& one) { return goes_with_the_path(measurements.series()[one.series], one); });
   return all;
 }
 

@@ -114,7 +114,8 @@ std::string reservation_words(Reservation reservation) {
       return "it takes two effects, and noise is more than a tenth of the gap in the readings held out: so "
              "much two may imitate of a third";
     case Reservation::many_values:
-      return "beside another an effect with a value at every joint, link or run explains much that it is not";
+      return "an effect with a value at every joint, link or run, many of them or beside another effect, "
+             "explains much that it is not";
     case Reservation::machining_alone:
       return "what machining leaves has values at every joint or link, in which a cause of another kind may "
              "hide";

@@ -57,7 +57,8 @@ const std::vector<Effect>& catalogue() {
 const Effect& effect(std::string_view id, std::size_t joint) {
   const Effect* named = nullptr;
   for (const Effect& row : catalogue())
-    if (row.id == id && (named == nullptr || (row.at_joint == (joint > 0) && row.at_joint != named->at_joint)))
+    if (row.id == id &&
+        (named == nullptr || (row.at_joint == (joint > 0) && row.at_joint != named->at_joint)))
       named = &row;
   if (named != nullptr) return *named;
   throw Error("effect", std::string(id), "an id of the effect catalogue");

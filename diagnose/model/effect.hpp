@@ -103,7 +103,8 @@ struct Effect {
 const std::vector<Effect>& catalogue();
 
 /// The row of that id, of two the one that sits at one joint if a joint is named, from 1, or the one that
-/// does not; the one with a value for all joints, if another has one at each. \throws Error for a word that is not in the catalogue
+/// does not; the one with a value for all joints, if another has one at each. \throws Error for a word that
+/// is not in the catalogue
 const Effect& effect(std::string_view id, std::size_t joint = 0);
 
 /// An effect at its place. `joint` counts from 1; 0 where the effect is not at one joint.

@@ -96,8 +96,7 @@ std::vector<double> places(const Run& run, const std::vector<std::size_t>& readi
     mean += off / count;
     squares += off * (command - mean).transpose();
   }
-  const Eigen::Vector2d way =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(squares).eigenvectors().col(1);
+  const Eigen::Vector2d way = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(squares).eigenvectors().col(1);
   std::vector<double> along;
   for (const std::size_t i : readings) along.push_back(way.dot(run.command(run.readings[i]) - mean));
   return along;
@@ -150,9 +149,11 @@ Measurements::Measurements(const Experiment& experiment) {
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     for (const Channel& channel : run.measured()) {
-      Series series{
-          r, channel, channel.sigma(experiment.noise) * run.noise_of_group(), size_, {}, 0, {}, {}, 0, 0, {},
-          0, 1, 1, {}};
+      Series series{r,     channel, channel.sigma(experiment.noise) * run.noise_of_group(),
+                    size_, {},      0,
+                    {},    {},      0,
+                    0,     {},      0,
+                    1,     1,       {}};
       for (std::size_t i = 0; i < run.readings.size(); ++i)
         if (!std::isnan(channel.of(run.readings[i]))) series.readings.push_back(i);
       if (series.readings.empty()) continue;
@@ -170,9 +171,8 @@ Measurements::Measurements(const Experiment& experiment) {
   }
   std::vector<Differences> evenly;
   for (std::size_t s = 0; s < series_.size(); ++s)
-    evenly.push_back(
-        Differences(all[s], series_[s].sigma)
-            .where(goes_evenly(experiment.runs[series_[s].run], series_[s].readings)));
+    evenly.push_back(Differences(all[s], series_[s].sigma)
+                         .where(goes_evenly(experiment.runs[series_[s].run], series_[s].readings)));
   weigh_joints(evenly);
   weigh_runs(experiment.runs.size(), evenly);
   weigh(all, evenly);

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "diagnose/model/history.hpp"
 #include "diagnose/model/differences.hpp"
+#include "diagnose/model/history.hpp"
 
 namespace plumbline::diagnose {
 
@@ -22,8 +22,8 @@ struct Series {
   std::vector<double> clock;  ///< when each was read, intervals after the first; its number without times
   /// Of each value: the declared one, wider where the readings scatter in proportion to themselves.
   std::vector<double> sigmas;
-  double proportion;  ///< that part over the declared sigma, per unit of the reading; mostly 0
-  double step;        ///< that coarse readings are rounded to, declared sigmas; 0 where none shows
+  double proportion;             ///< that part over the declared sigma, per unit of the reading; mostly 0
+  double step;                   ///< that coarse readings are rounded to, declared sigmas; 0 where none shows
   std::vector<Between> between;  ///< where its run went the same way more than once
   double roughness;              ///< of the readings themselves, in sigmas: their noise is hardly larger
   /// How many times more it scatters than the angles of the other joints do, and than the same sensor in the

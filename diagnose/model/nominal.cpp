@@ -60,7 +60,8 @@ bool has_parameters(const Effect& row, const NominalEffect& own, const Sizes& si
          });
 }
 
-/// The row that the effect names, of two the one that has its parameters. \throws Error for a word or joint that no row has
+/// The row that the effect names, of two the one that has its parameters. \throws Error for a word or joint
+/// that no row has
 const Effect& row_of(const Experiment& experiment, const Sizes& sizes, std::size_t number) {
   const NominalEffect& own = experiment.effects[number];
   const std::size_t n = experiment.link_length.size();

@@ -56,7 +56,7 @@ struct Rig {
   std::vector<Vector2> weight;               ///< dead weight of each link, at its middle, N
 
   // The chain as a whole.
-  FrictionLaw friction_law;  ///< of the dry friction of all joints
+  FrictionLaw friction_law;                                ///< of the dry friction of all joints
   double yield = std::numeric_limits<double>::infinity();  ///< tau_y beyond which rest angles move, N m
   double flow = 0;                                         ///< how far they move, over (torque - tau_y) / k
   double capstan = 0;        ///< mu: a rest angle falls by exp(-mu) from joint to joint

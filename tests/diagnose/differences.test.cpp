@@ -53,10 +53,8 @@ TEST_CASE("a third difference and its level, by hand") {
   CHECK(third.sizes[0] == close_to(-1 / std::sqrt(20.0)));
   CHECK(third.sizes[1] == close_to(2 / std::sqrt(20.0)));
   CHECK(Differences({1, 2, 3}, 1).sizes.empty());
-  CHECK(Differences({1, 0, 0, 0, 2}, 1).where({false, true}).sizes ==
-        std::vector<double>{third.sizes[1]});
-  CHECK(Differences({1, 0, 0, 0, 2}, 1).where({true, false}).levels ==
-        std::vector<double>{third.levels[0]});
+  CHECK(Differences({1, 0, 0, 0, 2}, 1).where({false, true}).sizes == std::vector<double>{third.sizes[1]});
+  CHECK(Differences({1, 0, 0, 0, 2}, 1).where({true, false}).levels == std::vector<double>{third.levels[0]});
 }
 
 TEST_CASE("a proportion that the sizes have exactly is found exactly, in any units and in one run or two") {

@@ -36,8 +36,7 @@ std::vector<double> left_by(const Experiment& experiment, const Measurements& me
   std::vector<double> residual(measurements.size());
   for (const Series& series : measurements.series())
     for (std::size_t i = 0; i < series.readings.size(); ++i)
-      residual[series.first + i] =
-          law(experiment.runs[0].readings[series.readings[i]].x, i) + normal(random);
+      residual[series.first + i] = law(experiment.runs[0].readings[series.readings[i]].x, i) + normal(random);
   return residual;
 }
 
@@ -77,8 +76,8 @@ TEST_CASE("the curve of a coarsely sampled cycle is no noise") {
     REQUIRE(places > 24);
     for (int draw = 0; draw < 20; ++draw) {
       const auto hardening = left_by(
-          experiment, measurements,
-          [](double x, std::size_t) { return 4e6 * std::pow(x - 0.48, 3); }, random);
+          experiment, measurements, [](double x, std::size_t) { return 4e6 * std::pow(x - 0.48, 3); },
+          random);
       const NoiseModel noise = estimate_noise(measurements, hardening);
       // Steps of the curve are up to ten sigmas; room is left for chance, and two deviations of it more here.
       CHECK(noise.scale[static_cast<std::size_t>(Channel::Name::Fx)] <
@@ -102,11 +101,11 @@ TEST_CASE("what comes and goes with the place is no hum, and no noise in proport
     const auto wave = [](double rounds, std::size_t i) {
       return 3 * std::cos(2 * std::numbers::pi * rounds * static_cast<double>(i));
     };
-    with_the_path += find_hum(measurements, left_by(
-                                                experiment, measurements,
-                                                [&](double, std::size_t i) { return wave(1 / 12.0, i); },
-                                                random))
-                         .empty();
+    with_the_path +=
+        find_hum(measurements, left_by(
+                                   experiment, measurements,
+                                   [&](double, std::size_t i) { return wave(1 / 12.0, i); }, random))
+            .empty();
     beside_it += !find_hum(measurements, left_by(
                                              experiment, measurements,
                                              [&](double, std::size_t i) { return wave(1 / 7.3, i); }, random))

@@ -31,7 +31,8 @@ RoughGroups scattered(const std::vector<double>& deviations, std::size_t values,
 
 }  // namespace
 
-TEST_CASE("groups that scatter alike are seldom told apart; one that scatters three times as much mostly is") {
+TEST_CASE(
+    "groups that scatter alike are seldom told apart; one that scatters three times as much mostly is") {
   std::mt19937 random(11);
   constexpr int draws = 400;
   int false_alarms = 0, found = 0;
