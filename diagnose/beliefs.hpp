@@ -132,6 +132,9 @@ inline constexpr double clearly_more_than_noise = 1.07;
 /// whose noise floor is at most `clear`; so probable is another cause then. Of 334 that were identified in
 /// three trials one left a remainder, clearly more than noise, and was wrong: such are hedged.
 inline constexpr double nearly = 1.2, clear = 0.5, other_than_nearly = 0.05;
+/// With so many values or more it is expected to leave no structure at all: a tare of each of two runs did
+/// nearly what forces that cross over do.
+inline constexpr unsigned many_to_leave_structure = 4;
 /// Of explanations that did not predict, on simulated experiments, one in four was wrong; of those with two
 /// effects eight of ten, which had a cause outside the catalogue (all four without what machining leaves); of
 /// those with three, that predicted, all fifteen: eleven had such a cause, and of 16 with three, or of those

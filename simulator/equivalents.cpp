@@ -44,7 +44,7 @@ std::vector<std::string> tried(const Bench& bench, const Outcome& outcome, std::
   if (effect.kind->id == "joint_stops" || (one_joint && !single.empty()))
     for (Place j = 0; j < bench.plan.size(); ++j)
       candidates.push_back({&kind(single, true), j, effect.values});
-  if (effect.kind->id == "asymmetric_spring")
+  if (effect.kind->id == "asymmetric_spring" && effect.kind->each.empty())
     for (const double sign : {1.0, -1.0})
       candidates.push_back({&kind("stiffness_scale", false), 0, {sign * effect.values[0]}});
   std::vector<std::string> twins;

@@ -201,6 +201,21 @@ std::vector<Kind> further_laws() {
        },
        {},
        laws},
+      {"asymmetric_spring",
+       "",
+       false,
+       {},
+       {true},
+       false,
+       6,
+       several_elastic,
+       [](const Scene& s, Place, Random& r) { return at_every_joint(s, r, 0.15, true); },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Place j = 0; j < v.size(); ++j)
+           is.joint[j].asymmetry = std::clamp(is.joint[j].asymmetry + v[j], -0.9, 0.9);
+       },
+       {"e"},
+       one_at_each_joint},
       {"relaxation_spectrum",
        "",
        false,

@@ -162,8 +162,8 @@ std::optional<Shrink> accept_what_leaves(const Study& study, const NoiseModel& n
 bool accept_remainder(const Study& study, const NoiseModel& noise, Cause& cause) {
   const std::optional<Shrink> blind = accept_what_leaves(study, noise, beliefs::nearly, cause);
   if (!blind) return false;
-  if (leaves_more_than_noise(*blind) ||
-      many_valued(study, cause.ranking[cause.best].hypothesis.fit.candidate) > 0)
+  const Candidate& best = cause.ranking[cause.best].hypothesis.fit.candidate;
+  if (leaves_more_than_noise(*blind) || study.ranges(best).size() >= beliefs::many_to_leave_structure)
     hedge(cause, Reservation::beyond_noise);
   return true;
 }

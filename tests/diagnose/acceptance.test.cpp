@@ -118,6 +118,11 @@ TEST_CASE("of what leaves structure one effect that predicts is what was looked 
   const Cause many = asked({{{"run_tare"}}}, {0.1, -0.1, 0.05, 0.2, -0.1, 0.15}, {{{"run_tare"}}});
   CHECK(many.verdict == CauseVerdict::ambiguous);
   CHECK(many.reservation == Reservation::beyond_noise);
+  // nor one of four values
+  const Candidate two_times{{{"relaxation_spectrum"}}};
+  const Cause four = asked(two_times, {0.3, std::log(5.0), 0.2, std::log(60.0)}, two_times);
+  CHECK(four.verdict == CauseVerdict::ambiguous);
+  CHECK(four.reservation == Reservation::beyond_noise);
 }
 
 TEST_CASE("what predicts, and yet leaves more than noise and chance, stands beside another cause") {
@@ -168,9 +173,14 @@ TEST_CASE("three effects are no answer, whether they predict or not") {
   }
 }
 
-TEST_CASE("an effect with a value a joint and a run is doubted beside another, not alone") {
+TEST_CASE("an effect with a value a joint and a run is doubted beside another, alone where they are many") {
   const Study study = three_runs();
   CHECK(demanded(study, named(study, {{{"run_rest"}}}), leaving(1)).verdict == CauseVerdict::identified);
+  // of five runs it has ten values
+  const Study five(blank_experiment({20, 20, 20, 20, 20}));
+  const Cause many = demanded(five, named(five, {{{"run_rest"}}}), leaving(1));
+  CHECK(many.verdict == CauseVerdict::ambiguous);
+  CHECK(many.reservation == Reservation::many_values);
   // of two joints the second has but two values
   for (const char* spread : {"run_rest", "stiffness_spread"}) {
     const Cause beside = demanded(study, named(study, {{{spread}, {"force_gain"}}}), leaving(1));
