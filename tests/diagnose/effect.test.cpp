@@ -80,7 +80,8 @@ TEST_CASE("fitted coordinates and the catalogue's units are each other's inverse
   CHECK(fitted_value(Coordinate::logarithm, 1) == 0);
 }
 
-TEST_CASE("a nominal effect that has one value for all joints, or one at each, is the row with its parameters") {
+TEST_CASE(
+    "a nominal effect that has one value for all joints, or one at each, is the row with its parameters") {
   const auto asymmetry = [](const std::map<std::string, double>& parameters) {
     Experiment experiment = full_bench();
     experiment.effects = {{"asymmetric_spring", 0, parameters}};
@@ -88,5 +89,6 @@ TEST_CASE("a nominal effect that has one value for all joints, or one at each, i
   };
   CHECK(asymmetry({{"e", 0.2}}) == std::vector<double>{0.2, 0.2, 0.2});
   CHECK(asymmetry({{"e_1", 0.1}, {"e_2", -0.2}, {"e_3", 0.3}}) == std::vector<double>{0.1, -0.2, 0.3});
-  CHECK_THROWS_WITH_AS(asymmetry({{"e_1", 0.1}}), doctest::Contains("parameters.e: found no such key"), Error);
+  CHECK_THROWS_WITH_AS(asymmetry({{"e_1", 0.1}}), doctest::Contains("parameters.e: found no such key"),
+                       Error);
 }
