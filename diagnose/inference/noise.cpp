@@ -167,13 +167,13 @@ double largest_in_place(const Measurements& measurements, const std::vector<doub
 /// What no scale of a channel's noise exceeds: readings that go smoothly have no more noise than they are
 /// rough, whatever a model leaves of them. Noise that most of a run has less of, in proportion to small
 /// readings, say, or that changes slowly, shows a part of itself alone in the middle of third differences.
-double scale_bound(const Measurements& measurements, const std::vector<double>& residual, Name name) {
+double scale_bound(const Measurements& measurements, double in_place, Name name) {
   constexpr double hidden = 3;
   double rough = 0;
   for (const Series& series : measurements.series())
     if (series.channel.name == name) rough = std::max(rough, series.roughness);
   const double least = std::max(1.0, rounding(measurements, name));
-  return std::max(least, std::min(hidden * rough, largest_in_place(measurements, residual, name)));
+  return std::max(least, std::min(hidden * rough, in_place));
 }
 
 /// Standard deviations by channel, as far as differences of neighbours show them.
@@ -263,11 +263,11 @@ double largest_correlation(const Measurements& measurements, const std::array<St
 }
 
 /// What noise that seems to correlate so much really may, for it would scatter more in place than it does.
-double correlation_in_place(const Measurements& measurements, const std::vector<double>& residual,
+double correlation_in_place(const std::array<double, channel_names>& in_place,
                             const std::array<Steps, channel_names>& steps, double seeming) {
   double largest = seeming;
   for (std::size_t c = 0; c < steps.size(); ++c) {
-    const double most = std::pow(largest_in_place(measurements, residual, all_names[c]), 2);
+    const double most = in_place[c] * in_place[c];
     if (steps[c].near > (1 - seeming) * most) largest = std::min(largest, 1 - steps[c].near / most);
   }
   return std::max(0.0, largest);
@@ -285,6 +285,7 @@ RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& 
   const std::array<Steps, channel_names> steps = steps_by_channel(measurements, residual);
   for (std::size_t c = 0; c < steps.size(); ++c) {
     noise.values[c] = steps[c].values;
+    noise.largest_in_place[c] = largest_in_place(measurements, residual, all_names[c]);
     // Differences over two readings that exceed twice those over one by more than chance, one in twenty, are
     // of a slope, not of noise.
     const double by_chance = 1.64 * correlation_deviation(1, steps[c].values);
@@ -296,7 +297,7 @@ RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& 
   noise.correlation = weight > 0 ? ratio / weight - 1 : 0.0;
   noise.largest_correlation = largest_correlation(measurements, steps);
   const double seeming = std::clamp(noise.correlation, 0.0, noise.largest_correlation);
-  const double phi = correlation_in_place(measurements, residual, steps, seeming);
+  const double phi = correlation_in_place(noise.largest_in_place, steps, seeming);
   if (phi < seeming) noise.largest_correlation = phi;
   for (std::size_t c = 0; c < steps.size(); ++c) {
     if (!(steps[c].near > 0)) continue;
@@ -321,7 +322,8 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
     noise.scale[c] = raw.values[c] > 0 && scale > 0 ? with_prior(scale, raw.values[c] / 2) : 1.0;
     // Large and slow at once is a gap, not noise; in runs too short for noise so slow, what has a slope.
     if (noise.correlation > 0.5 || raw.correlation > 0.9) noise.scale[c] = std::min(noise.scale[c], 1.5);
-    noise.scale[c] = std::min(noise.scale[c], scale_bound(measurements, residual, all_names[c]));
+    noise.scale[c] =
+        std::min(noise.scale[c], scale_bound(measurements, raw.largest_in_place[c], all_names[c]));
   }
   return noise;
 }

@@ -23,6 +23,9 @@ struct NoiseModel {
 struct RawNoise {
   std::array<double, channel_names> scale{1.0, 1.0, 1.0, 1.0, 1.0};
   std::array<double, channel_names> values{};  ///< number of differences behind each scale
+  /// What no scale exceeds, for values read close to each other on the path scatter no more; infinite where
+  /// few were.
+  std::array<double, channel_names> largest_in_place{};
   double correlation = 0.0;
   /// What neighbours can correlate at most: noise that remembers longer than a tenth of a run cannot be told
   /// from a gap, unless it is no larger than what was declared.

@@ -13,11 +13,6 @@ constexpr double third_difference_squares = 20;
 
 }  // namespace
 
-double Between::off(const double* values) const {
-  const double line = (1 - share) * values[before] + share * values[after];
-  return (values[value] - line) / std::sqrt(1 + share * share + (1 - share) * (1 - share));
-}
-
 Differences::Differences(const std::vector<double>& values, double sigma) {
   for (std::size_t i = 3; i < values.size(); ++i) {
     const double difference = values[i] - 3 * values[i - 1] + 3 * values[i - 2] - values[i - 3];

@@ -4,19 +4,9 @@
 
 #include <vector>
 
-#include "diagnose/bench/experiment.hpp"
+#include "diagnose/model/between.hpp"
 
 namespace plumbline::diagnose {
-
-/// A value between two others of its series that were read at places of the path before and after its own, at
-/// other times.
-struct Between {
-  std::size_t value, before, after;  ///< by their number in the series
-  double share;                      ///< of `after` in the line between the two
-
-  /// What it is off that line, over what it would be were the two exact.
-  [[nodiscard]] double off(const double* values) const;
-};
 
 /// Differences of the values of one series that a smooth curve hardly has, and noise wholly.
 struct Differences {
