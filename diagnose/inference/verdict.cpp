@@ -136,14 +136,20 @@ bool genuine(const Study& study, const Fit& fit) {
   std::size_t p = 0;
   for (const EffectAt& at : fit.candidate.effects) {
     std::size_t acting = 0;
-    bool begins = false, seen = false, away = false;
+    bool begins = false, seen = false, away = false, element_is_idle = false;
     std::vector<Eigen::Index> from_zero;
-    for (const ParameterRange& range : study.ranges(at)) {
+    const std::vector<ParameterRange> ranges = study.ranges(at);
+    for (std::size_t own = 0; own < ranges.size(); ++own) {
+      const ParameterRange& range = ranges[own];
       const bool natural_zero = range.may_be_nothing();
       const bool at_zero = fit.at_bound[p] && natural_zero && std::abs(fit.parameters[p]) < range.scale;
       // Where the readings hardly tell a parameter from nothing it runs to the end of its range for nothing.
       const bool idle = at_zero || (fit.at_bound[p] && natural_zero && !known_to_itself(fit, p));
-      if (fit.at_bound[p] && !idle) return false;
+      // Of several elements one may be nothing: wherever it would set in.
+      const bool first_of_element = at.effect->element > 0 && own % at.effect->element == 0;
+      if (first_of_element) element_is_idle = idle;
+      const bool of_idle_element = at.effect->element > 0 && !first_of_element && element_is_idle;
+      if (fit.at_bound[p] && !idle && !of_idle_element) return false;
       acting += (natural_zero && !idle) || range.coordinate == Coordinate::reciprocal;
       away = away || !natural_zero;
       from_zero.push_back(static_cast<Eigen::Index>(p));

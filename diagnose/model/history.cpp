@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <plumbline/chain/kinematics.hpp>
 
 #include "diagnose/model/rig_solver.hpp"
@@ -128,6 +130,41 @@ struct Traveller {
   Vector2 felt_ = Vector2::Zero(), shown_ = Vector2::Zero();  ///< at the last reading
 };
 
+/// Whether joints slip between readings in a way that can be followed there. A free law knows no more of its
+/// history than the readings tell, and friction that goes by the speed of the step before would ring.
+bool slips_on_the_way(const Layout& layout, const Rig& rig) {
+  const bool slips = layout.sliders > 0 || std::isfinite(rig.yield);
+  return slips && rig.laws.empty() && rig.friction_law.fall == 0;
+}
+
+/// Into how many parts the way from each reading to the next is divided where joints slip on it: which slips
+/// first turns on what happened on the way, and a rig goes steadily where readings are few.
+std::vector<std::size_t> parts(const Run& run, bool slips) {
+  constexpr double least = 48;  // parts of the way to the farthest command
+  std::vector<std::size_t> all(run.readings.size(), 1);
+  if (!slips || all.empty()) return all;
+  const Eigen::Vector2d start = run.command(run.readings.front());
+  double farthest = 0;
+  for (const Reading& one : run.readings)
+    if (const double way = (run.command(one) - start).norm(); std::isfinite(way))
+      farthest = std::max(farthest, way);
+  Eigen::Vector2d last = start;
+  for (std::size_t r = 0; r < all.size() && farthest > 0; ++r) {
+    const Eigen::Vector2d here = run.command(run.readings[r]);
+    if (!here.allFinite()) continue;
+    all[r] = static_cast<std::size_t>(std::max(1.0, std::ceil(least * (here - last).norm() / farthest)));
+    last = here;
+  }
+  return all;
+}
+
+/// A reading that was not taken, a share of the way from one to the next; nothing was measured there.
+Reading on_the_way(const Reading& from, const Reading& to, double share) {
+  const auto between = [&](double a, double b) { return a + share * (b - a); };
+  return {between(from.t, to.t),   between(from.x, to.x),   between(from.y, to.y),
+          between(from.Fx, to.Fx), between(from.Fy, to.Fy), {}};
+}
+
 /// A run of the rig and, beside it, of the rigs whose parameters differ by a small step each.
 template <int Bandwidth>
 class RunWalk {
@@ -137,7 +174,8 @@ class RunWalk {
       : run_(run),
         experiment_(experiment),
         layout_(layout),
-        solver_(layout, run.readings.size()),
+        parts_(parts(run, slips_on_the_way(layout, rig))),
+        solver_(layout, std::accumulate(parts_.begin(), parts_.end(), std::size_t{0})),
         main_(rig, run) {
     beside_.reserve(variations.size());
     for (const Rig& other : variations) beside_.emplace_back(other, run);
@@ -240,10 +278,24 @@ class RunWalk {
     guess_.force.y += share * (guess_.force.y - last_posture_.force.y);
   }
 
+  /// By as many parts as the way to it has; where the rig cannot follow one of them it goes all at once.
   bool move_to(std::size_t r) {
     const Reading& reading = run_.readings[r];
+    interval_ = last_ ? reading.t - last_->t : 0;
+    if (last_ && reading.x != last_->x) direction_ = reading.x > last_->x ? 1 : -1;
+    const std::size_t count = last_ ? parts_[r] : 1;
+    for (std::size_t part = 1; part < count; ++part) {
+      const double share = static_cast<double>(part) / static_cast<double>(count);
+      if (!go_to(on_the_way(*last_, reading, share), std::nullopt)) break;
+    }
+    if (!go_to(reading, r)) return false;
+    last_ = &reading;
+    return true;
+  }
+
+  /// \param r  its number where it is a reading
+  bool go_to(const Reading& reading, std::optional<std::size_t> r) {
     const double dt = moved_ ? reading.t - last_time_ : 0;
-    if (moved_ && reading.x != last_x_) direction_ = reading.x > last_x_ ? 1 : -1;
     const Imposed target = main_.imposed(run_, reading);
     const double last_way = last_step_.norm(),
                  share = last_way > 0 ? (target.value - at_.value).norm() / last_way : 0;
@@ -257,7 +309,7 @@ class RunWalk {
     extrapolate(target);
     last_posture_ = main_.posture;
     const bool arrives = solver_.follow(step, at_, target, guess_, main_.posture);
-    const bool crosses = run_.side && crosses_over(step, target, r, arrives);
+    const bool crosses = r && run_.side && crosses_over(step, target, *r, arrives);
     if (!arrives && !crosses) return false;
     snapped_ = snapped_ || (!crosses && solver_.snapped());
     if (!beside_.empty()) solver_.prepare(step, target, main_.posture);
@@ -269,9 +321,7 @@ class RunWalk {
     main_.remember(layout_, step.interval);
     last_step_ = target.value - at_.value;
     at_ = target;
-    interval_ = dt;
     last_time_ = reading.t;
-    last_x_ = reading.x;
     moved_ = true;
     return true;
   }
@@ -309,13 +359,15 @@ class RunWalk {
   const Run& run_;
   const Experiment& experiment_;
   Layout layout_;
+  std::vector<std::size_t> parts_;  ///< of the way to each reading
   RigSolver<Bandwidth> solver_;
   Traveller main_;
   std::vector<Traveller> beside_;
   Posture last_posture_, guess_;
   Vector2 last_step_ = Vector2::Zero();
   Imposed at_{Control::end_point, Vector2::Zero()};
-  double last_time_ = 0, last_x_ = 0;
+  const Reading* last_ = nullptr;  ///< with a known command
+  double last_time_ = 0;
   double interval_ = 0;   ///< before the last reading; 0 at the first
   double direction_ = 0;  ///< of the drive along x; 0 until it has moved
   bool moved_ = false, snapped_ = false;

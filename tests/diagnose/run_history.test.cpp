@@ -348,3 +348,29 @@ TEST_CASE("effects act together: friction, play, weight, compliance and a load c
     }
   }
 }
+
+TEST_CASE("joints that slip are followed between readings: few readings tell what many do") {
+  // Joints that slip one after the other: in one step a reading some would slip too far.
+  Experiment many = three_links();
+  press(many, {0.9, -1.3, 1.1}, {-0.12, 0.05}, 480, true, 0.05);
+  Experiment few = many;
+  std::vector<Reading>& kept = few.runs[0].readings;
+  kept.clear();
+  for (std::size_t i = 0; i < many.runs[0].readings.size(); i += 80) kept.push_back(many.runs[0].readings[i]);
+  const std::array<std::pair<Candidate, std::vector<double>>, 3> slipping{
+      {{only("friction_spread"), {0.12, 0.03, 0.008}},
+       {only("hysteresis"), {0.4, 0.02, 0.3, 0.06, 0.2, 0.2}},
+       {only("plastic_set"), {0.1, 0.5}}}};
+  for (const auto& [candidate, values] : slipping) {
+    CAPTURE(candidate.label());
+    const Trace fine = predict(Study(many), candidate, values).runs[0],
+                coarse = predict(Study(few), candidate, values).runs[0];
+    const double largest = fine.col(column_Fx).abs().maxCoeff();
+    for (Eigen::Index r = 0; r < coarse.rows(); ++r) {
+      CAPTURE(r);
+      // Ten times as many parts: what is left of the error is of their first order, a tenth of 1/48 at most.
+      CHECK(std::abs(coarse(r, column_Fx) - fine(80 * r, column_Fx)) < largest / 480);
+      CHECK(std::abs(coarse(r, column_Fy) - fine(80 * r, column_Fy)) < largest / 480);
+    }
+  }
+}

@@ -118,6 +118,16 @@ TEST_CASE("an effect whose parameter is at zero, or at the end of its range, is 
   stop.parameters[0] = 1e-3;
   CHECK_FALSE(genuine(Study(experiment), stop));
 
+  // of several elements one may be nothing, wherever it would set in
+  Fit loop = found(experiment, of({{"hysteresis"}}), residual);
+  loop.information *= 1e6;
+  CHECK(genuine(Study(experiment), loop));
+  loop.parameters[0] = 0;
+  loop.at_bound[0] = loop.at_bound[1] = true;
+  CHECK(genuine(Study(experiment), loop));
+  loop.at_bound[0] = false, loop.parameters[0] = 0.2;
+  CHECK_FALSE(genuine(Study(experiment), loop));
+
   // one of two directions may be rigid
   Fit base = found(experiment, of({{"base_compliance"}}), residual);
   base.parameters[1] = 0;
