@@ -10,6 +10,7 @@
 #include <plumbline/chain/kinematics.hpp>
 
 #include "diagnose/model/rig_solver.hpp"
+#include "diagnose/model/way_between.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -130,41 +131,6 @@ struct Traveller {
   Vector2 felt_ = Vector2::Zero(), shown_ = Vector2::Zero();  ///< at the last reading
 };
 
-/// Whether joints slip between readings in a way that can be followed there. A free law knows no more of its
-/// history than the readings tell, and friction that goes by the speed of the step before would ring.
-bool slips_on_the_way(const Layout& layout, const Rig& rig) {
-  const bool slips = layout.sliders > 0 || std::isfinite(rig.yield);
-  return slips && rig.laws.empty() && rig.friction_law.fall == 0;
-}
-
-/// Into how many parts the way from each reading to the next is divided where joints slip on it: which slips
-/// first turns on what happened on the way, and a rig goes steadily where readings are few.
-std::vector<std::size_t> parts(const Run& run, bool slips) {
-  constexpr double least = 48;  // parts of the way to the farthest command
-  std::vector<std::size_t> all(run.readings.size(), 1);
-  if (!slips || all.empty()) return all;
-  const Eigen::Vector2d start = run.command(run.readings.front());
-  double farthest = 0;
-  for (const Reading& one : run.readings)
-    if (const double way = (run.command(one) - start).norm(); std::isfinite(way))
-      farthest = std::max(farthest, way);
-  Eigen::Vector2d last = start;
-  for (std::size_t r = 0; r < all.size() && farthest > 0; ++r) {
-    const Eigen::Vector2d here = run.command(run.readings[r]);
-    if (!here.allFinite()) continue;
-    all[r] = static_cast<std::size_t>(std::max(1.0, std::ceil(least * (here - last).norm() / farthest)));
-    last = here;
-  }
-  return all;
-}
-
-/// A reading that was not taken, a share of the way from one to the next; nothing was measured there.
-Reading on_the_way(const Reading& from, const Reading& to, double share) {
-  const auto between = [&](double a, double b) { return a + share * (b - a); };
-  return {between(from.t, to.t),   between(from.x, to.x),   between(from.y, to.y),
-          between(from.Fx, to.Fx), between(from.Fy, to.Fy), {}};
-}
-
 /// A run of the rig and, beside it, of the rigs whose parameters differ by a small step each.
 template <int Bandwidth>
 class RunWalk {
@@ -174,7 +140,7 @@ class RunWalk {
       : run_(run),
         experiment_(experiment),
         layout_(layout),
-        parts_(parts(run, slips_on_the_way(layout, rig))),
+        parts_(parts_of_ways(run, layout, rig)),
         solver_(layout, std::accumulate(parts_.begin(), parts_.end(), std::size_t{0})),
         main_(rig, run) {
     beside_.reserve(variations.size());
