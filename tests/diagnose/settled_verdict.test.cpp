@@ -133,6 +133,8 @@ TEST_CASE("beside machining alone the likeliest of the changes that its values m
   // The second within three of the first of them, the third not; gravity is no change that values can make.
   CHECK(listed({{weight, 4}, {second_joint, 4.5}, {third_rest, 7.4}, {lengths, 7.6}}) == Equals{2, 3});
   CHECK(listed({{second_joint, 8.1}}).empty());
+  // a gain of the load cell is what all stiffnesses make
+  CHECK(listed({{machining_with({{"force_gain"}}), 5}}) == Equals{1});
   CHECK(listed({{machining_with({{"joint_stiffness", 2}, {"gravity"}}), 5}}).empty());
   CHECK(listed({{{{{"stiffness_spread"}, {"joint_stiffness", 2}}}, 5}}).empty());
   // With a cause beside it machining is not all.

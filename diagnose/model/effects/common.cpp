@@ -47,7 +47,7 @@ std::vector<Effect> common_effects() {
              for_each_elastic(to, [&](std::size_t i, double a) { to.rig.stiffness[i] *= 1 + a; });
            },
        .possible = several_elastic,
-       .within_values = {"stiffness_scale", "joint_stiffness"},
+       .within_values = {"stiffness_scale", "joint_stiffness", "force_gain"},
        .of_machining = true},
       {.id = "length_spread",
        .words = "lengths that differ from link to link within their tolerance",
