@@ -219,7 +219,7 @@ void demand_shrink(const std::optional<Shrink>& blind, Cause& cause) {
 }
 
 void demand_second_run(const Study& study, Cause& cause) {
-  if (cause.verdict != CauseVerdict::identified) return;
+  if (cause.verdict == CauseVerdict::unknown || cause.reservation != Reservation::none) return;
   const Fit& best = cause.ranking[cause.best].hypothesis.fit;
   const std::vector<EffectAt>& effects = best.candidate.effects;
   if (std::any_of(effects.begin(), effects.end(), [&](const EffectAt& at) {

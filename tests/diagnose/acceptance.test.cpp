@@ -289,7 +289,11 @@ TEST_CASE("where a stop sets in shows in two runs, or it is named beside another
     const Study study(experiment);
     Cause cause = named(study, candidate);
     cause.ranking[0].hypothesis.fit.parameters = values;
+    Cause of_class = cause;
+    of_class.verdict = CauseVerdict::ambiguous;
     demand_second_run(study, cause);
+    demand_second_run(study, of_class);
+    CHECK(of_class.reservation == cause.reservation);  // whether or not others come near
     return cause;
   };
   const Candidate stop{{{"joint_stop", 1}}};
