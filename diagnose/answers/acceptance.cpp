@@ -93,8 +93,7 @@ bool beyond_tolerance(const Study& study, const Fit& fit) {
 }
 
 /// Whether a value at every joint, link or run stands beside another effect: many, or what tolerances hold,
-/// which on a short chain are few.
-/// Alone as well, where they are very many.
+/// which on a short chain are few. Alone as well, where they are very many.
 bool has_values_everywhere(const Study& study, const Candidate& candidate) {
   if (candidate.effects.size() == 1) return study.ranges(candidate).size() > beliefs::too_many_values;
   if (candidate.count() < 2) return false;

@@ -42,9 +42,13 @@ std::vector<Between> beside_others(const std::vector<std::size_t>& order, const 
 
 }  // namespace
 
+double Between::squares() const {
+  return 1 + share * share + (1 - share) * (1 - share);
+}
+
 double Between::off(const double* values) const {
   const double line = (1 - share) * values[before] + share * values[after];
-  return (values[value] - line) / std::sqrt(1 + share * share + (1 - share) * (1 - share));
+  return (values[value] - line) / std::sqrt(squares());
 }
 
 std::vector<Between> between(const Run& run, const std::vector<std::size_t>& readings) {

@@ -15,6 +15,8 @@ struct Between {
   std::size_t value, before, after;  ///< by their number in the series
   double share;                      ///< of `after` in the line between the two
 
+  /// Sum of the squares of the three coefficients.
+  [[nodiscard]] double squares() const;
   /// What it is off that line, over what it would be were the two exact.
   [[nodiscard]] double off(const double* values) const;
 };

@@ -31,8 +31,8 @@ Differences::Differences(const std::vector<double>& values, double sigma,
   for (const Between& one : between) {
     const double before = (1 - one.share) * values[one.before], after = one.share * values[one.after];
     sizes.push_back(one.off(values.data()) / sigma);
-    levels.push_back(std::sqrt((std::pow(values[one.value], 2) + before * before + after * after) /
-                               (1 + one.share * one.share + (1 - one.share) * (1 - one.share))));
+    levels.push_back(
+        std::sqrt((std::pow(values[one.value], 2) + before * before + after * after) / one.squares()));
   }
 }
 
@@ -73,9 +73,24 @@ double alternation(const std::vector<Differences>& series) {
   return sizes > 0 ? products / sizes : 0;
 }
 
-double spread(const std::vector<Differences>& series) {
+std::size_t count_of(const std::vector<Differences>& series) {
+  std::size_t count = 0;
+  for (const Differences& one : series) count += one.sizes.size();
+  return count;
+}
+
+double reach_of(const std::vector<Differences>& series) {
+  double reach = 0;
+  for (const Differences& one : series)
+    for (const double level : one.levels) reach = std::max(reach, level);
+  return reach;
+}
+
+double spread(const std::vector<Differences>& series, double ratio) {
   std::vector<double> sizes;
-  for (const Differences& one : series) sizes.insert(sizes.end(), one.sizes.begin(), one.sizes.end());
+  for (const Differences& one : series)
+    for (std::size_t i = 0; i < one.sizes.size(); ++i)
+      sizes.push_back(one.sizes[i] / std::hypot(1.0, ratio * one.levels[i]));
   return median_deviation(std::move(sizes));
 }
 

@@ -34,8 +34,15 @@ std::vector<bool> goes_evenly(const Run& run, const std::vector<std::size_t>& re
 /// more than noise does; those of independent noise alternate.
 double alternation(const std::vector<Differences>& series);
 
-/// Standard deviation of all sizes by their median; zero where most of them are.
-double spread(const std::vector<Differences>& series);
+/// How many there are.
+std::size_t count_of(const std::vector<Differences>& series);
+
+/// The largest level; zero of none.
+double reach_of(const std::vector<Differences>& series);
+
+/// Standard deviation of all sizes by their median, beside a share of themselves by which readings scatter as
+/// well; zero where most of them are.
+double spread(const std::vector<Differences>& series, double ratio = 0);
 
 /// The differences without those that an outlier or a step enters: one reading that is off spoils four in a
 /// row, the two in the middle most. Of what is large all along the noise is.

@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 
-#include "diagnose/bench/median.hpp"
 #include "diagnose/model/proportional_noise.hpp"
 #include "diagnose/model/uneven_noise.hpp"
 
@@ -58,12 +57,8 @@ double roughness(const Differences& differences, double proportion) {
   constexpr std::size_t few = 9;
   constexpr double unknown = std::numeric_limits<double>::infinity();
   if (differences.sizes.size() < few) return unknown;
-  std::vector<double> sizes;
-  for (std::size_t i = 0; i < differences.sizes.size(); ++i)
-    sizes.push_back(differences.sizes[i] / std::hypot(1.0, proportion * differences.levels[i]));
-  const double deviation = median_deviation(std::move(sizes));
-  if (deviation > 0) return deviation;
-  return unknown;
+  const double deviation = spread({differences}, proportion);
+  return deviation > 0 ? deviation : unknown;
 }
 
 double mean_interval(const Run& run, const std::vector<std::size_t>& readings) {
@@ -104,7 +99,9 @@ Measurements::Measurements(const Experiment& experiment) {
       if (series.readings.empty()) continue;
       series.interval = mean_interval(run, series.readings);
       series.clock = clock_of(run, series);
-      series.between = between(run, series.readings);
+      const bool read_together =
+          !series_.empty() && series_.back().run == r && series_.back().readings == series.readings;
+      series.between = read_together ? series_.back().between : between(run, series.readings);
       std::vector<double> values;
       for (const std::size_t i : series.readings) values.push_back(channel.of(run.readings[i]));
       series.seed = seed_of(channel, values);
@@ -118,41 +115,30 @@ Measurements::Measurements(const Experiment& experiment) {
   for (std::size_t s = 0; s < series_.size(); ++s)
     evenly.push_back(Differences(all[s], series_[s].sigma)
                          .where(goes_evenly(experiment.runs[series_[s].run], series_[s].readings)));
-  weigh_joints(evenly);
-  weigh_runs(experiment.runs.size(), evenly);
+  const auto joint_of = [](const Series& one) { return one.channel.joint; };
+  const auto run_of = [](const Series& one) { return one.run; };
+  weigh_groups(Sensor::angle, joint_of, &Series::beside_joints, evenly);
+  for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle})
+    weigh_groups(sensor, run_of, &Series::beside_runs, evenly);
   weigh(all, evenly);
 }
 
-/// Gives the angles of a joint that scatters more than the others a sigma to match.
-void Measurements::weigh_joints(std::vector<Differences>& evenly) {
-  std::vector<std::vector<Differences>> joints;
+/// Gives the readings of a sensor in a group (of a joint, of a run) where it scatters more than in the others
+/// a sigma to match.
+void Measurements::weigh_groups(Sensor sensor, std::size_t (*group_of)(const Series&),
+                                double Series::*beside_others, std::vector<Differences>& evenly) {
+  std::vector<std::vector<Differences>> groups;
   for (std::size_t s = 0; s < series_.size(); ++s) {
-    const Channel& channel = series_[s].channel;
-    if (channel.sensor() != Sensor::angle) continue;
-    joints.resize(std::max(joints.size(), channel.joint + 1));
-    joints[channel.joint].push_back(evenly[s]);
+    if (series_[s].channel.sensor() != sensor) continue;
+    groups.resize(std::max(groups.size(), group_of(series_[s]) + 1));
+    groups[group_of(series_[s])].push_back(evenly[s]);
   }
-  const std::vector<double> times = uneven_noise(joints);
+  const std::vector<double> times = uneven_noise(groups);
   for (std::size_t s = 0; s < series_.size(); ++s) {
-    const Channel& channel = series_[s].channel;
-    if (channel.sensor() != Sensor::angle) continue;
-    series_[s].beside_joints = times[channel.joint];
-    widen(series_[s], times[channel.joint], evenly[s]);
-  }
-}
-
-/// Gives the readings of a sensor in a run where it scatters more than in the others a sigma to match.
-void Measurements::weigh_runs(std::size_t runs, std::vector<Differences>& evenly) {
-  for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle}) {
-    std::vector<std::vector<Differences>> by_run(runs);
-    for (std::size_t s = 0; s < series_.size(); ++s)
-      if (series_[s].channel.sensor() == sensor) by_run[series_[s].run].push_back(evenly[s]);
-    const std::vector<double> times = uneven_noise(by_run);
-    for (std::size_t s = 0; s < series_.size(); ++s) {
-      if (series_[s].channel.sensor() != sensor) continue;
-      series_[s].beside_runs = times[series_[s].run];
-      widen(series_[s], times[series_[s].run], evenly[s]);
-    }
+    if (series_[s].channel.sensor() != sensor) continue;
+    const double own = times[group_of(series_[s])];
+    series_[s].*beside_others = own;
+    widen(series_[s], own, evenly[s]);
   }
 }
 

@@ -49,8 +49,8 @@ class Measurements {
   [[nodiscard]] std::vector<double> in_sigmas(const std::vector<Trace>& traces) const;
 
  private:
-  void weigh_joints(std::vector<Differences>& evenly);
-  void weigh_runs(std::size_t runs, std::vector<Differences>& evenly);
+  void weigh_groups(Sensor sensor, std::size_t (*group_of)(const Series&), double Series::*beside_others,
+                    std::vector<Differences>& evenly);
   void weigh(const std::vector<std::vector<double>>& values, const std::vector<Differences>& evenly);
 
   std::vector<Series> series_;

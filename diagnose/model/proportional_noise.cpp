@@ -19,9 +19,7 @@ double agreement(const Proportion& one) {
 
 bool enough_to_say(const std::vector<Differences>& series) {
   constexpr std::size_t few = 30;
-  std::size_t count = 0;
-  for (const Differences& one : series) count += one.sizes.size();
-  return count >= few && spread(series) > 0;
+  return count_of(series) >= few && spread(series) > 0;
 }
 
 }  // namespace
@@ -29,9 +27,7 @@ bool enough_to_say(const std::vector<Differences>& series) {
 double proportional_noise(const std::vector<Differences>& series) {
   if (alternation(series) > beliefs::alternates || !enough_to_say(series)) return 0;
   const std::vector<Differences> plain = without_steps(series);
-  double reach = 0;
-  for (const Differences& one : plain)
-    for (const double level : one.levels) reach = std::max(reach, level);
+  const double reach = reach_of(plain);
   if (!enough_to_say(plain) || !(reach > 0)) return 0;
   const std::vector<double> ratios = possible_ratios(reach);
   const double plain_likelihood = in_proportion(plain, ratios.front()).twice_likelihood;

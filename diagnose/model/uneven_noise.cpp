@@ -20,26 +20,13 @@ double beyond_chance(std::size_t values) {
   return std::max(noticeable, std::exp(chance / std::sqrt(static_cast<double>(values))));
 }
 
-std::size_t values_of(const Group& group) {
-  std::size_t count = 0;
-  for (const Differences& one : group) count += one.sizes.size();
-  return count;
-}
-
 /// Whether its third differences are those of noise, and enough to say how large it is.
 bool shows_noise(const Group& group) {
   constexpr std::size_t few = 20;
-  if (values_of(group) < few || !(spread(group) > 0)) return false;
+  if (count_of(group) < few || !(spread(group) > 0)) return false;
   // The mean of so many products, each of 0.55, scatters so.
-  const double by_chance = 0.55 / std::sqrt(static_cast<double>(values_of(group)));
+  const double by_chance = 0.55 / std::sqrt(static_cast<double>(count_of(group)));
   return alternation(group) <= beliefs::alternates + by_chance;
-}
-
-/// Its deviation by the median, which outliers move less.
-double middle(Group group, double ratio) {
-  for (Differences& one : group)
-    for (std::size_t i = 0; i < one.sizes.size(); ++i) one.sizes[i] /= std::hypot(1.0, ratio * one.levels[i]);
-  return spread(group);
 }
 
 /// How much each group scatters if readings scatter by a share of themselves besides; nothing where one
@@ -47,24 +34,21 @@ double middle(Group group, double ratio) {
 std::optional<std::vector<double>> deviations(const std::vector<Group>& groups) {
   std::vector<Group> plain;
   Group all;
-  double reach = 0;
   for (const Group& group : groups) {
     plain.push_back(without_steps(group));
+    if (count_of(plain.back()) == 0) return std::nullopt;
     all.insert(all.end(), plain.back().begin(), plain.back().end());
-    for (const Differences& one : plain.back())
-      for (const double level : one.levels) reach = std::max(reach, level);
   }
   double together = 0, apart = 0;
   std::vector<double> likeliest;
-  for (const double ratio : possible_ratios(reach)) {
+  for (const double ratio : possible_ratios(reach_of(all))) {
     const double one = in_proportion(all, ratio).twice_likelihood;
     double sum = 0;
     std::vector<double> deviation;
     for (const Group& group : plain) {
-      if (values_of(group) == 0) return std::nullopt;
       const Proportion own = in_proportion(group, ratio);
       sum += own.twice_likelihood;
-      deviation.push_back(std::min(own.common, middle(group, ratio)));
+      deviation.push_back(std::min(own.common, spread(group, ratio)));  // outliers move the median less
     }
     if (likeliest.empty() || one > together) together = one;
     if (likeliest.empty() || sum > apart) apart = sum, likeliest = std::move(deviation);
@@ -91,7 +75,7 @@ std::vector<double> uneven_noise(const std::vector<Group>& groups) {
   if (!own) return times;
   const double usual = lower_median(*own);
   for (std::size_t g = 0; g < noisy.size(); ++g)
-    if ((*own)[g] > beyond_chance(values_of(noisy[g])) * usual) times[places[g]] = (*own)[g] / usual;
+    if ((*own)[g] > beyond_chance(count_of(noisy[g])) * usual) times[places[g]] = (*own)[g] / usual;
   return times;
 }
 
