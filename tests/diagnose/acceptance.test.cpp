@@ -294,6 +294,17 @@ TEST_CASE("where a stop sets in shows in two runs, or it is named beside another
     demand_second_run(study, cause);
     demand_second_run(study, of_class);
     CHECK(of_class.reservation == cause.reservation);  // whether or not others come near
+    // What is unknown, or doubted already for another reason, stays so.
+    Cause refused = named(study, candidate), doubted = refused;
+    refused.verdict = CauseVerdict::unknown;
+    doubted.verdict = CauseVerdict::ambiguous;
+    doubted.reservation = Reservation::many_values;
+    for (Cause* one : {&refused, &doubted}) {
+      one->ranking[0].hypothesis.fit.parameters = values;
+      demand_second_run(study, *one);
+    }
+    CHECK(refused.verdict == CauseVerdict::unknown);
+    CHECK(doubted.reservation == Reservation::many_values);
     return cause;
   };
   const Candidate stop{{{"joint_stop", 1}}};
