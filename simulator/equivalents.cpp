@@ -32,7 +32,7 @@ std::string_view of_one_joint(std::string_view id) {
   return known == pairs.end() ? std::string_view() : known->second;
 }
 
-/// All stops at one angle pass for that of the one joint that gets there; of a single sprung joint what is
+/// All stops pass for that of the one joint that gets there; of a single sprung joint what is
 /// common to all for the same of that joint, as does the load cell's gain; all springs that are stiffer to
 /// one side for a scale where all bend to one side.
 std::vector<std::string> tried(const Bench& bench, const Outcome& outcome, std::size_t e) {
@@ -41,9 +41,11 @@ std::vector<std::string> tried(const Bench& bench, const Outcome& outcome, std::
   const std::vector<double>& k = bench.plan.nominal.stiffness;
   const bool one_joint = std::count_if(k.begin(), k.end(), [](double one) { return one > 0; }) == 1;
   const std::string_view single = of_one_joint(effect.kind->id);
+  const bool own_stops = effect.kind->id == "joint_stops" && !effect.kind->each.empty();
   if (effect.kind->id == "joint_stops" || (one_joint && !single.empty()))
     for (Place j = 0; j < bench.plan.size(); ++j)
-      candidates.push_back({&kind(single, true), j, effect.values});
+      candidates.push_back({&kind(single, true), j,
+                            own_stops ? Values{effect.values[1 + j], effect.values[0]} : effect.values});
   if (effect.kind->id == "asymmetric_spring" && effect.kind->each.empty())
     for (const double sign : {1.0, -1.0})
       candidates.push_back({&kind("stiffness_scale", false), 0, {sign * effect.values[0]}});

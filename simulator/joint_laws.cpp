@@ -187,6 +187,26 @@ std::vector<Kind> further_laws() {
        },
        {},
        laws},
+      {"joint_stops",
+       "",
+       false,
+       {"k_s"},
+       {true, false},
+       false,
+       8,
+       [](const Scene& s, Place j) { return several_elastic(s, j) && largest_deflection(s) > 0.15; },
+       [](const Scene& s, Place, Random& r) {
+         Values all{significant(r.log_uniform(0.3, 3) * s.plan.typical_stiffness(), 4)};
+         for (const double reach : s.deflection)
+           all.push_back(significant(r.uniform(0.3, 0.9) * std::max(reach, 0.02), 4));
+         return all;
+       },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Place j = 0; j < is.joint.size(); ++j)
+           is.joint[j].stop = v[1 + j], is.joint[j].stop_stiffness = v[0];
+       },
+       {"s"},
+       one_at_each_joint},
       {"asymmetric_spring",
        "",
        false,

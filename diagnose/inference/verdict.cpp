@@ -57,7 +57,8 @@ bool are_beyond_zero(const Fit& fit, const std::vector<Eigen::Index>& parameters
   return values.dot(spread.ldlt().solve(values)) > static_cast<double>(free.size());
 }
 
-/// Posterior probabilities of the genuine hypotheses; of all where none is genuine.
+/// Posterior probabilities of the genuine hypotheses, of all where none is genuine; of several forms of one
+/// cause of that with the most evidence alone.
 std::vector<Ranked> ranked(const Study& study, const Findings& findings) {
   const auto stands = [&](const Hypothesis& one) { return genuine(study, one.fit); };
   const bool any = std::any_of(findings.hypotheses.begin(), findings.hypotheses.end(), stands);
@@ -65,6 +66,11 @@ std::vector<Ranked> ranked(const Study& study, const Findings& findings) {
   double sum = 0;
   for (const Hypothesis& hypothesis : findings.hypotheses) {
     if (any && !stands(hypothesis)) continue;
+    const Candidate& candidate = hypothesis.fit.candidate;
+    if (std::any_of(ranking.begin(), ranking.end(), [&](const Ranked& better) {
+          return better.hypothesis.fit.candidate.is_form_of(candidate);
+        }))
+      continue;
     const double best = ranking.empty() ? hypothesis.log_evidence : ranking.front().hypothesis.log_evidence;
     ranking.push_back({hypothesis, std::exp(hypothesis.log_evidence - best),
                        chi2_per_dof(study.measurements(), hypothesis.fit, allowed(findings))});

@@ -25,6 +25,12 @@ struct Differences {
   [[nodiscard]] Differences where(const std::vector<bool>& even) const;
 };
 
+/// Both kinds of one series.
+struct SeenNoise {
+  Differences in_time;   ///< third differences
+  Differences in_place;  ///< of values from their neighbours on the path
+};
+
 /// By reading, whether the command goes on alike from it to the next, to the one after and to the third:
 /// there alone third differences are of noise, and not of a corner of the path, of steps and holds. \param
 /// readings  their places in the run, ascending; three results fewer than these

@@ -83,6 +83,13 @@ bool Candidate::has(const EffectAt& at) const {
   return std::find(effects.begin(), effects.end(), at) != effects.end();
 }
 
+bool Candidate::is_form_of(const Candidate& other) const {
+  return std::is_permutation(effects.begin(), effects.end(), other.effects.begin(), other.effects.end(),
+                             [](const EffectAt& a, const EffectAt& b) {
+                               return a.effect->id == b.effect->id && a.joint == b.joint;
+                             });
+}
+
 bool Candidate::is_part_of(const Candidate& other) const {
   return effects.size() < other.effects.size() &&
          std::all_of(effects.begin(), effects.end(), [&](const EffectAt& at) { return other.has(at); });

@@ -131,6 +131,8 @@ struct Candidate {
   /// "backlash(2) + gravity"
   [[nodiscard]] std::string label() const;
   [[nodiscard]] bool has(const EffectAt& at) const;
+  /// Whether it is named like the other: a value for all joints and one at each are forms of one cause.
+  [[nodiscard]] bool is_form_of(const Candidate& other) const;
   /// Whether it has fewer effects than the other, which has them all.
   [[nodiscard]] bool is_part_of(const Candidate& other) const;
   /// Whether everything that machining leaves is in it.

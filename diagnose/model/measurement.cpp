@@ -76,10 +76,11 @@ std::vector<double> clock_of(const Run& run, const Series& series) {
 }
 
 /// Makes the sigma of a series so many times as large.
-void widen(Series& series, double times, Differences& evenly) {
+void widen(Series& series, double times, SeenNoise& seen) {
   series.sigma *= times;
   series.step /= times;
-  for (double& size : evenly.sizes) size /= times;
+  for (Differences* differences : {&seen.in_time, &seen.in_place})
+    for (double& size : differences->sizes) size /= times;
 }
 
 }  // namespace
@@ -111,45 +112,45 @@ Measurements::Measurements(const Experiment& experiment) {
       all.push_back(std::move(values));
     }
   }
-  std::vector<Differences> evenly;
-  for (std::size_t s = 0; s < series_.size(); ++s)
-    evenly.push_back(Differences(all[s], series_[s].sigma)
-                         .where(goes_evenly(experiment.runs[series_[s].run], series_[s].readings)));
+  std::vector<SeenNoise> seen;
+  for (std::size_t s = 0; s < series_.size(); ++s) {
+    const Series& series = series_[s];
+    const std::vector<bool> even = goes_evenly(experiment.runs[series.run], series.readings);
+    seen.push_back({Differences(all[s], series.sigma).where(even), {all[s], series.sigma, series.between}});
+  }
   const auto joint_of = [](const Series& one) { return one.channel.joint; };
   const auto run_of = [](const Series& one) { return one.run; };
-  weigh_groups(Sensor::angle, joint_of, &Series::beside_joints, evenly);
+  weigh_groups(Sensor::angle, joint_of, &Series::beside_joints, seen);
   for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle})
-    weigh_groups(sensor, run_of, &Series::beside_runs, evenly);
-  weigh(all, evenly);
+    weigh_groups(sensor, run_of, &Series::beside_runs, seen);
+  weigh(all, seen);
 }
 
 /// Gives the readings of a sensor in a group (of a joint, of a run) where it scatters more than in the others
 /// a sigma to match.
 void Measurements::weigh_groups(Sensor sensor, std::size_t (*group_of)(const Series&),
-                                double Series::*beside_others, std::vector<Differences>& evenly) {
-  std::vector<std::vector<Differences>> groups;
+                                double Series::*beside_others, std::vector<SeenNoise>& seen) {
+  std::vector<std::vector<SeenNoise>> groups;
   for (std::size_t s = 0; s < series_.size(); ++s) {
     if (series_[s].channel.sensor() != sensor) continue;
     groups.resize(std::max(groups.size(), group_of(series_[s]) + 1));
-    groups[group_of(series_[s])].push_back(evenly[s]);
+    groups[group_of(series_[s])].push_back(seen[s]);
   }
   const std::vector<double> times = uneven_noise(groups);
   for (std::size_t s = 0; s < series_.size(); ++s) {
     if (series_[s].channel.sensor() != sensor) continue;
     const double own = times[group_of(series_[s])];
     series_[s].*beside_others = own;
-    widen(series_[s], own, evenly[s]);
+    widen(series_[s], own, seen[s]);
   }
 }
 
 /// Gives every value its sigma. What scatters in proportion does so in all runs of a channel.
-void Measurements::weigh(const std::vector<std::vector<double>>& values,
-                         const std::vector<Differences>& evenly) {
+void Measurements::weigh(const std::vector<std::vector<double>>& values, const std::vector<SeenNoise>& seen) {
   std::map<Channel::Name, std::vector<Differences>> in_time, in_place;
   for (std::size_t s = 0; s < series_.size(); ++s) {
-    const Series& series = series_[s];
-    in_time[series.channel.name].push_back(evenly[s]);
-    in_place[series.channel.name].emplace_back(values[s], series.sigma, series.between);
+    in_time[series_[s].channel.name].push_back(seen[s].in_time);
+    in_place[series_[s].channel.name].push_back(seen[s].in_place);
   }
   std::map<Channel::Name, double> proportions;
   for (const auto& [name, all] : in_time) {

@@ -50,8 +50,8 @@ class Measurements {
 
  private:
   void weigh_groups(Sensor sensor, std::size_t (*group_of)(const Series&), double Series::*beside_others,
-                    std::vector<Differences>& evenly);
-  void weigh(const std::vector<std::vector<double>>& values, const std::vector<Differences>& evenly);
+                    std::vector<SeenNoise>& seen);
+  void weigh(const std::vector<std::vector<double>>& values, const std::vector<SeenNoise>& seen);
 
   std::vector<Series> series_;
   std::size_t size_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -12,17 +13,26 @@ namespace {
 
 using Group = std::vector<Differences>;
 
-/// Above which ratio of two deviations, one of `values` third differences, no chance is left. Of such
+Group all_of(const std::vector<SeenNoise>& series, Differences SeenNoise::*kind) {
+  Group all;
+  for (const SeenNoise& one : series) all.push_back(one.*kind);
+  return all;
+}
+
+/// So many differences say little of how large noise is.
+constexpr std::size_t few = 20;
+
+/// Above which ratio of two deviations, of so many third differences each, no chance is left. Of such
 /// differences two in five are new, so that the logarithm of a deviation scatters by 1.1 over the root of
 /// their number, and of noise with heavier tails by somewhat more: three times 1.1 are chance in one of 700.
-double beyond_chance(std::size_t values) {
+double beyond_chance(std::size_t one, std::size_t other) {
   constexpr double noticeable = 1.5, chance = 4;
-  return std::max(noticeable, std::exp(chance / std::sqrt(static_cast<double>(values))));
+  return std::max(noticeable, std::exp(chance * std::sqrt(1 / static_cast<double>(one) +
+                                                          1 / static_cast<double>(other))));
 }
 
 /// Whether its third differences are those of noise, and enough to say how large it is.
 bool shows_noise(const Group& group) {
-  constexpr std::size_t few = 20;
   if (count_of(group) < few || !(spread(group) > 0)) return false;
   // The mean of so many products, each of 0.55, scatters so.
   const double by_chance = 0.55 / std::sqrt(static_cast<double>(count_of(group)));
@@ -57,6 +67,14 @@ std::optional<std::vector<double>> deviations(const std::vector<Group>& groups) 
   return std::nullopt;
 }
 
+/// By how much the values of a group differ at the same place of the path, which no curve adds to, outliers
+/// included; infinite where few do.
+double deviation_in_place(const std::vector<SeenNoise>& group) {
+  const Group in_place = all_of(group, &SeenNoise::in_place);
+  return count_of(in_place) < few ? std::numeric_limits<double>::infinity()
+                                  : in_proportion(in_place, 0).common;
+}
+
 double lower_median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[(values.size() - 1) / 2];
@@ -64,18 +82,28 @@ double lower_median(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<double> uneven_noise(const std::vector<Group>& groups) {
+std::vector<double> uneven_noise(const std::vector<std::vector<SeenNoise>>& groups) {
   std::vector<double> times(groups.size(), 1.0);
   std::vector<Group> noisy;
   std::vector<std::size_t> places;
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    if (shows_noise(groups[g])) noisy.push_back(groups[g]), places.push_back(g);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    Group in_time = all_of(groups[g], &SeenNoise::in_time);
+    if (!shows_noise(in_time)) continue;
+    noisy.push_back(std::move(in_time));
+    places.push_back(g);
+  }
   if (noisy.size() < 2) return times;
-  const std::optional<std::vector<double>> own = deviations(noisy);
+  std::optional<std::vector<double>> own = deviations(noisy);
   if (!own) return times;
-  const double usual = lower_median(*own);
   for (std::size_t g = 0; g < noisy.size(); ++g)
-    if ((*own)[g] > beyond_chance(count_of(noisy[g])) * usual) times[places[g]] = (*own)[g] / usual;
+    (*own)[g] = std::min((*own)[g], deviation_in_place(groups[places[g]]));
+  const double usual = lower_median(*own);
+  std::size_t all = 0;
+  for (const Group& group : noisy) all += count_of(group);
+  for (std::size_t g = 0; g < noisy.size(); ++g) {
+    const std::size_t values = count_of(noisy[g]);
+    if ((*own)[g] > beyond_chance(values, all - values) * usual) times[places[g]] = (*own)[g] / usual;
+  }
   return times;
 }
 

@@ -43,6 +43,8 @@ inline std::optional<Chosen> chosen(const EffectAt& at) {
       {"direction_friction", {{0, 0}, {0.02, 0.5}}},
       {"speed_friction", {{0, 1, std::log(0.02)}, {0.02, 1, std::log(0.02)}}},
       {"plastic_set", {{0.05, 0}, {0.05, 0.3}}}};
+  if (at.effect->id == "joint_stops" && at.effect != &effect("joint_stops"))  // each at its own angle
+    return Chosen{{1, 10, 10, 10}, {1, 0.05, 0.08, 0.03}};
   const auto place = all.find(at.effect->id);
   return place == all.end() ? std::nullopt : std::optional(place->second);
 }

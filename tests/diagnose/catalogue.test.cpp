@@ -58,6 +58,15 @@ void check_values(const std::vector<double>& found, const std::vector<double>& e
   }
 }
 
+/// The form of an effect with a value at each joint, where another has one for all.
+const Effect& each_its_own(std::string_view id) {
+  const auto row = std::find_if(catalogue().begin(), catalogue().end(), [&](const Effect& one) {
+    return one.id == id && !one.at_joint && &one != &effect(id);
+  });
+  REQUIRE(row != catalogue().end());
+  return *row;
+}
+
 void check_starts(const char* id, std::size_t joint, const std::vector<std::vector<double>>& expected,
                   std::size_t basins) {
   CAPTURE(id);
@@ -117,6 +126,14 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
     const auto& all = row.at_joint ? of_a_joint : of_chain;
     const auto place = all.find(row.id);
     const bool is_named = &effect(row.id, row.at_joint ? 1 : 0) == &row;
+    if (row.id == "joint_stops" && !is_named) {  // of no tolerance: a joint may be free
+      const Sizes size = sizes_by_hand();
+      for (const ParameterRange& one : row.parameters({size, 0})) {
+        CHECK(one.tolerance == 0);
+        CHECK(one.scale == doctest::Approx(one.name == "k_s" ? 4 : 0.3));
+      }
+      continue;
+    }
     if (place == all.end() || !is_named) {  // of values within a tolerance, of which half is sizeable
       const Sizes size = sizes_by_hand();
       for (const ParameterRange& one : row.parameters({size, 0})) {
@@ -161,6 +178,10 @@ TEST_CASE("fits start at shares of what the joints are asked for, by hand") {
   check_starts("joint_stop", 2, stops(0.23, 3), 2);
   check_starts("joint_stop", 1, stops(0.11, 4), 2);
   check_starts("joint_stops", 0, stops(0.31, 4), 2);
+  const Starts own = each_its_own("joint_stops").starts({sizes_by_hand(), 0}, exercise_by_hand());
+  CHECK(own.basins == 2);
+  REQUIRE(own.from.size() == 10);
+  check_values(own.from[3], {3.0 * 4, 0.4 * 0.11, 0.4 * 0.23, 0.4 * 0.31});
   const double low = std::log(0.25), wide = std::log(1800.0) - low;
   check_starts("viscoelasticity", 0,
                {{0.1, low + 0.1 * wide},
@@ -227,10 +248,12 @@ TEST_CASE(
                                            {"speed_friction", {{0}, true, true, 100, 2, false}},
                                            {"saturation", {{}, true, false, 100, 1, false}},
                                            {"sensor_lag", {{}, false, true, 100, 1, false}}};
+  const Kind own_stops{{0}, false, false, 100, 1, false};  // their stiffness comes first
   for (const Effect& row : catalogue()) {
     CAPTURE(row.id);
     const auto place = others.find(row.id);
-    const Kind& expected = place == others.end() ? plain : place->second;
+    const bool is_own_stops = row.id == "joint_stops" && &row != &effect("joint_stops");
+    const Kind& expected = is_own_stops ? own_stops : place == others.end() ? plain : place->second;
     CHECK(row.probing.growing == expected.growing);
     CHECK(row.probing.large_step == expected.large_step);
     CHECK(row.probing.starts == expected.starts);
@@ -421,11 +444,10 @@ TEST_CASE("effects of one kind add up, and what each adds to the rig, by hand") 
   CHECK(with("axial_compliance", 0, {0.25}).axial == 0.5);
   CHECK(with("link_bending", 0, {4}).flexibility == 0.5);
   check_values(with("asymmetric_spring", 0, {0.25}).asymmetry, {1.5, 2.5, 3.5});
-  const auto each_its_own = std::find_if(catalogue().begin(), catalogue().end(), [](const Effect& row) {
-    return row.id == "asymmetric_spring" && &row != &effect("asymmetric_spring");
-  });
-  REQUIRE(each_its_own != catalogue().end());
-  check_values(add(*each_its_own, 0, {0.25, -0.5}).asymmetry, {1, 2.5, 2});
+  check_values(add(each_its_own("asymmetric_spring"), 0, {0.25, -0.5}).asymmetry, {1, 2.5, 2});
+  const Rig stopped = add(each_its_own("joint_stops"), 0, {7, 0.1, 0.2, 0.3});
+  check_values(stopped.stop, {0.1, 0.2, 0.3});
+  check_values(stopped.stop_stiffness, {7, 7, 7});
   CHECK(with("tendon_friction", 0, {0.25}).capstan == 0.5);
   CHECK(with("plastic_set", 0, {0.25, 3}).yield == 0.25);
   CHECK(with("plastic_set", 0, {0.25, 3}).flow == 3);

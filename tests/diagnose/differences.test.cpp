@@ -137,5 +137,5 @@ TEST_CASE("a difference that an outlier enters, and the one to either side, say 
 TEST_CASE("joints whose angles scatter alike have no noise of their own") {
   Differences alike;
   for (int i = 0; i < 40; ++i) alike.sizes.push_back(i % 2 == 0 ? 1 : -1), alike.levels.push_back(0);
-  CHECK(uneven_noise({{alike}, {alike}, {alike}}) == std::vector<double>{1, 1, 1});
+  CHECK(uneven_noise({{{alike, {}}}, {{alike, {}}}, {{alike, {}}}}) == std::vector<double>{1, 1, 1});
 }

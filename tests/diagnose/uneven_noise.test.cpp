@@ -15,7 +15,12 @@ using namespace plumbline::diagnose::test;
 
 namespace {
 
-using RoughGroups = std::vector<std::vector<Differences>>;
+using RoughGroups = std::vector<std::vector<SeenNoise>>;
+
+/// A series that never came to the same place twice.
+SeenNoise in_time(const std::vector<double>& values) {
+  return {Differences(values, 1), {}};
+}
 
 /// Third differences of noise of these deviations, one a group.
 RoughGroups scattered(const std::vector<double>& deviations, std::size_t values, std::mt19937& random) {
@@ -24,7 +29,7 @@ RoughGroups scattered(const std::vector<double>& deviations, std::size_t values,
   for (const double deviation : deviations) {
     std::vector<double> readings(values);
     for (double& one : readings) one = deviation * normal(random);
-    groups.push_back({Differences(readings, 1)});
+    groups.push_back({in_time(readings)});
   }
   return groups;
 }
@@ -60,9 +65,25 @@ TEST_CASE("of two groups the rougher one is told, and none of few readings, of a
   RoughGroups one_is_a_curve = scattered({1, 1}, 100, random);
   std::vector<double> curve(100);
   for (std::size_t i = 0; i < curve.size(); ++i) curve[i] = 500 * std::sin(0.3 * static_cast<double>(i));
-  one_is_a_curve.push_back({Differences(curve, 1)});
+  one_is_a_curve.push_back({in_time(curve)});
   CHECK(uneven_noise(one_is_a_curve) == std::vector<double>{1, 1, 1});
-  CHECK(uneven_noise({{}, {Differences(std::vector<double>(50, 2.0), 1)}}) == std::vector<double>{1, 1});
+  CHECK(uneven_noise({{}, {in_time(std::vector<double>(50, 2.0))}}) == std::vector<double>{1, 1});
+}
+
+TEST_CASE("a group is rougher by no more than its values differ where they are at the same place") {
+  std::mt19937 random(8);
+  std::normal_distribution<double> normal;
+  RoughGroups groups = scattered({1, 1, 6}, 100, random);
+  Differences in_place;
+  for (int i = 0; i < 100; ++i) in_place.sizes.push_back(normal(random)), in_place.levels.push_back(0);
+  groups[2][0].in_place = in_place;
+  CHECK(uneven_noise(groups)[2] == 1);
+  for (double& size : groups[2][0].in_place.sizes) size *= 6;
+  CHECK(uneven_noise(groups)[2] == doctest::Approx(6).epsilon(0.4));
+  groups[2][0].in_place.sizes.resize(19);  // too few to say
+  groups[2][0].in_place.levels.resize(19);
+  for (double& size : groups[2][0].in_place.sizes) size /= 6;
+  CHECK(uneven_noise(groups)[2] == doctest::Approx(6).epsilon(0.4));
 }
 
 TEST_CASE("a run that is rougher than the others counts for less, in the sensor that is") {

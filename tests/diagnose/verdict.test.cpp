@@ -156,6 +156,28 @@ TEST_CASE("the ranking: genuine explanations, probabilities by their evidence") 
   CHECK(cause.ranking[1].probability == close_to(0.25 * (1 - cause.unknown)));
 }
 
+TEST_CASE("of two forms of one cause that with more evidence is ranked, and the cause is identified") {
+  const Experiment experiment = blank_experiment({20, 20});
+  const Study study(experiment);
+  const auto residual = white(study.measurements());
+  const auto& rows = catalogue();
+  const auto own = std::find_if(rows.begin(), rows.end(), [](const Effect& row) {
+    return row.id == "joint_stops" && &row != &effect("joint_stops");
+  });
+  const Candidate at_each{{{*own}}}, alike = of({{"joint_stops"}}), one = of({{"joint_stop", 1}});
+  CHECK(at_each.is_form_of(alike));
+  CHECK_FALSE(one.is_form_of(alike));
+  CHECK_FALSE(one.is_form_of(of({{"joint_stop", 2}})));
+  CHECK(Candidate{{{"force_gain"}, {*own}}}.is_form_of(of({{"joint_stops"}, {"force_gain"}})));
+  Findings findings;
+  findings.hypotheses = {worth(found(experiment, at_each, residual), -40, -50),
+                         worth(found(experiment, alike, residual), -41, -51)};
+  const Cause cause = judge(study, findings);
+  CHECK(cause.verdict == CauseVerdict::identified);
+  REQUIRE(cause.ranking.size() == 1);
+  CHECK(cause.ranking.front().hypothesis.fit.candidate == at_each);
+}
+
 TEST_CASE("chi-square per degree of freedom: six parameters spent on twelve values leave six") {
   const Experiment experiment = blank_experiment({6});
   const Measurements measurements(experiment);

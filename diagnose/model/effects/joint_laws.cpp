@@ -1,6 +1,7 @@
 /// \file
 /// Torque laws of the joints beyond a single number: hysteresis, stops, set, spectra of relaxation.
 
+#include <array>
 #include <cmath>
 
 #include "diagnose/beliefs.hpp"
@@ -86,14 +87,6 @@ std::vector<Effect> hysteresis() {
 
 // ---------------------------------------------------------------------------------------------- springs
 
-/// Shares of the largest deflection at which stops may begin, with soft and hard ones.
-Starts stop_starts(double reach, double stiffness) {
-  Starts starts{{}, 2};
-  for (const double share : {0.2, 0.4, 0.6, 0.8, 0.95})
-    for (const double stiff : {0.3, 3.0}) starts.from.push_back({share * reach, stiff * stiffness});
-  return starts;
-}
-
 std::vector<Effect> springs() {
   return {
       {.id = "asymmetric_spring",
@@ -116,25 +109,74 @@ std::vector<Effect> springs() {
        .possible = several_elastic,
        .special = {"asymmetric_spring"},
        .within_values = {"asymmetric_spring"}},
+  };
+}
+
+/// Where stops may begin, as shares of the largest deflection, and their stiffness over that of the spring.
+constexpr std::array begins{0.2, 0.4, 0.6, 0.8, 0.95};
+constexpr std::array soft_and_hard{0.3, 3.0};
+
+ParameterRange stop_angle(std::string_view name) {
+  return {name, "rad", Coordinate::plain, 0.3, 1e-3, 3};
+}
+
+ParameterRange stop_stiffness(const Place& at) {
+  return one_way("k_s", "N m/rad", at.sizes.stiffness, 100 * at.sizes.stiffness);
+}
+
+/// Of all joints alike, and with an angle of its own at each.
+std::vector<Effect> stops() {
+  return {
       {.id = "joint_stops",
        .words = "stops at every joint",
        .parameters =
            [](const Place& at) {
-             const double k = at.sizes.stiffness;
-             return std::vector<ParameterRange>{{"s", "rad", Coordinate::plain, 0.3, 1e-3, 3},
-                                                one_way("k_s", "N m/rad", k, 100 * k)};
+             return std::vector{stop_angle("s"), stop_stiffness(at)};
            },
        .add =
            [](const Addition& to) {
-             for (std::size_t i = 0; i < to.rig.stop.size(); ++i) {
-               to.rig.stop[i] = to.value[0];
-               to.rig.stop_stiffness[i] = to.value[1];
-             }
+             to.rig.stop.assign(to.rig.stop.size(), to.value[0]);
+             to.rig.stop_stiffness.assign(to.rig.stop.size(), to.value[1]);
            },
        .possible = several_links,
-       .starts = [](const Place& at,
-                    const Exercise& nominal) { return stop_starts(nominal.largest, at.sizes.stiffness); },
+       .starts =
+           [](const Place& at, const Exercise& nominal) {
+             Starts starts{{}, 2};
+             for (const double share : begins)
+               for (const double stiff : soft_and_hard)
+                 starts.from.push_back({share * nominal.largest, stiff * at.sizes.stiffness});
+             return starts;
+           },
        .probing = {.growing = {1}}},
+      {.id = "joint_stops",
+       .words = "stops at every joint, each at its own angle",
+       .parameters =
+           [](const Place& at) {
+             std::vector<ParameterRange> all{stop_stiffness(at)};
+             for (std::size_t i = 0; i < at.sizes.link_length.size(); ++i)
+               all.push_back(stop_angle(numbered("s", i)));
+             return all;
+           },
+       .add =
+           [](const Addition& to) {
+             to.rig.stop_stiffness.assign(to.rig.stop.size(), to.value[0]);
+             for (std::size_t i = 0; i < to.rig.stop.size(); ++i) to.rig.stop[i] = to.value[1 + i];
+           },
+       .possible = several_links,
+       .special = {"joint_stops", "joint_stop"},
+       .starts =
+           [](const Place& at, const Exercise& nominal) {
+             Starts starts{{}, 2};
+             for (const double share : begins) {
+               for (const double stiff : soft_and_hard) {
+                 std::vector<double>& start = starts.from.emplace_back();
+                 start.push_back(stiff * at.sizes.stiffness);
+                 for (const double reach : nominal.deflection) start.push_back(share * reach);
+               }
+             }
+             return starts;
+           },
+       .probing = {.growing = {0}}},
   };
 }
 
@@ -205,7 +247,7 @@ std::vector<Effect> memory() {
 
 std::vector<Effect> joint_law_effects() {
   std::vector<Effect> rows;
-  for (const auto& group : {springs, hysteresis, memory})
+  for (const auto& group : {springs, stops, hysteresis, memory})
     for (Effect& row : group()) rows.push_back(std::move(row));
   return rows;
 }
