@@ -76,6 +76,13 @@ CLI::Validator number(double low, double high) {
           range};
 }
 
+CLI::Validator something() {
+  return {[](std::string& text) {
+            return text.empty() ? "found an empty text, expected a value, or nothing at all" : "";
+          },
+          ""};
+}
+
 CLI::Validator one_of(const std::vector<std::string>& words) {
   const std::string list = fmt::format("{}", fmt::join(words, " or "));
   return {[=](std::string& text) {

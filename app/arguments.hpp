@@ -16,6 +16,8 @@ CLI::Validator whole_number(std::uint64_t low,
                             std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
 CLI::Validator number(double low = std::numeric_limits<double>::lowest(),
                       double high = std::numeric_limits<double>::max());
+/// A variable of the shell that is not set is no answer: it would be taken for no option.
+CLI::Validator something();
 CLI::Validator one_of(const std::vector<std::string>& words);
 
 /// An option that names a file or a folder to write.

@@ -1,3 +1,4 @@
+#include "app/arguments.hpp"
 #include "app/command.hpp"
 #include "app/verbs.hpp"
 
@@ -16,6 +17,9 @@ std::unique_ptr<CLI::App> whole_command() {
   add_diagnose(*command);
   add_chain(*command);
   add_trial(*command);
+  for (CLI::App* verb : command->get_subcommands({}))
+    for (CLI::Option* option : verb->get_options())
+      if (option->get_items_expected_max() > 0) option->check(something());
   return command;
 }
 

@@ -140,18 +140,43 @@ bool takes_three(const Ranked& one) {
   return one.hypothesis.fit.candidate.count() >= 3;
 }
 
+/// Weighs the ranking anew where what one of it leaves is taken for noise: beside a remainder any that has
+/// more effects would be more probable, for it makes something of that. \returns the place of that one
+std::size_t weigh_beside_remainder(const Study& study, const NoiseModel& noise, std::size_t place,
+                                   Cause& cause) {
+  const Fit accepted = cause.ranking[place].hypothesis.fit;
+  const std::array<double, channel_names> left =
+      rms_by_name(study.measurements(), without_outliers(study.measurements(), accepted.residual));
+  Findings findings;
+  for (const Ranked& one : cause.ranking) findings.hypotheses.push_back(one.hypothesis);
+  findings.tolerance = {noise.scale, 0};
+  for (std::size_t c = 0; c < channel_names; ++c)
+    findings.tolerance->scale[c] = std::max(noise.scale[c], left[c]);
+  weigh(study, findings);
+  cause.ranking.clear();
+  for (Hypothesis& one : findings.hypotheses) {
+    const double left_over = chi2_per_dof(study.measurements(), one.fit, noise);
+    cause.ranking.push_back({std::move(one), 0, left_over});
+  }
+  const auto is_it = [&](const Ranked& one) { return one.hypothesis.fit.candidate == accepted.candidate; };
+  return static_cast<std::size_t>(std::find_if(cause.ranking.begin(), cause.ranking.end(), is_it) -
+                                  cause.ranking.begin());
+}
+
 /// Settles on the best partial explanation of one effect that leaves of held-out readings at most so many
 /// times the noise, where that is clearly less than the gap. \returns what it leaves
 std::optional<Shrink> accept_what_leaves(const Study& study, const NoiseModel& noise, double times,
                                          Cause& cause) {
   if (cause.verdict != CauseVerdict::unknown) return std::nullopt;
   const std::optional<std::size_t> place = best_single(study, cause);
-  if (!place) return std::nullopt;
+  // What is held out is not all: a run that it does not explain may carry no gap that could be held out.
+  constexpr double most = beliefs::predicts * beliefs::predicts;
+  if (!place || cause.ranking[*place].chi2_per_dof > most) return std::nullopt;
   const std::optional<Rotated> blind = rotated(study, cause.ranking[*place].hypothesis.fit, noise, noise);
   if (!blind) return std::nullopt;
   const double left = blind->shrink.ratio, floor = blind->shrink.noise_floor_ratio;
   if (!predicts(blind->shrink, times) || floor > beliefs::clear) return std::nullopt;
-  settle_on(cause, *place, beliefs::other_than_nearly);
+  settle_on(cause, weigh_beside_remainder(study, noise, *place, cause), beliefs::other_than_nearly);
   cause.remainder = std::sqrt(std::max(0.0, left * left - floor * floor));
   return blind->shrink;
 }

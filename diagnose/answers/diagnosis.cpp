@@ -121,10 +121,17 @@ std::vector<std::vector<Estimate>> estimate(const Study& study, const Fit& found
   return result;
 }
 
-/// What the runs never touched: a nominal parameter's change that no measured value shows.
+/// What the runs never touched: a nominal parameter's change that no measured value shows; and what the user
+/// stated of time, or of readings, that this bench has not.
 std::vector<EffectAt> never_exercised(const Study& study, const Findings& findings) {
+  const std::vector<EffectAt> possible = possible_effects(study);
   std::vector<EffectAt> result;
-  for (const EffectAt& at : possible_effects(study)) {
+  for (std::size_t stated = catalogue().size(); stated < study.effects().size(); ++stated) {
+    const Effect& row = *study.effects()[stated];
+    if (std::none_of(possible.begin(), possible.end(), [&](const EffectAt& at) { return at.effect == &row; }))
+      result.emplace_back(row);
+  }
+  for (const EffectAt& at : possible) {
     const auto place =
         std::find_if(findings.hypotheses.begin(), findings.hypotheses.end(),
                      [&](const Hypothesis& one) { return one.fit.candidate == Candidate{{at}}; });

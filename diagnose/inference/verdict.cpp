@@ -351,12 +351,14 @@ void list_plainer(const Study& study, const NoiseModel& noise, Cause& cause) {
 }
 
 /// Takes from the class what comes near the best in likelihood alone and is another of the class with
-/// something added: to that one anything could be added.
+/// something added: to that one anything could be added. What the best hides is the best with something
+/// added, and stays.
 void drop_refinements(Cause& cause) {
   const auto at = [&](std::size_t place) -> const Hypothesis& { return cause.ranking[place].hypothesis; };
   const std::vector<std::size_t> listed = cause.equivalent;
   std::erase_if(cause.equivalent, [&](std::size_t one) {
     return at(one).log_evidence < at(cause.best).log_evidence - beliefs::told_apart &&
+           !contains(at(one).fit.candidate, at(cause.best).fit.candidate) &&
            std::any_of(listed.begin(), listed.end(), [&](std::size_t other) {
              return other != one && contains(at(one).fit.candidate, at(other).fit.candidate);
            });

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "diagnose/beliefs.hpp"
 #include "page/chart.hpp"
 
 namespace plumbline::diagnose {
@@ -105,8 +106,11 @@ std::string joint_words(const std::vector<std::size_t>& joints) {
   return text;
 }
 
-bool closes(const OfferedLaw& offered) {
-  return offered.shrink && offered.shrink->ratio < 1;
+std::string what_it_does(const OfferedLaw& offered) {
+  constexpr double nearly = 2;
+  if (!offered.shrink || !(offered.shrink->ratio < 1)) return "fitted to";
+  const double floor = offered.shrink->noise_floor_ratio;
+  return offered.shrink->ratio <= std::max(nearly * floor, beliefs::closed) ? "that closes" : "that narrows";
 }
 
 std::string resemblance_words(const LawPicture& picture) {
@@ -117,8 +121,7 @@ std::string resemblance_words(const LawPicture& picture) {
 }
 
 std::string law_as_text(const OfferedLaw& offered) {
-  std::string text = closes(offered) ? "  a torque law that closes the gap, which is no cause"
-                                     : "  a torque law fitted to the gap, which is no cause";
+  std::string text = "  a torque law " + what_it_does(offered) + " the gap, which is no cause";
   const std::vector<std::string> base = beside(offered);
   for (std::size_t i = 0; i < base.size(); ++i) text += (i == 0 ? ", beside " : " + ") + base[i];
   text += ":\n";

@@ -11,8 +11,9 @@ namespace plumbline::diagnose {
 /// The key `law` of the report.
 nlohmann::ordered_json law_as_json(const OfferedLaw& offered);
 
-/// Whether it leaves less of readings that it has not seen than the nominal model does.
-bool closes(const OfferedLaw& offered);
+/// "that closes" the gap, where it leaves a quarter at most of readings that it has not seen, or twice their
+/// noise; "that narrows" it, where it leaves less than the nominal model does; else "fitted to" it.
+std::string what_it_does(const OfferedLaw& offered);
 
 /// "joints 1, 2".
 std::string joint_words(const std::vector<std::size_t>& joints);

@@ -209,7 +209,7 @@ void add_charts(Json& view, const Explained& explained) {
   view["loops"] = section(charts(loop_charts(explained), false));
   if (!view.contains("law")) return;
   view["law"]["charts"] = charts(law_charts(explained), false);
-  view["law"]["closes"] = closes(*explained.diagnosis.law);
+  view["law"]["what_it_does"] = what_it_does(*explained.diagnosis.law);
   for (std::size_t i = 0; i < explained.diagnosis.law->pictures.size(); ++i) {
     const LawPicture& picture = explained.diagnosis.law->pictures[i];
     view["law"]["laws"][i]["whose"] = joint_words(picture.joints);

@@ -124,6 +124,13 @@ std::string parameters(const Diagnosis& diagnosis) {
   return text;
 }
 
+std::string never_exercised(const Diagnosis& diagnosis) {
+  std::string idle;
+  for (const EffectAt& at : diagnosis.not_exercised) idle += (idle.empty() ? "" : ", ") + at.label();
+  if (idle.empty()) return "";
+  return "  neither excluded nor blamed, for the runs never exercise them: " + idle + "\n";
+}
+
 std::string unexplained(const Diagnosis& diagnosis) {
   std::string text =
       "What?  Unknown: nothing in the catalogue, alone or in twos, brings the residual to the noise\n";
@@ -140,7 +147,7 @@ std::string unexplained(const Diagnosis& diagnosis) {
                         partial.hypothesis.fit.candidate.label(), partial.chi2_per_dof);
   }
   if (diagnosis.law) text += law_as_text(*diagnosis.law);
-  return text;
+  return text + never_exercised(diagnosis);
 }
 
 /// What cannot be told apart from the best: the most probable a line each, the rest together.
@@ -177,11 +184,7 @@ std::string what(const Diagnosis& diagnosis) {
   if (cause.reservation != Reservation::none)
     text += "  or a cause outside the catalogue: " + reservation_words(cause.reservation) + "\n";
   if (diagnosis.law) text += law_as_text(*diagnosis.law);
-  std::string idle;
-  for (const EffectAt& at : diagnosis.not_exercised) idle += (idle.empty() ? "" : ", ") + at.label();
-  if (!idle.empty())
-    text += "  neither excluded nor blamed, for the runs never exercise them: " + idle + "\n";
-  return text;
+  return text + never_exercised(diagnosis);
 }
 
 /// What the shrink was measured with.
@@ -221,7 +224,7 @@ std::string what_next(const Diagnosis& diagnosis) {
   const double so_far = diagnosis.proposals.front().log_odds_so_far;
   std::string text = "What next?  Runs that would tell the candidates apart, best first";
   if (so_far > beliefs::told_apart)
-    text += fmt::format("; these runs leave odds of {} already", odds(so_far));
+    text += fmt::format("; of the runs that there are the same forecast was {}", odds(so_far));
   text += "\n";
   for (const Proposal& one : diagnosis.proposals)
     text += fmt::format("  {}: expected odds {}\n", one.description, odds(one.log_odds));

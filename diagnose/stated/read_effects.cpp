@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <plumbline/base/error.hpp>
 #include <regex>
 
@@ -102,8 +103,12 @@ bool read_where(const Section& section) {
 std::string read_id(const Section& section) {
   static const std::regex form("[a-z][a-z0-9_]{0,59}");
   const std::string id = section.text("id", "a name of the effect");
-  if (!std::regex_match(id, form) || id == "unknown")
+  if (!std::regex_match(id, form))
     throw Error(section.place("id"), "\"" + files::shown(id) + "\"", "lower-case letters, digits and _");
+  constexpr std::array reserved{"none", "unknown", "torque_law"};
+  if (std::find(reserved.begin(), reserved.end(), id) != reserved.end())
+    throw Error(section.place("id"), "\"" + id + "\"",
+                "a word that reports have no meaning of their own for");
   const auto& known = catalogue();
   if (std::any_of(known.begin(), known.end(), [&](const Effect& row) { return row.id == id; }))
     throw Error(section.place("id"), "\"" + id + "\"", "an id that no effect of the catalogue has");

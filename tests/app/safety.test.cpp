@@ -55,6 +55,18 @@ TEST_CASE("no verb writes over what it reads, by whatever name") {
   }
 }
 
+TEST_CASE("an empty text, as of a variable that is not set, is not taken for nothing") {
+  const Workplace here;
+  furnish(here);
+  for (const char* arguments : {"diagnose ''", "diagnose E --effects ''", "diagnose E --model ''",
+                                "check-experiment ''", "critical ''"}) {
+    CAPTURE(arguments);
+    const Outcome outcome = here.plumbline(arguments);
+    check_refused(outcome);
+    CHECK(contains(outcome.err, "found an empty text"));
+  }
+}
+
 TEST_CASE("two outputs in one file are refused before the work") {
   const Workplace here;
   furnish(here);

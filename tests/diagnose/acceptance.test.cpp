@@ -125,6 +125,43 @@ TEST_CASE("of what leaves structure one effect that predicts is what was looked 
   CHECK(four.reservation == Reservation::beyond_noise);
 }
 
+TEST_CASE("what leaves more of all readings than of those held out is no cause with a remainder") {
+  Experiment experiment = test::three_links();
+  for (int i = 0; i < 3; ++i) test::press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0.02 * i}, 20, true);
+  const Candidate stiffer{{{"joint_stiffness", 2}}};
+  const Study study(test::measured(experiment, stiffer, {0.2}, 6));
+  const auto asked = [&](double left) {
+    Cause cause;
+    cause.verdict = CauseVerdict::unknown;
+    cause.ranking = {{{fit(study, stiffer, {}), 0, 0, 0.0001}, 0.5, left}};
+    accept_remainder(study, {}, cause);
+    return cause.verdict;
+  };
+  CHECK(asked(2.2) == CauseVerdict::identified);
+  CHECK(asked(2.3) == CauseVerdict::unknown);  // of 1.5 times the noise the square is 2.25
+}
+
+TEST_CASE("beside a remainder what has more effects, and makes something of it, is no more probable") {
+  Experiment experiment = test::three_links();
+  for (int i = 0; i < 3; ++i) test::press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0.02 * i}, 20, true);
+  const Candidate stiffer{{{"joint_stiffness", 2}}}, and_gain{{{"joint_stiffness", 2}, {"force_gain"}}};
+  Experiment with_remainder = test::measured(experiment, stiffer, {0.4}, 6);
+  // something of half a sigma, the same in all runs, that a gain draws
+  for (Run& run : with_remainder.runs)
+    for (Reading& reading : run.readings)
+      reading.Fx += 0.5 * with_remainder.noise.Fx * std::sin(50 * reading.x);
+  const Study study(with_remainder);
+  const Fit one = fit(study, stiffer, {}), two = fit(study, and_gain, {});
+  Cause cause;
+  cause.verdict = CauseVerdict::unknown;
+  cause.ranking = {{{two, 0, 40, 0.0001}, 1, 1.1}, {{one, -45, 0, 0.0001}, 0, 1.2}};
+  REQUIRE(accept_remainder(study, {}, cause));
+  CHECK(cause.ranking[cause.best].hypothesis.fit.candidate == stiffer);
+  CHECK(cause.best == 0);
+  CHECK(cause.ranking.front().probability > 0.5);
+  CHECK(cause.ranking.front().chi2_per_dof == close_to(chi2_per_dof(study.measurements(), one, {})));
+}
+
 TEST_CASE("what predicts, and yet leaves more than noise and chance, stands beside another cause") {
   const Study study = three_runs();
   const auto asked = [&](double times_noise, double independent) {

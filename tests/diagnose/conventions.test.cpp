@@ -129,6 +129,17 @@ TEST_CASE("stiffnesses six or four times too large are no unit") {
   }
 }
 
+TEST_CASE("a first joint that is much softer than it was believed is no list from the end point on") {
+  Experiment experiment = three_links();
+  experiment.joint_stiffness = {3.6, 2.9, 2.2};
+  for (const double first : {0.7, -0.15, 0.0}) load(experiment, {first, 0.1, 0.15}, {0, 0}, {0, -1.5}, 15);
+  for (const double softer : {-0.35, -0.45, -0.55}) {
+    CAPTURE(softer);
+    const Experiment soft = measured(experiment, only("joint_stiffness", 1), {softer}, 5);
+    CHECK_FALSE(doubtful_convention(Study(soft)));
+  }
+}
+
 TEST_CASE("readings that cannot be are met with the unit that they look like") {
   const auto said = [](const Spoil& spoil) -> std::string {
     Experiment experiment = stiffer_bench();

@@ -32,7 +32,7 @@ TEST_CASE("a torque law in words and as JSON, by hand") {
         "      looks like nonlinear_spring or joint_stop, with hysteresis\n"
         "    not tested, for the readings held out bend the joints farther; 0.34 of the residual is left on "
         "readings seen, each left out in turn\n");
-  CHECK_FALSE(closes(offered));
+  CHECK(what_it_does(offered) == "fitted to");
   offered.shrink = Shrink{};
   offered.shrink->heldout = {"press-1"};
   offered.shrink->ratio = 0.25, offered.shrink->ratio_low = 0.2, offered.shrink->ratio_high = 0.3;
@@ -40,7 +40,7 @@ TEST_CASE("a torque law in words and as JSON, by hand") {
   offered.law.base = {};
   offered.pictures[0].joints = {2};
   offered.pictures[0].resembles = {};
-  CHECK(closes(offered));
+  CHECK(what_it_does(offered) == "that closes");
   CHECK(law_as_text(offered) ==
         "  a torque law that closes the gap, which is no cause:\n"
         "    joint 2: it hardens\n"
@@ -52,8 +52,12 @@ TEST_CASE("a torque law in words and as JSON, by hand") {
   CHECK(json["ratio_low"] == 0.2);
   CHECK(json["ratio_high"] == 0.3);
   CHECK(json["noise_floor_ratio"] == 0.1);
+  offered.shrink->ratio = 0.26;
+  CHECK(what_it_does(offered) == "that narrows");
+  offered.shrink->noise_floor_ratio = 0.14;
+  CHECK(what_it_does(offered) == "that closes");
   offered.shrink->ratio = 1;
-  CHECK_FALSE(closes(offered));
+  CHECK(what_it_does(offered) == "fitted to");
 
   Diagnosis made = made_up();
   made.law = offered;

@@ -136,8 +136,8 @@ TEST_CASE("what to measure next, in words and as JSON") {
   made.proposals = {proposal("press farther", 5, 4), proposal("load", 14.1, 4), proposal("turn", 13.9, 4)};
   const std::string text = as_text(made), next = text.substr(text.find("\nWhat next?"));
   CHECK(next ==
-        "\nWhat next?  Runs that would tell the candidates apart, best first; these runs leave odds of 54.6 "
-        "to one already\n"
+        "\nWhat next?  Runs that would tell the candidates apart, best first; of the runs that there are the "
+        "same forecast was 54.6 to one\n"
         "  press farther: expected odds 148 to one\n"
         "  load: expected odds over a million to one\n"
         "  turn: expected odds 1.09e+06 to one\n");

@@ -269,6 +269,8 @@ TEST_CASE(
       {torque("force_gain", "a * d", parameter("a", 1, -1, 1)),
        {":3: effect[1].id", "\"force_gain\"", "catalogue"}},
       {torque("Mine", "a * d", parameter("a", 1, -1, 1)), {"effect[1].id", "lower-case"}},
+      {torque("none", "a * d", parameter("a", 1, -1, 1)), {"effect[1].id", "\"none\"", "of their own"}},
+      {torque("torque_law", "a * d", parameter("a", 1, -1, 1)), {"effect[1].id", "of their own"}},
       {torque("mine", "q * d", parameter("q", 1, -1, 1)), {"parameters.q", "no variable"}},
       {torque("mine", "sin * d", parameter("sin", 1, -1, 1)), {"parameters.sin", "no function"}},
       {torque("mine", "a * d", ""), {"parameters", "no such key"}},
@@ -306,4 +308,16 @@ TEST_CASE(
   }
   const std::string twice = of_a("a * d");
   CHECK(complaint(twice + twice.substr(twice.find('\n') + 1)).find("\"mine\" again") != std::string::npos);
+}
+
+TEST_CASE("what is stated of time, or of readings, that a bench has not is told among what never acted") {
+  Experiment experiment = two_presses();
+  experiment = measured(experiment, only("joint_stiffness", 2), {0.3}, 4);
+  for (Run& run : experiment.runs)
+    for (std::size_t i = 0; i < run.readings.size(); ++i) run.readings[i].t = static_cast<double>(i);
+  const std::string text = torque("creeps", "a * log(1 + t)", parameter("a", 1e-2, -1, 1));
+  const Study study(experiment, rows_of(text));
+  REQUIRE_FALSE(study.sizes().clock);
+  const std::vector<EffectAt> idle = plumbline::diagnose::diagnose(study).not_exercised;
+  CHECK(std::any_of(idle.begin(), idle.end(), [](const EffectAt& at) { return at.label() == "creeps"; }));
 }

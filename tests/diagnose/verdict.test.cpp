@@ -321,6 +321,30 @@ TEST_CASE("what machining leaves is not stretched to what one cause beside it na
   CHECK(chosen(2, -3.5) == beside.candidate);
 }
 
+TEST_CASE("what machining alone may hide is listed, though one kind of machining does nearly as well") {
+  const Experiment experiment = blank_experiment({60});
+  const Study study(experiment);
+  const auto residual = white(Measurements(experiment), 0.1);
+  const EffectAt springs("stiffness_spread"), lengths("length_spread"), rests("rest_spread"),
+      stiffer("joint_stiffness", 1);
+  const auto small = [&](const Candidate& candidate) {
+    Fit fit = found(experiment, candidate, residual);
+    for (double& value : fit.parameters) value /= 10;
+    return fit;
+  };
+  const Candidate machining = of({springs, lengths, rests}), hidden = of({springs, lengths, rests, stiffer});
+  const Cause cause = judge(study, {{worth(small(machining), 0, 0), worth(small(of({springs})), -1, -1),
+                                     worth(small(hidden), 0, -6)},
+                                    {}});
+  CHECK(cause.ranking[cause.best].hypothesis.fit.candidate != hidden);
+  const auto is_listed = [&](const Candidate& candidate) {
+    return std::any_of(cause.equivalent.begin(), cause.equivalent.end(), [&](std::size_t place) {
+      return cause.ranking[place].hypothesis.fit.candidate == candidate;
+    });
+  };
+  CHECK(is_listed(hidden));
+}
+
 TEST_CASE("an effect that adds less than a hundredth stands beside the explanation without it") {
   // A gap of at most one standard deviation, so that few values count as outliers.
   Experiment experiment = test::three_links();

@@ -78,8 +78,8 @@ std::vector<Effect> load_cells() {
        .words = "a load cell that shows some of each force component in the other",
        .parameters =
            [](const Place&) {
-             return std::vector{both_ways("c_xy", "ratio", 0.03, -0.3, 0.3),
-                                both_ways("c_yx", "ratio", 0.03, -0.3, 0.3)};
+             return std::vector{both_ways("c_xy", "ratio", 0.03, -0.8, 0.8),
+                                both_ways("c_yx", "ratio", 0.03, -0.8, 0.8)};
            },
        .add = [](const Addition& to) { to.rig.cross_talk += Vector2(to.value[0], to.value[1]); },
        .possible = [](const Place& at) { return at.sizes.measures_both_forces; }},
