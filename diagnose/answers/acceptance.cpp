@@ -8,6 +8,8 @@
 
 #include "diagnose/answers/rotation.hpp"
 #include "diagnose/beliefs.hpp"
+#include "diagnose/inference/alike.hpp"
+#include "diagnose/inference/genuine.hpp"
 #include "diagnose/inference/rival.hpp"
 
 namespace plumbline::diagnose {

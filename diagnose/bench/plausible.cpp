@@ -133,15 +133,21 @@ void require_resolved(const Experiment& experiment, double reach) {
       size.Fx = std::fmax(size.Fx, std::abs(r.Fx)), size.Fy = std::fmax(size.Fy, std::abs(r.Fy));
       for (const double q : r.q) size.q = std::fmax(size.q, std::abs(q));
     }
-  const auto require = [](const char* name, double sigma, double measured) {
+  const auto require = [](const char* name, double sigma, double measured, const char* beside) {
     const double least = measured * std::numeric_limits<double>::epsilon();
     if (sigma > 0 && sigma < least)
-      throw Error(std::string("noise.") + name, fmt::format("{:.4g}", sigma),
-                  fmt::format("more than the rounding of what it is the noise of, {:.2g}", least));
+      throw Error(
+          std::string("noise.") + name, fmt::format("{:.4g}", sigma),
+          fmt::format(
+              "more than the rounding of what it is the noise of, {:.2g}: a reading, or {}, is {:.2g}", least,
+              beside, measured));
   };
   const Noise& noise = experiment.noise;
-  require("x", noise.x, size.x), require("y", noise.y, size.y), require("q", noise.q, size.q);
-  require("Fx", noise.Fx, size.Fx), require("Fy", noise.Fy, size.Fy);
+  constexpr const char *reaching = "the length of the chain",
+                       *turns = "the force that turns a joint by a radian";
+  require("x", noise.x, size.x, reaching), require("y", noise.y, size.y, reaching);
+  require("Fx", noise.Fx, size.Fx, turns), require("Fy", noise.Fy, size.Fy, turns);
+  require("q", noise.q, size.q, "a radian");
 }
 
 std::size_t measured_values(const Run& run) {

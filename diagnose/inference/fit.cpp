@@ -348,4 +348,16 @@ Profile profile(const Study& study, const Fit& fitted, std::size_t parameter, co
   return {std::min(a, b), std::max(a, b)};
 }
 
+double degrees_of_freedom(const Measurements& measurements, const Fit& fit) {
+  const std::size_t values = measurements.size(), parameters = fit.parameters.size();
+  return static_cast<double>(values > parameters ? values - parameters : 1);
+}
+
+double chi2_per_dof(const Measurements& measurements, const Fit& fit, const NoiseModel& noise) {
+  double sum = 0;
+  for (const double z : whiten(measurements, without_outliers(measurements, fit.residual), noise))
+    sum += huber(z, FitSettings().outlier_bound);
+  return sum / degrees_of_freedom(measurements, fit);
+}
+
 }  // namespace plumbline::diagnose

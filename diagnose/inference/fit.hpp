@@ -63,4 +63,10 @@ Profile profile(const Study& study, const Fit& fitted, std::size_t parameter, co
 /// Huber's loss of one whitened residual, twice: its square up to the bound, then linear.
 double huber(double residual, double bound);
 
+/// Degrees of freedom that a fit leaves to the readings.
+double degrees_of_freedom(const Measurements& measurements, const Fit& fit);
+
+/// Chi-square per degree of freedom that a fit leaves in this noise, without outliers.
+double chi2_per_dof(const Measurements& measurements, const Fit& fit, const NoiseModel& noise);
+
 }  // namespace plumbline::diagnose

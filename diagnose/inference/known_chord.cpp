@@ -42,7 +42,7 @@ std::vector<Chord> chords(const Measurements& measurements, const std::vector<Hu
 }
 
 /// A place in the spectrum of a run where a tone of another may be.
-struct Place {
+struct SpectrumPlace {
   double frequency;  ///< rounds an interval of this run, at the times as they are
   double rounds;     ///< as often as its readings go round
 };
@@ -50,7 +50,7 @@ struct Place {
 /// Where a tone that was heard there is here, if slow: within half an ordinate of the run where it was heard,
 /// and there at any of the frequencies that the same readings would show, a round or two a reading more or
 /// less. Nowhere where half an ordinate there is so many rounds here that it may be anywhere.
-std::vector<Place> slow_places(const Series& there, double period, const Series& here) {
+std::vector<SpectrumPlace> slow_places(const Series& there, double period, const Series& here) {
   constexpr int most_rounds_more = 2;
   constexpr double least_rounds = 0.5, most_rounds_off = 6;
   const auto count = static_cast<double>(here.readings.size());
@@ -58,7 +58,7 @@ std::vector<Place> slow_places(const Series& there, double period, const Series&
   const double off = ratio * 0.5 / static_cast<double>(there.readings.size());
   if (off * count > most_rounds_off) return {};
   const auto looks = std::max(std::lround(std::ceil(looks_an_ordinate * off * count)), 4L);
-  std::vector<Place> places;
+  std::vector<SpectrumPlace> places;
   for (int more = 0; more <= most_rounds_more; ++more)
     for (const int sign : {1, -1}) {
       const double middle = ratio * (more / tick(there) + sign / period);
@@ -79,10 +79,10 @@ std::optional<Chord> known_chord(const Measurements& measurements, const std::ve
                                  const std::vector<std::size_t>& here, const Chord& heard, double level) {
   const Series &there = measurements.series()[heard.front().series],
                &first = measurements.series()[here.front()];
-  const std::vector<Place> places = slow_places(there, heard.front().period, first);
+  const std::vector<SpectrumPlace> places = slow_places(there, heard.front().period, first);
   double most = 0;
   Chord found;
-  for (const Place& place : places) {
+  for (const SpectrumPlace& place : places) {
     Chord chord;
     double loud = 0;
     for (const std::size_t s : here) {

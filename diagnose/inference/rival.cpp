@@ -9,6 +9,14 @@ bool covers(const EffectAt& whole, const EffectAt& part) {
   return whole == part || std::find(special.begin(), special.end(), part.effect->id) != special.end();
 }
 
+bool contains(const Candidate& whole, const Candidate& part) {
+  return whole.effects.size() >= part.effects.size() &&
+         std::all_of(part.effects.begin(), part.effects.end(), [&](const EffectAt& at) {
+           return std::any_of(whole.effects.begin(), whole.effects.end(),
+                              [&](const EffectAt& other) { return covers(other, at); });
+         });
+}
+
 namespace {
 
 /// Whether the values of an effect can make the change that another is.

@@ -11,6 +11,10 @@ namespace plumbline::diagnose {
 /// Whether an effect is the other one, or that is a special case of it.
 bool covers(const EffectAt& whole, const EffectAt& part);
 
+/// Whether a set of effects is another one and more: as many at least, for one may be a special case of each
+/// of several.
+bool contains(const Candidate& whole, const Candidate& part);
+
 /// Whether the one explanation has one value, for all joints or at a single one, where the other has one at
 /// each, and is else the same: tolerances tell them apart, no matter how well both fit.
 bool has_at_each(const Candidate& plain, const Candidate& other);

@@ -127,6 +127,7 @@ TEST_CASE("what is read has a noise, and one above the rounding of its size") {
   large.runs[0].readings[1].Fx = -8, large.runs[0].readings[1].Fy = 9;
   large.noise.Fx = 7 * epsilon;
   CHECK(refused(large).find("noise.Fx: found ") == 0);
+  CHECK(refused(large).ends_with(": a reading, or the force that turns a joint by a radian, is 8"));
   large.noise.Fx = 8.1 * epsilon, large.noise.Fy = 8.5 * epsilon;
   CHECK(refused(large).find("noise.Fy: found ") == 0);
   large.noise.Fy = 9.1 * epsilon;

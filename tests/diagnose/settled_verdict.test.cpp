@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "diagnose/beliefs.hpp"
+#include "diagnose/inference/alike.hpp"
 #include "diagnose/inference/verdict.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"

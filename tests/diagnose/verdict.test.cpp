@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "diagnose/inference/genuine.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
