@@ -75,6 +75,7 @@ void list_plainer(const Study& study, const NoiseModel& noise, Cause& cause) {
   }
   if (!cause.equivalent.empty()) cause.verdict = CauseVerdict::ambiguous;
 }
+
 void drop_refinements(Cause& cause) {
   const auto at = [&](std::size_t place) -> const Hypothesis& { return cause.ranking[place].hypothesis; };
   const std::vector<std::size_t> listed = cause.equivalent;

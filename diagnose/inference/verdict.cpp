@@ -1,6 +1,5 @@
 #include "diagnose/inference/verdict.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
