@@ -77,7 +77,7 @@ std::vector<Kind> common_to_all_joints() {
        {true},
        false,
        6,
-       anywhere,
+       several_links,
        [](const Scene& s, Place, Random& r) { return at_every_joint(s, r, machined_length, false); },
        [](Physics& is, const Plan&, Place, const Values& v) {
          for (Place j = 0; j < v.size(); ++j) is.length[j] *= 1 + v[j];

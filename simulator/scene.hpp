@@ -39,6 +39,9 @@ inline std::size_t elastic_joints(const Scene& s) {
 inline bool several_elastic(const Scene& s, Place) {
   return elastic_joints(s) > 1;
 }
+inline bool several_links(const Scene& s, Place) {
+  return s.plan.size() > 1;
+}
 inline std::size_t imposed_runs(const Scene& s) {
   return static_cast<std::size_t>(std::count_if(s.plan.runs.begin(), s.plan.runs.end(),
                                                 [](const PlannedRun& run) { return !run.force_controlled; }));

@@ -93,6 +93,19 @@ TEST_CASE("every kind shows at the size that labs meet, and nothing of it is not
   }
 }
 
+TEST_CASE("a value at each joint is drawn where there are several: of one it is that joint's own error") {
+  Plan plan = a_bench();
+  plan.nominal.length = {0.2};
+  plan.nominal.stiffness = {2};
+  const std::vector<std::vector<State>> states;
+  const Scene scene{plan, states, {0.5}, 10, 60, 2};
+  for (const Kind& one : catalogue())
+    if (one.family == one_at_each_joint) {
+      CAPTURE(one.id);
+      CHECK_FALSE(one.possible(scene, 0));
+    }
+}
+
 TEST_CASE("a group's parameters are numbered by joint, an element's by element") {
   const Plan plan = a_bench();
   const Kind& spread = kind("stiffness_spread", false);
