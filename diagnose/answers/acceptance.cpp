@@ -166,7 +166,8 @@ std::size_t weigh_beside_remainder(const Study& study, const NoiseModel& noise, 
 }
 
 /// Settles on the best partial explanation of one effect that leaves of held-out readings at most so many
-/// times the noise, where that is clearly less than the gap. \returns what it leaves
+/// times the noise, where that is clearly less than the gap, and no other that lacks it is told apart from it
+/// beside what it leaves. \returns what it leaves
 std::optional<Shrink> accept_what_leaves(const Study& study, const NoiseModel& noise, double times,
                                          Cause& cause) {
   if (cause.verdict != CauseVerdict::unknown) return std::nullopt;
@@ -178,7 +179,13 @@ std::optional<Shrink> accept_what_leaves(const Study& study, const NoiseModel& n
   if (!blind) return std::nullopt;
   const double left = blind->shrink.ratio, floor = blind->shrink.noise_floor_ratio;
   if (!predicts(blind->shrink, times) || floor > beliefs::clear) return std::nullopt;
-  settle_on(cause, weigh_beside_remainder(study, noise, *place, cause), beliefs::other_than_nearly);
+  Cause weighed = cause;
+  const std::size_t accepted = weigh_beside_remainder(study, noise, *place, weighed);
+  const Hypothesis &one = weighed.ranking[accepted].hypothesis, &first = weighed.ranking.front().hypothesis;
+  const bool is_behind = first.log_evidence - one.log_evidence > beliefs::told_apart;
+  if (is_behind && !contains(first.fit.candidate, one.fit.candidate)) return std::nullopt;
+  cause = std::move(weighed);
+  settle_on(cause, accepted, beliefs::other_than_nearly);
   cause.remainder = std::sqrt(std::max(0.0, left * left - floor * floor));
   return blind->shrink;
 }

@@ -135,8 +135,11 @@ std::vector<EffectAt> never_exercised(const Study& study, const Findings& findin
     const auto place =
         std::find_if(findings.hypotheses.begin(), findings.hypotheses.end(),
                      [&](const Hypothesis& one) { return one.fit.candidate == Candidate{{at}}; });
+    const bool is_told = std::any_of(result.begin(), result.end(), [&](const EffectAt& form) {
+      return Candidate{{form}}.is_form_of({{at}});
+    });
     if (place != findings.hypotheses.end() && place->fit.information.size() > 0 &&
-        place->fit.information.maxCoeff() == 0)
+        place->fit.information.maxCoeff() == 0 && !is_told)
       result.push_back(at);
   }
   return result;

@@ -162,6 +162,27 @@ TEST_CASE("beside a remainder what has more effects, and makes something of it, 
   CHECK(cause.ranking.front().chi2_per_dof == close_to(chi2_per_dof(study.measurements(), one, {})));
 }
 
+TEST_CASE(
+    "what another is told apart from beside its remainder is not what was looked for, unless that has it") {
+  Experiment experiment = test::three_links();
+  for (int i = 0; i < 3; ++i) test::press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0.02 * i}, 20, true);
+  const Candidate stiffer{{{"joint_stiffness", 2}}};
+  const Study study(test::measured(experiment, stiffer, {0.4}, 6));
+  const auto asked = [&](const Candidate& other) {
+    Fit better = fit(study, other, {});
+    std::fill(better.residual.begin(), better.residual.end(), 0.0);
+    Cause cause;
+    cause.verdict = CauseVerdict::unknown;
+    cause.ranking = {{{better, 0, 40, 0.0001}, 1, 0.1}, {{fit(study, stiffer, {}), -45, 0, 0.0001}, 0, 1.1}};
+    const bool accepted = accept_remainder(study, {}, cause);
+    CHECK(accepted == (cause.verdict != CauseVerdict::unknown));
+    CHECK(cause.ranking.front().hypothesis.fit.candidate == other);
+    return accepted;
+  };
+  CHECK_FALSE(asked({{{"joint_stiffness", 1}, {"force_gain"}}}));
+  CHECK(asked({{{"joint_stiffness", 2}, {"force_gain"}}}));
+}
+
 TEST_CASE("what predicts, and yet leaves more than noise and chance, stands beside another cause") {
   const Study study = three_runs();
   const auto asked = [&](double times_noise, double independent) {
