@@ -126,11 +126,16 @@ class Searcher {
                  std::find(possible.begin(), possible.end(), EffectAt(*row)) != possible.end();
         });
     std::vector<std::pair<const Fit*, EffectAt>> cuts;
-    for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c)
-      for (const EffectAt& left_out : combinations[c].candidate.effects)
-        if (has_kinds || !combinations[c].candidate.has_as_machining(left_out))
+    for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c) {
+      const Candidate& whole = combinations[c].candidate;
+      for (const EffectAt& left_out : whole.effects)
+        if (whole.effects.size() > 1 && (has_kinds || !whole.has_as_machining(left_out)))
           cuts.emplace_back(&combinations[c], left_out);
-    return side_by_side(cuts.size(), [&](std::size_t i) { return without(*cuts[i].first, cuts[i].second); });
+    }
+    std::vector<Fit> fits =
+        side_by_side(cuts.size(), [&](std::size_t i) { return without(*cuts[i].first, cuts[i].second); });
+    std::sort(fits.begin(), fits.end(), better);
+    return fits;
   }
 
   /// What leaves more than a part of it that is known has gone astray, for with the rest at nothing it is
@@ -313,6 +318,10 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
       add(fits, searcher.plainer(threes));
     }
     add(fits, searcher.from_parts(fits));
+    // What came out best may hold a plainer one that was passed over: of three, one.
+    const std::vector<Fit> fewer = searcher.parts(fits);
+    add(fits, fewer);
+    add(fits, searcher.parts(fewer));
   } else if (!fits.empty()) {
     const Candidate best = weighed(study, fits).hypotheses.front().fit.candidate;
     if (study.ranges(best).size() > 1) {
