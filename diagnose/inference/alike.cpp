@@ -57,6 +57,7 @@ std::vector<std::size_t> told_by_tolerances(const Cause& cause, std::size_t chos
 double share_of_best(double nominal, const Ranked& best, const Ranked& other) {
   return (nominal - other.chi2_per_dof) / (nominal - best.chi2_per_dof);
 }
+
 }  // namespace
 
 void list_plainer(const Study& study, const NoiseModel& noise, Cause& cause) {

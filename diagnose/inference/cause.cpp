@@ -47,4 +47,5 @@ std::string reservation_words(Reservation reservation) {
   }
   return "";
 }
+
 }  // namespace plumbline::diagnose

@@ -29,6 +29,7 @@ bool are_beyond_zero(const Fit& fit, const std::vector<Eigen::Index>& parameters
   const Eigen::MatrixXd spread = fit.covariance(free, free);
   return values.dot(spread.ldlt().solve(values)) > static_cast<double>(free.size());
 }
+
 }  // namespace
 
 bool genuine(const Study& study, const Fit& fit) {
@@ -68,4 +69,5 @@ bool genuine(const Study& study, const Fit& fit) {
   }
   return !machined || are_beyond_zero(fit, machining);
 }
+
 }  // namespace plumbline::diagnose
