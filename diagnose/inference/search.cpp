@@ -318,10 +318,14 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
       add(fits, searcher.plainer(threes));
     }
     add(fits, searcher.from_parts(fits));
-    // What came out best may hold a plainer one that was passed over: of three, one.
-    const std::vector<Fit> fewer = searcher.parts(fits);
-    add(fits, fewer);
-    add(fits, searcher.parts(fewer));
+    // What came out best may hold a plainer one that was passed over: of three, one. What machining leaves is
+    // not taken apart beside another cause.
+    std::vector<Fit> fewer = fits;
+    std::erase_if(fewer, [](const Fit& one) { return one.candidate.machined(); });
+    for (int cut = 0; cut < 2; ++cut) {
+      fewer = searcher.parts(fewer);
+      add(fits, fewer);
+    }
   } else if (!fits.empty()) {
     const Candidate best = weighed(study, fits).hypotheses.front().fit.candidate;
     if (study.ranges(best).size() > 1) {

@@ -1,6 +1,7 @@
 #include "diagnose/report/report.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "diagnose/report/law.hpp"
 
@@ -97,9 +98,8 @@ Json cause(const Diagnosis& diagnosis) {
   for (const std::size_t place : found.equivalent)
     equivalent.push_back(effect_names(found.ranking[place].hypothesis.fit.candidate));
   if (found.reservation != Reservation::none) equivalent.push_back({"unknown"});
-  constexpr std::size_t shown = 10;
-  for (std::size_t i = 0; i < std::min(shown, found.ranking.size()); ++i) {
-    const Ranked& one = found.ranking[i];
+  for (const std::size_t place : listed_places(found)) {
+    const Ranked& one = found.ranking[place];
     ranking.push_back({{"effects", effect_names(one.hypothesis.fit.candidate)},
                        {"probability", one.probability},
                        {"chi2_per_dof", one.chi2_per_dof}});
@@ -187,6 +187,19 @@ Json as_json(const Diagnosis& diagnosis) {
                  {"next", next(diagnosis.proposals)}};
   if (diagnosis.law) report["law"] = law_as_json(*diagnosis.law);
   return report;
+}
+
+std::vector<std::size_t> listed_places(const Cause& cause) {
+  constexpr std::size_t most = 10;
+  std::vector<std::size_t> places(std::min(most, cause.ranking.size()));
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  std::vector<std::size_t> named = cause.equivalent;
+  if (cause.verdict == CauseVerdict::identified || cause.verdict == CauseVerdict::ambiguous)
+    named.push_back(cause.best);
+  std::sort(named.begin(), named.end());
+  for (const std::size_t place : named)
+    if (place >= most) places.push_back(place);
+  return places;
 }
 
 }  // namespace plumbline::diagnose

@@ -126,11 +126,13 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
         fmt::format("fits these readings as well as the best: log-likelihood or log-evidence differ by less "
                     "than {:g}",
                     beliefs::told_apart));
-  for (std::size_t i = 0; i < std::min(ranking.size(), cause.ranking.size()); ++i) {
-    const bool listed =
-        i == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), i) > 0;
-    if (!listed && cause.verdict != CauseVerdict::unknown && cause.ranking[i].probability >= 0.01)
-      add(cause.ranking[i].hypothesis.fit.candidate.label(),
+  const std::vector<std::size_t> places = listed_places(cause);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::size_t place = places[i];
+    const bool named =
+        place == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), place) > 0;
+    if (!named && cause.verdict != CauseVerdict::unknown && cause.ranking[place].probability >= 0.01)
+      add(cause.ranking[place].hypothesis.fit.candidate.label(),
           "less probable, yet keeps " + ranking[i]["probability"].get<std::string>());
   }
   if (cause.reservation != Reservation::none) {

@@ -11,6 +11,9 @@ namespace plumbline::diagnose {
 
 nlohmann::ordered_json as_json(const Diagnosis& diagnosis);
 
+/// Places in the ranking that reports list: the ten most probable, and what is named and stands behind them.
+std::vector<std::size_t> listed_places(const Cause& cause);
+
 /// The questions in order: is there a gap; where; what; how far; what next.
 std::string as_text(const Diagnosis& diagnosis);
 

@@ -47,6 +47,19 @@ TEST_CASE("every number of a diagnosis stands in its JSON, by hand") {
   CHECK_FALSE(json.contains("law"));
 }
 
+TEST_CASE("what is named is listed however far down the ranking it stands, and once") {
+  Diagnosis made = made_up();
+  for (int i = 0; i < 20; ++i) made.cause.ranking.push_back(ranked(only("gravity"), {0.1}, 1e-3, 2));
+  made.cause.verdict = CauseVerdict::ambiguous;
+  made.cause.best = 14;
+  made.cause.equivalent = {12, 2};
+  CHECK(listed_places(made.cause) == std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 14});
+  CHECK(as_json(made)["cause"]["ranking"].size() == 13);
+  made.cause.verdict = CauseVerdict::unknown;
+  made.cause.equivalent = {};
+  CHECK(listed_places(made.cause).size() == 10);
+}
+
 TEST_CASE("what else the JSON may hold: rivals, remainders, what is missing, no more than ten of a ranking") {
   Diagnosis made = made_up();
   made.cause.verdict = CauseVerdict::ambiguous;
