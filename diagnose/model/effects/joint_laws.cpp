@@ -1,12 +1,12 @@
 /// \file
 /// Torque laws of the joints beyond a single number: hysteresis, stops, set, spectra of relaxation.
 
-#include <array>
 #include <cmath>
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/model/effects/each_joint.hpp"
 #include "diagnose/model/effects/rows.hpp"
+#include "diagnose/model/effects/stops.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -112,18 +112,6 @@ std::vector<Effect> springs() {
   };
 }
 
-/// Where stops may begin, as shares of the largest deflection, and their stiffness over that of the spring.
-constexpr std::array begins{0.2, 0.4, 0.6, 0.8, 0.95};
-constexpr std::array soft_and_hard{0.3, 3.0};
-
-ParameterRange stop_angle(std::string_view name) {
-  return {name, "rad", Coordinate::plain, 0.3, 1e-3, 3};
-}
-
-ParameterRange stop_stiffness(const Place& at) {
-  return one_way("k_s", "N m/rad", at.sizes.stiffness, 100 * at.sizes.stiffness);
-}
-
 /// Of all joints alike, and with an angle of its own at each.
 std::vector<Effect> stops() {
   return {
@@ -131,7 +119,7 @@ std::vector<Effect> stops() {
        .words = "stops at every joint",
        .parameters =
            [](const Place& at) {
-             return std::vector{stop_angle("s"), stop_stiffness(at)};
+             return std::vector{stop_angle("s"), stop_stiffness(at.sizes.stiffness)};
            },
        .add =
            [](const Addition& to) {
@@ -141,18 +129,16 @@ std::vector<Effect> stops() {
        .possible = several_links,
        .starts =
            [](const Place& at, const Exercise& nominal) {
-             Starts starts{{}, 2};
-             for (const double share : begins)
-               for (const double stiff : soft_and_hard)
-                 starts.from.push_back({share * nominal.largest, stiff * at.sizes.stiffness});
-             return starts;
+             return stop_starts([&](double share, double stiff) {
+               return std::vector{share * nominal.largest, stiff * at.sizes.stiffness};
+             });
            },
        .probing = {.growing = {1}}},
       {.id = "joint_stops",
        .words = "stops at every joint, each at its own angle",
        .parameters =
            [](const Place& at) {
-             std::vector<ParameterRange> all{stop_stiffness(at)};
+             std::vector<ParameterRange> all{stop_stiffness(at.sizes.stiffness)};
              for (std::size_t i = 0; i < at.sizes.link_length.size(); ++i)
                all.push_back(stop_angle(numbered("s", i)));
              return all;
@@ -166,15 +152,11 @@ std::vector<Effect> stops() {
        .special = {"joint_stops", "joint_stop"},
        .starts =
            [](const Place& at, const Exercise& nominal) {
-             Starts starts{{}, 2};
-             for (const double share : begins) {
-               for (const double stiff : soft_and_hard) {
-                 std::vector<double>& start = starts.from.emplace_back();
-                 start.push_back(stiff * at.sizes.stiffness);
-                 for (const double reach : nominal.deflection) start.push_back(share * reach);
-               }
-             }
-             return starts;
+             return stop_starts([&](double share, double stiff) {
+               std::vector<double> start{stiff * at.sizes.stiffness};
+               for (const double reach : nominal.deflection) start.push_back(share * reach);
+               return start;
+             });
            },
        .probing = {.growing = {0}}},
   };

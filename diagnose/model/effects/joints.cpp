@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnose/model/effects/rows.hpp"
+#include "diagnose/model/effects/stops.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -74,9 +75,7 @@ std::vector<Effect> joint_effects() {
        .at_joint = true,
        .parameters =
            [](const Place& at) {
-             const double k = at.sizes.stiffness_at(at.joint);
-             return std::vector<ParameterRange>{{"s", "rad", Coordinate::plain, 0.3, 1e-3, 3},
-                                                {"k_s", "N m/rad", Coordinate::plain, k, 0, 100 * k}};
+             return std::vector{stop_angle("s"), stop_stiffness(at.sizes.stiffness_at(at.joint))};
            },
        .add =
            [](const Addition& to) {
@@ -85,12 +84,10 @@ std::vector<Effect> joint_effects() {
            },
        .starts =
            [](const Place& at, const Exercise& nominal) {
-             Starts starts{{}, 2};
-             for (const double share : {0.2, 0.4, 0.6, 0.8, 0.95})
-               for (const double stiff : {0.3, 3.0})
-                 starts.from.push_back(
-                     {share * nominal.deflection[at.joint], stiff * at.sizes.stiffness_at(at.joint)});
-             return starts;
+             return stop_starts([&](double share, double stiff) {
+               return std::vector{share * nominal.deflection[at.joint],
+                                  stiff * at.sizes.stiffness_at(at.joint)};
+             });
            },
        .probing = {.growing = {1}}},
       {.id = "joint_coupling",
