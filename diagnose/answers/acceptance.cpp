@@ -80,7 +80,7 @@ void refuse(Cause& cause, double unknown) {
 void hedge(Cause& cause, Reservation why) {
   cause.verdict = CauseVerdict::ambiguous;
   cause.reservation = why;
-  leave_to_unknown(cause, beliefs::wrong_unpredicted);
+  leave_to_unknown(cause, std::max(cause.unknown, beliefs::wrong_unpredicted));
 }
 
 /// Whether the values that tolerances hold are larger than their priors let them be.
@@ -125,8 +125,10 @@ bool sets_in(const Study& study, const EffectAt& at) {
 std::size_t runs_that_show(const Study& study, const Fit& fit, const EffectAt& at) {
   const Instance without =
       part(study, fit.candidate, fit.parameters, [&](const EffectAt& one) { return !(one == at); });
+  const Prediction lacking = predict(study, without.candidate, without.parameters);
+  if (!lacking.reached) return study.experiment().runs.size();  // without it the chain would stand nowhere
   const std::vector<double> with = study.residual(predict(study, fit.candidate, fit.parameters)),
-                            plain = study.residual(predict(study, without.candidate, without.parameters));
+                            plain = study.residual(lacking);
   std::map<std::size_t, double> change;
   for (const Series& series : study.measurements().series())
     for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i)

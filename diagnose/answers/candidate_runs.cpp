@@ -164,7 +164,7 @@ Extent extent(const Study& study) {
       const double way = (Vector2(trace(i, column_x), trace(i, column_y)) - start).norm();
       if (run.holds_end_point()) so_far.travel = std::max(so_far.travel, way);
     }
-    if (run.readings.size() > 1) pause = std::max(pause, run.readings[1].t - run.readings[0].t);
+    pause = std::max(pause, run.usual_pause());
   }
   if (pause > 0) so_far.pause = pause;
   if (so_far.travel == 0) {

@@ -104,7 +104,8 @@ Profile bounds(const Study& study, const Fit& fit, std::size_t parameter, const 
 std::vector<std::vector<Estimate>> estimate(const Study& study, const Fit& found, const NoiseModel& noise) {
   FitSettings settings;
   settings.noise = noise;
-  const Fit fit = fit_from(study, found.candidate, settings, found.parameters);
+  const Fit again = fit_from(study, found.candidate, settings, found.parameters);
+  const Fit& fit = again.converged ? again : found;
   std::vector<std::vector<Estimate>> result;
   std::size_t p = 0;
   for (const EffectAt& at : fit.candidate.effects) {

@@ -49,14 +49,14 @@ Runs all_of(std::size_t count) {
 }
 
 /// Adds the run that brings the contrasts farthest on their way, until all have arrived or there are so many.
-Runs greedy(const std::vector<Contrast>& contrasts, std::size_t count, double enough, std::size_t most) {
+Runs greedy(const std::vector<Contrast>& contrasts, const Runs& from, double enough, std::size_t most) {
   Runs chosen;
   std::vector<const Contrast*> open;
   for (const Contrast& one : contrasts) open.push_back(&one);
   while (!open.empty() && chosen.size() < most) {
     std::optional<std::size_t> best;
     double farthest = -1;
-    for (std::size_t run = 0; run < count; ++run) {
+    for (const std::size_t run : from) {
       if (std::find(chosen.begin(), chosen.end(), run) != chosen.end()) continue;
       const Runs more = with(chosen, run);
       double way = 0;
@@ -96,6 +96,18 @@ bool next_set(Runs& runs, std::size_t count) {
   return false;
 }
 
+/// A set of one run fewer that suffices as well; nothing where there is none, or patience ends.
+std::optional<Runs> one_fewer(const Runs& found, std::size_t count, Sufficiency& sufficient,
+                              std::size_t patience) {
+  if (found.size() < 2) return std::nullopt;
+  Runs runs = all_of(found.size() - 1);
+  do {
+    if (sufficient.asked() > patience) return std::nullopt;
+    if (sufficient.of(runs)) return runs;
+  } while (next_set(runs, count));
+  return std::nullopt;
+}
+
 }  // namespace
 
 double lead(const Contrast& contrast, const std::vector<std::size_t>& runs) {
@@ -114,22 +126,20 @@ double lead(const Contrast& contrast, const std::vector<std::size_t>& runs) {
 }
 
 bool few_suffice(const std::vector<Contrast>& contrasts, std::size_t count, double enough, std::size_t few) {
-  return Sufficiency(contrasts, enough).of(greedy(contrasts, count, enough, std::min(few, count)));
+  return Sufficiency(contrasts, enough).of(greedy(contrasts, all_of(count), enough, std::min(few, count)));
 }
 
 FewestRuns fewest_runs(const std::vector<Contrast>& contrasts, std::size_t count, double enough) {
   Sufficiency sufficient(contrasts, enough);
   if (contrasts.empty()) return {{}, true};
-  const Runs found = pruned(greedy(contrasts, count, enough, count), sufficient);
+  Runs found = pruned(greedy(contrasts, all_of(count), enough, count), sufficient);
   constexpr std::size_t patience = 200'000;  // contrasts looked at, some microseconds each
-  for (std::size_t size = 1; size < found.size(); ++size) {
-    Runs runs = all_of(size);
-    do {
-      if (sufficient.asked() > patience) return {found, false};
-      if (sufficient.of(runs)) return {runs, true};
-    } while (next_set(runs, count));
-  }
-  return {found, true};
+  std::optional<Runs> fewer;
+  do {
+    fewer = one_fewer(found, count, sufficient, patience);
+    if (fewer) found = *fewer;
+  } while (fewer);
+  return {greedy(contrasts, found, enough, found.size()), sufficient.asked() <= patience};
 }
 
 }  // namespace plumbline::diagnose

@@ -21,12 +21,13 @@ bool few_suffice(const std::vector<Contrast>& contrasts, std::size_t count, doub
 
 struct FewestRuns {
   std::vector<std::size_t> runs;  ///< the most telling first
-  bool proved = false;            ///< no fewer do: every smaller set was tried, or excluded by a larger one
+  bool proved =
+      false;  ///< no set of one run fewer suffices: so no smaller one, for less runs never lead by more
 };
 
 /// The fewest runs with which every contrast leads by more than `enough`. Greedily, the run next that brings
-/// the contrasts farthest on their way, without those that turn out to be superfluous; then all smaller sets
-/// are tried, up to a limit.
+/// the contrasts farthest on their way, without those that turn out to be superfluous; then all sets of one
+/// fewer are tried, and of one fewer again where one suffices, up to a limit.
 /// \param contrasts  each leads by more than `enough` with all runs together
 /// \param count      of the runs; at least one
 FewestRuns fewest_runs(const std::vector<Contrast>& contrasts, std::size_t count, double enough);

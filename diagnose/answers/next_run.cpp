@@ -116,8 +116,10 @@ class Planner {
         reads_angles_(study.sizes().measures(Channel::Name::q)) {
     FitSettings settings;
     settings.noise = noise;
-    for (const Fit& rival : rivals)
-      rivals_.push_back(fit_from(study, rival.candidate, settings, rival.parameters));
+    for (const Fit& rival : rivals) {
+      Fit again = fit_from(study, rival.candidate, settings, rival.parameters);
+      rivals_.push_back(again.converged ? std::move(again) : rival);
+    }
     for (const Fit& rival : rivals_) open_.push_back(posterior_covariance(study, rival));
     for (const Fit& truth : rivals_)
       for (const Fit& imitator : rivals_) known_.push_back(condensed(imitation(truth, imitator)));

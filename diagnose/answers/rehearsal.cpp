@@ -120,10 +120,10 @@ std::vector<EffectAt> impossible_effects(const Study& study) {
   Sizes again = study.sizes();  // as if a run were made twice
   again.runs = 2;
   std::vector<EffectAt> all;
-  for (const Effect& row : catalogue()) {
-    const std::size_t first = row.at_joint ? 1 : 0, last = row.at_joint ? again.link_length.size() : 0;
+  for (const Effect* row : study.effects()) {
+    const std::size_t first = row->at_joint ? 1 : 0, last = row->at_joint ? again.link_length.size() : 0;
     for (std::size_t joint = first; joint <= last; ++joint)
-      if (!row.possible({again, joint > 0 ? joint - 1 : 0})) all.emplace_back(row, joint);
+      if (!row->possible({again, joint > 0 ? joint - 1 : 0})) all.emplace_back(*row, joint);
   }
   return all;
 }

@@ -98,17 +98,19 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
   const auto values = judged_values(measurements, heldout, after);
   std::map<Channel, double> count;
   Sums all;
-  double floor = 0, total = 0;
+  double floor = 0, chi2 = 0, total = 0;
   for (std::size_t s = 0; s < values.size(); ++s) {
     const Series& series = measurements.series()[s];
     const Channel& channel = series.channel;
+    const double scale = noise.of(channel);
     for (const std::size_t i : values[s]) {
       shrink.rms_before[channel] += std::pow(series.sigmas[i - series.first] * before[i], 2);
       shrink.rms_after[channel] += std::pow(series.sigmas[i - series.first] * after[i], 2);
       count[channel] += 1;
       all.before += before[i] * before[i];
       all.after += after[i] * after[i];
-      floor += std::pow(noise.of(series.channel), 2);
+      floor += scale * scale;
+      chi2 += std::pow(after[i] / scale, 2);
       total += 1;
     }
   }
@@ -118,7 +120,7 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
   for (auto& [channel, sum] : shrink.rms_after) sum = std::sqrt(sum / count[channel]);
   shrink.ratio = std::sqrt(all.after / all.before);
   shrink.noise_floor_ratio = std::sqrt(floor / all.before);
-  shrink.chi2_per_value_after = all.after / floor;
+  shrink.chi2_per_value_after = chi2 / total;
   // Squares of neighbours correlate by the square of what their values do.
   const double squares = noise.correlation * noise.correlation;
   shrink.independent = total * (1 - squares) / (1 + squares);

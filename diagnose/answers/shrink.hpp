@@ -20,7 +20,7 @@ struct Shrink {
   std::map<Channel, double> rms_before, rms_after;  ///< by channel, in its unit
   double ratio = 1, ratio_low = 1, ratio_high = 1;  ///< noise-weighted rms after / before; 95 % bounds
   double noise_floor_ratio = 1;                     ///< what a perfect model would reach
-  double chi2_per_value_after = 1;
+  double chi2_per_value_after = 1;                  ///< every value in the noise of its channel
   double independent = 0;  ///< so many values that do not correlate would scatter as its mean does
   std::map<Channel, ChannelShrink> channels;
   /// Whether a choice that sees no more than the fits falls on what shrinks it, or on what is not told apart.

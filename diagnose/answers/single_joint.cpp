@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <plumbline/base/parallel.hpp>
 
 #include "diagnose/answers/rotation.hpp"
@@ -83,15 +84,18 @@ Fit simplified(const Study& study, Fit law, const FitSettings& settings) {
 /// relaxation slower than the experiment for a softer spring). Where something sets in may be anywhere, and
 /// of several elements one may be anything.
 bool runs_away(const Study& study, const Fit& law) {
-  constexpr double end = 0.05;  // of it
+  constexpr double end = 0.05;  // of it, or of the range where its logarithm has no zero of its own
   std::size_t p = 0;
   for (const EffectAt& at : law.candidate.effects)
     for (const ParameterRange& range : study.ranges(at)) {
       const double value = law.parameters[p++];
       if (range.is_onset() || at.effect->element > 0) continue;
       const bool low_is_nothing = range.coordinate == Coordinate::plain && range.low == 0;
-      if (range.high - value < end * std::abs(range.high)) return true;
-      if (!low_is_nothing && value - range.low < end * std::abs(range.low)) return true;
+      const bool logarithmic = range.coordinate == Coordinate::logarithm;
+      const auto near_end = [&](double bound) {
+        return std::abs(value - bound) < end * (logarithmic ? range.high - range.low : std::abs(bound));
+      };
+      if (near_end(range.high) || (!low_is_nothing && near_end(range.low))) return true;
     }
   return false;
 }
@@ -147,8 +151,10 @@ bool chosen_blind(const Study& study, const std::vector<Fit>& leading, const std
   return std::all_of(named[0].blind.parts.begin(), named[0].blind.parts.end(), [&](const HeldOut& part) {
     const Study seen = study.of(without(study.experiment(), part));
     std::vector<double> worths;
-    for (const Fit& one : leading)
-      worths.push_back(worth(seen, fit_from(seen, one.candidate, settings, one.parameters)));
+    for (const Fit& one : leading) {
+      const Fit blind = fit_from(seen, one.candidate, settings, one.parameters);
+      worths.push_back(blind.converged ? worth(seen, blind) : std::numeric_limits<double>::infinity());
+    }
     const auto best = std::min_element(worths.begin(), worths.end()) - worths.begin();
     const Candidate& chosen = leading[static_cast<std::size_t>(best)].candidate;
     return std::any_of(named.begin(), named.end(),

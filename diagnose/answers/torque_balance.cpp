@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <map>
 
@@ -42,6 +43,14 @@ bool complete(const Reading& reading) {
          std::all_of(reading.q.begin(), reading.q.end(), [](double q) { return std::isfinite(q); });
 }
 
+/// Mean square of unit normal values without a share of those that are largest.
+double trimmed_square(double share) {
+  if (share == 0) return 1;
+  const boost::math::normal_distribution<double> unit;
+  const double largest = boost::math::quantile(boost::math::complement(unit, share / 2));
+  return 1 - 2 * largest * boost::math::pdf(unit, largest) / (1 - share);
+}
+
 /// Sum of squares beyond noise, without the two percent of largest values, which may be outliers; none where
 /// noise alone may give as much.
 double excess(const std::vector<MissingTorque>& values, double scale) {
@@ -49,10 +58,12 @@ double excess(const std::vector<MissingTorque>& values, double scale) {
   std::vector<double> squares;
   for (const MissingTorque& value : values)
     if (value.sigma > 0) squares.push_back(std::pow(value.torque / (scale * value.sigma), 2));
+  if (squares.empty()) return 0;
   std::sort(squares.begin(), squares.end());
-  const std::size_t kept = squares.size() - squares.size() / 50;
+  const std::size_t dropped = squares.size() / 50, kept = squares.size() - dropped;
+  const double expected = trimmed_square(static_cast<double>(dropped) / static_cast<double>(squares.size()));
   double sum = 0;
-  for (std::size_t i = 0; i < kept; ++i) sum += squares[i] - 1;
+  for (std::size_t i = 0; i < kept; ++i) sum += squares[i] - expected;
   return sum > significant * std::sqrt(2 * static_cast<double>(kept)) ? sum : 0;
 }
 
@@ -63,12 +74,13 @@ std::vector<std::vector<MissingTorque>> missing_torques(const Experiment& experi
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     const NominalModel<double> nominal = nominal_model(experiment, run.rest);
+    const double of_group = run.noise_of_group();
     const Vector2 noise =
-        run.holds_end_point() ? Vector2(experiment.noise.Fx, experiment.noise.Fy) : Vector2(0, 0);
+        run.holds_end_point() ? Vector2(experiment.noise.Fx, experiment.noise.Fy) * of_group : Vector2(0, 0);
     for (std::size_t i = 0; i < run.readings.size(); ++i) {
       const Reading& reading = run.readings[i];
       if (!complete(reading)) continue;
-      const Balance found = balance(nominal, reading, noise, experiment.noise.q);
+      const Balance found = balance(nominal, reading, noise, experiment.noise.q * of_group);
       for (std::size_t j = 0; j < by_joint.size(); ++j) {
         const auto k = static_cast<Eigen::Index>(j);
         by_joint[j].push_back({r, i, reading.q[j], found.torque(k), found.sigma(k)});

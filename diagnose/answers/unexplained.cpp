@@ -3,33 +3,47 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "diagnose/answers/torque_balance.hpp"
-#include "diagnose/model/regime.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-/// By run and reading: whether the path has turned back, by the nominal model's regimes.
-std::vector<std::vector<bool>> returning(const Study& study) {
-  const Experiment& experiment = study.experiment();
+/// By reading: whether what is commanded, or what the nominal model does of it, came down to it from the one
+/// before; the first goes as the second does, and where it stands still it goes as before.
+std::vector<bool> falling(const std::vector<double>& command) {
+  std::vector<bool> result(command.size(), false);
+  std::optional<bool> way;
+  std::size_t untold = 0;
+  for (std::size_t i = 1; i < command.size(); ++i) {
+    if (!way) untold = i;
+    if (command[i] != command[i - 1]) way = command[i] < command[i - 1];
+    result[i] = way.value_or(false);
+  }
+  std::fill_n(result.begin(), std::min(untold, result.size()), way && result[untold]);
+  return result;
+}
+
+/// By run: which way the nominal chain turns a joint, whose readings may scatter more than it moves.
+std::vector<std::vector<bool>> falling(const Study& study, std::size_t joint) {
   std::vector<std::vector<bool>> result;
-  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
-    result.emplace_back();
-    for (const Regime regime : regimes(experiment.runs[r], study.nominal().runs[r]))
-      result.back().push_back(regime == Regime::unloading);
+  for (const Trace& trace : study.nominal().runs) {
+    const auto angle = trace.col(column_q + static_cast<Eigen::Index>(joint - 1));
+    result.push_back(falling({angle.begin(), angle.end()}));
   }
   return result;
 }
 
-Missing torque(const Study& study, const std::vector<std::vector<bool>>& back, std::size_t joint) {
+Missing torque(const Study& study, std::size_t joint) {
   const std::string number = std::to_string(joint);
   Missing missing{"torque at joint " + number, "N m", "q" + number, "rad", {}, 0, 0, 0};
   const Experiment& experiment = study.experiment();
+  const std::vector<std::vector<bool>> down = falling(study, joint);
   const auto torques = missing_torques(study, experiment);
   for (const MissingTorque& one : torques[joint - 1]) {
     missing.points.push_back({one.angle, one.torque, experiment.runs[one.run].readings[one.reading].t,
-                              back[one.run][one.reading]});
+                              down[one.run][one.reading]});
   }
   return missing;
 }
@@ -51,8 +65,7 @@ Channel abscissa(const Experiment& experiment, const Run& like) {
   return spread(second) > spread(first) ? second : first;
 }
 
-Missing channel(const Study& study, const std::vector<double>& residual,
-                const std::vector<std::vector<bool>>& back, const Channel& of) {
+Missing channel(const Study& study, const std::vector<double>& residual, const Channel& of) {
   const auto carries = [&](const Series& series) { return series.channel == of; };
   const auto& all = study.measurements().series();
   const auto first = std::find_if(all.begin(), all.end(), carries);
@@ -63,72 +76,91 @@ Missing channel(const Study& study, const std::vector<double>& residual,
   for (const Series& series : all) {
     const Run& run = study.experiment().runs[series.run];
     if (!carries(series) || run.control != like.control) continue;
+    std::vector<double> command;
+    for (const Reading& reading : run.readings) command.push_back(over.of(reading));
+    const std::vector<bool> down = falling(command);
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
       if (outlier[series.first + i]) continue;
       const Reading& reading = run.readings[series.readings[i]];
       missing.points.push_back({over.of(reading), series.sigmas[i] * residual[series.first + i], reading.t,
-                                back[series.run][series.readings[i]]});
+                                down[series.readings[i]]});
     }
   }
   return missing;
 }
 
-/// Takes the mean of each of twenty bins of the abscissa out of the values.
-void remove_means(const std::vector<MissingPoint>& points, bool by_direction, std::vector<double>& values) {
-  double low = points.front().at, high = low;
-  for (const MissingPoint& point : points) low = std::min(low, point.at), high = std::max(high, point.at);
-  constexpr std::size_t bins = 20;
-  const auto bin = [&](const MissingPoint& point) {
-    const double share = high > low ? (point.at - low) / (high - low) : 0;
-    const auto place = std::min(bins - 1, static_cast<std::size_t>(share * bins));
-    return 2 * place + (by_direction && point.returning ? 1 : 0);
-  };
-  std::vector<double> sum(2 * bins, 0.0), count(2 * bins, 0.0);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    sum[bin(points[i])] += values[i], count[bin(points[i])] += 1;
-  for (std::size_t i = 0; i < points.size(); ++i) values[i] -= sum[bin(points[i])] / count[bin(points[i])];
-}
+/// How far values stand off the line through their neighbours in place, in units of one value's spread, for
+/// every point that has one to either side among those that go the same way, or among all; and their times
+/// off the line through their neighbours' times. A smooth function of place leaves nothing, noise all of
+/// itself (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986).
+struct OffNeighbours {
+  std::vector<double> value, time;
+};
 
-void remove_trend(const std::vector<MissingPoint>& points, std::vector<double>& values) {
-  double mean = 0, tt = 0, tv = 0;
-  for (const MissingPoint& point : points) mean += point.t / static_cast<double>(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    tt += std::pow(points[i].t - mean, 2);
-    tv += (points[i].t - mean) * values[i];
+OffNeighbours off_neighbours(const std::vector<MissingPoint>& points, bool each_way) {
+  OffNeighbours off;
+  for (const bool down : {false, true}) {
+    std::vector<const MissingPoint*> line;
+    for (const MissingPoint& point : points)
+      if (each_way ? point.falling == down : !down) line.push_back(&point);
+    std::stable_sort(line.begin(), line.end(),
+                     [](const MissingPoint* a, const MissingPoint* b) { return a->at < b->at; });
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+      const MissingPoint &before = *line[i - 1], &here = *line[i], &after = *line[i + 1];
+      const double gap = after.at - before.at, share = gap > 0 ? (here.at - before.at) / gap : 0.5,
+                   spread = std::sqrt(1 + share * share + (1 - share) * (1 - share));
+      const auto stands_off = [&](double MissingPoint::*of) {
+        return (here.*of - (1 - share) * (before.*of) - share * (after.*of)) / spread;
+      };
+      off.value.push_back(stands_off(&MissingPoint::value));
+      off.time.push_back(stands_off(&MissingPoint::t));
+    }
   }
-  for (std::size_t i = 0; i < points.size() && tt > 0; ++i) values[i] -= tv / tt * (points[i].t - mean);
+  return off;
 }
 
-double energy(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double v : values) sum += v * v;
-  return sum;
+/// Mean square of values, without what goes with the others in proportion.
+double mean_square(const std::vector<double>& values, const std::vector<double>& others) {
+  double vv = 0, vo = 0, oo = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    vv += values[i] * values[i];
+    vo += values[i] * others[i];
+    oo += others[i] * others[i];
+  }
+  return std::max(0.0, vv - (oo > 0 ? vo * vo / oo : 0)) / static_cast<double>(values.size());
+}
+
+double variance(const std::vector<MissingPoint>& points) {
+  double mean = 0, squares = 0;
+  for (const MissingPoint& point : points) mean += point.value / static_cast<double>(points.size());
+  for (const MissingPoint& point : points) squares += std::pow(point.value - mean, 2);
+  return squares / static_cast<double>(points.size() - 1);
 }
 
 void describe(Missing& missing) {
   missing.by_position = missing.by_direction = missing.by_time = 0;
-  std::vector<double> values;
-  for (const MissingPoint& point : missing.points) values.push_back(point.value);
-  const double all = energy(values);
+  constexpr std::size_t few = 4;  // of one value in place and two that a way and a trend take, one is left
+  if (missing.points.size() < few) return;
+  const double all = variance(missing.points);
   if (!(all > 0)) return;
-  std::vector<double> left = values;
-  remove_means(missing.points, false, left);
-  missing.by_position = 1 - energy(left) / all;
-  left = values;
-  remove_means(missing.points, true, left);
-  missing.by_direction = 1 - energy(left) / all;
-  remove_trend(missing.points, left);
-  missing.by_time = 1 - energy(left) / all;
+  const auto share = [&](const OffNeighbours& off, bool trend) {
+    if (off.value.size() < 2) return 0.0;
+    const std::vector<double> time = trend ? off.time : std::vector<double>(off.value.size(), 0.0);
+    return std::clamp(1 - mean_square(off.value, time) / all, 0.0, 1.0);
+  };
+  const OffNeighbours each_way = off_neighbours(missing.points, true);
+  missing.by_position = share(off_neighbours(missing.points, false), false);
+  missing.by_direction = std::max(missing.by_position, share(each_way, false));
+  missing.by_time = std::max(missing.by_direction, share(each_way, true));
 }
 
 }  // namespace
 
 Missing describe_missing(const Study& study, const std::vector<double>& residual, const Where& where) {
-  const std::vector<std::vector<bool>> back = returning(study);
   Missing missing;
   if (where.joint_evidence == JointEvidence::measured && where.joints.front().share > 0.5)
-    missing = torque(study, back, where.joints.front().joint);
-  if (missing.points.empty()) missing = channel(study, residual, back, where.channels.front().channel);
+    missing = torque(study, where.joints.front().joint);
+  if (missing.points.empty()) missing = channel(study, residual, where.channels.front().channel);
   describe(missing);
   return missing;
 }

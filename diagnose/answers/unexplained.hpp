@@ -9,10 +9,10 @@ namespace plumbline::diagnose {
 
 /// One reading of what is missing.
 struct MissingPoint {
-  double at;       ///< joint angle, or the commanded coordinate that moves most
-  double value;    ///< what is missing
-  double t;        ///< since the start of the run
-  bool returning;  ///< the path has turned back
+  double at;     ///< joint angle, or the commanded coordinate that moves most
+  double value;  ///< what is missing
+  double t;      ///< since the start of the run
+  bool falling;  ///< that angle or coordinate came down to it from the reading before
 };
 
 /// Everything that the experiment says about it.
@@ -20,8 +20,8 @@ struct Missing {
   std::string what, unit;  ///< "torque at joint 3", "N m"
   std::string against, against_unit;
   std::vector<MissingPoint> points;
-  /// Shares of its variance that are a function of the abscissa alone, with the direction of motion besides,
-  /// with a trend in time besides.
+  /// Shares of its variance that are a smooth function of the abscissa alone, of that and the direction of
+  /// motion, and with a trend in time besides; none where readings are too few to tell.
   double by_position, by_direction, by_time;
 };
 

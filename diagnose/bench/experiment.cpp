@@ -5,6 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include "diagnose/bench/median.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -53,6 +55,13 @@ bool Run::counts_readings() const {
   for (std::size_t i = 1; i < readings.size(); ++i)
     if (readings[i].t != readings[i - 1].t + 1) return false;
   return true;
+}
+
+double Run::usual_pause() const {
+  std::vector<double> pauses;
+  for (std::size_t i = 1; i < readings.size(); ++i)
+    if (const double pause = readings[i].t - readings[i - 1].t; pause > 0) pauses.push_back(pause);
+  return pauses.empty() ? 0 : median(std::move(pauses));
 }
 
 std::vector<Channel> Run::measured() const {

@@ -70,6 +70,8 @@ struct Run {
   /// Whether time stamps only count the readings. A time constant found from them would be that of a clock
   /// that somebody made up.
   [[nodiscard]] bool counts_readings() const;
+  /// From one reading to the next where time passes, the middle one, s; zero where none passes.
+  [[nodiscard]] double usual_pause() const;
   /// What answers: the other of force and end point, then the joint angles that the run has columns for.
   [[nodiscard]] std::vector<Channel> measured() const;
   /// First and last of the readings as they were taken, from 0, that a reading stands for.

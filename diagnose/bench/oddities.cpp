@@ -35,13 +35,11 @@ class Look {
       remark("t only counts the readings: nothing that takes time can be told");
       return;
     }
-    std::vector<double> steps;
-    for (std::size_t i = 1; i < readings.size(); ++i) steps.push_back(readings[i].t - readings[i - 1].t);
     constexpr double much = 20;
-    const double usual = median(steps);
-    for (std::size_t i = 0; usual > 0 && i < steps.size(); ++i)
-      if (steps[i] > much * usual)
-        remark("a pause of {:.3g} s after reading {}, where {:.3g} s is usual", steps[i], i + 1, usual);
+    const double usual = run_->usual_pause();
+    for (std::size_t i = 1; i < readings.size(); ++i)
+      if (const double pause = readings[i].t - readings[i - 1].t; pause > much * usual)
+        remark("a pause of {:.3g} s after reading {}, where {:.3g} s is usual", pause, i, usual);
   }
 
   void at(const Channel& channel) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <plumbline/base/error.hpp>
 #include <set>
 
@@ -191,6 +192,18 @@ std::vector<Run> read_runs(const Section& root, const Shared& shared) {
   return runs;
 }
 
+/// Takes the stamps of a clock that runs on, of the day or the computer, from the first reading of all: they
+/// begin later than everything that was read takes.
+void count_from_first_reading(std::vector<Run>& runs) {
+  double first = std::numeric_limits<double>::infinity(), last = -first;
+  for (const Run& run : runs)
+    for (const Reading& reading : run.readings)
+      first = std::min(first, reading.t), last = std::max(last, reading.t);
+  if (!(first > last - first)) return;
+  for (Run& run : runs)
+    for (Reading& reading : run.readings) reading.t -= first;
+}
+
 /// Everything that the settings say, whether or not it can be.
 Experiment read_settings(const Section& root, const Source& source, const NominalChain* model) {
   const std::string expected = "\"chain-experiment/1\"";
@@ -208,6 +221,7 @@ Experiment read_settings(const Section& root, const Source& source, const Nomina
                       read_sample_format(root, standard_format(experiment.link_length.size())), units.rest};
   experiment.noise = read_noise(root.table("noise"), shared.format);
   experiment.runs = read_runs(root, shared);
+  count_from_first_reading(experiment.runs);
   return experiment;
 }
 

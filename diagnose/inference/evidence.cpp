@@ -1,6 +1,7 @@
 #include "diagnose/inference/evidence.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -47,6 +48,15 @@ double commonness(const Effect& effect) {
   return effect.special.empty() ? 1 : beliefs::refinement;
 }
 
+/// At how many joints or links an effect may sit; one where it sits at none.
+double places_of(const Study& study, const EffectAt& at) {
+  if (at.joint == 0) return 1;
+  const std::vector<EffectAt> possible = possible_effects(study);
+  const auto places = std::count_if(possible.begin(), possible.end(),
+                                    [&](const EffectAt& one) { return one.effect == at.effect; });
+  return std::max(1.0, static_cast<double>(places));
+}
+
 }  // namespace
 
 double log_likelihood(const Measurements& measurements, const std::vector<double>& residual,
@@ -68,8 +78,7 @@ double log_prior(const Study& study, const Candidate& candidate) {
   if (candidate.machined() && others > 0) log_p += std::log(beliefs::cause_beside_machining);
   for (const EffectAt& at : candidate.effects) {
     if (candidate.has_as_machining(at)) continue;
-    const double places = at.joint > 0 ? static_cast<double>(study.sizes().link_length.size()) : 1.0;
-    log_p += std::log(commonness(*at.effect) / (all * places));
+    log_p += std::log(commonness(*at.effect) / (all * places_of(study, at)));
   }
   return log_p;
 }
@@ -86,13 +95,15 @@ Eigen::MatrixXd posterior_covariance(const Study& study, const Fit& fit) {
 
 double log_evidence(const Study& study, const Fit& fit, const NoiseModel& noise) {
   double value = log_likelihood(study.measurements(), fit.residual, noise) + log_prior(study, fit.candidate);
+  const Eigen::MatrixXd information =
+      fit.noise == noise ? fit.information : in_noise(study, fit, noise).information;
   const std::vector<ParameterRange> ranges = study.ranges(fit.candidate);
   std::vector<Eigen::Index> inside;
   std::vector<double> width;
   for (std::size_t p = 0; p < ranges.size(); ++p) {
     const auto k = static_cast<Eigen::Index>(p);
     // At a bound, or untouched by the readings, a parameter has used no freedom.
-    if (fit.at_bound[p] || !(fit.information(k, k) > 0)) continue;
+    if (fit.at_bound[p] || !(information(k, k) > 0)) continue;
     inside.push_back(k);
     width.push_back(prior_width(ranges[p]));
     value += log_parameter_prior(ranges[p], fit.parameters[p]) + 0.5 * std::log(2 * std::numbers::pi);
@@ -103,7 +114,7 @@ double log_evidence(const Study& study, const Fit& fit, const NoiseModel& noise)
   const Eigen::VectorXd unit =
       Eigen::Map<const Eigen::VectorXd>(width.data(), static_cast<Eigen::Index>(width.size()));
   const Eigen::MatrixXd scaled =
-      unit.asDiagonal() * Eigen::MatrixXd(fit.information(inside, inside)) * unit.asDiagonal();
+      unit.asDiagonal() * Eigen::MatrixXd(information(inside, inside)) * unit.asDiagonal();
   const Eigen::VectorXd precisions = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues();
   for (const double precision : precisions) value -= 0.5 * std::log1p(std::max(0.0, precision));
   return value + unit.array().log().sum();

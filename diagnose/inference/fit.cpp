@@ -32,9 +32,6 @@ class Problem {
   [[nodiscard]] const std::vector<double>& residual() const { return residual_; }
   [[nodiscard]] const Eigen::VectorXd& white() const { return white_; }
   [[nodiscard]] const RowMatrix& jacobian() const { return jacobian_; }
-  [[nodiscard]] bool visible(Eigen::Index i) const {
-    return settings_.visible.empty() || settings_.visible[static_cast<std::size_t>(i)];
-  }
 
   /// The cost alone; infinite where the rig cannot follow the experiment.
   [[nodiscard]] double look(const std::vector<double>& parameters) const {
@@ -43,8 +40,7 @@ class Problem {
     const std::vector<double> white =
         whiten(study_.measurements(), study_.residual(predicted), settings_.noise);
     double sum = penalty(ranges_, parameters);
-    for (std::size_t i = 0; i < white.size(); ++i)
-      if (visible(static_cast<Eigen::Index>(i))) sum += huber(white[i], settings_.outlier_bound);
+    for (const double z : white) sum += huber(z, settings_.outlier_bound);
     return sum;
   }
 
@@ -63,11 +59,6 @@ class Problem {
       const std::vector<double> change = study_.measurements().in_sigmas(predicted.sensitivity[p]);
       jacobian_.col(static_cast<Eigen::Index>(p)) =
           -column(whiten(study_.measurements(), change, settings_.noise));
-    }
-    for (Eigen::Index i = 0; i < white_.size(); ++i) {
-      if (visible(i)) continue;
-      white_(i) = 0;
-      jacobian_.row(i).setZero();
     }
     reached_ = white_.allFinite() && jacobian_.allFinite();
     return reached_;
@@ -206,13 +197,18 @@ std::vector<std::size_t> all_but(std::size_t count, std::size_t left_out) {
   return result;
 }
 
-/// Covariance of the parameters inside their bounds, and what is known of each.
-void judge(Problem& problem, double outlier_bound, Fit& fitted) {
+/// What a fit leaves, the covariance of the parameters inside their bounds, and what is known of each.
+void judge(const Problem& problem, const FitSettings& settings, Fit& fitted) {
+  fitted.noise = settings.noise;
+  fitted.cost = problem.cost();
+  fitted.residual = problem.residual();
+  fitted.whitened.assign(problem.white().begin(), problem.white().end());
+  fitted.jacobian = problem.jacobian();
   const std::vector<ParameterRange>& ranges = problem.ranges();
   const auto count = static_cast<Eigen::Index>(ranges.size());
   RowMatrix weighted = problem.jacobian();
   for (Eigen::Index i = 0; i < weighted.rows(); ++i)
-    if (std::abs(problem.white()(i)) > outlier_bound) weighted.row(i).setZero();
+    if (std::abs(problem.white()(i)) > settings.outlier_bound) weighted.row(i).setZero();
   fitted.information = weighted.transpose() * weighted;
   fitted.covariance = Eigen::MatrixXd::Zero(count, count);
   fitted.at_bound.assign(ranges.size(), false);
@@ -262,17 +258,17 @@ Fit fit_from(const Study& study, const Candidate& candidate, const FitSettings& 
   fitted.parameters = start;
   fitted.converged = minimise(problem, all_but(start.size(), start.size()), settings.outlier_bound,
                               static_cast<int>(study.measurements().size()), fitted.parameters);
-  if (!fitted.converged) return fitted;
-  fitted.cost = problem.cost();
-  fitted.residual = problem.residual();
-  fitted.whitened = whiten(study.measurements(), fitted.residual, settings.noise);
-  fitted.jacobian = problem.jacobian();
-  judge(problem, settings.outlier_bound, fitted);
+  if (fitted.converged) judge(problem, settings, fitted);
   return fitted;
 }
 
-Fit fit_nominal(const Study& study, const FitSettings& settings) {
-  return fit_from(study, {}, settings, {});
+Fit in_noise(const Study& study, const Fit& fitted, const NoiseModel& noise) {
+  FitSettings settings;
+  settings.noise = noise;
+  Problem problem(study, fitted.candidate, settings);
+  Fit result = fitted;
+  if (problem.evaluate(fitted.parameters)) judge(problem, settings, result);
+  return result;
 }
 
 Fit fit(const Study& study, const Candidate& candidate, const FitSettings& settings, const Starts& known) {
@@ -290,15 +286,6 @@ Fit fit(const Study& study, const Candidate& candidate, const FitSettings& setti
 
 Fit fit(const Study& study, const Candidate& candidate, const FitSettings& settings) {
   return fit(study, candidate, settings, starts(study, candidate));
-}
-
-Fit refit_with(const Study& study, const Fit& fitted, const EffectAt& newcomer, const FitSettings& settings) {
-  Candidate candidate = fitted.candidate;
-  candidate.effects.push_back(newcomer);
-  Starts known = starts(study, newcomer);
-  for (std::vector<double>& start : known.from)
-    start.insert(start.begin(), fitted.parameters.begin(), fitted.parameters.end());
-  return fit(study, candidate, settings, known);
 }
 
 Profile profile(const Study& study, const Fit& fitted, std::size_t parameter, const FitSettings& settings,

@@ -12,10 +12,9 @@
 
 namespace plumbline::diagnose {
 
-/// What a fit weighs and which values it may see.
+/// What a fit weighs.
 struct FitSettings {
-  NoiseModel noise;           ///< residuals are whitened by it
-  std::vector<bool> visible;  ///< flat, by measured value; empty: all
+  NoiseModel noise;  ///< residuals are whitened by it
   /// Huber's bound, in standard deviations: a residual beyond it counts by its size, no longer by its square.
   double outlier_bound = 3;
 };
@@ -23,13 +22,14 @@ struct FitSettings {
 /// A fitted candidate.
 struct Fit {
   Candidate candidate;
+  NoiseModel noise;                ///< by which all of it is whitened
   std::vector<double> parameters;  ///< fitted coordinates
   std::vector<bool> at_bound;      ///< by parameter
   /// Of the parameters, given the readings and the priors of tolerances; zero rows for those at a bound.
   Eigen::MatrixXd covariance;
-  Eigen::MatrixXd jacobian;  ///< of the whitened residual; zero rows where it is not visible
-  /// Information that the visible values hold on the parameters, J^T J in whitened units. A zero on the
-  /// diagonal: the runs never exercised it.
+  Eigen::MatrixXd jacobian;  ///< of the whitened residual
+  /// Information that the values hold on the parameters, J^T J in whitened units, without outliers. A zero on
+  /// the diagonal: the runs never exercised it.
   Eigen::MatrixXd information;
   /// Twice the loss: the chi-square, but for outliers, and what the priors of tolerances charge.
   double cost = 0;
@@ -45,11 +45,8 @@ Fit fit(const Study& study, const Candidate& candidate, const FitSettings& setti
 Fit fit_from(const Study& study, const Candidate& candidate, const FitSettings& settings,
              const std::vector<double>& start);
 
-/// The fit of nothing: the nominal model.
-Fit fit_nominal(const Study& study, const FitSettings& settings);
-
-/// A good fit with one more effect beside: only the newcomer is started afresh.
-Fit refit_with(const Study& study, const Fit& fitted, const EffectAt& newcomer, const FitSettings& settings);
+/// The same parameters, and what is known of them in another noise.
+Fit in_noise(const Study& study, const Fit& fitted, const NoiseModel& noise);
 
 /// Bounds of one parameter by profile likelihood: where the cost, minimised over all others, has risen by
 /// `rise` (3.84 for 95 %). A bound that the physical range cuts off is that end of the range.

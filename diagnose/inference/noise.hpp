@@ -14,6 +14,8 @@ struct NoiseModel {
   std::array<double, channel_names> scale{1.0, 1.0, 1.0, 1.0, 1.0};  ///< by Channel::Name
   double correlation = 0.0;
 
+  bool operator==(const NoiseModel& other) const = default;
+
   [[nodiscard]] double of(const Channel& channel) const {
     return scale[static_cast<std::size_t>(channel.name)];
   }

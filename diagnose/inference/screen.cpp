@@ -46,29 +46,29 @@ bool rides_along(const Probe& probe) {
   return probe.to.empty();
 }
 
-/// Whitened derivatives of the prediction, with the rows that are not visible or count as outliers left out,
+/// Whitened derivatives of the prediction, with the rows of outliers weighing no more than at the bound,
 /// and beneath them a row for each of the fit's own parameters that a tolerance holds: what a newcomer takes
 /// off these counts for it.
 class Weighing {
  public:
   Weighing(const Study& study, const Fit& fitted, const FitSettings& settings)
-      : measurements_(study.measurements()), settings_(settings), used_(measurements_.size()) {
+      : measurements_(study.measurements()), settings_(settings) {
     const std::vector<ParameterRange> ranges = study.ranges(fitted.candidate);
     const auto is_held = [](const ParameterRange& range) { return range.tolerance > 0; };
-    const auto values = static_cast<Eigen::Index>(used_.size());
+    const auto values = static_cast<Eigen::Index>(measurements_.size());
     const Eigen::Index held = std::count_if(ranges.begin(), ranges.end(), is_held);
     residual_.setZero(values + held);
     Eigen::MatrixXd own = Eigen::MatrixXd::Zero(values + held, fitted.jacobian.cols());
     own.topRows(values) = fitted.jacobian;
     // Beside a large gap nothing is an outlier that is not far out of the gap too.
-    const double size = std::sqrt(fitted.cost / static_cast<double>(std::max<std::size_t>(1, used_.size())));
+    const double size =
+        std::sqrt(fitted.cost / static_cast<double>(std::max<std::size_t>(1, measurements_.size())));
     const double bound = settings.outlier_bound * std::max(1.0, 3 * size);
-    for (std::size_t i = 0; i < used_.size(); ++i) {
+    for (std::size_t i = 0; i < measurements_.size(); ++i) {
       const double z = fitted.whitened[i];
       const auto row = static_cast<Eigen::Index>(i);
-      used_[i] = settings.visible.empty() || settings.visible[i];
       // Huber's weight: an outlier pulls as hard as one at the bound, and no harder.
-      weight_.push_back(used_[i] ? std::min(1.0, std::sqrt(bound / std::abs(z))) : 0.0);
+      weight_.push_back(std::min(1.0, std::sqrt(bound / std::abs(z))));
       residual_(row) = weight_.back() * z;
       own.row(row) *= weight_.back();
     }
@@ -106,7 +106,6 @@ class Weighing {
  private:
   const Measurements& measurements_;
   const FitSettings& settings_;
-  std::vector<bool> used_;
   std::vector<double> weight_;
   Eigen::VectorXd residual_;
   LeastSquares own_{{}};

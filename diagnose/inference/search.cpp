@@ -254,10 +254,11 @@ void weigh(const Study& study, Findings& findings) {
       findings.tolerance
           ? shared_by_neighbours(*findings.tolerance)
           : estimate_noise(study.measurements(), without_outliers(study.measurements(), best->fit.residual));
-  for (Hypothesis& hypothesis : hypotheses) {
-    hypothesis.log_likelihood = log_likelihood(study.measurements(), hypothesis.fit.residual, findings.noise);
-    hypothesis.log_evidence = log_evidence(study, hypothesis.fit, findings.noise);
-  }
+  in_parallel(hypotheses.size(), study.threads(), [&](std::size_t h) {
+    Hypothesis& one = hypotheses[h];
+    one.log_likelihood = log_likelihood(study.measurements(), one.fit.residual, findings.noise);
+    one.log_evidence = log_evidence(study, one.fit, findings.noise);
+  });
   std::sort(hypotheses.begin(), hypotheses.end(),
             [](const Hypothesis& a, const Hypothesis& b) { return a.log_evidence > b.log_evidence; });
 }

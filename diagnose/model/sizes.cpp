@@ -71,10 +71,10 @@ Sizes sizes_of(const Experiment& experiment) {
   for (const double length : experiment.link_length) size.length += length;
   size.link = size.length / static_cast<double>(experiment.link_length.size());
   for (const Run& run : experiment.runs) {
-    for (const Reading& reading : run.readings) size.duration = std::max(size.duration, reading.t);
-    if (run.readings.size() > 1)
-      if (const double pause = run.readings[1].t - run.readings[0].t; pause > 0)
-        size.pause = size.pause > 0 ? std::min(size.pause, pause) : pause;
+    if (!run.readings.empty())
+      size.duration = std::max(size.duration, run.readings.back().t - run.readings.front().t);
+    if (const double pause = run.usual_pause(); pause > 0)
+      size.pause = size.pause > 0 ? std::min(size.pause, pause) : pause;
     size.measures_force = size.measures_force || reads_force(run);
     size.pivot = size.pivot || !run.by_weights;
     size.load_cell = size.load_cell || reads_force(run) || !(run.holds_end_point() || run.by_weights);

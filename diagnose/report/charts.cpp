@@ -130,22 +130,22 @@ std::vector<PageChart> residual_charts(const Explained& explained) {
 }
 
 PageChart missing_chart(const Missing& missing) {
-  page::Layer out{Kind::dots, "corrected", {}, 2}, back{Kind::rings, "nominal", {}, 2.2};
+  page::Layer up{Kind::dots, "corrected", {}, 2}, down{Kind::rings, "nominal", {}, 2.2};
   for (const MissingPoint& point : missing.points)
-    (point.returning ? back : out).points.push_back({point.at, point.value});
-  const page::Chart chart{
-      "missing",
-      "Missing " + missing.what + " over " + missing.against,
-      "What the nominal model misses at each reading; dots on the way out, rings on the way back.",
-      missing.against + ", " + missing.against_unit,
-      missing.what + ", " + missing.unit,
-      {out, back},
-      {},
-      {},
-      {},
-      false,
-      false,
-      page::ChartPoint{0, 0}};
+    (point.falling ? down : up).points.push_back({point.at, point.value});
+  const page::Chart chart{"missing",
+                          "Missing " + missing.what + " over " + missing.against,
+                          "What the nominal model misses at each reading; dots where " + missing.against +
+                              " rises, rings where it falls.",
+                          missing.against + ", " + missing.against_unit,
+                          missing.what + ", " + missing.unit,
+                          {up, down},
+                          {},
+                          {},
+                          {},
+                          false,
+                          false,
+                          page::ChartPoint{0, 0}};
   return {"Missing " + missing.what + " over " + missing.against, page::drawn(chart)};
 }
 

@@ -157,7 +157,7 @@ Json shrink(const Diagnosis& diagnosis) {
 Json missing(const Missing& what) {
   Json points = Json::array();
   for (const MissingPoint& point : what.points)
-    points.push_back({point.at, point.value, point.t, point.returning});
+    points.push_back({point.at, point.value, point.t, point.falling});
   return {{"what", what.what},
           {"unit", what.unit},
           {"against", what.against},

@@ -132,8 +132,8 @@ std::string law_as_text(const OfferedLaw& offered) {
   if (!offered.shrink)
     return text +
            fmt::format(
-               "    not tested, for the readings held out bend the joints farther; {:.2g} of the residual is "
-               "left on readings seen, each left out in turn\n",
+               "    not tested, for no readings can be held out within what the others bend; {:.2g} of the "
+               "residual is left on readings seen, each left out in turn\n",
                offered.law.cross_validated);
   return text +
          fmt::format(

@@ -122,10 +122,7 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
     if (!who.empty()) list.push_back({{"names", who}, {"why", why}});
   };
   for (const std::size_t place : cause.equivalent)
-    add(cause.ranking[place].hypothesis.fit.candidate.label(),
-        fmt::format("fits these readings as well as the best: log-likelihood or log-evidence differ by less "
-                    "than {:g}",
-                    beliefs::told_apart));
+    add(cause.ranking[place].hypothesis.fit.candidate.label(), "these readings do not tell it from the best");
   const std::vector<std::size_t> places = listed_places(cause);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::size_t place = places[i];

@@ -32,10 +32,10 @@ std::string picture(const Missing& missing) {
   rows[height - 1 - up.cell(0, height)] = std::string(width, '.');
   for (const MissingPoint& point : missing.points) {
     char& cell = rows[height - 1 - up.cell(point.value, height)][across.cell(point.at, width)];
-    const char mark = point.returning ? '<' : 'o';
+    const char mark = point.falling ? '<' : '>';
     cell = cell == ' ' || cell == '.' || cell == mark ? mark : '8';
   }
-  std::string text = fmt::format("  {} ({}) over {} ({}); o out, < back, 8 both\n", missing.what,
+  std::string text = fmt::format("  {} ({}) over {} ({}); > rising, < falling, 8 both\n", missing.what,
                                  missing.unit, missing.against, missing.against_unit);
   for (std::size_t r = 0; r < height; ++r) {
     const std::string scale = r == 0            ? fmt::format("{:.3g}", up.high)

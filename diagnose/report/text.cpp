@@ -132,8 +132,7 @@ std::string never_exercised(const Diagnosis& diagnosis) {
 }
 
 std::string unexplained(const Diagnosis& diagnosis) {
-  std::string text =
-      "What?  Unknown: nothing in the catalogue, alone or in twos, brings the residual to the noise\n";
+  std::string text = "What?  Unknown: no effect of the catalogue, alone or in twos, explains the gap\n";
   if (diagnosis.missing) {
     const Missing& missing = *diagnosis.missing;
     text += fmt::format("  what is missing, as a function of {}: {}; of direction too: {}; of time too: {}\n",
@@ -196,7 +195,8 @@ std::string what_shrinks(const Diagnosis& diagnosis) {
 std::string how_far(const Diagnosis& diagnosis) {
   if (diagnosis.nothing_predicts)
     return "How far?  Nothing that was tried leaves less on readings held out than the nominal model\n";
-  if (!diagnosis.shrink) return "How far?  Not tested: too few readings to hold some out\n";
+  if (!diagnosis.shrink)
+    return "How far?  Not tested: without readings held out too few are left to fit it\n";
   const Shrink& shrink = *diagnosis.shrink;
   std::string held;
   for (const std::string& name : shrink.heldout) held += (held.empty() ? "" : ", ") + name;

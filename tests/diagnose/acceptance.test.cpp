@@ -78,6 +78,17 @@ TEST_CASE("what does not predict stands beside a cause outside of the catalogue,
   CHECK(doubted.ranking[0].probability == close_to(0.75));  // of 0.9 + 0.1
 }
 
+TEST_CASE("doubt never makes another cause less probable than it was") {
+  const Study study = three_runs();
+  Cause hardly = named(study, {{{"force_gain"}}});
+  hardly.unknown = 0.3;
+  hardly.ranking[0].probability = 0.7;
+  const Cause doubted = demanded(study, hardly, leaving(1.51));
+  CHECK(doubted.reservation == Reservation::not_predicted);
+  CHECK(doubted.unknown == 0.3);
+  CHECK(doubted.ranking[0].probability == close_to(0.7));
+}
+
 TEST_CASE(
     "two effects that do not predict are no answer, unless one is what machining leaves on every chain") {
   const Study study = three_runs();

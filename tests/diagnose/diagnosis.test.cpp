@@ -267,7 +267,7 @@ TEST_CASE("a joint whose spring does what no effect does is unknown, and the joi
   CHECK(diagnosis.where.joints.front().joint == 2);
   REQUIRE(diagnosis.missing);
   CHECK(diagnosis.missing->what == "torque at joint 2");
-  // A function of the angle alone, but for the noise and the width of the bins.
+  // A function of the angle alone, but for the noise.
   CHECK(diagnosis.missing->by_position > 0.5);
   CHECK(diagnosis.missing->by_direction < diagnosis.missing->by_position + 0.2);
 }

@@ -49,6 +49,14 @@ const double plain_rows = [] {
   return sum;
 }();
 
+/// Where a row may act on a bench; where it may not at all, at each joint or at none.
+std::vector<EffectAt> places_in(const Study& study, const Effect& row) {
+  std::vector<EffectAt> places = possible_effects(study);
+  std::erase_if(places, [&](const EffectAt& at) { return at.effect != &row; });
+  if (places.empty()) places.emplace_back(row, row.at_joint ? 1 : 0);
+  return places;
+}
+
 TEST_CASE(
     "before any reading one cause has 3/4, shared by all effects, refinements less common, and their "
     "places") {
@@ -58,11 +66,16 @@ TEST_CASE(
   CHECK(log_prior(Study(experiment), {{{"backlash", 2}}}) == close_to(std::log(0.75 / plain_rows / 2)));
   double sum = 0;
   for (const Effect& row : catalogue()) {
-    if (!row.at_joint) sum += std::exp(log_prior(Study(experiment), {{EffectAt(row)}}));
-    for (std::size_t joint = 1; row.at_joint && joint <= 2; ++joint)
-      sum += std::exp(log_prior(Study(experiment), {{EffectAt(row, joint)}}));
+    for (const EffectAt& at : places_in(Study(experiment), row))
+      sum += std::exp(log_prior(Study(experiment), {{at}}));
   }
   CHECK(sum == close_to(0.75));
+}
+
+TEST_CASE("a single joint is not less likely for passive ones beside it, which have no spring") {
+  Experiment experiment = blank_experiment({3});
+  experiment.joint_stiffness = {2, 0};
+  CHECK(log_prior(Study(experiment), {{{"joint_stiffness", 1}}}) == close_to(std::log(0.75 / plain_rows)));
 }
 
 TEST_CASE("two causes have 1/5, three 1/20, in any order") {
@@ -82,9 +95,9 @@ TEST_CASE("beside what machining leaves some cause is as likely as none") {
   double sum = 0;
   for (const Effect& row : catalogue()) {
     if (machining.has_as_machining(EffectAt(row, row.at_joint))) continue;
-    for (std::size_t joint = row.at_joint; joint <= (row.at_joint ? 2 : 0); ++joint) {
+    for (const EffectAt& at : places_in(Study(experiment), row)) {
       Candidate beside = machining;
-      beside.effects.emplace_back(row, joint);
+      beside.effects.push_back(at);
       sum += std::exp(log_prior(Study(experiment), beside));
     }
   }

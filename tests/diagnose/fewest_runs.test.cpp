@@ -53,6 +53,17 @@ TEST_CASE("where the greedy choice needs three runs, the two that suffice are fo
   CHECK(found.proved);
 }
 
+TEST_CASE("of the runs that are needed the one that shows most comes first") {
+  // The second run shows two contrasts, the first one.
+  const std::vector<Contrast> contrasts{additive({0, 4}), additive({0, 4}), additive({4, 0})};
+  CHECK(fewest_runs(contrasts, 2, 3).runs == Runs{1, 0});
+  // So it does where the greedy choice is not taken: of the first run, which shows five of seven, and two more.
+  std::vector<Contrast> seven;
+  for (int c = 0; c < 7; ++c)
+    seven.push_back(additive({c > 0 && c < 6 ? 4.0 : 0.0, c < 3 ? 4.0 : 0.0, c < 3 ? 0.0 : 4.0}));
+  CHECK(fewest_runs(seven, 3, 3).runs == Runs{2, 1});
+}
+
 TEST_CASE("runs that show nothing alone may show it together") {
   // Each run determines the imitator's one parameter, by another value: only both together refute it.
   const Eigen::MatrixXd slope = Eigen::MatrixXd::Constant(1, 1, 1.0);

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "diagnose/answers/heldout.hpp"
 #include "diagnose/inference/start.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
@@ -12,21 +13,6 @@
 using namespace plumbline;
 using namespace plumbline::diagnose;
 using namespace plumbline::diagnose::test;
-
-namespace {
-
-/// The fit does not see the first run.
-FitSettings first_run_hidden(const Measurements& measurements) {
-  FitSettings settings;
-  settings.visible.assign(measurements.size(), true);
-  for (const Series& series : measurements.series()) {
-    for (std::size_t i = 0; series.run == 0 && i < series.readings.size(); ++i)
-      settings.visible[series.first + i] = false;
-  }
-  return settings;
-}
-
-}  // namespace
 
 TEST_CASE("a fit finds every effect that was put in, within five of its standard deviations") {
   const Experiment bench = full_bench();
@@ -102,29 +88,33 @@ TEST_CASE("profile bounds hold the others free: friction beside a stiffness erro
   const Experiment experiment = measured(full_bench(), both, {0.01, 0.1}, 17);
   const Measurements measurements(experiment);
   const Fit alone = fit(Study(experiment), only("joint_stiffness", 1), {});
-  const Fit fitted = refit_with(Study(experiment), alone, {"joint_friction"}, {});
+  const Fit fitted = fit(Study(experiment), both, {});
   REQUIRE(fitted.converged);
   CHECK(fitted.cost < alone.cost);
   for (std::size_t p : {0U, 1U}) {
     const Profile bounds = profile(Study(experiment), fitted, p, {}, 16);  // four standard deviations
-    const double truth = p == 0 ? 0.1 : 0.01;
+    const double truth = p == 0 ? 0.01 : 0.1;
     CHECK(bounds.low < truth);
     CHECK(bounds.high > truth);
   }
 }
 
-TEST_CASE("values that are not visible do not weigh") {
+TEST_CASE("in noise three times as wide everything is known a third as well, in the same place") {
   const Experiment experiment = measured(full_bench(), only("rest_angle", 1), {0.03}, 19);
-  const Measurements measurements(experiment);
-  const FitSettings settings = first_run_hidden(measurements);
-  const Fit full = fit(Study(experiment), only("rest_angle", 1), {});
-  const Fit some = fit(Study(experiment), only("rest_angle", 1), settings);
-  CHECK(some.cost < full.cost);
-  CHECK(some.covariance(0, 0) > full.covariance(0, 0));
-  CHECK(some.residual.size() == measurements.size());
+  const Fit fitted = fit(Study(experiment), only("rest_angle", 1), {});
+  NoiseModel wide;
+  wide.scale.fill(3);
+  const Fit same = in_noise(Study(experiment), fitted, wide);
+  CHECK(same.parameters == fitted.parameters);
+  CHECK(same.residual == fitted.residual);
+  CHECK(same.noise == wide);
+  CHECK(same.information(0, 0) == close_to(fitted.information(0, 0) / 9));
+  CHECK(same.covariance(0, 0) == close_to(9 * fitted.covariance(0, 0)));
+  for (std::size_t i = 0; i < same.whitened.size(); ++i)
+    CHECK(same.whitened[i] == close_to(fitted.whitened[i] / 3));
 }
 
-TEST_CASE("what hidden values are makes no difference to a fit, nor to where it starts from") {
+TEST_CASE("what held-out values are makes no difference to a fit, nor to where it starts from") {
   // effects whose ranges do not follow the forces that are measured, and which start in several places
   for (const char* id : {"nonlinear_spring", "viscoelasticity"}) {
     CAPTURE(id);
@@ -135,9 +125,9 @@ TEST_CASE("what hidden values are makes no difference to a fit, nor to where it 
     if (const auto known = chosen(truth.effects[0]); known && !known->sizeable.empty())
       sizeable = known->sizeable;
     const Experiment clean = measured(full_bench(), truth, sizeable, 23);
-    const Measurements measurements(clean);
-    const FitSettings settings = first_run_hidden(measurements);
-    const Fit expected = fit(Study(clean), truth, settings);
+    HeldOut first = nothing_held(clean);
+    first.reading[0].assign(clean.runs[0].readings.size(), true);
+    const Fit expected = fit(Study(without(clean, first)), truth, {});
     REQUIRE(expected.converged);
     for (const double off : {-50.0, 50.0}) {
       Experiment other = clean;
@@ -146,7 +136,7 @@ TEST_CASE("what hidden values are makes no difference to a fit, nor to where it 
         readings[i].Fx += off;
         readings[i].Fy += i > readings.size() / 2 ? -off : off;
       }
-      CHECK(fit(Study(other), truth, settings).parameters == expected.parameters);
+      CHECK(fit(Study(without(other, first)), truth, {}).parameters == expected.parameters);
     }
   }
 }

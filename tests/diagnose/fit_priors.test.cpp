@@ -24,9 +24,7 @@ Study pressed_twice(const Candidate& truth, const std::vector<double>& values, i
 /// What the loss of a fit is, from what it leaves and the priors of its tolerances.
 double loss_of(const Study& study, const Fit& fitted, const FitSettings& settings) {
   double sum = 0;
-  for (std::size_t i = 0; i < fitted.whitened.size(); ++i)
-    if (settings.visible.empty() || settings.visible[i])
-      sum += huber(fitted.whitened[i], settings.outlier_bound);
+  for (const double z : fitted.whitened) sum += huber(z, settings.outlier_bound);
   const std::vector<ParameterRange> ranges = study.ranges(fitted.candidate);
   for (std::size_t p = 0; p < ranges.size(); ++p)
     if (ranges[p].tolerance > 0) sum += std::pow(fitted.parameters[p] / ranges[p].tolerance, 2);
@@ -91,17 +89,6 @@ TEST_CASE("the covariance of what tolerances hold is the inverse of what is told
       CHECK(std::abs(product(i, j) - (i == j ? 1 : 0)) < 1e-6);
 }
 
-TEST_CASE("a hidden value has no residual that weighs, and no slope") {
-  const Study study = pressed_twice({{{"force_gain"}}}, {0.05});
-  FitSettings settings;
-  settings.visible.assign(study.measurements().size(), true);
-  for (std::size_t i = 0; i < settings.visible.size(); i += 3) settings.visible[i] = false;
-  const Fit fitted = fit(study, {{{"force_gain"}}}, settings);
-  check_minimum(study, fitted, settings);
-  for (Eigen::Index i = 0; i < fitted.jacobian.rows(); i += 3) CHECK(fitted.jacobian.row(i).norm() == 0);
-  CHECK(fitted.information(0, 0) == close_to(fitted.jacobian.squaredNorm()).epsilon(1e-9));
-}
-
 TEST_CASE("of several starts the one is taken that leaves least, and none that the rig cannot follow") {
   const Study study = pressed_twice({{{"joint_stiffness", 2}}}, {0.1});
   const Candidate one{{{"joint_stiffness", 2}}};
@@ -109,21 +96,11 @@ TEST_CASE("of several starts the one is taken that leaves least, and none that t
             from_far = fit(study, one, {}, {{{5}, {0.1}}, 1});
   CHECK(from_near.parameters == from_far.parameters);
   CHECK(from_near.parameters == fit_from(study, one, {}, {0.1}).parameters);
-  const Fit nominal = fit_nominal(study, {});
+  const Fit nominal = fit_from(study, {}, {}, {});
   CHECK(nominal.parameters.empty());
   CHECK(nominal.converged);
   CHECK(nominal.cost == close_to(loss_of(study, nominal, {})).epsilon(1e-9));
   CHECK(nominal.cost > from_near.cost);
-}
-
-TEST_CASE("a newcomer starts afresh beside what was fitted") {
-  const Candidate truth{{{"joint_stiffness", 2}, {"force_gain"}}};
-  const Study study = pressed_twice(truth, {0.1, 0.05});
-  const Fit alone = fit(study, {{{"joint_stiffness", 2}}}, {});
-  const Fit both = refit_with(study, alone, {"force_gain"}, {});
-  check_minimum(study, both, {});
-  CHECK(both.candidate == truth);
-  CHECK(both.cost < alone.cost);
 }
 
 TEST_CASE("a profile rises by what it is asked to, with the others where they leave least") {

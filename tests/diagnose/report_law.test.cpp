@@ -30,8 +30,8 @@ TEST_CASE("a torque law in words and as JSON, by hand") {
         "  a torque law fitted to the gap, which is no cause, beside gravity + force_gain:\n"
         "    joints 1, 3: it hardens\n"
         "      looks like nonlinear_spring or joint_stop, with hysteresis\n"
-        "    not tested, for the readings held out bend the joints farther; 0.34 of the residual is left on "
-        "readings seen, each left out in turn\n");
+        "    not tested, for no readings can be held out within what the others bend; 0.34 of the residual is "
+        "left on readings seen, each left out in turn\n");
   CHECK(what_it_does(offered) == "fitted to");
   offered.shrink = Shrink{};
   offered.shrink->heldout = {"press-1"};

@@ -124,7 +124,7 @@ TEST_CASE("how far, in words: not tested, not shrinking, not chosen blind, nothi
       "How far?  Not tested: the readings held out (press-1[1:2], load-2) carry too little of the gap, "
       "noise alone is 71 % of them\n"));
   made.shrink.reset();
-  CHECK(has_words(as_text(made), "How far?  Not tested: too few readings to hold some out\n"));
+  CHECK(has_words(as_text(made), "How far?  Not tested: without readings held out too few are left to fit it\n"));
   made.nothing_predicts = true;
   CHECK(has_words(
       as_text(made),
@@ -156,7 +156,7 @@ TEST_CASE("an unknown cause in words: what is missing, and the best partial expl
   const std::string text = as_text(made);
   CHECK(has_words(
       text,
-      "What?  Unknown: nothing in the catalogue, alone or in twos, brings the residual to the noise\n"
+      "What?  Unknown: no effect of the catalogue, alone or in twos, explains the gap\n"
       "  what is missing, as a function of q2: 50 %; of direction too: 60 %; of time too: 70 %\n" +
           picture(*made.missing) +
           "  best partial explanation: rest_angle(2) (chi-square per degree of freedom 1.1)\n"));
@@ -173,8 +173,8 @@ TEST_CASE("what is missing as a picture of letters, by hand") {
   // From -1 to 10 in eleven rows of one each, from 0 to 1 in 58 columns.
   std::vector<std::string> rows(11, std::string(58, ' '));
   rows[9] = std::string(58, '.');
-  rows[9][0] = 'o', rows[0][57] = 'o', rows[4][29] = '8', rows[7][14] = '<', rows[10][43] = 'o';
-  std::string expected = "  Fx (N) over x (m); o out, < back, 8 both\n";
+  rows[9][0] = '>', rows[0][57] = '>', rows[4][29] = '8', rows[7][14] = '<', rows[10][43] = '>';
+  std::string expected = "  Fx (N) over x (m); > rising, < falling, 8 both\n";
   for (std::size_t r = 0; r < 11; ++r)
     expected += std::string(r == 0 || r == 10 ? "        " : "          ") +
                 (r == 0    ? "10"
@@ -184,5 +184,5 @@ TEST_CASE("what is missing as a picture of letters, by hand") {
   expected += "           +" + std::string(58, '-') + "\n            0" + std::string(56, ' ') + "1\n";
   CHECK(picture(missing) == expected);
   missing.points = {{0.5, 3, 0, false}};  // one place: in the middle
-  CHECK(has_words(picture(missing), " |" + std::string(29, ' ') + "o" + std::string(28, ' ') + "\n"));
+  CHECK(has_words(picture(missing), " |" + std::string(29, ' ') + ">" + std::string(28, ' ') + "\n"));
 }

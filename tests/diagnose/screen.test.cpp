@@ -20,7 +20,7 @@ TEST_CASE("the screen forecasts what a fit then finds, for an effect so small th
     for (const ParameterRange& range : Study(bench).ranges(at)) truth.push_back(0.05 * range.scale);
     const Experiment experiment = measured(bench, {{at}}, truth, 23);
     const Measurements measurements(experiment);
-    const Fit nominal = fit_nominal(Study(experiment), {});
+    const Fit nominal = fit_from(Study(experiment), {}, {}, {});
     const std::vector<Prospect> prospects = screen(Study(experiment), nominal, {});
     CHECK(prospects.size() == possible_effects(Study(experiment)).size());
     const auto forecast = std::find_if(prospects.begin(), prospects.end(),
@@ -71,7 +71,7 @@ TEST_CASE("an effect that the runs never exercised forecasts nothing") {
   press(experiment, {0.3, -0.5, 0.4}, {0, 0.03}, 20, false);  // x never moves: the guide never rubs
   const Experiment noisy = measured(experiment, {}, {}, 31);
   const Study study(noisy);
-  const Fit nominal = fit_nominal(study, {});
+  const Fit nominal = fit_from(study, {}, {}, {});
   for (const Prospect& one : screen(study, nominal, {})) {
     if (one.effect.effect != &effect("guide_friction")) continue;
     CHECK(one.cost == close_to(nominal.cost));

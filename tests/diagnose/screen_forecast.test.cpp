@@ -34,7 +34,6 @@ Weighed weighed_by_hand(const Study& study, const Fit& fitted, const FitSettings
       settings.outlier_bound * std::max(1.0, 3 * std::sqrt(fitted.cost / static_cast<double>(values)));
   for (Eigen::Index i = 0; i < values; ++i) {
     const double z = fitted.whitened[static_cast<std::size_t>(i)];
-    if (!settings.visible.empty() && !settings.visible[static_cast<std::size_t>(i)]) continue;
     all.weight(i) = std::abs(z) > bound ? std::sqrt(bound / std::abs(z)) : 1;
     all.left(i) = all.weight(i) * z;
     all.own.row(i) = all.weight(i) * fitted.jacobian.row(i);
@@ -130,7 +129,7 @@ TEST_CASE("beside the nominal model a forecast is that of least squares on one d
     FitSettings settings;
     settings.noise.scale.fill(scale);
     settings.noise.correlation = 0.3;
-    const Fit nominal = fit_nominal(study, settings);
+    const Fit nominal = fit_from(study, {}, settings, {});
     for (const EffectAt& at : in_proportion_to) check_proportional(study, nominal, settings, at);
   }
 }
@@ -150,21 +149,18 @@ TEST_CASE("beside a fit a forecast readjusts what was fitted") {
                         [&](const Prospect& other) { return other.effect == one.effect; }) == 1);
 }
 
-TEST_CASE("what tolerances hold counts by its prior, and what is not visible, or an outlier, less") {
+TEST_CASE("what tolerances hold counts by its prior, and an outlier less") {
   const Study study = short_bench(11);
-  FitSettings settings;
-  settings.visible.assign(study.measurements().size(), true);
-  for (std::size_t i = 0; i < settings.visible.size(); i += 5) settings.visible[i] = false;
   // As far as machining lets them: a start that no fit has settled.
   const Fit fitted =
-      fit_from(study, {{{"rest_angle", 2}, {"stiffness_spread"}}}, settings, {0.01, 0.05, -0.02, 0.01});
+      fit_from(study, {{{"rest_angle", 2}, {"stiffness_spread"}}}, {}, {0.01, 0.05, -0.02, 0.01});
   for (const EffectAt& at : {EffectAt("rest_angle", 1), EffectAt("force_gain")})
-    check_proportional(study, fitted, settings, at);
+    check_proportional(study, fitted, {}, at);
 }
 
 TEST_CASE("a newcomer that a tolerance holds goes less far than the readings ask") {
   const Study study = short_bench();
-  const Fit nominal = fit_nominal(study, {});
+  const Fit nominal = fit_from(study, {}, {}, {});
   const Weighed rows = weighed_by_hand(study, nominal, {});
   const EffectAt springs("stiffness_spread");
   const std::vector<ParameterRange> ranges = study.ranges(springs);

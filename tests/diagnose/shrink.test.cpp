@@ -58,6 +58,10 @@ TEST_CASE("the shrink of four held-out readings, by hand") {
   CHECK(shrink.ratio == close_to(std::sqrt(20.0 / 400)));
   CHECK(shrink.noise_floor_ratio == close_to(std::sqrt(18.0 / 400)));
   CHECK(shrink.chi2_per_value_after == close_to(20.0 / 18));
+  // In noise of 0.5 and 2.5 sigmas every value counts by its own: (4 2^2 + 4 0.8^2) / 8
+  noise.scale = {9, 9, 0.5, 2.5, 9};
+  CHECK(measure_shrink(measurements, whole_run(experiment, 1), before, after, noise).chi2_per_value_after ==
+        close_to(2.32));
   CHECK(shrink.channels.at({Channel::Name::Fx}).ratio == close_to(1.0 / 6));
   CHECK(shrink.channels.at({Channel::Name::Fy}).ratio == close_to(2.0 / 8));
   CHECK(shrink.channels.at({Channel::Name::Fx}).noise_floor_ratio == close_to(1.5 / 6));

@@ -38,7 +38,7 @@ TEST_CASE("the sizes of an experiment, by hand") {
   CHECK(size.force == 10);  // nine of ten are smaller
   CHECK(size.deflection == close_to(0.3 * 10 * 0.8 / 3));
   CHECK(size.duration == 49.5);
-  CHECK(size.pause == 1.5);
+  CHECK(size.pause == 5.5);  // of pauses of 1.5 to 9.5 s the middle one
   CHECK(size.weighs);
   CHECK(size.measures_force);
   CHECK_FALSE(size.measures_both_forces);
@@ -66,14 +66,26 @@ TEST_CASE("of several runs: the longest duration, the shortest pause, what any o
   experiment.runs.push_back(other);
   const Sizes size = sizes_of(experiment);
   CHECK(size.duration == 49.5);
-  CHECK(size.pause == 0.375);
+  CHECK(size.pause == 1.375);
   CHECK(size.measures_both_forces);
   CHECK(size.turns_back);
   CHECK(size.bent_at_rest);
   CHECK(size.measures(Channel::Name::q));
   std::swap(experiment.runs[0], experiment.runs[1]);
-  CHECK(sizes_of(experiment).pause == 0.375);
+  CHECK(sizes_of(experiment).pause == 1.375);
   CHECK(sizes_of(experiment).duration == 49.5);
+}
+
+TEST_CASE("a run lasts from its first reading to its last, whatever its clock shows, and pauses as it mostly does") {
+  Experiment experiment = ten_readings();
+  for (Reading& r : experiment.runs[0].readings) r.t += 3600;
+  CHECK(sizes_of(experiment).duration == 49.5);
+  CHECK(sizes_of(experiment).pause == 5.5);
+  for (std::size_t i = 1; i < 10; ++i) experiment.runs[0].readings[i].t += 60;  // a rest after the first
+  CHECK(sizes_of(experiment).pause == 6.5);  // of those from 2.5 to 61.5 s
+  // stamps of a clock that is read more coarsely than the sensors
+  for (std::size_t i = 0; i < 10; ++i) experiment.runs[0].readings[i].t = std::floor(static_cast<double>(i) / 3);
+  CHECK(sizes_of(experiment).pause == 1);
 }
 
 TEST_CASE("what is measured alone counts: weights read no force, and an imposed one is no plateau") {

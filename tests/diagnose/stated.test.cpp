@@ -106,7 +106,7 @@ TEST_CASE("a screen forecasts what is stated as it forecasts the catalogue's row
     const Rows rows = rows_of(one.text);
     const Study study(measured(two_presses(), only(one.id), one.truth, 5), rows);
     double cost[2] = {0, 0};
-    for (const Prospect& prospect : screen(study, fit_nominal(study, {}), {})) {
+    for (const Prospect& prospect : screen(study, fit_from(study, {}, {}, {}), {})) {
       if (prospect.effect == EffectAt(one.id)) cost[0] = prospect.cost;
       if (prospect.effect == EffectAt(rows->front())) cost[1] = prospect.cost;
     }

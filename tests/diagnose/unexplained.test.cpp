@@ -2,7 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
@@ -58,38 +60,62 @@ TEST_CASE(
     CHECK(missing.points[i].at == experiment.runs[0].readings[i].x);
     CHECK(missing.points[i].t == 2.0 * static_cast<double>(i));
     CHECK(missing.points[i].value == doctest::Approx(0.001 * static_cast<double>(i)).scale(1).epsilon(1e-9));
-    CHECK(missing.points[i].returning == (i > 40));
+    CHECK(missing.points[i].falling == (i <= 40));  // x goes down to the turn
   }
 }
 
 TEST_CASE("shares of what is missing that go with the place, the direction and the time, by hand") {
-  // A part that has one value in each of the twenty bins of the way is all of the place.
-  const double start = exact_press().runs[0].readings[0].x;
-  const auto steps = [&](std::size_t, const Reading& r) {
-    const double share = 1 - (start - r.x) / 0.02;  // from 0 at the far end to 1
-    return 0.05 * std::sin(3 * std::min(19.0, std::floor(20 * share + 1e-9)));
-  };
-  const Missing of_place = described(steps);
-  CHECK(of_place.by_position == doctest::Approx(1).epsilon(0.03));
-  CHECK(of_place.by_position <= of_place.by_direction);
+  // Where both ways come by with the same value every reading has a neighbour that says the same.
+  const Missing of_place = described([](std::size_t, const Reading& r) { return 0.05 * std::sin(900 * r.x); });
+  CHECK(of_place.by_position == doctest::Approx(1));
+  CHECK(of_place.by_direction == doctest::Approx(1));
 
-  // One that is 1 on the way out and -1 on the way back has a mean of nothing where both ways come by: in all
-  // bins but the one at the far end, whose turn goes out alone.
+  // One that is 1 on the way out and -1 on the way back has a neighbour of the other sign everywhere.
   const Missing of_way = described([](std::size_t i, const Reading&) { return i <= 40 ? 0.05 : -0.05; });
-  CHECK(of_way.by_position < 0.05);
+  CHECK(of_way.by_position == 0);
   CHECK(of_way.by_direction == doctest::Approx(1));
   CHECK(of_way.by_time == doctest::Approx(1));
 
-  // One that grows with time goes with neither alone. In each bin of a way, of two readings, it is within
-  // 0.001 of its mean.
+  // One that grows with time goes with neither alone, but is a line over each way.
   const Missing of_time =
       described([](std::size_t i, const Reading&) { return 0.001 * (static_cast<double>(i) - 40); });
-  CHECK(of_time.by_position < 0.05);
-  CHECK(of_time.by_direction == doctest::Approx(1).epsilon(1e-3));
-  CHECK(of_time.by_time >= of_time.by_direction);
+  CHECK(of_time.by_position == 0);
+  CHECK(of_time.by_direction == doctest::Approx(1));
 
-  const Missing nothing = described([](std::size_t, const Reading&) { return 0; });
-  CHECK(nothing.by_position <= 1);
+  // What is everywhere the same has no variance that anything could explain, but for rounding.
+  const Missing constant = described([](std::size_t, const Reading&) { return 0.05; });
+  CHECK(constant.by_position < 0.5);
+}
+
+TEST_CASE("white noise goes with nothing, however few readings there are") {
+  // Off its neighbours a value has the variance that it has: of N readings, 2 N / 3 independent at least, the
+  // share spreads by sqrt(3 / N) about nothing, and the trend takes 1 / N more.
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> unit;
+  double sum = 0;
+  for (int draw = 0; draw < 20; ++draw) {
+    const Missing noise = described([&](std::size_t, const Reading&) { return 0.05 * unit(random); });
+    CHECK(noise.by_position < 5 * std::sqrt(3.0 / 81));
+    sum += noise.by_time / 20;
+  }
+  CHECK(sum < std::sqrt(3.0 / 81));
+}
+
+TEST_CASE("direction is the sign of motion: a run that begins pushed in and lets go moves back too") {
+  Experiment experiment = exact_press();
+  Run pushed = experiment.runs[0];
+  pushed.id = "let-go";
+  std::reverse(pushed.readings.begin(), pushed.readings.begin() + 41);
+  pushed.readings.resize(41);  // from the turn to the start
+  for (std::size_t i = 0; i < 41; ++i) pushed.readings[i].t = experiment.runs[0].readings[i].t;
+  experiment.runs.push_back(pushed);
+  for (std::size_t r : {0U, 1U})
+    for (std::size_t i = 0; i < experiment.runs[r].readings.size(); ++i)
+      experiment.runs[r].readings[i].Fx += r == 0 && i <= 40 ? 0.05 : -0.05;
+  const Study study(experiment);
+  const Missing missing = describe_missing(study, study.nominal_residual(), in_Fx());
+  for (std::size_t i = 0; i < 41; ++i) CHECK_FALSE(missing.points[81 + i].falling);
+  CHECK(missing.by_direction == doctest::Approx(1));
 }
 
 TEST_CASE("a value that stands alone is not missing, and runs of another control are not drawn with it") {
