@@ -145,13 +145,14 @@ bool affordable(const LawShape& shape, std::size_t laws, std::size_t values) {
   return 2 * static_cast<std::size_t>(shape.terms()) * laws <= std::max<std::size_t>(values, 8);
 }
 
-ChosenLaw fit_law(const LawShape& shape, std::size_t laws, const std::vector<LawSums>& by_fold) {
-  const Eigen::Index all_terms = by_fold.front().with_residual.size() / static_cast<Eigen::Index>(laws);
+ChosenLaw fit_law(const LawShape& shape, std::size_t laws, const LawFolds& folds) {
+  const Eigen::Index all_terms = folds.parts.front().with_residual.size() / static_cast<Eigen::Index>(laws);
   const Eigen::MatrixXd chosen = repeated(selection(shape, all_terms), laws);
   std::vector<LawSums> parts;
-  for (const LawSums& part : by_fold) parts.push_back(reduced(chosen, part));
+  for (const LawSums& part : folds.parts) parts.push_back(reduced(chosen, part));
   LawSums whole = parts.front();
   for (std::size_t f = 1; f < parts.size(); ++f) whole += parts[f];
+  whole.terms /= folds.times, whole.with_residual /= folds.times, whole.residual /= folds.times;
   ChosenLaw best;
   for (const double smoothness : smoothnesses(shape)) {
     const Eigen::MatrixXd held_against =
@@ -160,7 +161,7 @@ ChosenLaw fit_law(const LawShape& shape, std::size_t laws, const std::vector<Law
     for (const LawSums& part : parts) {
       LawSums rest = whole;
       rest -= part;
-      left += part.left(solve(shape, rest, held_against));
+      left += part.left(solve(shape, rest, held_against)) / folds.times;
     }
     if (best.coefficients.size() > 0 && !(left < best.left)) continue;
     best = {left, shape, chosen * solve(shape, whole, held_against)};
@@ -168,21 +169,19 @@ ChosenLaw fit_law(const LawShape& shape, std::size_t laws, const std::vector<Law
   return best;
 }
 
-ChosenLaw choose_law(const std::vector<LawSums>& by_fold, std::size_t values) {
+ChosenLaw choose_law(const LawFolds& folds, std::size_t values) {
   constexpr int rounds = 6;
-  // A term that is not there gains by chance, in chi-square, one or two.
-  constexpr double noticed = 4;
   // Of the squares: a profile follows much that has another reason.
   constexpr double clearly = 0.8;
-  ChosenLaw best = fit_law({}, 1, by_fold);
+  ChosenLaw best = fit_law({}, 1, folds);
   const auto try_one = [&](const LawShape& other, double asked) {
     if (!affordable(other, 1, values)) return;
-    if (ChosenLaw trial = fit_law(other, 1, by_fold); trial.left < best.left - asked) best = std::move(trial);
+    if (ChosenLaw trial = fit_law(other, 1, folds); trial.left < best.left - asked) best = std::move(trial);
   };
   for (int round = 0; round < rounds; ++round) {
     const double before = best.left;
     for (const LawShape& other : neighbours(best.shape))
-      try_one(other, other.terms() > best.shape.terms() ? noticed : 0);
+      try_one(other, other.terms() > best.shape.terms() ? noticed_gain : 0);
     if (!(best.left < before)) break;
   }
   const double asked = (1 - clearly) * best.left;

@@ -3,6 +3,7 @@
 /// Which terms a torque law takes and how smooth it is, by cross-validation.
 
 #include <optional>
+#include <vector>
 
 #include "diagnose/answers/law_terms.hpp"
 
@@ -20,6 +21,12 @@ struct LawSums {
   [[nodiscard]] double left(const Eigen::VectorXd& coefficients) const;
 };
 
+/// The values in folds, each of them in as many: what every fold holds is predicted from all the others.
+struct LawFolds {
+  std::vector<LawSums> parts;
+  double times = 1;  ///< so many folds hold each value
+};
+
 /// Which terms a law may use.
 struct LawShape {
   Eigen::Index knots = 3;
@@ -35,20 +42,23 @@ struct LawShape {
 
 /// Laws side by side, all of one shape.
 struct ChosenLaw {
-  double left = 0;  ///< sum of squares of the folds, each predicted without itself
+  double left = 0;  ///< sum of squares of the values, each predicted without the fold that holds it
   LawShape shape;
   Eigen::VectorXd coefficients;  ///< of all terms, one law after the other
 };
 
+/// What a shape has to gain over another, in chi-square: a term that is not there gains one or two by chance.
+inline constexpr double noticed_gain = 4;
+
 /// The law of a shape that predicts best the folds left out in turn, over how smooth it is. Curvature is held
 /// against it, and an even part, so that a side that was never bent answers as the other.
 /// \param laws  how many laws the terms belong to
-ChosenLaw fit_law(const LawShape& shape, std::size_t laws, const std::vector<LawSums>& by_fold);
+ChosenLaw fit_law(const LawShape& shape, std::size_t laws, const LawFolds& folds);
 
 /// The best one law over its shape: from a straight one, changed in one part at a time (knots, sliders, arms)
 /// while that helps; or one of a slider with a profile, where that leaves clearly less.
 /// \param values  how many values there are
-ChosenLaw choose_law(const std::vector<LawSums>& by_fold, std::size_t values);
+ChosenLaw choose_law(const LawFolds& folds, std::size_t values);
 
 /// Whether there are two values for each coefficient.
 bool affordable(const LawShape& shape, std::size_t laws, std::size_t values);

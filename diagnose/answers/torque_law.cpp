@@ -1,6 +1,7 @@
 #include "diagnose/answers/torque_law.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -54,8 +55,9 @@ LawSpan span_of(const Study& study, const Response& rig, const std::vector<std::
     for (const std::size_t j : joints)
       for (const double d : deflection(study, rig.rig, rig.given, r, j))
         if (std::isfinite(d)) span.low = std::min(span.low, d), span.high = std::max(span.high, d);
-    const std::vector<Reading>& readings = study.experiment().runs[r].readings;
-    span.duration = std::max(span.duration, readings.back().t - readings.front().t);
+    const Run& run = study.experiment().runs[r];
+    if (!run.counts_readings())
+      span.duration = std::max(span.duration, run.readings.back().t - run.readings.front().t);
   }
   return span;
 }
@@ -106,16 +108,34 @@ std::vector<Placement> placements(const Study& study, const Response& rig) {
   return all;
 }
 
-/// The fold of a reading: ten blocks of neighbours in every run, two to a fold.
-std::size_t fold_of(std::size_t run, std::size_t reading, std::size_t readings) {
-  return (10 * reading / readings + run) % folds;
+/// The two folds of a reading: ten blocks of neighbours in every run, two to a fold; the next run begins a
+/// fold later in the first five folds and a fold earlier in the others, for which of its readings are left
+/// out with which of this one's is chance. \param begins  the fold of the run's first block
+std::array<std::size_t, 2> folds_of(std::size_t begins, std::size_t reading, std::size_t readings) {
+  const std::size_t block = 10 * reading / readings;
+  return {(block + begins) % folds, folds + (block + folds - begins % folds) % folds};
 }
 
-std::vector<LawSums> sums_of(const Study& study, const Response& rig, const Placement& place,
-                             const std::vector<double>& residual, const NoiseModel& noise) {
+/// By run: in which fold it begins, each in another, so that what is left out of one is seen in the next. By
+/// how much of the gap they carry, for the order in which they are listed says nothing.
+std::vector<std::size_t> first_folds(const Study& study) {
+  std::vector<double> carried(study.experiment().runs.size(), 0.0);
+  const std::vector<double> residual = study.nominal_residual();
+  for (const Series& series : study.measurements().series())
+    for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i)
+      carried[series.run] += residual[i] * residual[i];
+  std::vector<std::size_t> first;
+  for (const double own : carried)
+    first.push_back(static_cast<std::size_t>(
+        std::count_if(carried.begin(), carried.end(), [&](double other) { return other > own; })));
+  return first;
+}
+
+LawFolds sums_of(const Study& study, const Response& rig, const Placement& place,
+                 const std::vector<double>& residual, const NoiseModel& noise) {
   const Eigen::Index own = terms_of(place), width = static_cast<Eigen::Index>(place.size()) * own;
   const LawSums none{Eigen::MatrixXd::Zero(width, width), Eigen::VectorXd::Zero(width), 0};
-  std::vector<LawSums> by_fold(folds, none);
+  LawFolds result{std::vector<LawSums>(2 * folds, none), 2};
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(residual.size()), width);
   for (std::size_t b = 0; b < place.size(); ++b) {
     for_each_part(study, rig, place[b], [&](std::size_t a, std::size_t run, const Eigen::MatrixXd& terms) {
@@ -131,24 +151,27 @@ std::vector<LawSums> sums_of(const Study& study, const Response& rig, const Plac
       }
     });
   }
+  const std::vector<std::size_t> first = first_folds(study);
   for (const Series& series : study.measurements().series()) {
-    const std::size_t readings = study.experiment().runs[series.run].readings.size();
+    const std::size_t readings = study.experiment().runs[series.run].readings.size(),
+                      begins = first[series.run];
     // Neighbours in one fold are one slab of rows.
     std::size_t from = 0;
     while (from < series.readings.size()) {
-      const std::size_t fold = fold_of(series.run, series.readings[from], readings);
+      const std::array<std::size_t, 2> both = folds_of(begins, series.readings[from], readings);
       std::size_t to = from;
-      while (to < series.readings.size() && fold_of(series.run, series.readings[to], readings) == fold) ++to;
+      while (to < series.readings.size() && folds_of(begins, series.readings[to], readings) == both) ++to;
       const auto rows = slopes.middleRows(static_cast<Eigen::Index>(series.first + from),
                                           static_cast<Eigen::Index>(to - from));
       const Eigen::VectorXd part = Eigen::Map<const Eigen::VectorXd>(residual.data() + series.first + from,
                                                                      static_cast<Eigen::Index>(to - from)) /
                                    noise.of(series.channel);
-      by_fold[fold] += {rows.transpose() * rows, rows.transpose() * part, part.squaredNorm()};
+      const LawSums sums{rows.transpose() * rows, rows.transpose() * part, part.squaredNorm()};
+      for (const std::size_t fold : both) result.parts[fold] += sums;
       from = to;
     }
   }
-  return by_fold;
+  return result;
 }
 
 /// What a law may leave of the rms and still be offered. The gain of a law that says nothing scatters by
@@ -238,6 +261,23 @@ TorqueLaw settled(const Study& seen, const NoiseModel& noise, TorqueLaw law, con
   return law;
 }
 
+/// A settled law, its shape chosen again by how the chain answers that has it: where the law is large, what
+/// the base answers to it shows too little of what another shape would do. Laws of their own keep theirs.
+TorqueLaw chosen_again(const Study& seen, const NoiseModel& noise, const TorqueLaw& law,
+                       const LawShape& shape) {
+  const Response with = response(seen, rig_with_law(seen, law));
+  if (law.laws.size() > 1 || !with.given.reached) return law;
+  const LawFolds sums = sums_of(seen, with, law.laws, to_explain(seen, with, law), noise);
+  const ChosenLaw same = fit_law(shape, 1, sums), other = choose_law(sums, seen.measurements().size());
+  if (!(other.left < same.left - noticed_gain)) return law;
+  TorqueLaw next = law;
+  next.knots = other.shape.knots;
+  next.cross_validated *= std::sqrt(other.left / same.left);
+  take(other.coefficients, next);
+  next = settled(seen, noise, std::move(next), other.shape);
+  return std::isfinite(left_with(seen, noise, next)) ? next : law;
+}
+
 }  // namespace
 
 double left_with(const Study& study, const NoiseModel& noise, const TorqueLaw& law) {
@@ -254,12 +294,12 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
   LawShape shape, best_shape;
   double left = std::numeric_limits<double>::infinity();
   for (const Placement& place : placements(seen, rig)) {
-    const std::vector<LawSums> by_fold = sums_of(seen, rig, place, residual, noise);
+    const LawFolds sums = sums_of(seen, rig, place, residual, noise);
     // Laws of their own take the shape of the one law that all joints share, which was looked at just before.
     if (place.size() > 1) shape.profile = {};
     if (place.size() > 1 && !affordable(shape, place.size(), residual.size())) continue;
     const ChosenLaw chosen =
-        place.size() > 1 ? fit_law(shape, place.size(), by_fold) : choose_law(by_fold, residual.size());
+        place.size() > 1 ? fit_law(shape, place.size(), sums) : choose_law(sums, residual.size());
     shape = chosen.shape;
     // One joint alone is the least that can be said.
     constexpr double clearly = 0.8;
@@ -274,7 +314,7 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
   const double nominal = squares(seen, noise, without_outliers(seen.measurements(), seen.nominal_residual()));
   best->cross_validated = std::sqrt(left / nominal);
   if (!(best->cross_validated < worth_at_most(seen.measurements().size()))) return std::nullopt;
-  return settled(seen, noise, *std::move(best), best_shape);
+  return chosen_again(seen, noise, settled(seen, noise, *std::move(best), best_shape), best_shape);
 }
 
 std::vector<FreeLaw> free_laws(const Study& study, const TorqueLaw& law) {

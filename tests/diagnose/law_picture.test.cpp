@@ -259,7 +259,7 @@ namespace {
 
 /// Sums of five folds over a joint that turns there and back ever wider, where it misses the torque of these
 /// coefficients and reads it with a scatter of one.
-std::vector<LawSums> sums_of_missing(const Eigen::VectorXd& coefficients, std::size_t& values) {
+LawFolds sums_of_missing(const Eigen::VectorXd& coefficients, std::size_t& values) {
   Run run{"run", Control::end_point, {0}, {}};
   std::vector<double> path;
   for (const double far : {0.05, -0.08, 0.15, -0.2, 0.3, -0.4, 0.4, -0.3, 0.2, -0.1, 0.0}) {
@@ -281,7 +281,7 @@ std::vector<LawSums> sums_of_missing(const Eigen::VectorXd& coefficients, std::s
     const double torque = term.dot(coefficients) + scatter(engine);
     folds[static_cast<std::size_t>(i / 10 % 5)] += {term * term.transpose(), term * torque, torque * torque};
   }
-  return folds;
+  return {folds};
 }
 
 }  // namespace
@@ -294,7 +294,7 @@ TEST_CASE("a loop of sliders all over the stroke is taken for what it is, whethe
     Eigen::VectorXd truth = Eigen::VectorXd::Zero(law_terms_count);
     for (const Eigen::Index m : sliders) truth(finest_knots + m) = 100;
     std::size_t values = 0;
-    const std::vector<LawSums> folds = sums_of_missing(truth, values);
+    const LawFolds folds = sums_of_missing(truth, values);
     const ChosenLaw found = choose_law(folds, values);
     CHECK(found.shape.sliders == sliders);
     // Each value leaves its scatter, 1, and each coefficient about 1 more, for it scatters too. The sum of so
