@@ -172,8 +172,9 @@ double scale_bound(const Measurements& measurements, double in_place, Name name)
   double rough = 0;
   for (const Series& series : measurements.series())
     if (series.channel.name == name) rough = std::max(rough, series.roughness);
-  const double least = std::max(1.0, rounding(measurements, name));
-  return std::max(least, std::min(hidden * rough, in_place));
+  // What rounds a value alike whenever it comes by shows neither in place nor where readings stand still.
+  const double rounded = rounding(measurements, name);
+  return std::max(std::hypot(1.0, rounded), std::hypot(std::min(hidden * rough, in_place), rounded));
 }
 
 /// Standard deviations by channel, as far as differences of neighbours show them.
@@ -222,9 +223,9 @@ std::vector<double> without_outliers(const Measurements& measurements, const std
 namespace {
 
 /// Variance of one channel's noise times 1 - phi, as first differences show it, and how much larger
-/// differences over two readings are; without what rounding adds, which does not correlate.
+/// differences over two readings are; without the variance that rounding adds, which does not correlate.
 struct Steps {
-  double near = 0, ratio = 1, curved = 0, values = 0;
+  double near = 0, ratio = 1, curved = 0, values = 0, rounded = 0;
 };
 
 Steps steps_of(const Measurements& measurements, const std::vector<double>& residual, Name name) {
@@ -236,11 +237,11 @@ Steps steps_of(const Measurements& measurements, const std::vector<double>& resi
   const double plain = robust_variance(near) / 2;
   if (!(plain > 0)) return steps;
   // Of coarser readings, which repeat, the rest is no noise.
-  double rounded = std::pow(rounding(measurements, name), 2);
-  if (rounded > plain / 2) rounded = 0;
-  steps.near = plain - rounded;
-  steps.ratio = (robust_variance(far) / 2 - rounded) / steps.near;
-  steps.curved = robust_variance(second_differences(measurements, residual, name)) / 2 - 3 * rounded;
+  if (const double variance = std::pow(rounding(measurements, name), 2); variance <= plain / 2)
+    steps.rounded = variance;
+  steps.near = plain - steps.rounded;
+  steps.ratio = (robust_variance(far) / 2 - steps.rounded) / steps.near;
+  steps.curved = robust_variance(second_differences(measurements, residual, name)) / 2 - 3 * steps.rounded;
   return steps;
 }
 
@@ -302,7 +303,8 @@ RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& 
   for (std::size_t c = 0; c < steps.size(); ++c) {
     if (!(steps[c].near > 0)) continue;
     const double straight = steps[c].near / (1 - phi), curved = steps[c].curved / ((1 - phi) * (3 - phi));
-    noise.scale[c] = std::sqrt(steps[c].ratio > 2 && curved > 0 ? std::min(straight, curved) : straight);
+    const double fine = steps[c].ratio > 2 && curved > 0 ? std::min(straight, curved) : straight;
+    noise.scale[c] = std::sqrt(fine + steps[c].rounded);
   }
   return noise;
 }
@@ -319,9 +321,13 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
   const double taken = std::clamp(raw.correlation, 0.0, raw.largest_correlation);
   for (std::size_t c = 0; c < noise.scale.size(); ++c) {
     const double scale = raw.scale[c] * std::sqrt((1 - taken) / (1 - noise.correlation));
-    noise.scale[c] = raw.values[c] > 0 && scale > 0 ? with_prior(scale, raw.values[c] / 2) : 1.0;
+    // What is declared is of the sensor, before its readings are rounded.
+    const double declared = std::hypot(1.0, rounding(measurements, all_names[c]));
+    noise.scale[c] = declared;
+    if (raw.values[c] > 0 && scale > 0) noise.scale[c] *= with_prior(scale / declared, raw.values[c] / 2);
     // Large and slow at once is a gap, not noise; in runs too short for noise so slow, what has a slope.
-    if (noise.correlation > 0.5 || raw.correlation > 0.9) noise.scale[c] = std::min(noise.scale[c], 1.5);
+    if (noise.correlation > 0.5 || raw.correlation > 0.9)
+      noise.scale[c] = std::min(noise.scale[c], std::max(1.5, declared));
     noise.scale[c] =
         std::min(noise.scale[c], scale_bound(measurements, raw.largest_in_place[c], all_names[c]));
   }
