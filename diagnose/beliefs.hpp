@@ -11,12 +11,9 @@ namespace plumbline::diagnose::beliefs {
 /// Spread of the logarithm of true over declared sigma: most labs know theirs to a quarter. What the readings
 /// say themselves widens it without a limit, for the others err by any factor.
 inline constexpr double scale_spread = 0.25;
-/// Readings that scatter more than so many times the declared sigma scatter for a reason: a ripple of the
-/// device that nobody has listed is more likely than a sigma that is as wrong. A position is often declared
-/// by what its sensor resolves, which is less than what the end point repeats to: of simulated experiments
-/// without other structure both whose positions scattered five to ten times had no cause, all five whose
-/// forces did had one.
-inline constexpr double largest_scale = 5, largest_position_scale = 10;
+/// A hum of more declared sigmas than this is a ripple of the device. In readings that scatter more than so
+/// many times the declared sigma such a ripple may hide, finer than they are; or the sigma was as wrong.
+inline constexpr double largest_hum = 5;
 /// Third differences of noise alternate: the products of neighbours over the larger of their squares have the
 /// mean -0.34 where the values are independent, -0.29 where they correlate by 0.5 to 0.9; along a curve that
 /// is sampled coarsely they are positive.

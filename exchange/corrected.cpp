@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <plumbline/base/error.hpp>
 
 #include "exchange/edit_mjcf.hpp"
@@ -49,13 +50,14 @@ std::vector<double> reported(const Diagnosis& diagnosis) {
   return values;
 }
 
-/// "backlash-2-gravity"
+/// "backlash-2-gravity"; "user-cogging", for some systems allow no colon in the names of files
 std::string file_word(const Candidate& candidate) {
   std::string word;
   for (const diagnose::EffectAt& at : candidate.effects) {
     word += (word.empty() ? "" : "-") + std::string(at.effect->id);
     if (at.joint > 0) word += "-" + std::to_string(at.joint);
   }
+  std::replace(word.begin(), word.end(), ':', '-');
   return word;
 }
 

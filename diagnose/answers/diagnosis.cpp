@@ -81,14 +81,6 @@ GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
   return gap;
 }
 
-/// Whether the readings of some channel scatter so much that what looks like noise is taken for a ripple.
-bool ripples(const Measurements& measurements, const NoiseModel& noise) {
-  return std::any_of(measurements.series().begin(), measurements.series().end(), [&](const Series& series) {
-    const bool position = series.channel.sensor() == Sensor::position;
-    return noise.of(series.channel) > (position ? beliefs::largest_position_scale : beliefs::largest_scale);
-  });
-}
-
 /// 95 % bounds of one parameter: of what a tolerance holds, nearly a Gaussian, by its spread; of others by
 /// profile likelihood.
 Profile bounds(const Study& study, const Fit& fit, std::size_t parameter, const FitSettings& settings) {
@@ -335,13 +327,7 @@ Diagnosis diagnose(const Study& study, const Report& progress, bool plan) {
   diagnosis.experiment = study.experiment().name;
   diagnosis.gap = ask_for_gap(study, residual);
   diagnosis.allowed = diagnosis.noise = diagnosis.gap.test.noise;
-  if (diagnosis.gap.present) {
-    explain(study, diagnosis, report);
-  } else if (ripples(study.measurements(), diagnosis.noise)) {
-    diagnosis.gap.present = true;
-    diagnosis.cause.verdict = CauseVerdict::unknown;
-    diagnosis.cause.unknown = 1;
-  }
+  if (diagnosis.gap.present) explain(study, diagnosis, report);
   diagnosis.where = locate(study, study.nominal(), residual, diagnosis.noise);
   imply_joints(study, residual, diagnosis);
   if (diagnosis.gap.present && diagnosis.cause.verdict == CauseVerdict::unknown)

@@ -26,8 +26,9 @@ std::optional<OfferedLaw> offer_law(const Study& study, const NoiseModel& noise,
     return predicted.reached ? std::optional(study.residual(predicted)) : std::nullopt;
   };
   const std::optional<Rotated> blind = rotated(study, noise, left_blind);
+  law = refitted(study, noise, *law);
   OfferedLaw offered{*law, {}, std::nullopt, law_traces(study, *law)};
-  for (const JointTorqueLaw& one : law->laws) offered.pictures.push_back(picture_of(one, law->knots));
+  for (const JointTorqueLaw& one : law->laws) offered.pictures.push_back(picture_of(one, law->shape.knots));
   if (blind) {
     offered.shrink = blind->shrink;
     offered.shrink->chosen_blind = true;

@@ -232,7 +232,7 @@ TorqueLaw between(const TorqueLaw& from, const TorqueLaw& to, double share) {
 /// A law that was fitted to how the base answers at the deflections that it has without the law, fitted again
 /// to how the chain answers that has the law, at the deflections that it then has: Gauss and Newton's
 /// iteration, by shorter steps where a whole one does not help.
-TorqueLaw settled(const Study& seen, const NoiseModel& noise, TorqueLaw law, const LawShape& shape) {
+TorqueLaw settled(const Study& seen, const NoiseModel& noise, TorqueLaw law) {
   constexpr int rounds = 20;
   constexpr double noticeable = 1e-3;
   double least = left_with(seen, noise, law);
@@ -244,8 +244,8 @@ TorqueLaw settled(const Study& seen, const NoiseModel& noise, TorqueLaw law, con
     const Response with = response(seen, rig_with_law(seen, law));
     if (!with.given.reached) break;
     TorqueLaw next = law;
-    const ChosenLaw fitted =
-        fit_law(shape, law.laws.size(), sums_of(seen, with, law.laws, to_explain(seen, with, law), noise));
+    const ChosenLaw fitted = fit_law(law.shape, law.laws.size(),
+                                     sums_of(seen, with, law.laws, to_explain(seen, with, law), noise));
     take(fitted.coefficients, next);
     double left = std::numeric_limits<double>::infinity();
     for (const double share : {1.0, 0.5, 0.25, 0.1}) {
@@ -263,19 +263,18 @@ TorqueLaw settled(const Study& seen, const NoiseModel& noise, TorqueLaw law, con
 
 /// A settled law, its shape chosen again by how the chain answers that has it: where the law is large, what
 /// the base answers to it shows too little of what another shape would do. Laws of their own keep theirs.
-TorqueLaw chosen_again(const Study& seen, const NoiseModel& noise, const TorqueLaw& law,
-                       const LawShape& shape) {
+TorqueLaw chosen_again(const Study& seen, const NoiseModel& noise, const TorqueLaw& law) {
   const Response with = response(seen, rig_with_law(seen, law));
   if (law.laws.size() > 1 || !with.given.reached) return law;
   const LawFolds sums = sums_of(seen, with, law.laws, to_explain(seen, with, law), noise);
-  const ChosenLaw same = fit_law(shape, 1, sums), other = choose_law(sums, seen.measurements().size());
+  const ChosenLaw same = fit_law(law.shape, 1, sums), other = choose_law(sums, seen.measurements().size());
   if (!(other.left < same.left - noticed_gain)) return law;
   TorqueLaw next = law;
-  next.knots = other.shape.knots;
+  next.shape = other.shape;
   next.cross_validated *= std::sqrt(other.left / same.left);
   take(other.coefficients, next);
-  next = settled(seen, noise, std::move(next), other.shape);
-  return std::isfinite(left_with(seen, noise, next)) ? next : law;
+  next = settled(seen, noise, std::move(next));
+  return left_with(seen, noise, next) < left_with(seen, noise, law) ? next : law;
 }
 
 }  // namespace
@@ -291,7 +290,7 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
   if (!rig.given.reached) return std::nullopt;
   const std::vector<double> residual = without_outliers(seen.measurements(), seen.residual(rig.given));
   std::optional<TorqueLaw> best;
-  LawShape shape, best_shape;
+  LawShape shape;
   double left = std::numeric_limits<double>::infinity();
   for (const Placement& place : placements(seen, rig)) {
     const LawFolds sums = sums_of(seen, rig, place, residual, noise);
@@ -306,22 +305,25 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
     const bool simple = place.size() == 1 && place.front().joints.size() == 1;
     if (best && !(chosen.left < (simple ? 1 : clearly) * left)) continue;
     left = chosen.left;
-    best = TorqueLaw{base, place, chosen.shape.knots, 1};
-    best_shape = chosen.shape;
+    best = TorqueLaw{base, place, chosen.shape, 1};
     take(chosen.coefficients, *best);
   }
   if (!best) return std::nullopt;
   const double nominal = squares(seen, noise, without_outliers(seen.measurements(), seen.nominal_residual()));
   best->cross_validated = std::sqrt(left / nominal);
   if (!(best->cross_validated < worth_at_most(seen.measurements().size()))) return std::nullopt;
-  return chosen_again(seen, noise, settled(seen, noise, *std::move(best), best_shape), best_shape);
+  return refitted(seen, noise, *best);
+}
+
+TorqueLaw refitted(const Study& study, const NoiseModel& noise, const TorqueLaw& law) {
+  return chosen_again(study, noise, settled(study, noise, law));
 }
 
 std::vector<FreeLaw> free_laws(const Study& study, const TorqueLaw& law) {
   std::vector<FreeLaw> all;
   for (const JointTorqueLaw& one : law.laws)
     for (const std::size_t joint : one.joints)
-      all.push_back(free_law(one.span, law.knots, one.coefficients, joint,
+      all.push_back(free_law(one.span, law.shape.knots, one.coefficients, joint,
                              study.experiment().joint_stiffness[joint - 1] / one.stiffness));
   return all;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/answers/law_terms.hpp"
+#include "diagnose/answers/law_choice.hpp"
 #include "diagnose/answers/shrink.hpp"
 
 namespace plumbline::diagnose {
@@ -24,14 +24,14 @@ struct JointTorqueLaw {
 struct TorqueLaw {
   Instance base;  ///< effects that it stands beside; none: on the nominal model
   std::vector<JointTorqueLaw> laws;
-  Eigen::Index knots = 0;      ///< of each law
+  LawShape shape;              ///< of each law
   double cross_validated = 1;  ///< rms left on blocks that the fit had not seen, over the nominal model's
 };
 
 /// Chooses a law blind and fits it: the joints, the number of knots, the sliders, the arms and how smooth it
 /// is are those that predict best the blocks of readings that are left out in turn. In that choice the
 /// channels answer to a torque as the base's derivative says, at the deflections that the base has, so the
-/// law is linear in its coefficients; the law chosen is then fitted to the chain that has it.
+/// law is linear in its coefficients; the law chosen is then refitted().
 ///
 /// \param seen   without the readings that are held out
 ///
@@ -39,6 +39,10 @@ struct TorqueLaw {
 ///
 /// \returns nothing where no law predicts surely better than the nominal model
 std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noise, const Instance& base);
+
+/// The law fitted to the chain that has it, from where it stands, and its shape chosen again by how that
+/// chain answers; as it is where that leaves no less.
+TorqueLaw refitted(const Study& study, const NoiseModel& noise, const TorqueLaw& law);
 
 /// The laws of the joints, each by itself, as the rig has them.
 std::vector<FreeLaw> free_laws(const Study& study, const TorqueLaw& law);

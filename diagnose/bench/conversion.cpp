@@ -1,5 +1,8 @@
 #include "diagnose/bench/conversion.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -179,12 +182,15 @@ bool is_bent_at_rest(const Experiment& e, std::size_t joint) {
                      [&](const Run& run) { return std::abs(run.rest[joint]) > least; });
 }
 
+bool measures_angles(const Experiment& e) {
+  return std::any_of(e.runs.begin(), e.runs.end(),
+                     [](const Run& run) { return !run.readings.empty() && !run.readings.front().q.empty(); });
+}
+
 /// One joint whose angle is counted the other way: at rest, as it is read, or both.
 void add_turned_joints(const Experiment& e, std::vector<Conversion>& all) {
   const std::size_t joints = e.link_length.size();
-  const bool measured = std::any_of(e.runs.begin(), e.runs.end(), [](const Run& run) {
-    return !run.readings.empty() && !run.readings.front().q.empty();
-  });
+  const bool measured = measures_angles(e);
   const auto add = [&](const std::string& what, const std::string& remedy, const auto& turn) {
     all.push_back({what,
                    "an angle of the opposite sign",
@@ -283,27 +289,91 @@ void add_units_of_chain(const Experiment& e, std::vector<Conversion>& all) {
   }
 }
 
-void add_order_of_chain(std::vector<Conversion>& all) {
-  const auto reverse = [](std::vector<double>& values) { std::reverse(values.begin(), values.end()); };
-  const char* from_base = "joints and links from the base on";
-  all.push_back({"joint_stiffness",
-                 "a list from the end point on",
-                 from_base,
-                 "joint_stiffness in reverse",
-                 0,
-                 false,
-                 {},
-                 [reverse](Experiment& e) { reverse(e.joint_stiffness); }});
-  all.push_back({"link_length, joint_stiffness",
-                 "lists from the end point on",
-                 from_base,
-                 "the lists of [nominal] in reverse",
-                 0,
-                 false,
-                 {},
-                 [reverse](Experiment& e) {
-                   reverse(e.link_length), reverse(e.joint_stiffness), reverse(e.link_mass);
-                 }});
+void reverse(std::vector<double>& list) {
+  std::reverse(list.begin(), list.end());
+}
+
+/// Whether a list reads otherwise from its other end on, its values taken in a sense of 1 or -1.
+bool has_ends(const std::vector<double>& list, double sense = 1) {
+  return !std::equal(list.begin(), list.end(), list.rbegin(),
+                     [sense](double a, double b) { return a == sense * b; });
+}
+
+/// Lists that begin at the end point, and the sense of the angles in them.
+struct FromEnd {
+  bool lengths = false, springs = false, masses = false, rest = false, readings = false;
+  /// -1 where an angle says how far a link is turned against the one beyond it, as seen by who walks from the
+  /// end point to the base; 1 where against the one before it, whatever its number.
+  double sense = 1;
+
+  [[nodiscard]] int count() const { return lengths + springs + masses + rest + readings; }
+
+  void operator()(Experiment& e) const {
+    const auto reverse_angles = [this](std::vector<double>& angles) {
+      reverse(angles);
+      scale(angles, sense);
+    };
+    if (lengths) reverse(e.link_length);
+    if (springs) reverse(e.joint_stiffness);
+    if (masses) reverse(e.link_mass);
+    for (Run& run : e.runs) {
+      if (rest) reverse_angles(run.rest);
+      if (!readings) continue;
+      for (Reading& r : run.readings) reverse_angles(r.q);
+    }
+  }
+
+  [[nodiscard]] std::string remedy() const {
+    Names keys;
+    if (lengths) keys.push_back("link_length");
+    if (springs) keys.push_back("joint_stiffness");
+    if (masses) keys.push_back("link_mass");
+    if (rest) keys.push_back("rest");
+    std::string all = fmt::format("{} in reverse", fmt::join(keys, ", "));
+    if (rest && sense < 0) all += ", the signs of rest turned";
+    if (readings) all += ", the columns of columns.q in reverse";
+    if (readings && sense < 0) all += ", columns.q.sign = -1";
+    return all;
+  }
+
+  /// A link's mass goes with its length, and is named where the lengths have no ends.
+  [[nodiscard]] Conversion conversion() const {
+    Names what;
+    if (lengths || masses) what.push_back(lengths ? "link_length" : "link_mass");
+    if (springs) what.push_back("joint_stiffness");
+    if (rest) what.push_back("rest");
+    if (readings) what.push_back("q");
+    const std::string lists = count() > 1 ? "lists from the end point on" : "a list from the end point on",
+                      from_base = "joints and links from the base on";
+    return {fmt::format("{}", fmt::join(what, ", ")),
+            sense < 0 ? "angles of the opposite sign in " + lists : lists,
+            sense < 0 ? from_base + ", angles counter-clockwise" : from_base,
+            remedy(),
+            0,
+            false,
+            {},
+            *this};
+  }
+};
+
+/// One list alone, all of the chain, and with them the angles at rest, as they are read, or both. Where the
+/// chain is the same from both ends, angles alone can be in reverse (add_angles).
+void add_order_of_chain(const Experiment& e, std::vector<Conversion>& all) {
+  const FromEnd chain{has_ends(e.link_length), has_ends(e.joint_stiffness), has_ends(e.link_mass)};
+  const bool weighs = chain.masses && e.gravity != std::array<double, 2>{0, 0};
+  if (chain.springs) all.push_back(FromEnd{.springs = true}.conversion());
+  if (chain.lengths) all.push_back(FromEnd{.lengths = true}.conversion());
+  if (chain.lengths + chain.springs + weighs > 1) all.push_back(chain.conversion());
+  if (!chain.lengths && !chain.springs && !weighs) return;
+  for (const double sense : {1.0, -1.0}) {
+    FromEnd with_angles = chain;
+    with_angles.sense = sense;
+    with_angles.rest = std::any_of(e.runs.begin(), e.runs.end(),
+                                   [sense](const Run& run) { return has_ends(run.rest, sense); });
+    if (with_angles.rest) all.push_back(with_angles.conversion());
+    with_angles.readings = measures_angles(e);
+    if (with_angles.readings) all.push_back(with_angles.conversion());
+  }
 }
 
 }  // namespace
@@ -317,7 +387,7 @@ std::vector<Conversion> conversions(const Experiment& experiment) {
   add_turned_joints(experiment, all);
   add_positions(experiment, all);
   add_units_of_chain(experiment, all);
-  add_order_of_chain(all);
+  add_order_of_chain(experiment, all);
   return all;
 }
 

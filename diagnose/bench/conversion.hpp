@@ -21,7 +21,7 @@ struct Conversion {
   bool mirror = false;     ///< whether a chain that buckles to its other side looks the same
   /// Converts one run; not given where the nominal chain is converted.
   std::function<void(Run&)> run = {};
-  /// Converts what is not in a run.
+  /// Converts the nominal chain, and in the runs what goes with it.
   std::function<void(Experiment&)> chain = {};
 };
 

@@ -16,8 +16,9 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Columns whose misfit is below this share of what it could be are not worth a question.
-constexpr double misfit_in_doubt = 0.05;
+/// Columns whose misfit is below this share of what it could be are not worth a question, nor are starts so
+/// near the unloaded end points, in lengths of the chain.
+constexpr double misfit_in_doubt = 0.05, start_in_doubt = 0.01;
 /// What a conversion may leave: of the misfit, and of the readings themselves.
 struct Allowance {
   double misfit, readings;
@@ -33,9 +34,13 @@ bool is_large(double factor) {
   return factor != 0 && std::abs(std::log(factor)) > std::log(20);
 }
 
+bool is_of_an_order(const Conversion& conversion) {
+  return conversion.chain && conversion.factor == 0;
+}
+
 const Allowance& allowance(const Conversion& conversion) {
   if (conversion.mirror) return of_a_mirror;
-  if (conversion.chain && conversion.factor == 0) return of_an_order;
+  if (is_of_an_order(conversion)) return of_an_order;
   return is_large(conversion.factor) ? of_a_large_factor : usual;
 }
 
@@ -226,9 +231,9 @@ class Check {
         conversions_(conversions(study.experiment())) {}
 
   [[nodiscard]] bool in_doubt() const {
-    return !study_.nominal().reached || std::any_of(as_is_.begin(), as_is_.end(), [](const Columns& run) {
-      return worst(run) > misfit_in_doubt;
-    });
+    const auto misfits = [](const Columns& run) { return worst(run) > misfit_in_doubt; };
+    return !study_.nominal().reached || start_ > start_in_doubt ||
+           std::any_of(as_is_.begin(), as_is_.end(), misfits);
   }
 
   [[nodiscard]] std::vector<Trial> suspected() const {
@@ -242,7 +247,8 @@ class Check {
   [[nodiscard]] std::optional<Trial> attempt(const Conversion& conversion) const {
     const Experiment experiment = converted(study_.experiment(), conversion);
     constexpr double rounding = 1e-3;
-    if (distance_at_start(experiment) > start_ + rounding) return {};
+    const double start = distance_at_start(experiment);
+    if (start > start_ + rounding) return {};
     Prediction predicted;
     if (same_command(experiment, study_.experiment())) {
       predicted = study_.nominal();
@@ -250,14 +256,23 @@ class Check {
       predicted = simulate(experiment, nominal_rig(experiment), {});
     }
     if (!predicted.reached) return {};
-    std::optional<Trial> trial = judge(conversion, compare(experiment, study_.measurements(), predicted));
+    std::optional<Trial> trial = judge(conversion, compare(experiment, study_.measurements(), predicted),
+                                       places_starts(conversion, start));
     if (trial) trial->unusual = unusual(experiment);
     return trial;
   }
 
+  /// Whether another order of the chain puts its unloaded end points where the runs start. No spring, load or
+  /// sensor of force moves those, so that an order is then no more likely to be a gap than a unit is.
+  [[nodiscard]] bool places_starts(const Conversion& conversion, double start) const {
+    constexpr double left = 0.1;
+    return is_of_an_order(conversion) && start_ > start_in_doubt && start < left * start_;
+  }
+
   /// The columns that the conversion changes, in the runs that it mends, must agree.
-  [[nodiscard]] std::optional<Trial> judge(const Conversion& conversion,
-                                           const std::vector<Columns>& now) const {
+  /// \param placed  whether it places the starts of the runs: then their misfit need not be in doubt
+  [[nodiscard]] std::optional<Trial> judge(const Conversion& conversion, const std::vector<Columns>& now,
+                                           bool placed) const {
     Trial trial{conversion};
     Change whole;
     bool refuted = false;
@@ -275,9 +290,9 @@ class Check {
       trial.runs.push_back(r);
       whole += change;
     }
-    const Allowance& allowed = refuted ? refuted_elsewhere : allowance(conversion);
-    if (trial.runs.empty() || whole.after > allowed.misfit * whole.before || whole.before < misfit_in_doubt)
-      return {};
+    const Allowance& allowed = refuted ? refuted_elsewhere : placed ? usual : allowance(conversion);
+    const bool in_doubt = placed || whole.before >= misfit_in_doubt;
+    if (trial.runs.empty() || !in_doubt || whole.after > allowed.misfit * whole.before) return {};
     for (const Column& sensor : whole.is)
       if (!centred(sensor, conversion.factor)) return {};
     trial.left_as_is = relative_rms(whole.was);

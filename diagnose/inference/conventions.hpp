@@ -27,7 +27,8 @@ struct Doubt {
 /// conversions (bench/conversion.hpp); nothing is fitted. A conversion is suspected where it removes most of
 /// the squared misfit of every column that it changes, in every run that misfits, and where no common factor
 /// but its own would do. How much it must remove, and how far off that factor may be, are such that a gap
-/// beside the slip does not hide it and a gap alone does not look like one.
+/// beside the slip does not hide it and a gap alone does not look like one. Of the order of a chain it is
+/// nearly all, but where only the other order stands unloaded where the runs start.
 std::optional<Doubt> doubtful_convention(const Study& study);
 
 /// A search among causes is wasted on numbers that were meant otherwise.

@@ -98,7 +98,7 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
     for (long i = 0; i < most_tones; ++i) {
       auto [one, frequency, shares] = loudest(values, clock_of(series), correlation);
       spectra[s] = std::move(shares);
-      if (!(by_chance(values, clock_of(series), frequency) < level) || one.rms() > beliefs::largest_scale)
+      if (!(by_chance(values, clock_of(series), frequency) < level) || one.rms() > beliefs::largest_hum)
         break;
       values -= tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
       one.series = s;

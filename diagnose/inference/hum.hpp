@@ -8,7 +8,7 @@
 namespace plumbline::diagnose {
 
 /// Tones that stand out of the spectrum of a residual free of outliers, faster than what a gap test calls
-/// slow, and no larger than noise may be (`beliefs::largest_scale`): what is larger is a ripple of the
+/// slow, and no larger than noise may be (`beliefs::largest_hum`): what is larger is a ripple of the
 /// device. Two a series at most; found by Fisher's test (1929) for the largest of many ordinates, by the
 /// clock of the readings. What is too soft for one series is looked for in all that were read together,
 /// beside a tone that one of them has, or else where it stands out as a line. A tone that is fast in one run

@@ -105,7 +105,7 @@ void add_shared(const Measurements& measurements, const std::vector<double>& res
       chord.back().series = s;
     }
     const bool ripples = std::any_of(chord.begin(), chord.end(),
-                                     [](const Hum& one) { return one.rms() > beliefs::largest_scale; });
+                                     [](const Hum& one) { return one.rms() > beliefs::largest_hum; });
     if (!ripples) all.insert(all.end(), chord.begin(), chord.end());
   }
 }

@@ -131,6 +131,12 @@ struct Traveller {
   Vector2 felt_ = Vector2::Zero(), shown_ = Vector2::Zero();  ///< at the last reading
 };
 
+/// Where a joint turned to last, and which way, 1 or -1; 0 until it has turned from rest. While it turns by
+/// less than JointLaw::turning it stands.
+struct Turning {
+  double place, way;
+};
+
 /// A run of the rig and, beside it, of the rigs whose parameters differ by a small step each.
 template <int Bandwidth>
 class RunWalk {
@@ -181,19 +187,24 @@ class RunWalk {
     main_.posture.angle.resize(static_cast<Eigen::Index>(layout_.nodes()));
     for (std::size_t j = 0; j < layout_.links; ++j) {
       theta += main_.on.joint[j].rest;
+      turning_.push_back({main_.on.joint[j].rest, 0});
       const auto nodes = static_cast<Eigen::Index>(layout_.nodes_per_link());
       main_.posture.angle.segment(static_cast<Eigen::Index>(layout_.first(j)), nodes).setConstant(theta);
     }
     at_ = {run_.control, Vector2(0, 0)};
-    if (!run_.holds_end_point() || run_.readings.empty()) return;
-    at_.value = solver_.end_point(main_.on, main_.posture);
+    if (run_.readings.empty()) return;
+    if (run_.holds_end_point()) at_.value = solver_.end_point(main_.on, main_.posture);
     approach();
   }
 
-  /// A run whose first line is not at the unloaded end point was brought there: the guide has moved already.
+  /// A run whose first line is not that of the unloaded chain was brought there: it has moved already.
   void approach() {
-    const double way = run_.readings.front().x - unloaded_end(experiment_, run_.rest).x();
-    if (std::abs(way) > 1e-4 * reach(experiment_.link_length).largest) direction_ = way > 0 ? 1 : -1;
+    const Vector2 first = run_.command(run_.readings.front());
+    if (run_.holds_end_point()) {
+      head(first - unloaded_end(experiment_, run_.rest), 1e-4 * reach(experiment_.link_length).largest);
+    } else {
+      head(first, 0);
+    }
   }
 
   /// Whether the chain is on the side that it did not go to: of the way from between the sides to that one it
@@ -248,15 +259,29 @@ class RunWalk {
   bool move_to(std::size_t r) {
     const Reading& reading = run_.readings[r];
     interval_ = last_ ? reading.t - last_->t : 0;
-    if (last_ && reading.x != last_->x) direction_ = reading.x > last_->x ? 1 : -1;
+    if (last_) head(run_.command(reading) - run_.command(*last_), 0);
     const std::size_t count = last_ ? parts_[r] : 1;
     for (std::size_t part = 1; part < count; ++part) {
       const double share = static_cast<double>(part) / static_cast<double>(count);
       if (!go_to(on_the_way(*last_, reading, share), std::nullopt)) break;
     }
     if (!go_to(reading, r)) return false;
+    notice_turns();
     last_ = &reading;
     return true;
+  }
+
+  /// What is imposed goes this way. \param still  by no more it stands
+  void head(const Vector2& way, double still) {
+    for (const Eigen::Index axis : {0, 1})
+      if (std::abs(way(axis)) > still) direction_(axis) = way(axis) > 0 ? 1 : -1;
+  }
+
+  void notice_turns() {
+    for (std::size_t i = 0; i < turning_.size(); ++i) {
+      const double q = layout_.joint_angle(main_.posture.angle, i), turn = q - turning_[i].place;
+      if (std::abs(turn) > JointLaw::turning) turning_[i] = {q, turn > 0 ? 1.0 : -1.0};
+    }
   }
 
   /// \param r  its number where it is a reading
@@ -297,7 +322,7 @@ class RunWalk {
     auto row = trace.row(static_cast<Eigen::Index>(r));
     Vector2 end(reading.x, reading.y), force(reading.Fx, reading.Fy);
     if (run_.holds_end_point()) {
-      force = rig.measure_force(reading.t, interval_, direction_);
+      force = rig.measure_force(reading.t, interval_, direction_.x());
     } else {
       end = solver_.end_point(rig.on, rig.posture) - rig.on.rig.position_offset;
     }
@@ -307,19 +332,31 @@ class RunWalk {
     row(column_Fy) = force.y();
     for (std::size_t i = 0; i < layout_.links; ++i)
       row(column_q + static_cast<Eigen::Index>(i)) = layout_.joint_angle(rig.posture.angle, i);
-    correct(rig.on.rig, reading.t, row);
+    correct(rig.on, reading.t, row);
   }
 
   /// Adds what the user states of the readings that are measured.
   template <class Row>
-  void correct(const Rig& rig, double t, Row& row) const {
-    if (rig.stated_corrections.empty()) return;
+  void correct(const RunRig& on, double t, Row& row) const {
+    if (on.rig.stated_corrections.empty()) return;
     Eigen::ArrayXd added = Eigen::ArrayXd::Zero(row.size());
-    for (const StatedCorrection& one : rig.stated_corrections)
-      for (const Channel& channel : run_.measured())
-        if (one.applies_to(channel))
-          added(column_of(channel)) += one.value(reading_values(row.transpose(), t, run_.number, channel));
+    for (const StatedCorrection& one : on.rig.stated_corrections) {
+      for (const Channel& channel : run_.measured()) {
+        if (!one.applies_to(channel)) continue;
+        const Moment moment{t, run_.number, direction_of(channel), on.joint[channel.joint].rest};
+        added(column_of(channel)) += one.value(reading_values(row.transpose(), moment, channel));
+      }
+    }
     row += added.transpose();
+  }
+
+  /// The way that goes with a channel: 1, or -1; 1 before the first motion. Rigs beside share it: one that
+  /// turns back at another reading would make a slope of a jump.
+  [[nodiscard]] double direction_of(const Channel& channel) const {
+    const bool along_x = channel.name == Channel::Name::x || channel.name == Channel::Name::Fx;
+    const double way =
+        channel.name == Channel::Name::q ? turning_[channel.joint].way : direction_(along_x ? 0 : 1);
+    return way < 0 ? -1 : 1;
   }
 
   const Run& run_;
@@ -334,8 +371,9 @@ class RunWalk {
   Imposed at_{Control::end_point, Vector2::Zero()};
   const Reading* last_ = nullptr;  ///< with a known command
   double last_time_ = 0;
-  double interval_ = 0;   ///< before the last reading; 0 at the first
-  double direction_ = 0;  ///< of the drive along x; 0 until it has moved
+  double interval_ = 0;                  ///< before the last reading; 0 at the first
+  Vector2 direction_ = Vector2::Zero();  ///< of what is imposed, along x and y; 0 until it has moved
+  std::vector<Turning> turning_;         ///< of each joint
   bool moved_ = false, snapped_ = false;
 };
 
@@ -380,11 +418,14 @@ Layout layout_of(const Rig& rig, const std::vector<RigVariation>& variations) {
 
 }  // namespace
 
-std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, double t, std::size_t run,
+std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, const Moment& moment,
                                    const Channel& channel) {
-  std::vector<double> values{
-      row(column_x), row(column_y), row(column_Fx), row(column_Fy), t, static_cast<double>(run + 1)};
-  if (channel.name == Channel::Name::q) values.push_back(row(column_of(channel)));
+  const double run = static_cast<double>(moment.run + 1);
+  std::vector<double> values{row(column_x), row(column_y), row(column_Fx),  row(column_Fy),
+                             moment.t,      run,           moment.direction};
+  if (channel.name != Channel::Name::q) return values;
+  const double q = row(column_of(channel));
+  values.insert(values.end(), {q, q - moment.rest});
   return values;
 }
 

@@ -21,9 +21,17 @@ inline Eigen::Index column_of(const Channel& channel) {
 /// One run as predicted: a row a reading, a column a channel. Imposed channels repeat what was commanded.
 using Trace = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// What the variables of a correction of a channel are: see reading_variables.
-/// \param run  its number, from 0
-std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, double t, std::size_t run,
+/// When a channel is read, and on which way.
+struct Moment {
+  double t;         ///< in the run, s
+  std::size_t run;  ///< its number, from 0
+  double
+      direction;  ///< 1 or -1: of a joint, where its angle is read, else of what is imposed along that axis
+  double rest;    ///< angle of that joint at rest
+};
+
+/// What the variables of a correction of a channel are: see reading_variables, angle_variables.
+std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, const Moment& moment,
                                    const Channel& channel);
 
 /// All runs of an experiment.

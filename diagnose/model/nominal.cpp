@@ -76,7 +76,7 @@ const Effect& row_of(const Experiment& experiment, const Sizes& sizes, std::size
   if (named != nullptr) return *named;
   if (!known)
     throw Error(place_of(experiment, number, "id"), files::shown(own.id),
-                "an id of the effect catalogue, or of the file that --effects names");
+                "an id of the effect catalogue, or user:NAME of the file that --effects names");
   throw Error(place_of(experiment, number, "joint"), own.joint > 0 ? std::to_string(own.joint) : "none",
               own.joint > n   ? fmt::format("a joint or link from 1 to {}", n)
               : own.joint > 0 ? "none: " + own.id + " is not at one joint"

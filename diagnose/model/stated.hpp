@@ -44,9 +44,12 @@ struct StatedTorque {
   [[nodiscard]] double towards(const Place& at, double direction) const;
 };
 
-/// The variables of a correction: what the channels would read without it, and the time and number (from 1)
-/// of the run. The last one, of joint angles alone, is the angle itself. Parameters follow.
-inline constexpr std::array<const char*, 7> reading_variables{"x", "y", "Fx", "Fy", "t", "run", "q"};
+/// The variables of a correction: what the channels would read without it, time and number (from 1) of the
+/// run, direction of motion. Those of an angle alone come next, then parameters.
+inline constexpr std::array<const char*, 7> reading_variables{"x", "y", "Fx", "Fy", "t", "run", "s"};
+
+/// Of a joint's angle besides: the angle itself, deflection from rest.
+inline constexpr std::array<const char*, 2> angle_variables{"q", "d"};
 
 /// What is added to the readings of a channel that is measured.
 struct StatedCorrection {

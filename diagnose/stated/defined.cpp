@@ -71,26 +71,29 @@ void require_torque(const StatedEffect& stated, const Study& study, const TriedV
   }
 }
 
-void require_readings(const StatedEffect& stated, const Study& study, const TriedValues& trial) {
-  const Experiment& experiment = study.experiment();
-  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
-    const Run& run = experiment.runs[r];
-    const Trace& trace = study.nominal().runs[r];
-    for (const StatedReading& one : stated.readings) {
-      const StatedCorrection correction{one.channel, one.joint, one.formula, trial.parameters};
-      for (const Channel& channel : run.measured()) {
-        if (!correction.applies_to(channel)) continue;
-        for (Eigen::Index row = 0; row < trace.rows(); ++row) {
-          if (!trace.row(row).isFinite().all()) continue;
-          const double value = correction.value(reading_values(trace.row(row).transpose(),
-                                                               run.readings[static_cast<std::size_t>(row)].t,
-                                                               run.number, channel));
-          require(value, trial, stated, "reading." + one.key,
-                  fmt::format("at reading {} of {}", row, run.id));
-        }
+/// In one run.
+void require_reading(const StatedEffect& stated, const StatedReading& one, const Run& run, const Trace& trace,
+                     const TriedValues& trial) {
+  const StatedCorrection correction{one.channel, one.joint, one.formula, trial.parameters};
+  for (const Channel& channel : run.measured()) {
+    if (!correction.applies_to(channel)) continue;
+    for (Eigen::Index row = 0; row < trace.rows(); ++row) {
+      if (!trace.row(row).isFinite().all()) continue;
+      const double t = run.readings[static_cast<std::size_t>(row)].t;
+      for (const double direction : {1.0, -1.0}) {
+        const Moment moment{t, run.number, direction, run.rest[channel.joint]};
+        require(correction.value(reading_values(trace.row(row).transpose(), moment, channel)), trial, stated,
+                "reading." + one.key, fmt::format("at reading {} of {}", row, run.id));
       }
     }
   }
+}
+
+void require_readings(const StatedEffect& stated, const Study& study, const TriedValues& trial) {
+  const std::vector<Run>& runs = study.experiment().runs;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    for (const StatedReading& one : stated.readings)
+      require_reading(stated, one, runs[r], study.nominal().runs[r], trial);
 }
 
 }  // namespace

@@ -71,12 +71,12 @@ StatedReading read_reading(const Section& section, const std::string& key, const
   std::vector<std::string> variables(reading_variables.begin(), reading_variables.end());
   if (std::smatch found; std::regex_match(key, found, angle)) {
     const auto joint = found[1].matched ? std::optional(std::stoul(found[1]) - 1) : std::nullopt;
+    variables.insert(variables.end(), angle_variables.begin(), angle_variables.end());
     return {Channel::Name::q, joint, key, read_formula(section, key, variables, effect)};
   }
   const auto place = std::find(others.begin(), others.end(), key);
   if (place == others.end())
     throw Error(section.place(key), "a reading of that name", "x, y, Fx, Fy, q or, of joint 2, q2");
-  variables.pop_back();  // the angle
   constexpr Channel::Name names[]{Channel::Name::x, Channel::Name::y, Channel::Name::Fx, Channel::Name::Fy};
   return {names[place - others.begin()], std::nullopt, key, read_formula(section, key, variables, effect)};
 }

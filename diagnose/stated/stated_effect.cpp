@@ -45,11 +45,16 @@ std::vector<std::vector<double>> shapes(const StatedEffect& stated) {
   return all;
 }
 
+/// Whether joints stick under it: they do not where there is little of it, which then acts otherwise.
+bool sticks(const StatedEffect& stated) {
+  return stated.torque && stated.uses("s");
+}
+
 /// From a scale to either side of every combination; from nothing too, where little of it acts as much does.
 Starts starts_of(const StatedEffect& stated) {
   Starts starts{{}, 2};
   for (const std::vector<double>& shape : shapes(stated)) {
-    if (growing(stated).size() == shape.size() && !stated.uses("s")) starts.from.push_back(shape);
+    if (growing(stated).size() == shape.size() && !sticks(stated)) starts.from.push_back(shape);
     for (const double side : {1.0, -1.0}) {
       std::vector<double> one = shape;
       for (const std::size_t p : growing(stated)) {
@@ -62,12 +67,11 @@ Starts starts_of(const StatedEffect& stated) {
   return starts;
 }
 
-/// What shapes it keeps the value of a start; what depends on the direction of motion acts otherwise if there
-/// is little of it, for then nothing sticks.
+/// What shapes it keeps the value of a start.
 Probing probing_of(const StatedEffect& stated) {
   Probing probing;
   if (growing(stated).size() < stated.parameters.size()) probing.growing = growing(stated);
-  probing.large_step = stated.uses("s");
+  probing.large_step = sticks(stated);
   return probing;
 }
 
@@ -96,10 +100,10 @@ bool StatedEffect::uses(std::string_view variable) const {
 }
 
 Effect row_of(std::shared_ptr<const StatedEffect> stated) {
-  return {.id = stated->id,
+  return {.id = "user:" + stated->id,
           .words = stated->words,
           .at_joint = stated->at_joint,
-          .dissipates = stated->torque && (stated->uses("s") || stated->uses("t")),
+          .dissipates = stated->uses("s") || (stated->torque && stated->uses("t")),
           .parameters = [stated](const Place&) { return ranges(*stated); },
           .add = [stated](const Addition& to) { plumbline::diagnose::add(*stated, to); },
           .possible = [stated](const Place& at) { return plumbline::diagnose::possible(*stated, at); },

@@ -27,7 +27,8 @@ struct StatedReading {
 /// Acts by a torque or by corrections of readings.
 struct StatedEffect {
   std::string place;  ///< "FILE:LINE"
-  std::string id, words;
+  std::string id;     ///< as the file has it
+  std::string words;
   bool at_joint = false;
   std::shared_ptr<const Formula> torque;
   std::vector<StatedReading> readings;
@@ -36,7 +37,7 @@ struct StatedEffect {
   [[nodiscard]] bool uses(std::string_view variable) const;
 };
 
-/// Its row.
+/// Its row, whose id is user:NAME.
 Effect row_of(std::shared_ptr<const StatedEffect> stated);
 
 /// \throws Error where an expression has no value at a reading of the nominal model, or is not zero where all

@@ -42,17 +42,17 @@ TEST_CASE("a corrected model has effects of the user's own, which --effects name
               "[effect.parameters.a]\nunit = \"N m\"\nscale = 0.03\nlow = 0\nhigh = 1\n");
   const std::string nominal =
       "[nominal]\nlink_length = [0.25, 0.25, 0.25, 0.25]\njoint_stiffness = [2, 2, 2, 2]\n"
-      "[[nominal.effect]]\nid = \"stiction\"\nparameters = { a = 0.035 }\n";
+      "[[nominal.effect]]\nid = \"user:stiction\"\nparameters = { a = 0.035 }\n";
   place.write("known.toml", nominal);
   const Outcome known = place.plumbline(
       "diagnose --model known.toml --effects own.toml --corrected again.toml --json report.json");
   REQUIRE(known.status == 0);
   CHECK(contains(known.out, "Is there a gap?  No"));
-  CHECK(contains(known.out, "stiction: as [[nominal.effect]], to be read with --effects again"));
-  CHECK(contains(place.read("again.toml"), "id = \"stiction\"\nparameters = { a = 0.035 }"));
+  CHECK(contains(known.out, "user:stiction: as [[nominal.effect]], to be read with --effects again"));
+  CHECK(contains(place.read("again.toml"), "id = \"user:stiction\"\nparameters = { a = 0.035 }"));
   CHECK(contains(place.plumbline("diagnose --model known.toml --effects own.toml --corrected bench.xml").out,
-                 "not carried: stiction: an effect of your own"));
+                 "not carried: user:stiction: an effect of your own"));
   const Outcome unnamed = place.plumbline("diagnose --model known.toml");
   check_refused(unnamed);
-  CHECK(contains(unnamed.err, "the file that --effects names"));
+  CHECK(contains(unnamed.err, "user:NAME of the file that --effects names"));
 }

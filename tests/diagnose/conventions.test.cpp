@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <functional>
 #include <plumbline/base/error.hpp>
+#include <random>
 
+#include "diagnose/bench/conversion.hpp"
 #include "diagnose/bench/plausible.hpp"
 #include "diagnose/bench/read_experiment.hpp"
 #include "tests/diagnose/bench.hpp"
@@ -137,6 +139,114 @@ TEST_CASE("a first joint that is much softer than it was believed is no list fro
     CAPTURE(softer);
     const Experiment soft = measured(experiment, only("joint_stiffness", 1), {softer}, 5);
     CHECK_FALSE(doubtful_convention(Study(soft)));
+  }
+}
+
+TEST_CASE("a softer first joint is no list from the end point on where a run starts elsewhere either") {
+  Experiment experiment = three_links();
+  experiment.joint_stiffness = {3.6, 2.9, 2.2};
+  press(experiment, {0.5, 0.4, 0.4}, {0.055, -0.05}, 15, false);
+  for (Reading& r : experiment.runs.front().readings) r.x += 0.005, r.y -= 0.005;
+  for (const double softer : {-0.4, -0.45, -0.5}) {
+    CAPTURE(softer);
+    const Experiment soft = measured(experiment, only("joint_stiffness", 1), {softer}, 5);
+    CHECK_FALSE(doubtful_convention(Study(soft)));
+  }
+}
+
+TEST_CASE("links that are listed from the end point on are named beside a gap") {
+  Experiment experiment = stiffer_bench();
+  std::reverse(experiment.link_length.begin(), experiment.link_length.end());
+  const auto doubt = doubtful_convention(Study(experiment));
+  REQUIRE(doubt);
+  CHECK(names(*doubt).front() == "link_length like a list from the end point on");
+  CHECK(doubt->remedy == "link_length in reverse");
+}
+
+TEST_CASE(
+    "a whole chain that is listed from the end point on is named beside a gap, and as it was when mended") {
+  using List = std::vector<double>;
+  const Experiment bench = stiffer_bench();
+  for (const double sense : {1.0, -1.0}) {
+    CAPTURE(sense);
+    const auto from_end = [sense](List& list) {
+      std::reverse(list.begin(), list.end());
+      scale(list, sense);
+    };
+    Experiment listed = bench;
+    for (List* list : {&listed.link_length, &listed.joint_stiffness})
+      std::reverse(list->begin(), list->end());
+    each_rest(from_end)(listed);
+    const std::string like = std::string(sense < 0 ? " like angles of the opposite sign in" : " like") +
+                             " lists from the end point on";
+    const auto by_rest = doubtful_convention(Study(listed));
+    REQUIRE(by_rest);
+    CHECK(names(*by_rest).front() == "link_length, joint_stiffness, rest" + like);
+
+    each_reading([&](Reading& r) { from_end(r.q); })(listed);
+    const auto by_both = doubtful_convention(Study(listed));
+    REQUIRE(by_both);
+    CHECK(names(*by_both).front() == "link_length, joint_stiffness, rest, q" + like);
+    for (const Conversion& one : conversions(listed)) {
+      if (one.what + " like " + one.looks_like != names(*by_both).front()) continue;
+      const Experiment mended = converted(listed, one);
+      CHECK(mended.link_length == bench.link_length);
+      CHECK(mended.joint_stiffness == bench.joint_stiffness);
+      CHECK(mended.runs[0].rest == bench.runs[0].rest);
+      CHECK(mended.runs[0].readings[7].q == bench.runs[0].readings[7].q);
+    }
+  }
+}
+
+TEST_CASE("what to write for a chain that is listed from the end point on says all that is in reverse") {
+  Experiment experiment = full_bench();
+  experiment.link_mass = {0.1, 0.2, 0.3};
+  std::vector<std::string> remedies;
+  for (const Conversion& one : conversions(experiment))
+    if (one.looks_like.find("from the end point on") != std::string::npos) remedies.push_back(one.remedy);
+  const std::string rest = "link_length, joint_stiffness, link_mass, rest in reverse",
+                    q = ", the columns of columns.q in reverse", turned = ", the signs of rest turned";
+  CHECK(remedies == std::vector<std::string>{"joint_stiffness in reverse", "link_length in reverse",
+                                             "link_length, joint_stiffness, link_mass in reverse", rest,
+                                             rest + q, rest + turned,
+                                             rest + turned + q + ", columns.q.sign = -1"});
+}
+
+TEST_CASE("a chain that is the same from both ends has no order to ask about") {
+  Experiment experiment = full_bench();
+  experiment.link_length = {0.2, 0.2, 0.2};
+  experiment.joint_stiffness = {1.5, 1.0, 1.5};
+  for (const Conversion& one : conversions(experiment))
+    CHECK(one.looks_like.find("from the end point on") == std::string::npos);
+}
+
+TEST_CASE("tapered chains that are otherwise at one end, or were machined so, are no lists from the end") {
+  std::mt19937 engine(11);
+  std::normal_distribution<double> normal;
+  const auto tolerance = [&](std::vector<double>& list, double spread) {
+    for (double& value : list) value *= std::exp(spread * normal(engine));
+  };
+  for (int chain = 0; chain < 60; ++chain) {
+    CAPTURE(chain);
+    Experiment believed = full_bench();
+    const double taper = chain % 2 == 0 ? 0.9 : 1.1;
+    for (std::size_t i = 1; i < 3; ++i) {
+      believed.link_length[i] = taper * believed.link_length[i - 1];
+      believed.joint_stiffness[i] = taper * believed.joint_stiffness[i - 1];
+    }
+    Experiment real = believed;
+    const std::size_t end = chain % 4 < 2 ? 0 : 2;
+    real.joint_stiffness[end] *= std::exp(0.5 * normal(engine));
+    real.link_length[end] *= 1 + 0.03 * normal(engine);
+    tolerance(real.link_length, 0.01);
+    tolerance(real.joint_stiffness, 0.1);
+    real.runs.clear();
+    press(real, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
+    press(real, {-0.4, 0.3, 0.5}, {-0.05, 0.03}, 15, false);
+    load(real, {0.2, 0.3, -0.3}, {0, 0}, {-1.0, 0.5}, 15);
+    believed.runs = measured(real, {}, {}, 5).runs;
+    const auto doubt = doubtful_convention(Study(believed));
+    CHECK((!doubt || doubt->looks_like.find("from the end point on") == std::string::npos));
   }
 }
 

@@ -88,7 +88,7 @@ TEST_CASE("noise has no tone, of whatever correlation; a ripple larger than nois
     CHECK(tones <= 4);  // of 100 with two series at a level of 1e-3 each: five have a chance of 2e-6
   }
   std::vector<double> ripple = correlated_noise(measurements, 1, 0, random);
-  add_tone(measurements, 5, 1.1 * std::numbers::sqrt2 * beliefs::largest_scale, ripple);
+  add_tone(measurements, 5, 1.1 * std::numbers::sqrt2 * beliefs::largest_hum, ripple);
   CHECK(find_hum(measurements, ripple).empty());
   CHECK(test_gap(measurements, ripple).p_value < beliefs::gap_level);
 }

@@ -147,7 +147,7 @@ TEST_CASE("eight channels of noise share no tone; what is larger than noise may 
     CHECK(tones <= 5);
   }
   const auto ripple = noise_and(experiment, measurements, random, [](std::size_t, double t) {
-    return wave(1.1 * std::numbers::sqrt2 * beliefs::largest_scale, 5, t);
+    return wave(1.1 * std::numbers::sqrt2 * beliefs::largest_hum, 5, t);
   });
   CHECK(find_hum(measurements, ripple).empty());
   CHECK(test_gap(measurements, ripple).p_value < beliefs::gap_level);

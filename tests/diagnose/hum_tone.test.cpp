@@ -83,7 +83,7 @@ TEST_CASE("two tones of a series are heard, the louder first, and no third") {
 TEST_CASE("sixteen readings have a spectrum, fifteen have none; a tone of five sigmas and more is a ripple") {
   CHECK(heard_in(15, {{6, 1, 0}}).empty());
   CHECK_FALSE(heard_in(16, {{6, 1, 0}}).empty());
-  const double largest = beliefs::largest_scale * std::numbers::sqrt2;
+  const double largest = beliefs::largest_hum * std::numbers::sqrt2;
   CHECK_FALSE(heard_in(64, {{16, 0.98 * largest, 0}}).empty());
   CHECK(heard_in(64, {{16, 1.02 * largest, 0}}).empty());
 }

@@ -27,7 +27,7 @@ TorqueLaw straight_law(const Study& study, const std::vector<std::size_t>& joint
   for (Eigen::Index k = 0; k < finest_knots; ++k) one.coefficients(k) = slope * knot_place(span, k);
   for (const std::size_t joint : joints)
     one.stiffness += study.experiment().joint_stiffness[joint - 1] / static_cast<double>(joints.size());
-  return {{}, {one}, finest_knots, 1};
+  return {{}, {one}, {finest_knots}, 1};
 }
 
 /// Deflections of a joint along the first run of the nominal model.

@@ -52,6 +52,16 @@ bool names_first(const std::string& question, const std::string& slip) {
   return names(question.substr(0, question.find(", or ")), slip);
 }
 
+/// Whether a list of the chain that the slip names is the same from both ends: then it is no slip.
+bool is_no_slip(const Slip& slip, const Experiment& before, const Experiment& after) {
+  const std::string what = slip.expected.substr(0, slip.expected.find(" like "));
+  const auto left_alone = [&](const char* key, const std::vector<double> Experiment::*list) {
+    return what.find(key) != std::string::npos && before.*list == after.*list;
+  };
+  return left_alone("joint_stiffness", &Experiment::joint_stiffness) ||
+         left_alone("link_length", &Experiment::link_length);
+}
+
 struct Tally {
   int planted = 0, asked = 0, right = 0, first = 0;
 };
@@ -62,8 +72,7 @@ Tally plant(const Slip& slip, const std::vector<Experiment>& experiments, double
     if (slip.of_angles && experiment.runs.front().readings.front().q.empty()) continue;
     const Experiment before = experiment;
     slip.spoil(experiment);
-    if (experiment.joint_stiffness == before.joint_stiffness && slip.expected.starts_with("joint_stiffness"))
-      continue;  // the same from both ends
+    if (is_no_slip(slip, before, experiment)) continue;
     ++tally.planted;
     const auto begin = std::chrono::steady_clock::now();
     const std::string said = question(experiment);
@@ -91,6 +100,30 @@ Tally plant_all(const std::vector<Slip>& slips) {
   return sum;
 }
 
+/// The angles that are read are in reverse with the chain, or were counted from the base all the same; who
+/// walks from the end point to the base counts angles the other way.
+std::vector<Slip> slips_of_whole_chains() {
+  using List = std::vector<double>;
+  std::vector<Slip> all;
+  for (const auto& [sense, kind] : {std::pair{1.0, ""}, {-1.0, "angles of the opposite sign in "}}) {
+    const auto reverse = [sense = sense](List& angles) {
+      std::reverse(angles.begin(), angles.end());
+      scale(angles, sense);
+    };
+    const Spoil chain = [=](Experiment& e) {
+      for (List* list : {&e.link_length, &e.joint_stiffness, &e.link_mass})
+        std::reverse(list->begin(), list->end());
+      each_rest(reverse)(e);
+    };
+    const Spoil readings = each_reading([=](Reading& r) { reverse(r.q); });
+    const std::string like = " like " + std::string(kind) + "lists from the end point on";
+    all.push_back({"link_length, joint_stiffness, rest" + like, chain});
+    all.push_back({"link_length, joint_stiffness, rest, q" + like,
+                   [=](Experiment& e) { chain(e), readings(e); }, true});
+  }
+  return all;
+}
+
 }  // namespace
 
 TEST_CASE("planted slips of units are asked about, and what is asked is right" *
@@ -110,6 +143,23 @@ TEST_CASE("planted slips of axes are asked about, and what is asked is right") {
 TEST_CASE("planted slips of joints are asked about, and what is asked is right") {
   const Tally sum = plant_all(slips_of_joints());
   CHECK(sum.asked > 0.7 * sum.planted);
+  CHECK(sum.right > 0.9 * sum.asked);
+}
+
+TEST_CASE("planted lists of whole chains from the end point on are asked about, and what is asked is right") {
+  const Tally sum = plant_all(slips_of_whole_chains());
+  CHECK(sum.planted >= 30);
+  CHECK(sum.asked > 0.8 * sum.planted);
+  CHECK(sum.right > 0.9 * sum.asked);
+  CHECK(sum.first > 0.8 * sum.right);
+}
+
+TEST_CASE("planted lists of links from the end point on are asked about where they differ, and rightly") {
+  const Tally sum = plant_all({{"link_length like a list from the end point on", [](Experiment& e) {
+                                  std::reverse(e.link_length.begin(), e.link_length.end());
+                                }}});
+  CHECK(sum.planted >= 18);
+  CHECK(sum.asked > 0.3 * sum.planted);
   CHECK(sum.right > 0.9 * sum.asked);
 }
 

@@ -249,6 +249,12 @@ TEST_CASE("the row of a stated effect: ranges, what it dissipates, how it is pro
   CHECK_FALSE(gain.possible({timed, 0}));
   timed.measured[static_cast<std::size_t>(Channel::Name::Fy)] = true;
   CHECK(gain.possible({timed, 0}));
+  // what is read otherwise on the way back has a loop, but nothing sticks
+  const StatedEffect reversal =
+      effect_of("[effect.reading]\nFx = \"a * s\"\n", told_parameter("a", one_scale));
+  CHECK(row(reversal).dissipates);
+  CHECK_FALSE(row(reversal).probing.large_step);
+  CHECK(starts_on(study, reversal).from == Starting{{0}, {0.5}, {-0.5}});
 }
 
 TEST_CASE("a stated effect acts at its joint, at every joint, or on its channels") {
@@ -315,6 +321,15 @@ TEST_CASE("an expression has a value along the nominal model, and is nothing whe
   CHECK(reading("q3", "a").empty());
   CHECK(reading("q4", "a") == "U:2: mine.reading: found q4, expected q, or q1 to q3: the chain has 3 joints");
   CHECK(reading("q2", "a + (q < 0 ? 0 : 1)").empty());
+  // of either direction, and of each joint's deflection
+  for (const char* key : {"Fx", "q3"}) {
+    CHECK(reading(key, "a * s").empty());
+    for (const char* way : {"s > 0", "s < 0"})
+      CHECK(reading(key, std::string("a + (") + way + " ? 1 : 0)").find("the value 1 at reading 0") !=
+            std::string::npos);
+  }
+  CHECK(reading("q", "a / d").find("expected a finite number at every reading") != std::string::npos);
+  CHECK(reading("q2", "a + (abs(d) > 1e-3 ? 1 : 0)").find("the value 1 at reading 1") != std::string::npos);
   CHECK(reading("q", "a + (q > 0.39 ? 1 : 0)").find("the value 1 at reading 0") != std::string::npos);
   // a reading whose command is not known has no value to ask for
   Experiment holed = experiment;
@@ -333,6 +348,6 @@ TEST_CASE("a study with stated effects looks for them behind those of the catalo
                      bad = effect_of(any_joint + "\"a * d + 1\"\n", told_parameter("a", one_scale));
   const Study study = study_with(one_press(), {good});
   REQUIRE(study.effects().size() == catalogue().size() + 1);
-  CHECK(study.effects().back()->id == "mine");
+  CHECK(study.effects().back()->id == "user:mine");
   CHECK_THROWS_AS((void)study_with(one_press(), {bad}), Error);
 }

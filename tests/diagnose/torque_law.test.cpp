@@ -161,7 +161,7 @@ TEST_CASE(
                same = fit_torque_law(Study(turned), NoiseModel(), {});
     REQUIRE(law);
     REQUIRE(same);
-    CHECK(same->knots == law->knots);
+    CHECK(same->shape.knots == law->shape.knots);
     CHECK(same->cross_validated == close_to(law->cross_validated).epsilon(1e-6));
     const Eigen::VectorXd &one = law->laws.front().coefficients, &other = same->laws.front().coefficients;
     CHECK((one - other).norm() < 1e-6 * one.norm());
@@ -272,7 +272,7 @@ TEST_CASE(
   for (Eigen::Index k = 0; k < profile_knots; ++k)
     law.coefficients(plain_terms + profile_knots + k) =
         0.02 + 0.01 * std::cos(9 * knot_place(law.span, 2 * k));
-  const TorqueLaw chosen{{}, {law}, finest_knots, 1};
+  const TorqueLaw chosen{{}, {law}, {finest_knots}, 1};
   const Prediction with = predict_with_law(study, chosen);
   const std::vector<double>& length = study.experiment().link_length;
   for (const LawTrace& trace : law_traces(study, chosen)) {

@@ -83,10 +83,12 @@ TEST_CASE("a reading whose command is not known is passed over, and the next goe
       CHECK(holed.runs[0](i, c) == doctest::Approx(whole.runs[0](i, c)).epsilon(1e-8));
 }
 
-TEST_CASE("variables of a correction: the readings, the time, the number of the run from 1, and the angle") {
+TEST_CASE(
+    "variables of a correction: readings, time, number of the run from 1, direction; angle and deflection") {
   Eigen::ArrayXd row(7);
-  row << 1, 2, 3, 4, 0.1, 0.2, 0.3;
+  row << 1, 2, 3, 4, 0.25, 0.5, 0.75;
   using Values = std::vector<double>;
-  CHECK(reading_values(row, 7, 2, {Channel::Name::Fx}) == Values{1, 2, 3, 4, 7, 3});
-  CHECK(reading_values(row, 7, 0, {Channel::Name::q, 1}) == Values{1, 2, 3, 4, 7, 1, 0.2});
+  CHECK(reading_values(row, {7, 2, -1, 0}, {Channel::Name::Fx}) == Values{1, 2, 3, 4, 7, 3, -1});
+  CHECK(reading_values(row, {7, 0, 1, 0.125}, {Channel::Name::q, 1}) ==
+        Values{1, 2, 3, 4, 7, 1, 1, 0.5, 0.375});
 }

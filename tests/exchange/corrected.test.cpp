@@ -40,6 +40,25 @@ TEST_CASE("a corrected model, written and read again, predicts what the effect p
   }
 }
 
+TEST_CASE("an effect of the user's goes by its id into our own format, and into no other") {
+  diagnose::Effect own = diagnose::effect("gravity");
+  own.id = "user:sag";
+  const Study study(full_bench());
+  diagnose::Diagnosis diagnosis = found(study, own, {0.1});
+  const Model model = corrected_models(study, diagnosis).front().model;
+  const Written file = written(model, Format::toml);
+  CHECK(diagnose::parse_nominal(file.text, "corrected.toml").effects == model.experiment.effects);
+  CHECK(model.experiment.effects.front().label() == "user:sag");
+  CHECK(file.effects.front().effect == "user:sag");
+  CHECK_FALSE(written(model, Format::urdf).effects.front().carried);
+  // a file a candidate, by a name that every system allows
+  diagnosis.cause.verdict = diagnose::CauseVerdict::ambiguous;
+  diagnosis.cause.ranking.front().hypothesis.fit.parameters = {0.1};
+  diagnosis.cause.ranking.push_back(diagnosis.cause.ranking.front());
+  diagnosis.cause.equivalent = {1};
+  CHECK(corrected_models(study, diagnosis).front().cause == "user-sag");
+}
+
 TEST_CASE("an effect beside the same one of the nominal model adds to it") {
   const Study study(full_bench());
   for (const EffectAt& at :
