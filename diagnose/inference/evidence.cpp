@@ -25,22 +25,26 @@ bool has_natural_zero(const ParameterRange& range) {
   return range.may_be_nothing() || range.coordinate == Coordinate::reciprocal;
 }
 
-/// Width of a parameter's prior.
+const double root_2_pi = std::sqrt(2 * std::numbers::pi);
+
+/// Density of a parameter's prior where it is largest.
+double largest_density(const ParameterRange& range) {
+  const double sides = range.low < 0 ? 1 : 2;
+  if (range.tolerance > 0) return sides / (range.tolerance * root_2_pi);
+  if (!has_natural_zero(range)) return 1 / (range.high - range.low);
+  return sides / (std::numbers::pi * range.scale);
+}
+
+/// Width of a parameter's prior: standard deviation of the Gaussian that is as high. What readings do not
+/// tell is then worth nothing, whatever the shape of the prior.
 double prior_width(const ParameterRange& range) {
-  if (range.tolerance > 0) return range.tolerance;
-  return has_natural_zero(range) ? range.scale : range.high - range.low;
+  return 1 / (largest_density(range) * root_2_pi);
 }
 
 double log_parameter_prior(const ParameterRange& range, double value) {
-  if (range.tolerance > 0) {
-    const double sides = range.low < 0 ? 1 : 2;
-    return std::log(sides / (range.tolerance * std::sqrt(2 * std::numbers::pi))) -
-           std::pow(value / range.tolerance, 2) / 2;
-  }
-  if (!has_natural_zero(range)) return -std::log(prior_width(range));
-  const double ratio = value / range.scale;
-  const double sides = range.low < 0 ? 1 : 2;
-  return std::log(sides / (std::numbers::pi * range.scale * (1 + ratio * ratio)));
+  const double largest = std::log(largest_density(range));
+  if (range.tolerance > 0) return largest - std::pow(value / range.tolerance, 2) / 2;
+  return has_natural_zero(range) ? largest - std::log1p(std::pow(value / range.scale, 2)) : largest;
 }
 
 /// How common an effect is beside a plain one.
@@ -106,7 +110,7 @@ double log_evidence(const Study& study, const Fit& fit, const NoiseModel& noise)
     if (fit.at_bound[p] || !(information(k, k) > 0)) continue;
     inside.push_back(k);
     width.push_back(prior_width(ranges[p]));
-    value += log_parameter_prior(ranges[p], fit.parameters[p]) + 0.5 * std::log(2 * std::numbers::pi);
+    value += log_parameter_prior(ranges[p], fit.parameters[p]) + std::log(root_2_pi);
   }
   if (inside.empty()) return value;
   // Posterior precisions along the principal axes, the prior's width being one. What the readings do not tell

@@ -336,8 +336,9 @@ Profile profile(const Study& study, const Fit& fitted, std::size_t parameter, co
 }
 
 double degrees_of_freedom(const Measurements& measurements, const Fit& fit) {
-  const std::size_t values = measurements.size(), parameters = fit.parameters.size();
-  return static_cast<double>(values > parameters ? values - parameters : 1);
+  const auto values = static_cast<double>(measurements.size());
+  const double taken = fit.parameters.empty() ? 0 : (fit.covariance * fit.information).trace();
+  return std::max(1.0, values - taken);
 }
 
 double chi2_per_dof(const Measurements& measurements, const Fit& fit, const NoiseModel& noise) {

@@ -60,7 +60,8 @@ Profile profile(const Study& study, const Fit& fitted, std::size_t parameter, co
 /// Huber's loss of one whitened residual, twice: its square up to the bound, then linear.
 double huber(double residual, double bound);
 
-/// Degrees of freedom that a fit leaves to the readings.
+/// Degrees of freedom that a fit leaves to the readings, one at least: a parameter that its tolerance holds
+/// takes as much of one as the readings tell of it, one at a bound none.
 double degrees_of_freedom(const Measurements& measurements, const Fit& fit);
 
 /// Chi-square per degree of freedom that a fit leaves in this noise, without outliers.

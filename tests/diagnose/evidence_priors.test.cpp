@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -93,9 +94,11 @@ TEST_CASE("readings that tell little leave the width of the prior") {
   const Study study = two_blank_links();
   const Candidate gain{{{"force_gain"}}};
   const double scale = study.ranges(gain)[0].scale;
+  // The Gaussian as high as a Cauchy density is sqrt(pi / 2) of its scale wide.
+  const double believed = std::sqrt(std::numbers::pi / 2) * scale;
   for (const double told : {1e-6, 1.0, 8.0}) {
-    const Eigen::MatrixXd information = Eigen::MatrixXd::Constant(1, 1, told / (scale * scale));
-    const double width = scale / std::sqrt(1 + told);
+    const Eigen::MatrixXd information = Eigen::MatrixXd::Constant(1, 1, told / (believed * believed));
+    const double width = believed / std::sqrt(1 + told);
     CHECK(parameters_worth(study, told_of(study, gain, {scale}, information)) ==
           close_to(std::log(std::sqrt(2 * std::numbers::pi) * width / (2 * std::numbers::pi * scale))));
     CHECK(posterior_covariance(study, told_of(study, gain, {scale}, information))(0, 0) ==
@@ -103,7 +106,23 @@ TEST_CASE("readings that tell little leave the width of the prior") {
   }
   const Fit untold = told_of(study, gain, {scale}, Eigen::MatrixXd::Zero(1, 1));
   CHECK(parameters_worth(study, untold) == doctest::Approx(0));
-  CHECK(posterior_covariance(study, untold)(0, 0) == close_to(scale * scale));
+  CHECK(posterior_covariance(study, untold)(0, 0) == close_to(believed * believed));
+}
+
+TEST_CASE("what readings do not tell is worth nothing, whatever the shape of the prior") {
+  // The mean of a likelihood over a prior is never more than the likelihood at its best.
+  const Study study = two_blank_links();
+  for (const EffectAt& at : possible_effects(study)) {
+    const std::vector<ParameterRange> ranges = study.ranges(at);
+    std::vector<double> values;
+    for (const ParameterRange& range : ranges) values.push_back(std::clamp(0.0, range.low, range.high));
+    const auto count = static_cast<Eigen::Index>(ranges.size());
+    Eigen::MatrixXd hardly = Eigen::MatrixXd::Zero(count, count);
+    for (Eigen::Index p = 0; p < count; ++p)
+      hardly(p, p) = 1e-9 / std::pow(ranges[static_cast<std::size_t>(p)].scale, 2);
+    CAPTURE(at.label());
+    CHECK(parameters_worth(study, told_of(study, {{at}}, values, hardly)) < 1e-9);
+  }
 }
 
 TEST_CASE(
@@ -112,7 +131,8 @@ TEST_CASE(
   const Candidate three{{{"force_bias"}, {"force_gain"}}};
   const std::vector<ParameterRange> ranges = study.ranges(three);
   Eigen::Vector3d width;
-  for (Eigen::Index p = 0; p < 3; ++p) width(p) = ranges[static_cast<std::size_t>(p)].scale;
+  for (Eigen::Index p = 0; p < 3; ++p)  // of Cauchy densities
+    width(p) = std::sqrt(std::numbers::pi / 2) * ranges[static_cast<std::size_t>(p)].scale;
   const Eigen::Matrix3d in_widths{{4, 1, -2}, {1, 3, 0.5}, {-2, 0.5, 5}};
   const Eigen::MatrixXd information =
       width.cwiseInverse().asDiagonal() * in_widths * width.cwiseInverse().asDiagonal();

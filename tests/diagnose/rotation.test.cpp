@@ -234,7 +234,9 @@ TEST_CASE(
   std::map<std::string, double> equal;
   for (const HeldOut& part : run_parts(study.experiment())) {
     const Study others = study.of(without(study.experiment(), part));
-    equal[part.names.at(0)] = others.ranges(tare)[0].scale / sigma * std::sqrt(0.8);
+    const double width =
+        std::sqrt(std::acos(-1.0) / 2) * others.ranges(tare)[0].scale;  // of a Cauchy density
+    equal[part.names.at(0)] = width / sigma * std::sqrt(0.8);
   }
   REQUIRE(equal.size() == 4);
   for (const auto& [limit, at] : equal)
