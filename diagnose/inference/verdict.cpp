@@ -159,7 +159,10 @@ double probability_of_unknown(double p_value) {
 
 double partial_criterion(const Measurements& measurements, const Fit& fit) {
   const double independent = static_cast<double>(measurements.size()) / beliefs::share_a_misfit;
-  return independent * std::log(fit.cost) +
+  double squares = 0;
+  for (const double z : whiten(measurements, without_outliers(measurements, fit.residual), fit.noise))
+    squares += z * z;
+  return independent * std::log(squares) +
          static_cast<double>(fit.parameters.size()) * std::log(std::max(independent, 2.0));
 }
 

@@ -107,7 +107,7 @@ bool at_joints(const Explained& explained) {
   const std::vector<EffectAt>& effects = explained.best->candidate.effects;
   return std::any_of(effects.begin(), effects.end(), [](const EffectAt& at) {
     if (at.effect->at_joint) return true;
-    for (const auto& rows : {joint_effects(), common_effects(), joint_law_effects()})
+    for (const auto& rows : {joint_effects(), common_effects(), joint_law_effects(), friction_effects()})
       for (const Effect& row : rows)
         if (row.id == at.effect->id) return true;
     return false;

@@ -60,18 +60,25 @@ const Candidate too_strong{{{"force_gain"}}}, off_centre{{{"eccentric_load"}}}, 
 }  // namespace
 
 TEST_CASE("the best partial explanation, by Schwarz's criterion of an eighth of the values") {
-  const auto of = [](double cost, std::size_t parameters) {
+  const auto of = [](double squares, std::size_t parameters) {
     Fit fit;
-    fit.cost = cost;
+    fit.residual = {squares};
     fit.parameters.assign(parameters, 0);
     return fit;
   };
-  const auto best = [](std::size_t readings, const std::vector<Fit>& fits) {
+  const auto best = [](std::size_t readings, std::vector<Fit> fits) {
     std::vector<const Fit*> all;
-    for (const Fit& one : fits) all.push_back(&one);
+    for (Fit& one : fits) {
+      // Of the size that these squares make, far beyond what a robust loss would count in full, with either
+      // sign.
+      const double size = 100 * std::sqrt(one.residual[0]);
+      one.residual.assign(2 * readings, size);
+      for (std::size_t i = 0; i < one.residual.size(); i += 2) one.residual[i] = -size;
+      all.push_back(&one);
+    }
     return best_partial(Measurements(blank_experiment({readings})), all);
   };
-  // 40 values count as 5: a parameter costs ln 5, a cost less by 5^(1/5) = 1.38 is worth it
+  // 40 values count as 5: a parameter costs ln 5, squares less by 5^(1/5) = 1.38 are worth it
   CHECK(best(20, {of(10, 1), of(10 / 1.37, 2)}) == 0);
   CHECK(best(20, {of(10, 1), of(10 / 1.39, 2)}) == 1);
   CHECK(best(20, {of(10, 3), of(10, 1), of(11, 1)}) == 1);
