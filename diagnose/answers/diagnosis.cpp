@@ -116,7 +116,7 @@ std::vector<std::vector<Estimate>> estimate(const Study& study, const Fit& found
 
 /// What the runs never touched: a nominal parameter's change that no measured value shows; and what the user
 /// stated of time, or of readings, that this bench has not.
-std::vector<EffectAt> never_exercised(const Study& study, const Findings& findings) {
+std::vector<EffectAt> never_exercised(const Study& study, const Findings& findings, const Cause& cause) {
   const std::vector<EffectAt> possible = possible_effects(study);
   std::vector<EffectAt> result;
   for (std::size_t stated = catalogue().size(); stated < study.effects().size(); ++stated) {
@@ -135,6 +135,10 @@ std::vector<EffectAt> never_exercised(const Study& study, const Findings& findin
         place->fit.information.maxCoeff() == 0 && !is_told)
       result.push_back(at);
   }
+  if (cause.ranking.empty()) return result;
+  // What the best explanation is made of has been seen at work.
+  const std::vector<EffectAt>& best = cause.ranking[cause.best].hypothesis.fit.candidate.effects;
+  std::erase_if(result, [&](const EffectAt& at) { return std::count(best.begin(), best.end(), at) > 0; });
   return result;
 }
 
@@ -227,26 +231,24 @@ void offer_only_what_predicts(Diagnosis& diagnosis) {
   diagnosis.nothing_predicts = true;
 }
 
-void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
-  const HeldOut heldout = choose_heldout(study.experiment());
-  const Study seen = study.of(without(study.experiment(), heldout));
-  const Findings chosen = search(seen, [&](double share) { progress(0.1 + 0.4 * share); });
-  if (chosen.hypotheses.empty()) {
-    diagnosis.cause.verdict = CauseVerdict::unknown;
-    diagnosis.cause.unknown = 1;
-    offer_law_to(study, chosen, diagnosis);
-    return;
-  }
+/// What was chosen on fewer readings, judged on all; searched for again on all of them where what was held
+/// out holds the trace of a further cause.
+Findings judged_on_all(const Study& study, const Study& seen, const Findings& chosen, Cause& cause,
+                       const Report& progress) {
   const bool structured = leaves_structure(seen.measurements(), chosen);
   Findings findings = confirmed(study, chosen);
-  diagnosis.cause = judge(study, findings);
-  if ((diagnosis.cause.verdict == CauseVerdict::unknown && !structured) || overturned(chosen, findings)) {
-    // What was held out holds the trace of a further cause.
-    findings = search(
-        study, [&](double share) { progress(0.5 + 0.4 * share); }, findings);
-    diagnosis.cause = judge(study, findings);
-  }
-  diagnosis.noise = findings.noise;
+  cause = judge(study, findings);
+  const bool missed = cause.verdict == CauseVerdict::unknown && !structured;
+  if (!missed && !overturned(chosen, findings)) return findings;
+  findings = search(study, progress, findings);
+  cause = judge(study, findings);
+  return findings;
+}
+
+/// Tests the best explanation on held-out readings and settles what is said of it. \returns the findings that
+/// this is said by
+Findings put_to_the_test(const Study& study, const Study& seen, const Findings& chosen, Findings findings,
+                         Diagnosis& diagnosis) {
   const auto test_best = [&] {
     diagnosis.shrink = shrink_of(study, findings, diagnosis.noise, diagnosis.cause);
   };
@@ -259,6 +261,23 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
     test_best();
   demand_shrink(diagnosis.shrink, diagnosis.cause);
   demand_second_run(study, diagnosis.cause);
+  return findings;
+}
+
+void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
+  const HeldOut heldout = choose_heldout(study.experiment());
+  const Study seen = study.of(without(study.experiment(), heldout));
+  const Findings chosen = search(seen, [&](double share) { progress(0.1 + 0.4 * share); });
+  if (chosen.hypotheses.empty()) {
+    diagnosis.cause.verdict = CauseVerdict::unknown;
+    diagnosis.cause.unknown = 1;
+    offer_law_to(study, chosen, diagnosis);
+    return;
+  }
+  Findings findings =
+      judged_on_all(study, seen, chosen, diagnosis.cause, [&](double share) { progress(0.5 + 0.4 * share); });
+  diagnosis.noise = findings.noise;
+  findings = put_to_the_test(study, seen, chosen, std::move(findings), diagnosis);
   diagnosis.allowed = findings.noise;
   if (const std::optional<NamedLaw> named = name_single_joint(study, diagnosis.noise, diagnosis.cause)) {
     diagnosis.shrink = named->shrink;
@@ -268,13 +287,7 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.reservation != Reservation::none)
     offer_law_to(study, chosen, diagnosis);
   offer_only_what_predicts(diagnosis);
-  diagnosis.not_exercised = never_exercised(study, chosen);
-  if (!diagnosis.cause.ranking.empty()) {
-    // What the best explanation is made of has been seen at work.
-    const auto& best = diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate.effects;
-    std::erase_if(diagnosis.not_exercised,
-                  [&](const EffectAt& at) { return std::find(best.begin(), best.end(), at) != best.end(); });
-  }
+  diagnosis.not_exercised = never_exercised(study, chosen, diagnosis.cause);
   if (diagnosis.cause.verdict != CauseVerdict::unknown)
     diagnosis.estimates =
         estimate(study, diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit, diagnosis.allowed);
