@@ -16,7 +16,7 @@ namespace plumbline::diagnose {
 /// How far a joint was bent and how long: what the terms are laid out over.
 struct LawSpan {
   double low = 0, high = 0;  ///< range of the deflection, rad, with zero in it
-  double duration = 0;       ///< of the longest run that has a clock, s: unit of the time constants; 0 of none
+  double duration = 0;  ///< of the longest run that has a clock, s: unit of the time constants; 0 of none
 
   /// The knots lie evenly over both signs, up to here.
   [[nodiscard]] double deflection() const { return std::max(high, -low); }
