@@ -8,8 +8,8 @@
 
 namespace plumbline::diagnose {
 
-/// Value over abscissa: '>' where that was rising, '<' where it was falling, '8' where both fall together; the
-/// zero line dotted; scales at the edges. At most 72 columns wide.
+/// Value over abscissa: '>' where that was rising, '<' where it was falling, '8' where both fall together;
+/// the zero line dotted; scales at the edges. At most 72 columns wide.
 std::string picture(const Missing& missing);
 
 }  // namespace plumbline::diagnose
