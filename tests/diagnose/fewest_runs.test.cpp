@@ -57,7 +57,8 @@ TEST_CASE("of the runs that are needed the one that shows most comes first") {
   // The second run shows two contrasts, the first one.
   const std::vector<Contrast> contrasts{additive({0, 4}), additive({0, 4}), additive({4, 0})};
   CHECK(fewest_runs(contrasts, 2, 3).runs == Runs{1, 0});
-  // So it does where the greedy choice is not taken: of the first run, which shows five of seven, and two more.
+  // So it does where the greedy choice is not taken: of the first run, which shows five of seven, and two
+  // more.
   std::vector<Contrast> seven;
   for (int c = 0; c < 7; ++c)
     seven.push_back(additive({c > 0 && c < 6 ? 4.0 : 0.0, c < 3 ? 4.0 : 0.0, c < 3 ? 0.0 : 4.0}));

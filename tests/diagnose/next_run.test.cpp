@@ -229,8 +229,8 @@ TEST_CASE("what a run is expected to show is counted in the noise as it is, chan
 }
 
 TEST_CASE("noise that remembers hides what changes slowly, in a run to come as in those that there are") {
-  // A difference that hardly changes counts (1 - phi) / (1 + phi) as much, but for the first reading of a run: a
-  // quarter at 0.6. Of a press the difference grows on the way, and its steps count more.
+  // A difference that hardly changes counts (1 - phi) / (1 + phi) as much, but for the first reading of a
+  // run: a quarter at 0.6. Of a press the difference grows on the way, and its steps count more.
   const Experiment experiment = measured(along_x(), only("rest_angle", 1), {0.02}, 47);
   const Study study(experiment);
   const std::vector<Fit> rivals{fit(study, only("rest_angle", 1), {}),

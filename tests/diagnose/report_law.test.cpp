@@ -26,12 +26,13 @@ TEST_CASE("a torque law in words and as JSON, by hand") {
      "relaxation": [{"time_constant": 9.0, "stiffness": 0.7}], "words": "it hardens",
      "resembles": [["nonlinear_spring", "joint_stop"], ["hysteresis"]]}],
     "cross_validated": 0.34})json"));
-  CHECK(law_as_text(offered) ==
-        "  a torque law fitted to the gap, which is no cause, beside gravity + force_gain:\n"
-        "    joints 1, 3: it hardens\n"
-        "      looks like nonlinear_spring or joint_stop, with hysteresis\n"
-        "    not tested, for no readings can be held out within what the others bend; 0.34 of the residual is "
-        "left on readings seen, each left out in turn\n");
+  CHECK(
+      law_as_text(offered) ==
+      "  a torque law fitted to the gap, which is no cause, beside gravity + force_gain:\n"
+      "    joints 1, 3: it hardens\n"
+      "      looks like nonlinear_spring or joint_stop, with hysteresis\n"
+      "    not tested, for no readings can be held out within what the others bend; 0.34 of the residual is "
+      "left on readings seen, each left out in turn\n");
   CHECK(what_it_does(offered) == "fitted to");
   offered.shrink = Shrink{};
   offered.shrink->heldout = {"press-1"};

@@ -124,7 +124,8 @@ TEST_CASE("how far, in words: not tested, not shrinking, not chosen blind, nothi
       "How far?  Not tested: the readings held out (press-1[1:2], load-2) carry too little of the gap, "
       "noise alone is 71 % of them\n"));
   made.shrink.reset();
-  CHECK(has_words(as_text(made), "How far?  Not tested: without readings held out too few are left to fit it\n"));
+  CHECK(has_words(as_text(made),
+                  "How far?  Not tested: without readings held out too few are left to fit it\n"));
   made.nothing_predicts = true;
   CHECK(has_words(
       as_text(made),
@@ -154,12 +155,12 @@ TEST_CASE("an unknown cause in words: what is missing, and the best partial expl
   made.cause.best = 1;
   made.missing = Missing{"torque at joint 2", "N m", "q2", "rad", {{0.1, 0.2, 0.3, true}}, 0.5, 0.6, 0.7};
   const std::string text = as_text(made);
-  CHECK(has_words(
-      text,
-      "What?  Unknown: no effect of the catalogue, alone or in twos, explains the gap\n"
-      "  what is missing, as a function of q2: 50 %; of direction too: 60 %; of time too: 70 %\n" +
-          picture(*made.missing) +
-          "  best partial explanation: rest_angle(2) (chi-square per degree of freedom 1.1)\n"));
+  CHECK(
+      has_words(text,
+                "What?  Unknown: no effect of the catalogue, alone or in twos, explains the gap\n"
+                "  what is missing, as a function of q2: 50 %; of direction too: 60 %; of time too: 70 %\n" +
+                    picture(*made.missing) +
+                    "  best partial explanation: rest_angle(2) (chi-square per degree of freedom 1.1)\n"));
   CHECK(has_words(text, "with the best partial explanation, the residual shrinks to"));
   CHECK(as_json(made)["shrink"]["of"] == "partial");
 }

@@ -76,15 +76,18 @@ TEST_CASE("of several runs: the longest duration, the shortest pause, what any o
   CHECK(sizes_of(experiment).duration == 49.5);
 }
 
-TEST_CASE("a run lasts from its first reading to its last, whatever its clock shows, and pauses as it mostly does") {
+TEST_CASE(
+    "a run lasts from its first reading to its last, whatever its clock shows, and pauses as it mostly "
+    "does") {
   Experiment experiment = ten_readings();
   for (Reading& r : experiment.runs[0].readings) r.t += 3600;
   CHECK(sizes_of(experiment).duration == 49.5);
   CHECK(sizes_of(experiment).pause == 5.5);
   for (std::size_t i = 1; i < 10; ++i) experiment.runs[0].readings[i].t += 60;  // a rest after the first
-  CHECK(sizes_of(experiment).pause == 6.5);  // of those from 2.5 to 61.5 s
+  CHECK(sizes_of(experiment).pause == 6.5);                                     // of those from 2.5 to 61.5 s
   // stamps of a clock that is read more coarsely than the sensors
-  for (std::size_t i = 0; i < 10; ++i) experiment.runs[0].readings[i].t = std::floor(static_cast<double>(i) / 3);
+  for (std::size_t i = 0; i < 10; ++i)
+    experiment.runs[0].readings[i].t = std::floor(static_cast<double>(i) / 3);
   CHECK(sizes_of(experiment).pause == 1);
 }
 

@@ -66,7 +66,8 @@ TEST_CASE(
 
 TEST_CASE("shares of what is missing that go with the place, the direction and the time, by hand") {
   // Where both ways come by with the same value every reading has a neighbour that says the same.
-  const Missing of_place = described([](std::size_t, const Reading& r) { return 0.05 * std::sin(900 * r.x); });
+  const Missing of_place =
+      described([](std::size_t, const Reading& r) { return 0.05 * std::sin(900 * r.x); });
   CHECK(of_place.by_position == doctest::Approx(1));
   CHECK(of_place.by_direction == doctest::Approx(1));
 
