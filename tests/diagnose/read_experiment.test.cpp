@@ -128,6 +128,24 @@ TEST_CASE("a good experiment is read as it stands") {
   CHECK(q2->unit == "rad");
 }
 
+TEST_CASE("stamps of a clock that runs on count from the first reading of all, others as they stand") {
+  const auto times = [](const std::string& first, const std::string& second, const std::string& third,
+                        const std::string& fourth) {
+    Files files;
+    files.press = replaced(replaced(files.press, "\n0,", "\n" + first + ","), "\n1,", "\n" + second + ",");
+    files.pull = replaced(replaced(files.pull, "\n0,", "\n" + third + ","), "\n2,", "\n" + fourth + ",");
+    const Folder folder;
+    lay(folder, files);
+    std::vector<double> all;
+    for (const Run& run : read_experiment(folder.path()).runs)
+      for (const Reading& reading : run.readings) all.push_back(reading.t);
+    return all;
+  };
+  CHECK(times("1700000000", "1700000001.5", "1700000100", "1700000102") ==
+        std::vector<double>{0, 1.5, 100, 102});
+  CHECK(times("3", "4", "10", "12") == std::vector<double>{3, 4, 10, 12});  // a drift that began 3 s before
+}
+
 TEST_CASE("forces straight down and without noise are those of weights, unless the settings say otherwise") {
   std::string pull_alone = good_toml;  // no force is read, and its noise may be zero
   pull_alone.erase(pull_alone.find("[[run]]"), pull_alone.rfind("[[run]]") - pull_alone.find("[[run]]"));
