@@ -264,8 +264,9 @@ TorqueLaw settled(const Study& seen, const NoiseModel& noise, TorqueLaw law) {
 /// A settled law, its shape chosen again by how the chain answers that has it: where the law is large, what
 /// the base answers to it shows too little of what another shape would do. Laws of their own keep theirs.
 TorqueLaw chosen_again(const Study& seen, const NoiseModel& noise, const TorqueLaw& law) {
+  if (law.laws.size() > 1) return law;
   const Response with = response(seen, rig_with_law(seen, law));
-  if (law.laws.size() > 1 || !with.given.reached) return law;
+  if (!with.given.reached) return law;
   const LawFolds sums = sums_of(seen, with, law.laws, to_explain(seen, with, law), noise);
   const ChosenLaw same = fit_law(law.shape, 1, sums), other = choose_law(sums, seen.measurements().size());
   if (!(other.left < same.left - noticed_gain)) return law;

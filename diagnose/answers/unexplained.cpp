@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "diagnose/answers/torque_balance.hpp"
+#include "diagnose/model/between.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -105,15 +106,13 @@ OffNeighbours off_neighbours(const std::vector<MissingPoint>& points, bool each_
       if (each_way ? point.falling == down : !down) line.push_back(&point);
     std::stable_sort(line.begin(), line.end(),
                      [](const MissingPoint* a, const MissingPoint* b) { return a->at < b->at; });
+    std::vector<double> value, time;
+    for (const MissingPoint* point : line) value.push_back(point->value), time.push_back(point->t);
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-      const MissingPoint &before = *line[i - 1], &here = *line[i], &after = *line[i + 1];
-      const double gap = after.at - before.at, share = gap > 0 ? (here.at - before.at) / gap : 0.5,
-                   spread = std::sqrt(1 + share * share + (1 - share) * (1 - share));
-      const auto stands_off = [&](double MissingPoint::*of) {
-        return (here.*of - (1 - share) * (before.*of) - share * (after.*of)) / spread;
-      };
-      off.value.push_back(stands_off(&MissingPoint::value));
-      off.time.push_back(stands_off(&MissingPoint::t));
+      const double before = line[i - 1]->at, gap = line[i + 1]->at - before;
+      const Between one{i, i - 1, i + 1, gap > 0 ? (line[i]->at - before) / gap : 0.5};
+      off.value.push_back(one.off(value.data()));
+      off.time.push_back(one.off(time.data()));
     }
   }
   return off;
