@@ -56,15 +56,6 @@ std::vector<Channel> channels_of(const Run& run, const Noise& sigma, bool angles
   return channels;
 }
 
-/// Values of one channel in the order of reading, whitened as whiten() does those of an experiment.
-Eigen::VectorXd whitened(const Eigen::VectorXd& values, double correlation) {
-  Eigen::VectorXd white = values;
-  const Eigen::Index later = values.size() - 1;
-  white.tail(later) =
-      (values.tail(later) - correlation * values.head(later)) / std::sqrt(1 - correlation * correlation);
-  return white;
-}
-
 /// What a rival makes of the run, in the noise as it is.
 Forecast forecast(const Prediction& predicted, const std::vector<Channel>& channels, const Noise& sigma,
                   const NoiseModel& noise, const Eigen::MatrixXd& covariance) {
@@ -78,10 +69,10 @@ Forecast forecast(const Prediction& predicted, const std::vector<Channel>& chann
   for (const Channel& channel : channels) {
     const Eigen::Index c = column_of(channel);
     const double real = channel.sigma(sigma) * noise.of(channel);
-    result.read.segment(at, rows) = whitened(trace.col(c) / real, noise.correlation);
+    result.read.segment(at, rows) = whitened(trace.col(c).matrix(), real, noise.correlation);
     for (std::size_t p = 0; p < predicted.sensitivity.size(); ++p)
       result.slope.col(static_cast<Eigen::Index>(p)).segment(at, rows) =
-          whitened(predicted.sensitivity[p][0].col(c) / real, noise.correlation);
+          whitened(predicted.sensitivity[p][0].col(c).matrix(), real, noise.correlation);
     at += rows;
   }
   return result;

@@ -344,18 +344,23 @@ std::array<PossibleCorrelation, 2> larger_correlations(const Measurements& measu
   return all;
 }
 
+Eigen::VectorXd whitened(const Eigen::Ref<const Eigen::VectorXd>& values, double scale, double correlation) {
+  Eigen::VectorXd white = values / scale;
+  const Eigen::Index later = values.size() - 1;
+  const double innovation = std::sqrt(1 - correlation * correlation);
+  if (later > 0)
+    white.tail(later) = (values.tail(later) - correlation * values.head(later)) / (scale * innovation);
+  return white;
+}
+
 std::vector<double> whiten(const Measurements& measurements, const std::vector<double>& residual,
                            const NoiseModel& noise) {
   std::vector<double> white(residual.size());
-  const double phi = noise.correlation;
-  const double innovation = std::sqrt(1 - phi * phi);
   for (const Series& series : measurements.series()) {
-    const double scale = noise.of(series.channel);
-    for (std::size_t i = 0; i < series.readings.size(); ++i) {
-      const double value = residual[series.first + i];
-      white[series.first + i] =
-          i == 0 ? value / scale : (value - phi * residual[series.first + i - 1]) / (scale * innovation);
-    }
+    const auto count = static_cast<Eigen::Index>(series.readings.size());
+    Eigen::Map<Eigen::VectorXd>(white.data() + series.first, count) =
+        whitened(Eigen::Map<const Eigen::VectorXd>(residual.data() + series.first, count),
+                 noise.of(series.channel), noise.correlation);
   }
   return white;
 }

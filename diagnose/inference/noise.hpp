@@ -2,6 +2,7 @@
 /// \file
 /// The noise of the readings as it is, beside what was declared: scale, correlation in time, outliers.
 
+#include <Eigen/Core>
 #include <array>
 #include <vector>
 
@@ -63,6 +64,10 @@ struct PossibleCorrelation {
 };
 std::array<PossibleCorrelation, 2> larger_correlations(const Measurements& measurements,
                                                        const std::vector<double>& residual, double estimated);
+
+/// Standardised innovations of values in the order of reading, whose noise has this scale and correlates so
+/// from one to the next.
+Eigen::VectorXd whitened(const Eigen::Ref<const Eigen::VectorXd>& values, double scale, double correlation);
 
 /// Standardised innovations: independent and of unit variance when the residual is this noise.
 std::vector<double> whiten(const Measurements& measurements, const std::vector<double>& residual,
