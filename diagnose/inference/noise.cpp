@@ -348,8 +348,7 @@ Eigen::VectorXd whitened(const Eigen::Ref<const Eigen::VectorXd>& values, double
   Eigen::VectorXd white = values / scale;
   const Eigen::Index later = values.size() - 1;
   const double innovation = std::sqrt(1 - correlation * correlation);
-  if (later > 0)
-    white.tail(later) = (values.tail(later) - correlation * values.head(later)) / (scale * innovation);
+  white.tail(later) = (values.tail(later) - correlation * values.head(later)) / (scale * innovation);
   return white;
 }
 
