@@ -49,6 +49,9 @@ inline constexpr double cause_beside_machining = 1;
 /// But an effect that has a plainer one as a special case (friction that grows, and friction) is so much
 /// rarer than that: what is refined answers to whatever else is wrong of the model.
 inline constexpr double refinement = 0.1;
+/// Where an effect may be made of several elements each more is so much rarer: one that does nothing is not
+/// counted.
+inline constexpr double one_more_element = 0.5;
 /// Prior probability that a gap's cause is in nobody's catalogue.
 inline constexpr double outside = 0.1;
 /// Share of experiments whose cause is listed, and yet the right explanation leaves structure: beside the

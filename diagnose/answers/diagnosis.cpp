@@ -163,7 +163,7 @@ bool chosen_without(const Study& study, const HeldOut& part, const Findings& fin
   if (blind.ranking.empty()) return false;
   const Candidate& best = cause.ranking[cause.best].hypothesis.fit.candidate;
   const auto is_best = [&](std::size_t place) {
-    return blind.ranking[place].hypothesis.fit.candidate == best;
+    return blind.ranking[place].hypothesis.fit.candidate.is_form_of(best);
   };
   return is_best(blind.best) || std::any_of(blind.equivalent.begin(), blind.equivalent.end(), is_best);
 }

@@ -52,12 +52,25 @@ double commonness(const Effect& effect) {
   return effect.special.empty() ? 1 : beliefs::refinement;
 }
 
+/// Of effects that may be made of several elements, the share of those with as many as this row has.
+double share_of_number(const Effect& effect) {
+  if (!effect.numbers) return 1;
+  double own = 0, all = 0, common = 1;
+  for (const Effect* row : effect.numbers()) {
+    if (row == &effect) own = common;
+    all += common;
+    common *= beliefs::one_more_element;
+  }
+  return own / all;
+}
+
 /// At how many joints or links an effect may sit; one where it sits at none.
 double places_of(const Study& study, const EffectAt& at) {
   if (at.joint == 0) return 1;
   const std::vector<EffectAt> possible = possible_effects(study);
-  const auto places = std::count_if(possible.begin(), possible.end(),
-                                    [&](const EffectAt& one) { return one.effect == at.effect; });
+  const auto places = std::count_if(possible.begin(), possible.end(), [&](const EffectAt& one) {
+    return one.effect->at_joint && one.effect->id == at.effect->id;
+  });
   return std::max(1.0, static_cast<double>(places));
 }
 
@@ -82,7 +95,7 @@ double log_prior(const Study& study, const Candidate& candidate) {
   if (candidate.machined() && others > 0) log_p += std::log(beliefs::cause_beside_machining);
   for (const EffectAt& at : candidate.effects) {
     if (candidate.has_as_machining(at)) continue;
-    log_p += std::log(commonness(*at.effect) / (all * places_of(study, at)));
+    log_p += std::log(commonness(*at.effect) * share_of_number(*at.effect) / (all * places_of(study, at)));
   }
   return log_p;
 }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <plumbline/base/parallel.hpp>
 
 #include "diagnose/beliefs.hpp"
+#include "diagnose/inference/elements.hpp"
 #include "diagnose/inference/rival.hpp"
 #include "diagnose/inference/screen.hpp"
 
@@ -155,6 +157,26 @@ class Searcher {
     });
   }
 
+  /// The same with every other number of elements that an effect of it may have, each from the one before.
+  [[nodiscard]] std::vector<Fit> in_other_numbers(const Fit& fitted) const {
+    std::vector<Fit> fits;
+    for (std::size_t e = 0; e < fitted.candidate.effects.size(); ++e) {
+      const EffectAt& at = fitted.candidate.effects[e];
+      if (!at.effect->numbers) continue;
+      const std::vector<const Effect*> rows = at.effect->numbers();
+      const auto own = std::find(rows.begin(), rows.end(), at.effect);
+      const auto step_on = [&, last = fitted](const Effect* row) mutable {
+        const Starts from = in_number(study_, last, e, *row);
+        last.candidate.effects[e] = EffectAt(*row, at.joint);
+        fits.push_back(last = fit(study_, last.candidate, settings_, from));
+      };
+      std::for_each(std::make_reverse_iterator(own), rows.rend(), step_on);
+      std::for_each(own + 1, rows.end(), step_on);
+    }
+    std::erase_if(fits, [&](const Fit& one) { return !of_use(one); });
+    return fits;
+  }
+
   /// The best combinations with one effect made a special case of it: a tare of each run that is alike in
   /// all, say, is one tare.
   [[nodiscard]] std::vector<Fit> plainer(const std::vector<Fit>& combinations) const {
@@ -290,6 +312,20 @@ std::vector<Fit> beside_machining(const Searcher& searcher, const std::vector<Fi
   return more;
 }
 
+/// Adds what leads with every other number of elements that it may have.
+Findings in_their_numbers(const Study& study, const Searcher& searcher, Findings findings) {
+  if (findings.hypotheses.empty()) return findings;
+  std::vector<Fit> others = searcher.in_other_numbers(findings.hypotheses.front().fit);
+  std::erase_if(others, [&](const Fit& one) {
+    return std::any_of(findings.hypotheses.begin(), findings.hypotheses.end(),
+                       [&](const Hypothesis& known) { return same(known.fit.candidate, one.candidate); });
+  });
+  if (others.empty()) return findings;
+  for (Fit& one : others) findings.hypotheses.push_back({std::move(one), 0, 0, {}});
+  weigh(study, findings);
+  return findings;
+}
+
 }  // namespace
 
 Findings search(const Study& study, const std::function<void(double)>& progress, const Findings& known) {
@@ -303,6 +339,7 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
   const auto p_value = [&] { return structure_p_value(study.measurements(), fits.front().residual); };
   report(0.1);
   constexpr double look_further = 0.05;  // a search more costs time alone
+  if (!fits.empty() && p_value() < look_further) add(fits, searcher.in_other_numbers(fits.front()));
   if (!fits.empty() && p_value() < look_further) {
     std::vector<Fit> pairs = searcher.extended(singles, single_seeds);
     add(fits, pairs);
@@ -336,7 +373,7 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
     }
   }
   report(1);
-  return weighed(study, std::move(fits));
+  return in_their_numbers(study, searcher, weighed(study, std::move(fits)));
 }
 
 }  // namespace plumbline::diagnose

@@ -95,6 +95,9 @@ struct Effect {
   /// So many parameters make one of several elements that may change places without changing anything: they
   /// are told in the order of the last of these, a turn or a time. None where nothing may.
   std::size_t element = 0;
+  /// The rows of it with fewer elements and with more, itself among them, fewest first; null where their
+  /// number is fixed.
+  std::function<std::vector<const Effect*>()> numbers = nullptr;
   /// What machining leaves on every chain, and may stand beside any cause.
   bool of_machining = false;
 };

@@ -42,10 +42,15 @@ std::string place_of(const Experiment& experiment, std::size_t number, const std
   return fmt::format("experiment \"{}\": nominal.effect[{}].{}", experiment.name, number + 1, key);
 }
 
-/// The rows that a nominal model may have: the catalogue's, and those that the user states.
+/// The rows that a nominal model may have: the catalogue's, with any number of elements, and those that the
+/// user states.
 std::vector<const Effect*> rows_of(const Experiment& experiment) {
   std::vector<const Effect*> rows;
-  for (const Effect& row : catalogue()) rows.push_back(&row);
+  for (const Effect& row : catalogue()) {
+    rows.push_back(&row);
+    if (!row.numbers) continue;
+    for (const Effect* other : row.numbers()) rows.push_back(other);
+  }
   if (experiment.stated)
     for (const Effect& row : *experiment.stated) rows.push_back(&row);
   return rows;

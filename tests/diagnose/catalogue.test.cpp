@@ -197,7 +197,7 @@ TEST_CASE("fits start at shares of what the joints are asked for, by hand") {
   check_starts("hardening_spread", 0, {{0, 0}, {0.3 / 0.09, 0.3 / 0.09}, {-0.1 / 0.09, -0.1 / 0.09}}, 1);
   const auto elements = [](double d) {
     return std::vector<std::vector<double>>{{0.1, 0.02 * d, 0.1, 0.1 * d, 0.1, 0.5 * d},
-                                            {0.1, 0.05 * d, 0.1, 0.2 * d, 0.1, d}};
+                                            {0.1, 0.05 * d, 0.1, std::sqrt(0.05) * d, 0.1, d}};
   };
   check_starts("hysteresis", 0, elements(0.31), 2);
   check_starts("hysteresis", 2, elements(0.23), 2);

@@ -49,12 +49,17 @@ const double plain_rows = [] {
   return sum;
 }();
 
-/// Where a row may act on a bench; where it may not at all, at each joint or at none.
+/// Where a row may act on a bench, with every number of elements; where it may not at all, at each joint or
+/// at none.
 std::vector<EffectAt> places_in(const Study& study, const Effect& row) {
   std::vector<EffectAt> places = possible_effects(study);
   std::erase_if(places, [&](const EffectAt& at) { return at.effect != &row; });
   if (places.empty()) places.emplace_back(row, row.at_joint ? 1 : 0);
-  return places;
+  if (!row.numbers) return places;
+  std::vector<EffectAt> forms;
+  for (const EffectAt& at : places)
+    for (const Effect* number : row.numbers()) forms.emplace_back(*number, at.joint);
+  return forms;
 }
 
 TEST_CASE(

@@ -1,7 +1,9 @@
 /// \file
 /// Torque laws of the joints beyond a single number: hysteresis, stops, set, spectra of relaxation.
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/model/effects/each_joint.hpp"
@@ -18,14 +20,14 @@ double typical_torque(const Place& at) {
 
 // ------------------------------------------------------------------------------------------- hysteresis
 
-/// Elements that yield one after the other; with more of them a loop has more corners than noise lets see.
-constexpr std::size_t elements = 3;
+/// Elements yield one after the other. A search begins with three, and goes on to fewer or more from there.
+constexpr std::size_t fewest_elements = 1, first_elements = 3, most_elements = 5;
 /// A stiffer element yields within less than a reading: it is dry friction.
 constexpr double stiffest = 4;
 
 /// Fitted by the turn at which an element yields, not by its torque: what it carries is then in proportion to
 /// r. \param deflection  that a joint typically has
-std::vector<ParameterRange> element_ranges(double deflection) {
+std::vector<ParameterRange> element_ranges(std::size_t elements, double deflection) {
   std::vector<ParameterRange> all;
   for (std::size_t e = 0; e < elements; ++e) {
     all.push_back(one_way(numbered("r", e), "ratio", 0.2, stiffest));
@@ -35,14 +37,23 @@ std::vector<ParameterRange> element_ranges(double deflection) {
   return all;
 }
 
-Starts element_starts(double deflection) {
-  return {{{0.1, 0.02 * deflection, 0.1, 0.1 * deflection, 0.1, 0.5 * deflection},
-           {0.1, 0.05 * deflection, 0.1, 0.2 * deflection, 0.1, 1.0 * deflection}},
-          2};
+/// Turns in geometric progression, from where few readings see an element to where it hardly yields.
+Starts element_starts(std::size_t elements, double deflection) {
+  Starts starts{{}, 2};
+  for (const auto& [least, most] : {std::pair{0.02, 0.5}, {0.05, 1.0}}) {
+    std::vector<double> start;
+    for (std::size_t e = 0; e < elements; ++e) {
+      const double way = elements > 1 ? static_cast<double>(e) / static_cast<double>(elements - 1) : 0.5;
+      start.push_back(0.3 / static_cast<double>(elements));
+      start.push_back(least * std::pow(most / least, way) * deflection);
+    }
+    starts.from.push_back(std::move(start));
+  }
+  return starts;
 }
 
 /// \param stiffness  of the joint that yields at the turn of the parameters
-void add_elements(std::vector<Slider>& sliders, double stiffness, const double* value) {
+void add_elements(std::vector<Slider>& sliders, std::size_t elements, double stiffness, const double* value) {
   for (std::size_t e = 0; e < elements; ++e) {
     const double ratio = value[2 * e], turn = value[2 * e + 1];
     sliders.push_back({ratio, ratio * stiffness * turn});
@@ -53,36 +64,66 @@ bool turns_back(const Place& at) {
   return at.sizes.turns_back;
 }
 
-std::vector<Effect> hysteresis() {
-  const Probing probing{.growing = {0, 2, 4}, .large_step = true};
-  return {
-      {.id = "hysteresis",
-       .words = "joints that give way little by little and remember where they turned",
-       .dissipates = true,
-       .parameters = [](const Place& at) { return element_ranges(at.sizes.deflection); },
-       .add =
-           [](const Addition& to) {
-             for (auto& sliders : to.rig.sliders) add_elements(sliders, to.sizes.stiffness, to.value);
-           },
-       .possible = [](const Place& at) { return turns_back(at) && several_elastic(at); },
-       .starts = [](const Place&, const Exercise& nominal) { return element_starts(nominal.largest); },
-       .probing = probing,
-       .element = 2},
-      {.id = "hysteresis",
-       .words = "joint {} giving way little by little and remembering where it turned",
-       .at_joint = true,
-       .dissipates = true,
-       .parameters = [](const Place& at) { return element_ranges(at.sizes.deflection); },
-       .add =
-           [](const Addition& to) {
-             add_elements(to.rig.sliders[to.joint], to.sizes.stiffness_at(to.joint), to.value);
-           },
-       .possible = [](const Place& at) { return turns_back(at) && at.sizes.joint_stiffness[at.joint] > 0; },
-       .starts = [](const Place& at,
-                    const Exercise& nominal) { return element_starts(nominal.deflection[at.joint]); },
-       .probing = probing,
-       .element = 2},
+std::vector<const Effect*> hystereses(bool at_joint);
+
+/// What both rows of hysteresis share.
+Effect hysteresis_of(std::size_t elements, bool at_joint) {
+  Effect row;
+  row.id = "hysteresis";
+  row.at_joint = at_joint;
+  row.dissipates = true;
+  row.parameters = [=](const Place& at) { return element_ranges(elements, at.sizes.deflection); };
+  for (std::size_t e = 0; e < elements; ++e) row.probing.growing.push_back(2 * e);
+  row.probing.large_step = true;
+  row.element = 2;
+  row.numbers = [=] { return hystereses(at_joint); };
+  return row;
+}
+
+Effect hysteresis_at_all(std::size_t elements) {
+  Effect row = hysteresis_of(elements, false);
+  row.words = "joints that give way little by little and remember where they turned";
+  row.add = [=](const Addition& to) {
+    for (auto& sliders : to.rig.sliders) add_elements(sliders, elements, to.sizes.stiffness, to.value);
   };
+  row.possible = [](const Place& at) { return turns_back(at) && several_elastic(at); };
+  row.starts = [=](const Place&, const Exercise& nominal) {
+    return element_starts(elements, nominal.largest);
+  };
+  return row;
+}
+
+Effect hysteresis_at_one(std::size_t elements) {
+  Effect row = hysteresis_of(elements, true);
+  row.words = "joint {} giving way little by little and remembering where it turned";
+  row.add = [=](const Addition& to) {
+    add_elements(to.rig.sliders[to.joint], elements, to.sizes.stiffness_at(to.joint), to.value);
+  };
+  row.possible = [](const Place& at) { return turns_back(at) && at.sizes.joint_stiffness[at.joint] > 0; };
+  row.starts = [=](const Place& at, const Exercise& nominal) {
+    return element_starts(elements, nominal.deflection[at.joint]);
+  };
+  return row;
+}
+
+/// Of one element, of two and so on; that of `first_elements` is in the catalogue.
+std::vector<const Effect*> hystereses(bool at_joint) {
+  static const auto rows = [] {
+    std::array<std::vector<Effect>, 2> all;
+    for (std::size_t elements = fewest_elements; elements <= most_elements; ++elements) {
+      all[0].push_back(hysteresis_at_all(elements));
+      all[1].push_back(hysteresis_at_one(elements));
+    }
+    return all;
+  }();
+  std::vector<const Effect*> numbers;
+  for (const Effect& row : rows[at_joint ? 1 : 0]) numbers.push_back(&row);
+  numbers[first_elements - fewest_elements] = &effect("hysteresis", at_joint ? 1 : 0);
+  return numbers;
+}
+
+std::vector<Effect> hysteresis() {
+  return {hysteresis_at_all(first_elements), hysteresis_at_one(first_elements)};
 }
 
 // ---------------------------------------------------------------------------------------------- springs

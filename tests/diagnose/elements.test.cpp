@@ -1,0 +1,154 @@
+#include "diagnose/inference/elements.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnose/beliefs.hpp"
+#include "diagnose/inference/search.hpp"
+#include "diagnose/model/nominal.hpp"
+#include "tests/close_to.hpp"
+#include "tests/diagnose/bench.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+
+namespace {
+
+/// Hysteresis of so many elements, at all joints or at one.
+EffectAt hysteresis(std::size_t elements, std::size_t joint = 0) {
+  return {*effect("hysteresis", joint).numbers().at(elements - 1), joint};
+}
+
+Fit standing_at(const Candidate& candidate, std::vector<double> parameters) {
+  Fit fit;
+  fit.candidate = candidate;
+  fit.parameters = std::move(parameters);
+  return fit;
+}
+
+/// Elements of equal strength that yield one after the other, each at two and a half times the turn of the
+/// one before; what they carry is ten times the noise and more.
+std::vector<double> elements_of(std::size_t count) {
+  std::vector<double> values;
+  for (std::size_t e = 0; e < count; ++e) {
+    values.push_back(0.25);
+    values.push_back(0.01 * std::pow(2.5, static_cast<double>(e)));
+  }
+  return values;
+}
+
+/// Pressed in far and let back, twice, in fine steps, with a fine load cell.
+Experiment fine_bench() {
+  Experiment experiment = test::three_links();
+  experiment.noise.Fx = experiment.noise.Fy = 1e-3;
+  experiment.noise.q = 0;
+  test::press(experiment, {0.3, -0.5, 0.4}, {-0.08, 0}, 60, true);
+  test::press(experiment, {-0.4, 0.3, 0.5}, {-0.06, 0.05}, 60, true);
+  for (Run& run : experiment.runs)
+    for (Reading& reading : run.readings) reading.q.clear();
+  return experiment;
+}
+
+}  // namespace
+
+TEST_CASE("hysteresis may have one element to five; the catalogue's has three") {
+  for (const std::size_t joint : {0, 2}) {
+    const std::vector<const Effect*> rows = effect("hysteresis", joint).numbers();
+    REQUIRE(rows.size() == 5);
+    CHECK(rows[2] == &effect("hysteresis", joint));
+    const Study study(test::full_bench());
+    for (std::size_t elements = 1; elements <= 5; ++elements) {
+      const EffectAt at = hysteresis(elements, joint);
+      CHECK(study.ranges(at).size() == 2 * elements);
+      CHECK(at.label() == EffectAt("hysteresis", joint).label());
+      CHECK(at.effect->numbers() == rows);
+      for (const auto& start : starts(study, at).from) CHECK(start.size() == 2 * elements);
+    }
+  }
+}
+
+TEST_CASE("elements that yield together are one of their strengths together") {
+  const Study study(test::full_bench());
+  const Trace one = predict(study, {{hysteresis(1)}}, {0.5, 0.03}).runs[0];
+  for (std::size_t elements = 2; elements <= 5; ++elements) {
+    std::vector<double> parameters;
+    for (std::size_t e = 0; e < elements; ++e) {
+      parameters.push_back(0.5 / static_cast<double>(elements));
+      parameters.push_back(0.03);
+    }
+    const Trace several = predict(study, {{hysteresis(elements)}}, parameters).runs[0];
+    CHECK((several - one).abs().maxCoeff() < 1e-8);  // equilibria are solved to ten digits
+  }
+}
+
+TEST_CASE("a step to one element fewer joins two neighbours, and leaves what stands beside alone") {
+  const Study study(test::full_bench());
+  const Fit fitted =
+      standing_at({{"force_gain", hysteresis(3), "force_bias"}}, {0.1, 0.2, 0.4, 0.3, 0.1, 0.6, 0.2, 1, 2});
+  const Starts fewer = in_number(study, fitted, 1, *hysteresis(2).effect);
+  // In the order of their turns 0.1, 0.2, 0.4; of two the turn in the middle, by strength.
+  const std::vector<std::vector<double>> expected{{0.1, 0.9, (0.3 * 0.1 + 0.6 * 0.2) / 0.9, 0.2, 0.4, 1, 2},
+                                                  {0.1, 0.3, 0.1, 0.8, (0.6 * 0.2 + 0.2 * 0.4) / 0.8, 1, 2}};
+  REQUIRE(fewer.from.size() == expected.size());
+  for (std::size_t s = 0; s < expected.size(); ++s) {
+    REQUIRE(fewer.from[s].size() == expected[s].size());
+    for (std::size_t p = 0; p < expected[s].size(); ++p)
+      CHECK(fewer.from[s][p] == close_to(expected[s][p]).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("a step to one element more adds a weak one, before, between and after those that there are") {
+  const Study study(test::full_bench());
+  const Fit fitted = standing_at({{hysteresis(2, 1), "force_gain"}}, {0.3, 0.1, 0.6, 0.02, 7});
+  const Starts more = in_number(study, fitted, 0, *hysteresis(3, 1).effect);
+  REQUIRE(more.from.size() == 3);
+  const double weak = 0.05;
+  std::vector<double> added;
+  for (std::size_t s = 0; s < more.from.size(); ++s) {
+    const std::vector<double>& start = more.from[s];
+    REQUIRE(start.size() == 7);
+    CHECK(start.back() == 7);
+    CHECK(start[2 * s] == close_to(weak));
+    added.push_back(start[2 * s + 1]);
+    std::vector<double> rest = start;
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(2 * s),
+               rest.begin() + static_cast<std::ptrdiff_t>(2 * s + 2));
+    CHECK(rest == std::vector<double>{0.6, 0.02, 0.3, 0.1, 7});
+  }
+  CHECK(added[0] < 0.02);
+  CHECK(added[1] == close_to(0.06));
+  CHECK(added[2] > 0.1);
+}
+
+TEST_CASE("each element more is half as common") {
+  const Study study(test::full_bench());
+  for (std::size_t elements = 1; elements < 5; ++elements)
+    CHECK(log_prior(study, {{hysteresis(elements + 1, 2)}}) - log_prior(study, {{hysteresis(elements, 2)}}) ==
+          close_to(std::log(beliefs::one_more_element)));
+}
+
+TEST_CASE("a nominal model has as many elements as are named") {
+  for (std::size_t elements = 1; elements <= 5; ++elements) {
+    Experiment experiment = test::full_bench();
+    std::map<std::string, double> parameters;
+    for (std::size_t e = 1; e <= elements; ++e) {
+      parameters["r_" + std::to_string(e)] = 0.1;
+      parameters["d_" + std::to_string(e)] = 0.01 * static_cast<double>(e);
+    }
+    experiment.effects = {{"hysteresis", 2, parameters}};
+    const Rig rig = nominal_rig(experiment);
+    CHECK(rig.sliders[0].empty());
+    CHECK(rig.sliders[1].size() == elements);
+  }
+}
+
+TEST_CASE("a search finds how many elements there are" * doctest::test_suite("long")) {
+  for (std::size_t elements = 1; elements <= 5; ++elements) {
+    CAPTURE(elements);
+    const Study study(test::measured(fine_bench(), {{hysteresis(elements)}}, elements_of(elements), 5));
+    const Fit found = search(study).hypotheses.front().fit;
+    CHECK(found.candidate == Candidate{{hysteresis(elements)}});
+  }
+}
