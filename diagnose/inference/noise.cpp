@@ -148,20 +148,31 @@ double rounding(const Measurements& measurements, Name name) {
   return step / std::sqrt(12.0);
 }
 
-/// Standard deviation of a channel as values show it that were read close to each other on the path, at
-/// other times, with room for what it varies by and for chance: neither what changes along the path nor what
-/// is slow is in it. Infinite where there are few.
-double largest_in_place(const Measurements& measurements, const std::vector<double>& residual, Name name) {
+/// Standard deviation of what values are off those that were read at the same place, with room for what it
+/// varies by and for chance. Infinite where there are few.
+double largest_of(const std::vector<double>& off) {
   constexpr std::size_t few = 8;
-  std::vector<double> off;
-  for (const Series& series : measurements.series()) {
-    if (series.channel.name != name) continue;
-    for (const Between& one : series.between) off.push_back(one.off(residual.data() + series.first));
-  }
   if (off.size() < few) return std::numeric_limits<double>::infinity();
   // Every second of such differences is new: two deviations of their root mean square.
   const double room = 1.5 + 2 / std::sqrt(static_cast<double>(off.size()));
   return room * std::sqrt(robust_variance(off));
+}
+
+/// Standard deviation of a channel as values show it that were read close to each other on the path, at other
+/// times of a run or in another run: neither what changes along the path nor what is slow is in it.
+double largest_in_place(const Measurements& measurements, const std::vector<double>& residual, Name name) {
+  std::vector<double> within, across;
+  for (const Series& series : measurements.series()) {
+    if (series.channel.name != name) continue;
+    for (const Between& one : series.between) within.push_back(one.off(residual.data() + series.first));
+  }
+  for (const Repeats& repeats : measurements.repeats()) {
+    if (repeats.channel.name != name) continue;
+    std::vector<double> values;
+    for (const std::size_t value : repeats.values) values.push_back(residual[value]);
+    for (const Between& one : repeats.between) across.push_back(one.off(values.data()));
+  }
+  return std::min(largest_of(within), largest_of(across));
 }
 
 /// What no scale of a channel's noise exceeds: readings that go smoothly have no more noise than they are

@@ -124,6 +124,7 @@ Measurements::Measurements(const Experiment& experiment) {
   for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle})
     weigh_groups(sensor, run_of, &Series::beside_runs, seen);
   weigh(all, seen);
+  repeats_ = diagnose::repeats(experiment, series_);
 }
 
 /// Gives the readings of a sensor in a group (of a joint, of a run) where it scatters more than in the others

@@ -1,0 +1,77 @@
+#include "diagnose/model/repeats.hpp"
+
+#include <algorithm>
+
+namespace plumbline::diagnose {
+namespace {
+
+/// The two ends of the way that a run goes: where it begins, and where it is farthest from there.
+struct Way {
+  Eigen::Vector2d begin, farthest;
+  double reach = 0;
+};
+
+Way way_of(const Run& run) {
+  Way way;
+  way.begin = way.farthest = run.command(run.readings.front());
+  for (const Reading& reading : run.readings) {
+    const Eigen::Vector2d command = run.command(reading);
+    if (const double off = (command - way.begin).norm(); off > way.reach) {
+      way.reach = off;
+      way.farthest = command;
+    }
+  }
+  return way;
+}
+
+/// Whether they go between the same ends, whichever they begin at.
+bool go_the_same_way(const Run& a, const Run& b) {
+  constexpr double close = 0.05;  // of how far they go
+  if (a.control != b.control || a.rest != b.rest) return false;
+  const Way one = way_of(a), other = way_of(b);
+  const auto near = [&](const Eigen::Vector2d& end, const Eigen::Vector2d& as) {
+    return (end - as).norm() <= close * one.reach;
+  };
+  return (near(one.begin, other.begin) && near(one.farthest, other.farthest)) ||
+         (near(one.begin, other.farthest) && near(one.farthest, other.begin));
+}
+
+/// What was read in some runs of one channel.
+Repeats together(const Experiment& experiment, const std::vector<const Series*>& group) {
+  Repeats all{group.front()->channel, {}, {}};
+  Run way = experiment.runs[group.front()->run];
+  way.readings.clear();
+  std::vector<std::size_t> readings;
+  for (const Series* series : group) {
+    const std::vector<Reading>& own = experiment.runs[series->run].readings;
+    for (std::size_t i = 0; i < series->readings.size(); ++i) {
+      all.values.push_back(series->first + i);
+      readings.push_back(way.readings.size() + series->readings[i]);
+    }
+    way.readings.insert(way.readings.end(), own.begin(), own.end());
+  }
+  all.between = between(way, readings);
+  return all;
+}
+
+}  // namespace
+
+std::vector<Repeats> repeats(const Experiment& experiment, const std::vector<Series>& series) {
+  std::vector<Repeats> all;
+  std::vector<bool> told(series.size(), false);
+  for (std::size_t s = 0; s < series.size(); ++s) {
+    std::vector<const Series*> group;
+    for (std::size_t other = s; other < series.size(); ++other) {
+      const bool same =
+          other == s || (series[other].channel == series[s].channel &&
+                         go_the_same_way(experiment.runs[series[s].run], experiment.runs[series[other].run]));
+      if (told[other] || !same) continue;
+      told[other] = true;
+      group.push_back(&series[other]);
+    }
+    if (group.size() > 1) all.push_back(together(experiment, group));
+  }
+  return all;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// The values of one channel in one run.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "diagnose/bench/channel.hpp"
+#include "diagnose/model/between.hpp"
+
+namespace plumbline::diagnose {
+
+/// The values of one channel in one run, in the order in which they were taken, without the missing ones.
+struct Series {
+  std::size_t run = 0;
+  Channel channel{};
+  double sigma = 0;                   ///< declared noise, times how many times more it scatters than others
+  std::size_t first = 0;              ///< place of its first value in the flat list
+  std::vector<std::size_t> readings;  ///< index of each value's reading in the run
+  double interval = 0;                ///< mean time from value to value, s; 0 of one value
+  std::vector<double> clock;     ///< when each was read, intervals after the first; its number without times
+  std::vector<Between> between;  ///< where its run went the same way more than once
+  /// Of each value: the declared one, wider where the readings scatter in proportion to themselves.
+  std::vector<double> sigmas;
+  double proportion = 0;  ///< that part over the declared sigma, per unit of the reading; mostly 0
+  double step = 0;        ///< that coarse readings are rounded to, declared sigmas; 0 where none shows
+  double roughness = 0;   ///< of the readings themselves, in sigmas: their noise is hardly larger
+  /// How many times more it scatters than the angles of the other joints do, and than the same sensor in the
+  /// other runs; mostly 1.
+  double beside_joints = 1, beside_runs = 1;
+  /// Its own, made of its readings: begins random numbers that do not depend on the order of the runs.
+  std::vector<std::uint32_t> seed;
+};
+
+}  // namespace plumbline::diagnose
