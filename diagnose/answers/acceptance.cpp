@@ -50,11 +50,12 @@ std::optional<std::size_t> best_single(const Study& study, const Cause& cause) {
 std::optional<NoiseModel> tolerance(const Study& study, const NoiseModel& noise) {
   const std::array<double, channel_names> gap =
       rms_by_name(study.measurements(), without_outliers(study.measurements(), study.nominal_residual()));
-  NoiseModel tolerated{noise.scale, 0};
-  // What a reading brings anew: how large the noise is beside depends on how long it is said to remember.
-  const double innovation = std::sqrt(1 - noise.correlation * noise.correlation);
+  NoiseModel tolerated{noise.scale, {}};
   for (std::size_t c = 0; c < channel_names; ++c) {
     if (gap[c] == 0) continue;
+    // What a reading brings anew: how large the noise is beside depends on how long it is said to remember.
+    const double correlation = noise.correlation_of({static_cast<Channel::Name>(c)}),
+                 innovation = std::sqrt(1 - correlation * correlation);
     if (std::log(noise.scale[c]) < -2 * beliefs::scale_spread) tolerated.scale[c] = 1;
     if (gap[c] > beliefs::far_beyond * noise.scale[c] * innovation)
       tolerated.scale[c] = std::max(tolerated.scale[c], beliefs::tolerated_share * gap[c]);

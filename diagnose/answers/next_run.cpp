@@ -68,11 +68,11 @@ Forecast forecast(const Prediction& predicted, const std::vector<Channel>& chann
   Eigen::Index at = 0;
   for (const Channel& channel : channels) {
     const Eigen::Index c = column_of(channel);
-    const double real = channel.sigma(sigma) * noise.of(channel);
-    result.read.segment(at, rows) = whitened(trace.col(c).matrix(), real, noise.correlation);
+    const double real = channel.sigma(sigma) * noise.of(channel), correlation = noise.correlation_of(channel);
+    result.read.segment(at, rows) = whitened(trace.col(c).matrix(), real, correlation);
     for (std::size_t p = 0; p < predicted.sensitivity.size(); ++p)
       result.slope.col(static_cast<Eigen::Index>(p)).segment(at, rows) =
-          whitened(predicted.sensitivity[p][0].col(c).matrix(), real, noise.correlation);
+          whitened(predicted.sensitivity[p][0].col(c).matrix(), real, correlation);
     at += rows;
   }
   return result;

@@ -113,6 +113,9 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
       chi2 += std::pow(after[i] / scale, 2);
       total += 1;
     }
+    // Squares of neighbours correlate by the square of what their values do.
+    const double squares = std::pow(noise.correlation_of(channel), 2);
+    shrink.independent += static_cast<double>(values[s].size()) * (1 - squares) / (1 + squares);
   }
   if (total == 0) return shrink;
   shrink.heldout = heldout.names;
@@ -121,9 +124,6 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
   shrink.ratio = std::sqrt(all.after / all.before);
   shrink.noise_floor_ratio = std::sqrt(floor / all.before);
   shrink.chi2_per_value_after = chi2 / total;
-  // Squares of neighbours correlate by the square of what their values do.
-  const double squares = noise.correlation * noise.correlation;
-  shrink.independent = total * (1 - squares) / (1 + squares);
   bootstrap(blocks(values, before, after), shrink);
   shrink.channels = by_channel(measurements, values, before, after, noise);
   return shrink;

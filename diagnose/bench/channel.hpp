@@ -13,6 +13,7 @@ struct Reading;
 
 /// What kind of sensor a value comes from: each kind shares one correction of its declared noise.
 enum class Sensor { position, force, angle };
+inline constexpr std::size_t sensors = 3;
 
 /// "position", "force" or "angle".
 std::string label(Sensor sensor);

@@ -41,7 +41,7 @@ Energy slow_energy(const Measurements& measurements, const std::vector<double>& 
     for (std::size_t k = 0; k < slow_components(m); ++k) {
       const double angle = std::numbers::pi * static_cast<double>(k) / static_cast<double>(m);
       const double component = cosine_wave(m, k).dot(values) / scale;
-      sum += component * component / spectrum(angle, noise.correlation);
+      sum += component * component / spectrum(angle, noise.correlation_of(series.channel));
     }
     energy.value.push_back(sum);
     for (std::size_t i = series.first; i < series.first + m; ++i)
@@ -63,10 +63,9 @@ class Simulation {
 
   std::vector<double> draw(const NoiseModel& noise) {
     std::vector<double> residual(measurements_.size());
-    const double phi = noise.correlation;
-    const double innovation = std::sqrt(1 - phi * phi);
     for (std::size_t s = 0; s < random_.size(); ++s) {
       const Series& series = measurements_.series()[s];
+      const double phi = noise.correlation_of(series.channel), innovation = std::sqrt(1 - phi * phi);
       std::normal_distribution<double> normal;
       double state = normal(random_[s]);
       for (std::size_t i = 0; i < series.readings.size(); ++i) {
@@ -119,9 +118,12 @@ Null null_distribution(const Measurements& measurements, const NoiseModel& noise
 
 /// The noise, were neighbours to correlate by more: what is known of its scale is that of their differences,
 /// as long as it is none beyond the declared.
-NoiseModel slower(NoiseModel noise, double correlation) {
-  const double grown = std::sqrt((1 - noise.correlation) / (1 - correlation));
-  for (double& scale : noise.scale) scale = std::max(scale, std::min(1.0, grown * scale));
+NoiseModel slower(NoiseModel noise, const BySensor& correlation) {
+  for (std::size_t c = 0; c < noise.scale.size(); ++c) {
+    const Channel channel{static_cast<Channel::Name>(c)};
+    const double grown = std::sqrt((1 - noise.correlation_of(channel)) / (1 - of(channel, correlation)));
+    noise.scale[c] = std::max(noise.scale[c], std::min(1.0, grown * noise.scale[c]));
+  }
   noise.correlation = correlation;
   return noise;
 }
@@ -137,7 +139,7 @@ double upper_tail(double value, double mean, double variance) {
 enum class Slower { larger, as_large };
 
 /// Statistics of noise that is slower than this estimate.
-Null null_of_slower(const Measurements& measurements, const NoiseModel& estimate, double correlation,
+Null null_of_slower(const Measurements& measurements, const NoiseModel& estimate, const BySensor& correlation,
                     Slower how) {
   if (how == Slower::larger) return null_distribution(measurements, slower(estimate, correlation), estimate);
   NoiseModel noise = estimate;

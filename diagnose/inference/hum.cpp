@@ -52,7 +52,7 @@ double chance_of(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, do
 }
 
 /// By how much neighbours correlate beside the loudest tone of each series, be it noise or not.
-double correlation_beside_tones(const Measurements& measurements, const std::vector<double>& residual) {
+BySensor correlation_beside_tones(const Measurements& measurements, const std::vector<double>& residual) {
   std::vector<Hum> all;
   for (std::size_t s = 0; s < measurements.series().size(); ++s) {
     const Series& series = measurements.series()[s];
@@ -80,15 +80,16 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
   constexpr double level = 1e-3;
   std::vector<Hum> all;
   std::vector<Eigen::VectorXd> spectra(measurements.series().size());
-  const double correlation = correlation_beside_tones(measurements, residual);
+  const BySensor correlation = correlation_beside_tones(measurements, residual);
   const auto larger = larger_correlations(measurements, residual, correlation);
-  const auto by_chance = [&](const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double frequency) {
-    const double estimated = chance_of(values, clock, frequency, correlation);
+  const auto by_chance = [&](const Series& series, const Eigen::VectorXd& values, double frequency) {
+    const Eigen::VectorXd clock = clock_of(series);
+    const double estimated = chance_of(values, clock, frequency, of(series.channel, correlation));
     if (!(estimated < level)) return estimated;
     // Of noise that is slower than was estimated slow tones are none.
     double chance = estimated;
     for (const auto& [value, probability] : larger)
-      chance += probability * (chance_of(values, clock, frequency, value) - estimated);
+      chance += probability * (chance_of(values, clock, frequency, of(series.channel, value)) - estimated);
     return chance;
   };
   for (std::size_t s = 0; s < measurements.series().size(); ++s) {
@@ -96,10 +97,9 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
     if (!long_enough(series)) continue;
     Eigen::VectorXd values = values_of(series, residual);
     for (long i = 0; i < most_tones; ++i) {
-      auto [one, frequency, shares] = loudest(values, clock_of(series), correlation);
+      auto [one, frequency, shares] = loudest(values, clock_of(series), of(series.channel, correlation));
       spectra[s] = std::move(shares);
-      if (!(by_chance(values, clock_of(series), frequency) < level) || one.rms() > beliefs::largest_hum)
-        break;
+      if (!(by_chance(series, values, frequency) < level) || one.rms() > beliefs::largest_hum) break;
       values -= tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
       one.series = s;
       all.push_back(one);

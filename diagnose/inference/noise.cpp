@@ -265,24 +265,50 @@ std::array<Steps, channel_names> steps_by_channel(const Measurements& measuremen
 }
 
 /// Noise of the declared scale whose first differences are no larger than these correlates by 1 - near.
-double largest_correlation(const Measurements& measurements, const std::array<Steps, channel_names>& steps) {
+double largest_correlation(const Measurements& measurements, const std::array<Steps, channel_names>& steps,
+                           Sensor sensor) {
   std::vector<double> lengths;
-  for (const Series& series : measurements.series())
-    lengths.push_back(static_cast<double>(series.readings.size()));
   double rough = 0;
-  for (const Steps& one : steps) rough = std::max(rough, one.near);
-  return std::min(0.9, std::max(std::exp(-10 / median(lengths)), 1 - rough));
+  for (const Series& series : measurements.series()) {
+    if (series.channel.sensor() != sensor) continue;
+    lengths.push_back(static_cast<double>(series.readings.size()));
+    rough = std::max(rough, steps[static_cast<std::size_t>(series.channel.name)].near);
+  }
+  return lengths.empty() ? 0 : std::min(0.9, std::max(std::exp(-10 / median(lengths)), 1 - rough));
+}
+
+std::size_t sensor_of(std::size_t name) {
+  return static_cast<std::size_t>(Channel{all_names[name]}.sensor());
 }
 
 /// What noise that seems to correlate so much really may, for it would scatter more in place than it does.
-double correlation_in_place(const std::array<double, channel_names>& in_place,
-                            const std::array<Steps, channel_names>& steps, double seeming) {
-  double largest = seeming;
+BySensor correlation_in_place(const std::array<double, channel_names>& in_place,
+                              const std::array<Steps, channel_names>& steps, const BySensor& seeming) {
+  BySensor largest = seeming;
   for (std::size_t c = 0; c < steps.size(); ++c) {
+    const std::size_t k = sensor_of(c);
     const double most = in_place[c] * in_place[c];
-    if (steps[c].near > (1 - seeming) * most) largest = std::min(largest, 1 - steps[c].near / most);
+    if (steps[c].near > (1 - seeming[k]) * most)
+      largest[k] = std::clamp(1 - steps[c].near / most, 0.0, largest[k]);
   }
-  return std::max(0.0, largest);
+  return largest;
+}
+
+/// What the ratios of differences say of each sensor's correlation.
+BySensor raw_correlation(const std::array<Steps, channel_names>& steps) {
+  BySensor ratio{}, weight{}, correlation{};
+  for (std::size_t c = 0; c < steps.size(); ++c) {
+    // Differences over two readings that exceed twice those over one by more than chance, one in twenty, are
+    // of a slope, not of noise.
+    const double by_chance = 1.64 * correlation_deviation(1, steps[c].values);
+    if (!(steps[c].near > 0) || steps[c].ratio > 2 + by_chance) continue;
+    ratio[sensor_of(c)] += steps[c].values * std::min(2.0, steps[c].ratio);
+    weight[sensor_of(c)] += steps[c].values;
+  }
+  // (1 - phi^2) / (1 - phi) = 1 + phi
+  for (std::size_t k = 0; k < sensors; ++k)
+    if (weight[k] > 0) correlation[k] = ratio[k] / weight[k] - 1;
+  return correlation;
 }
 
 }  // namespace
@@ -293,26 +319,23 @@ double correlation_deviation(double correlation, double values) {
 
 RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual) {
   RawNoise noise;
-  double ratio = 0, weight = 0;
   const std::array<Steps, channel_names> steps = steps_by_channel(measurements, residual);
   for (std::size_t c = 0; c < steps.size(); ++c) {
     noise.values[c] = steps[c].values;
     noise.largest_in_place[c] = largest_in_place(measurements, residual, all_names[c]);
-    // Differences over two readings that exceed twice those over one by more than chance, one in twenty, are
-    // of a slope, not of noise.
-    const double by_chance = 1.64 * correlation_deviation(1, steps[c].values);
-    if (!(steps[c].near > 0) || steps[c].ratio > 2 + by_chance) continue;
-    ratio += steps[c].values * std::min(2.0, steps[c].ratio);
-    weight += steps[c].values;
   }
-  // (1 - phi^2) / (1 - phi) = 1 + phi
-  noise.correlation = weight > 0 ? ratio / weight - 1 : 0.0;
-  noise.largest_correlation = largest_correlation(measurements, steps);
-  const double seeming = std::clamp(noise.correlation, 0.0, noise.largest_correlation);
-  const double phi = correlation_in_place(noise.largest_in_place, steps, seeming);
-  if (phi < seeming) noise.largest_correlation = phi;
+  noise.correlation = raw_correlation(steps);
+  BySensor seeming{};
+  for (std::size_t k = 0; k < sensors; ++k) {
+    noise.largest_correlation[k] = largest_correlation(measurements, steps, static_cast<Sensor>(k));
+    seeming[k] = std::clamp(noise.correlation[k], 0.0, noise.largest_correlation[k]);
+  }
+  const BySensor taken = correlation_in_place(noise.largest_in_place, steps, seeming);
+  for (std::size_t k = 0; k < sensors; ++k)
+    if (taken[k] < seeming[k]) noise.largest_correlation[k] = taken[k];
   for (std::size_t c = 0; c < steps.size(); ++c) {
     if (!(steps[c].near > 0)) continue;
+    const double phi = taken[sensor_of(c)];
     const double straight = steps[c].near / (1 - phi), curved = steps[c].curved / ((1 - phi) * (3 - phi));
     const double fine = steps[c].ratio > 2 && curved > 0 ? std::min(straight, curved) : straight;
     noise.scale[c] = std::sqrt(fine + steps[c].rounded);
@@ -322,22 +345,25 @@ RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& 
 
 NoiseModel estimate_noise(const Measurements& measurements, const std::vector<double>& residual) {
   const RawNoise raw = raw_noise(measurements, residual);
-  double values = 0;
-  for (const double v : raw.values) values += v;
+  BySensor values{}, taken{};
+  for (std::size_t c = 0; c < raw.values.size(); ++c) values[sensor_of(c)] += raw.values[c];
   NoiseModel noise;
   // The estimate's variance is about 1/values.
   constexpr double prior = 1 / (beliefs::correlation_spread * beliefs::correlation_spread);
-  const double weight = values / (values + prior);
-  noise.correlation = std::clamp(weight * raw.correlation, 0.0, raw.largest_correlation);
-  const double taken = std::clamp(raw.correlation, 0.0, raw.largest_correlation);
+  for (std::size_t k = 0; k < sensors; ++k) {
+    const double weight = values[k] / (values[k] + prior);
+    noise.correlation[k] = std::clamp(weight * raw.correlation[k], 0.0, raw.largest_correlation[k]);
+    taken[k] = std::clamp(raw.correlation[k], 0.0, raw.largest_correlation[k]);
+  }
   for (std::size_t c = 0; c < noise.scale.size(); ++c) {
-    const double scale = raw.scale[c] * std::sqrt((1 - taken) / (1 - noise.correlation));
+    const std::size_t k = sensor_of(c);
+    const double scale = raw.scale[c] * std::sqrt((1 - taken[k]) / (1 - noise.correlation[k]));
     // What is declared is of the sensor, before its readings are rounded.
     const double declared = std::hypot(1.0, rounding(measurements, all_names[c]));
     noise.scale[c] = declared;
     if (raw.values[c] > 0 && scale > 0) noise.scale[c] *= with_prior(scale / declared, raw.values[c] / 2);
     // Large and slow at once is a gap, not noise; in runs too short for noise so slow, what has a slope.
-    if (noise.correlation > 0.5 || raw.correlation > 0.9)
+    if (noise.correlation[k] > 0.5 || raw.correlation[k] > 0.9)
       noise.scale[c] = std::min(noise.scale[c], std::max(1.5, declared));
     noise.scale[c] =
         std::min(noise.scale[c], scale_bound(measurements, raw.largest_in_place[c], all_names[c]));
@@ -347,11 +373,18 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
 
 std::array<PossibleCorrelation, 2> larger_correlations(const Measurements& measurements,
                                                        const std::vector<double>& residual,
-                                                       double estimated) {
-  std::array<PossibleCorrelation, 2> all{{{1.3556262, 0.2220759}, {2.8569700, 0.0112574}}};
-  const double deviation = correlation_deviation(estimated, static_cast<double>(measurements.size())),
-               largest = raw_noise(measurements, residual).largest_correlation;
-  for (auto& [value, probability] : all) value = std::clamp(estimated + value * deviation, 0.0, largest);
+                                                       const BySensor& estimated) {
+  BySensor values{};
+  for (const Series& series : measurements.series())
+    values[static_cast<std::size_t>(series.channel.sensor())] += static_cast<double>(series.readings.size());
+  const BySensor largest = raw_noise(measurements, residual).largest_correlation;
+  std::array<PossibleCorrelation, 2> all{{{{}, 0.2220759}, {{}, 0.0112574}}};
+  constexpr std::array<double, 2> deviations{1.3556262, 2.8569700};
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t k = 0; k < sensors; ++k)
+      if (values[k] > 0)
+        all[i].value[k] = std::clamp(
+            estimated[k] + deviations[i] * correlation_deviation(estimated[k], values[k]), 0.0, largest[k]);
   return all;
 }
 
@@ -370,7 +403,7 @@ std::vector<double> whiten(const Measurements& measurements, const std::vector<d
     const auto count = static_cast<Eigen::Index>(series.readings.size());
     Eigen::Map<Eigen::VectorXd>(white.data() + series.first, count) =
         whitened(Eigen::Map<const Eigen::VectorXd>(residual.data() + series.first, count),
-                 noise.of(series.channel), noise.correlation);
+                 noise.of(series.channel), noise.correlation_of(series.channel));
   }
   return white;
 }

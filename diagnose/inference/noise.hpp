@@ -10,15 +10,25 @@
 
 namespace plumbline::diagnose {
 
+/// A number for each kind of sensor.
+using BySensor = std::array<double, sensors>;
+
+inline double of(const Channel& channel, const BySensor& all) {
+  return all[static_cast<std::size_t>(channel.sensor())];
+}
+
 /// First-order autoregressive noise: true sigma = scale · declared sigma, correlation between neighbours.
 struct NoiseModel {
   std::array<double, channel_names> scale{1.0, 1.0, 1.0, 1.0, 1.0};  ///< by Channel::Name
-  double correlation = 0.0;
+  BySensor correlation{};  ///< a filter that is in a load cell is not in a camera
 
   bool operator==(const NoiseModel& other) const = default;
 
   [[nodiscard]] double of(const Channel& channel) const {
     return scale[static_cast<std::size_t>(channel.name)];
+  }
+  [[nodiscard]] double correlation_of(const Channel& channel) const {
+    return diagnose::of(channel, correlation);
   }
 };
 
@@ -29,10 +39,10 @@ struct RawNoise {
   /// What no scale exceeds, for values read close to each other on the path scatter no more; infinite where
   /// few were.
   std::array<double, channel_names> largest_in_place{};
-  double correlation = 0.0;
+  BySensor correlation{};
   /// What neighbours can correlate at most: noise that remembers longer than a tenth of a run cannot be told
   /// from a gap, unless it is no larger than what was declared.
-  double largest_correlation = 0.9;
+  BySensor largest_correlation{};
 };
 
 /// Marks readings that stand off their neighbours, alone or in twos (Hampel's identifier, nine readings
@@ -58,12 +68,15 @@ double correlation_deviation(double correlation, double values);
 NoiseModel estimate_noise(const Measurements& measurements, const std::vector<double>& residual);
 
 /// By how much neighbours may correlate more than is estimated, at the upper places of five (Gauss and
-/// Hermite's): the rest is the estimate's, for the lower places, where noise is less slow, count as that.
+/// Hermite's): the rest is the estimate's, for the lower places, where noise is less slow, count as that. All
+/// sensors stand at the same place: any of them may be slower.
 struct PossibleCorrelation {
-  double value, probability;
+  BySensor value;
+  double probability;
 };
 std::array<PossibleCorrelation, 2> larger_correlations(const Measurements& measurements,
-                                                       const std::vector<double>& residual, double estimated);
+                                                       const std::vector<double>& residual,
+                                                       const BySensor& estimated);
 
 /// Standardised innovations of values in the order of reading, whose noise has this scale and correlates so
 /// from one to the next.

@@ -18,14 +18,20 @@ Json effect_names(const Candidate& candidate) {
 
 /// The noise of the channels that measured something, over the declared.
 Json noise(const NoiseModel& model, const std::map<Channel, double>& by_channel) {
-  Json result = Json::object();
+  Json result = Json::object(), correlations = Json::object();
+  double largest = 0;
   for (const Channel::Name name :
        {Channel::Name::x, Channel::Name::y, Channel::Name::Fx, Channel::Name::Fy, Channel::Name::q}) {
     const bool measured = std::any_of(by_channel.begin(), by_channel.end(),
                                       [&](const auto& one) { return one.first.name == name; });
-    if (measured) result[label(name)] = model.of({name});
+    if (!measured) continue;
+    const Channel channel{name};
+    result[label(name)] = model.of(channel);
+    correlations[label(channel.sensor())] = model.correlation_of(channel);
+    largest = std::max(largest, model.correlation_of(channel));
   }
-  result["correlation"] = model.correlation;
+  result["correlation"] = largest;
+  result["correlations"] = correlations;
   return result;
 }
 

@@ -224,7 +224,9 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
   Json view = page::with_marked_numbers(report, style_of);
   view["gap_level"] = fmt::format("{:g}", beliefs::gap_level);
   for (const auto& [sensor, scale] : view["gap"]["noise"].items())
-    if (sensor != "correlation") view["noise"].push_back({{"sensor", sensor}, {"scale", scale}});
+    if (!sensor.starts_with("correlation")) view["noise"].push_back({{"sensor", sensor}, {"scale", scale}});
+  for (const auto& [sensor, value] : view["gap"]["noise"]["correlations"].items())
+    view["correlations"].push_back({{"sensor", sensor}, {"value", value}});
   for (const auto& [sensor, share] : view["gap"]["proportional_noise"].items())
     view["proportional"].push_back({{"sensor", sensor}, {"share", share}});
   for (const auto& [sensor, times] : view["gap"]["uneven_noise"].items())

@@ -24,6 +24,20 @@ std::string by_channel(const std::map<Channel, double>& values) {
   return text;
 }
 
+/// "0.12", or by sensor where these differ: "0.85 (force), 0.02 (angle)".
+std::string correlations(const NoiseModel& noise, const std::map<Channel, double>& measured) {
+  std::map<Sensor, std::string> by_sensor;
+  for (const auto& [channel, rms] : measured)
+    by_sensor[channel.sensor()] = fmt::format("{:.2f}", noise.correlation_of(channel));
+  const std::string& first = by_sensor.begin()->second;
+  if (std::all_of(by_sensor.begin(), by_sensor.end(), [&](const auto& one) { return one.second == first; }))
+    return first;
+  std::string text;
+  for (const auto& [sensor, value] : by_sensor)
+    text += (text.empty() ? "" : ", ") + value + " (" + label(sensor) + ")";
+  return text;
+}
+
 /// How the noise compares with the declared; said in words where it is another.
 std::string scatter(const NoiseModel& noise, const std::map<Channel, double>& measured) {
   std::string text = "  noise over declared:", words;
@@ -37,7 +51,7 @@ std::string scatter(const NoiseModel& noise, const std::map<Channel, double>& me
           fmt::format("  the readings of {} scatter {:.1f} times what was declared\n", label(name), scale);
   }
   text.back() = ';';
-  return text + fmt::format(" neighbours correlate by {:.2f}\n", noise.correlation) + words;
+  return text + " neighbours correlate by " + correlations(noise, measured) + "\n" + words;
 }
 
 /// Whether the readings of some channel scatter so much that more may be in it than noise.

@@ -66,7 +66,7 @@ TEST_CASE("a fit ends where its loss, outliers and priors counted, is flat") {
       check_minimum(study, fit(study, candidate, {}), {});
       FitSettings settings;
       settings.outlier_bound = 2;
-      settings.noise.correlation = 0.3;
+      settings.noise.correlation.fill(0.3);
       check_minimum(study, fit(study, candidate, settings), settings);
     }
   }

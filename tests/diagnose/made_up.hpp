@@ -34,7 +34,7 @@ inline Diagnosis made_up() {
   Diagnosis made;
   made.experiment = "three links";
   made.noise.scale = {1, 1, 2, 1, 0.5};
-  made.noise.correlation = 0.12;
+  made.noise.correlation = {0, 0.12, 0.03};
   made.gap = {true,
               {1e-5, 3, {}, made.noise, {}},
               12.5,

@@ -237,7 +237,7 @@ TEST_CASE("noise that remembers hides what changes slowly, in a run to come as i
                                 fit(study, only("joint_stiffness", 2), {})};
   const auto most_shown = [&](double correlation) {
     NoiseModel noise;
-    noise.correlation = correlation;
+    noise.correlation.fill(correlation);
     double most = 0;
     for (const Proposal& one : next_runs(study, rivals, noise, 1000))
       most = std::max(most, one.log_odds - one.log_odds_so_far);

@@ -24,7 +24,7 @@ TEST_CASE("scale and correlation of noise are found again, with outliers among t
         add_outliers(noise, 0.015, 12, random);
         const NoiseModel found = estimate_noise(measurements, without_outliers(measurements, noise));
         mean_scale += found.of({Channel::Name::Fx, 0}) / draws;
-        mean_correlation += found.correlation / draws;
+        mean_correlation += found.correlation[at_force] / draws;
       }
       // 460 values: each estimate spreads by about 5 %; the priors pull by a few percent more.
       CHECK(mean_scale == close_to(scale).epsilon(0.06));
@@ -101,7 +101,7 @@ TEST_CASE("innovations of correlated noise are white") {
   std::mt19937_64 random(3);
   NoiseModel noise;
   noise.scale.fill(1.3);
-  noise.correlation = 0.5;
+  noise.correlation.fill(0.5);
   const std::vector<double> white =
       whiten(measurements, correlated_noise(measurements, 1.3, 0.5, random), noise);
   double variance = 0, neighbour = 0;
@@ -127,7 +127,7 @@ TEST_CASE("innovations of a short series give its exact Gaussian density: r' C^-
   const Measurements measurements(experiment);
   NoiseModel noise;
   noise.scale = {9, 9, 1.3, 1.3, 9};
-  noise.correlation = 0.6;
+  noise.correlation.fill(0.6);
   Eigen::MatrixXd covariance(6, 6);
   for (Eigen::Index i = 0; i < 6; ++i)
     for (Eigen::Index j = 0; j < 6; ++j)

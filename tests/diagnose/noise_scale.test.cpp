@@ -62,7 +62,7 @@ TEST_CASE("readings that alternate scatter by half their step, and correlate as 
   const RawNoise found = raw_noise(measurements, residual);
   // every difference is 1.4, and none is cut; over two readings there is none: 1 + phi = 0
   CHECK(found.scale[at_Fx] == close_to(1.4 / std::sqrt(2 * cut_mean)));
-  CHECK(found.correlation == -1);
+  CHECK(found.correlation[at_force] == -1);
   CHECK(found.values[at_Fx] == 11);
   CHECK(found.values[at_Fy] == 11);
   CHECK(found.scale[at_Fy] == 1);
@@ -87,12 +87,12 @@ TEST_CASE("correlation and scale of a wave are those of its differences") {
   const RawNoise found = raw_noise(measurements, residual);
   const double phi = far / near - 1;
   CHECK(std::abs(phi - 0.38) < 0.05);
-  CHECK(found.correlation == close_to(phi));
+  CHECK(found.correlation[at_force] == close_to(phi));
   CHECK(found.scale[at_Fx] == close_to(std::sqrt(near / 2 / (1 - phi))));
   SUBCASE("the scale is believed as far as there are values, a correlation as far as it is not rare") {
     const NoiseModel noise = estimate_noise(measurements, residual);
     const double weight = 78 / (78 + 1 / (beliefs::correlation_spread * beliefs::correlation_spread));
-    CHECK(noise.correlation == close_to(weight * phi));
+    CHECK(noise.correlation[at_force] == close_to(weight * phi));
     CHECK(noise.of({Channel::Name::Fx, 0}) ==
           close_to(believed(std::sqrt(near / 2 / (1 - weight * phi)), 39)));
   }
@@ -108,7 +108,8 @@ TEST_CASE("two channels weigh together by their numbers of differences") {
   std::copy(other.begin(), other.begin() + 20, residual.begin() + 40);
   const double first = uncut(steps_apart(residual, 40, 2)) / uncut(steps_apart(residual, 40, 1)),
                second = uncut(steps_apart(other, 20, 2)) / uncut(steps_apart(other, 20, 1));
-  CHECK(raw_noise(measurements, residual).correlation == close_to((39 * first + 19 * second) / 58 - 1));
+  CHECK(raw_noise(measurements, residual).correlation[at_force] ==
+        close_to((39 * first + 19 * second) / 58 - 1));
 }
 
 TEST_CASE("differences that grow as those of a slope show no correlation, and second differences the scale") {
@@ -119,7 +120,7 @@ TEST_CASE("differences that grow as those of a slope show no correlation, and se
   for (std::size_t i = 1; i + 1 < count; ++i)
     curved.push_back(residual[i - 1] - 2 * residual[i] + residual[i + 1]);
   const RawNoise found = raw_noise(measurements, residual);
-  CHECK(found.correlation == 0);
+  CHECK(found.correlation[at_force] == 0);
   CHECK(found.scale[at_Fx] == close_to(std::sqrt(uncut(curved) / 6)));  // 1 - 4 + 6 - ...: 1 + 4 + 1
   SUBCASE("a channel beside it that has none of the slope gives the correlation, and both scales follow it") {
     std::vector<double> both = residual;
@@ -128,7 +129,7 @@ TEST_CASE("differences that grow as those of a slope show no correlation, and se
     const double near = uncut(steps_apart(beside, count, 1));
     const double phi = uncut(steps_apart(beside, count, 2)) / near - 1;
     const RawNoise pair = raw_noise(measurements, both);
-    CHECK(pair.correlation == close_to(phi));
+    CHECK(pair.correlation[at_force] == close_to(phi));
     CHECK(pair.scale[at_Fx] == close_to(std::sqrt(uncut(curved) / 2 / ((1 - phi) * (3 - phi)))));
     CHECK(pair.scale[at_Fy] == close_to(std::sqrt(near / 2 / (1 - phi))));
   }
@@ -140,7 +141,7 @@ TEST_CASE("a slope counts as one beyond what chance gives one time in twenty alo
   for (const std::size_t count : {40U, 400U}) {
     const Measurements measurements(blank_experiment({count}));
     const RawNoise found = raw_noise(measurements, wave(count, 1, 80));
-    CHECK(found.correlation == (count == 40 ? 1 : 0));
+    CHECK(found.correlation[at_force] == (count == 40 ? 1 : 0));
   }
   // over two readings 4 cos^2(42.25 degrees) = 2.19 times as much, and second differences of
   // 4 sin^2(42.25 degrees) = 1.81 times those over one: 1.81 / 3 of its variance
@@ -150,7 +151,7 @@ TEST_CASE("a slope counts as one beyond what chance gives one time in twenty alo
   for (std::size_t i = 1; i + 1 < 400; ++i)
     curved.push_back(residual[i - 1] - 2 * residual[i] + residual[i + 1]);
   const RawNoise found = raw_noise(measurements, residual);
-  CHECK(found.correlation == 0);
+  CHECK(found.correlation[at_force] == 0);
   CHECK(found.scale[at_Fx] == close_to(std::sqrt(uncut(curved) / 6)));
   CHECK(correlation_deviation(0.5, 36) == close_to(0.3));
 }
@@ -168,7 +169,7 @@ TEST_CASE("rounding, which does not correlate, hides neither correlation nor sca
   }
   const RawNoise found = raw_noise(Measurements(experiment), residual);
   // three of the deviations of 80,000 values
-  CHECK(std::abs(found.correlation - 0.85) < 3 * correlation_deviation(0.85, 2.0 * count));
+  CHECK(std::abs(found.correlation[at_force] - 0.85) < 3 * correlation_deviation(0.85, 2.0 * count));
   // s^2 = d / (1 - phi): that of phi, and the 0.5 % of the variance of d that so many differences leave open
   const double off = std::hypot(correlation_deviation(0.85, 2.0 * count) / 0.15, 0.005);
   CHECK(std::abs(std::log(std::pow(found.scale[at_Fx], 2))) < 3 * off);
@@ -179,7 +180,7 @@ TEST_CASE("noise beyond what was declared remembers no longer than a tenth of a 
     const Measurements measurements(blank_experiment(runs));
     std::vector<double> rough(measurements.size());
     for (std::size_t i = 0; i < rough.size(); ++i) rough[i] = i % 2 == 0 ? 2 : -2;
-    return raw_noise(measurements, rough).largest_correlation;
+    return raw_noise(measurements, rough).largest_correlation[at_force];
   };
   CHECK(largest({20}) == close_to(std::exp(-0.5)));
   CHECK(largest({10, 50, 20}) == close_to(std::exp(-0.5)));
@@ -196,11 +197,11 @@ TEST_CASE(
     return raw_noise(measurements, residual);
   };
   const double near = 6.0 / 11 / cut_mean / 2;  // of six steps of one
-  CHECK(found(0.5).correlation == close_to(5.0 / 6));
-  CHECK(found(0.5).largest_correlation == close_to(1 - near));
+  CHECK(found(0.5).correlation[at_force] == close_to(5.0 / 6));
+  CHECK(found(0.5).largest_correlation[at_force] == close_to(1 - near));
   CHECK(found(0.5).scale[at_Fx] == close_to(1));
-  CHECK(found(5).correlation == close_to(5.0 / 6));
-  CHECK(found(5).largest_correlation == close_to(std::exp(-10.0 / 12)));
+  CHECK(found(5).correlation[at_force] == close_to(5.0 / 6));
+  CHECK(found(5).largest_correlation[at_force] == close_to(std::exp(-10.0 / 12)));
   CHECK(found(5).scale[at_Fx] == close_to(std::sqrt(100 * near / (1 - std::exp(-10.0 / 12)))));
 }
 
@@ -209,15 +210,15 @@ TEST_CASE("what is large and slow at once is no noise beyond one and a half") {
     const Measurements measurements(blank_experiment({300}));
     const std::vector<double> residual = wave(300, 4, 95);  // 4 cos^2(47.5 degrees) = 1.826
     const NoiseModel noise = estimate_noise(measurements, residual);
-    CHECK(noise.correlation > 0.5);
+    CHECK(noise.correlation[at_force] > 0.5);
     CHECK(noise.of({Channel::Name::Fx, 0}) == 1.5);
   }
   SUBCASE("or would, by more than 0.9, in a run too short to tell") {
     const Measurements measurements(blank_experiment({12}));
     const std::vector<double> residual = wave(12, 12, 80);
     const NoiseModel noise = estimate_noise(measurements, residual);
-    CHECK(raw_noise(measurements, residual).correlation > 0.9);
-    CHECK(noise.correlation < 0.5);
+    CHECK(raw_noise(measurements, residual).correlation[at_force] > 0.9);
+    CHECK(noise.correlation[at_force] < 0.5);
     CHECK(noise.of({Channel::Name::Fx, 0}) == 1.5);
   }
   SUBCASE("what is as large and does not last is noise") {
@@ -277,7 +278,7 @@ TEST_CASE("a position has noise as a force has") {
 TEST_CASE("two readings say nothing of noise") {
   const Measurements measurements(blank_experiment({2}));
   const RawNoise found = raw_noise(measurements, {1, 2, 0, 0});
-  CHECK(found.correlation == 0);
+  CHECK(found.correlation[at_force] == 0);
   CHECK(found.scale[at_Fx] == 1);
   CHECK(found.values[at_Fx] == 1);
 }

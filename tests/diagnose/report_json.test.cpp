@@ -11,7 +11,8 @@ TEST_CASE("every number of a diagnosis stands in its JSON, by hand") {
   CHECK(json["format"] == "gap-diagnosis/1");
   CHECK(json["experiment"] == "three links");
   CHECK(json["gap"] == ReportJson::parse(R"json({"present": true, "p_value": 1e-5, "chi2_per_dof": 12.5,
-    "rms": {"Fx": 0.25, "q2": 0.0031}, "noise": {"Fx": 2.0, "q": 0.5, "correlation": 0.12},
+    "rms": {"Fx": 0.25, "q2": 0.0031}, "noise": {"Fx": 2.0, "q": 0.5, "correlation": 0.12,
+      "correlations": {"force": 0.12, "angle": 0.03}},
     "proportional_noise": {"Fx": 0.021}, "uneven_noise": {"q2": 3.2},
     "rougher_runs": [{"run": "load-2", "sensor": "force", "times": 2.7}], "taken_for_weights": ["load-2"],
     "other_side": [{"run": "press-1", "from": 3}]})json"));

@@ -12,7 +12,7 @@ namespace {
 const std::string gap_in_words =
     "three links\n\n"
     "Is there a gap?  Yes (p = 1e-05; chi-square per value 12.5; rms Fx 0.25 N, q2 0.0031 rad)\n"
-    "  noise over declared: Fx 2.00, q 0.50; neighbours correlate by 0.12\n"
+    "  noise over declared: Fx 2.00, q 0.50; neighbours correlate by 0.12 (force), 0.03 (angle)\n"
     "  the readings of Fx scatter 2.0 times what was declared\n"
     "  the readings of q scatter 0.5 times what was declared\n"
     "  the readings of Fx scatter by a further 2.1 % of themselves\n"
@@ -62,7 +62,7 @@ TEST_CASE("what else the words may say: no gap, tones, remainders, rivals, what 
       as_text(made) ==
       "three links\n\nIs there a gap?  No, the nominal model explains the readings to the noise (p = 1e-05; "
       "chi-square per value 12.5; rms Fx 0.25 N, q2 0.0031 rad)\n"
-      "  noise over declared: Fx 1.50, q 0.67; neighbours correlate by 0.12\n"
+      "  noise over declared: Fx 1.50, q 0.67; neighbours correlate by 0.12 (force), 0.03 (angle)\n"
       "  Fx of press-1 hums every 3.7 readings, 1.6 declared sigmas rms: taken for noise\n");
 
   made = made_up();

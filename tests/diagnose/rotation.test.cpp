@@ -155,7 +155,7 @@ TEST_CASE("a part of which the others do not tell is passed over; blocks stand i
   const Study study(experiment);
   NoiseModel noise;
   noise.scale = {1, 1, 2, 3, 1.5};
-  noise.correlation = 0.4;
+  noise.correlation.fill(0.4);
   // Half of the gap is left of what is asked for, but for parts that `passed` names.
   const auto halved = [&](const std::function<bool(const HeldOut&)>& passed) {
     return rotated(study, noise,

@@ -128,7 +128,7 @@ TEST_CASE("beside the nominal model a forecast is that of least squares on one d
   for (const double scale : {1.0, 2.0}) {
     FitSettings settings;
     settings.noise.scale.fill(scale);
-    settings.noise.correlation = 0.3;
+    settings.noise.correlation.fill(0.3);
     const Fit nominal = fit_from(study, {}, settings, {});
     for (const EffectAt& at : in_proportion_to) check_proportional(study, nominal, settings, at);
   }

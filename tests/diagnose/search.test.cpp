@@ -88,10 +88,10 @@ TEST_CASE("explanations are weighed in the noise that the one leaves that costs 
   // What is tolerated eight neighbours share: together they count as one.
   findings.tolerance = NoiseModel();
   findings.tolerance->scale.fill(2);
-  findings.tolerance->correlation = 0.3;
+  findings.tolerance->correlation.fill(0.3);
   weigh(study, findings);
   for (const double scale : findings.noise.scale) CHECK(scale == close_to(2 * std::sqrt(8.0)));
-  CHECK(findings.noise.correlation == 0.3);
+  CHECK(findings.noise.correlation == BySensor{0.3, 0.3, 0.3});
   Findings none;
   weigh(study, none);
   CHECK(none.hypotheses.empty());

@@ -77,7 +77,7 @@ TEST_CASE("held-out values count as those that do not correlate; none leave the 
   const std::vector<double> before = by_series(measurements, {5, 5, 10, 10}),
                             after = by_series(measurements, {1, 1, 1, 1});
   NoiseModel noise;
-  noise.correlation = 0.5;  // of squares a quarter
+  noise.correlation.fill(0.5);  // of squares a quarter
   const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 1), before, after, noise);
   CHECK(shrink.independent == close_to(32 * 0.75 / 1.25));
   // of blocks that all leave a tenth no draw leaves more or less

@@ -6,7 +6,10 @@
 #include <random>
 #include <vector>
 
-#include "diagnose/model/measurement.hpp"
+#include "diagnose/inference/noise.hpp"
+
+/// Place of the load cell among the sensors.
+inline constexpr auto at_force = static_cast<std::size_t>(plumbline::diagnose::Sensor::force);
 
 /// Runs under an imposed end point of which only the layout matters: all readings are zero.
 inline plumbline::diagnose::Experiment blank_experiment(const std::vector<std::size_t>& readings) {
@@ -26,11 +29,14 @@ inline plumbline::diagnose::Experiment blank_experiment(const std::vector<std::s
   return experiment;
 }
 
+/// \param by_sensor  correlation of neighbours
 inline std::vector<double> correlated_noise(const plumbline::diagnose::Measurements& measurements,
-                                            double scale, double correlation, std::mt19937_64& random) {
+                                            double scale, const plumbline::diagnose::BySensor& by_sensor,
+                                            std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   std::vector<double> noise(measurements.size());
   for (const plumbline::diagnose::Series& series : measurements.series()) {
+    const double correlation = plumbline::diagnose::of(series.channel, by_sensor);
     double state = normal(random);
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
       noise[series.first + i] = scale * state;
@@ -38,6 +44,11 @@ inline std::vector<double> correlated_noise(const plumbline::diagnose::Measureme
     }
   }
   return noise;
+}
+
+inline std::vector<double> correlated_noise(const plumbline::diagnose::Measurements& measurements,
+                                            double scale, double correlation, std::mt19937_64& random) {
+  return correlated_noise(measurements, scale, {correlation, correlation, correlation}, random);
 }
 
 inline void add_outliers(std::vector<double>& noise, double share, double size, std::mt19937_64& random) {
