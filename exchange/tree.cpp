@@ -232,6 +232,7 @@ class Builder {
         arm(fmt::format("{}_slip{}", name, e + 1), all, parent, place, slider.ratio * k,
             [&](Hinge& one) { one.friction = slider.yield; });
     }
+    if (rig_.give[j] > 0 && std::isfinite(rig_.knee[j]) && k > 0) give_way(j, name);
     // The potential k c d^4 / 4: a slide that is at d^4, pulled back by a constant force.
     if (const double c = rig_.hardening[j]; c != 0 && k > 0) follow(j, name + "_cubic", 4, -k * c / 4);
   }
@@ -245,12 +246,19 @@ class Builder {
     tree_.followers.push_back({name, fmt::format("q{}", j + 1), power, rest_[j], force});
   }
 
+  /// What a spring gives way by beyond its knee to either side, beside that spring.
+  void give_way(std::size_t j, const std::string& name) {
+    const double s = rig_.knee[j], softer = rig_.give[j] * rig_.stiffness[j], e = rig_.asymmetry[j];
+    climb(name + "_give", {name}, rest_[j],
+          {{-s - 1, softer * (1 - e)}, {-s, 0}, {s, 0}, {s + 1, -softer * (1 + e)}});
+  }
+
   /// A free torque law, beside the joint's spring: its knots, sliders and Maxwell arms.
   void follow_law(const diagnose::FreeLaw& law, std::size_t number) {
     const std::size_t j = law.joint - 1;
     const std::string name =
         fmt::format("q{}_law{}", law.joint, number > 0 ? fmt::format("{}_", number + 1) : "");
-    if (!law.knots.empty()) climb(name, j, law.knots);
+    if (!law.knots.empty()) climb(name, sum_[j], rest_[j], law.knots);
     for (std::size_t s = 0; s < law.sliders.size(); ++s) {
       const diagnose::FreeLaw::Slider& one = law.sliders[s];
       const std::string own = fmt::format("{}_slip{}", name, s + 1);
@@ -272,7 +280,9 @@ class Builder {
   }
 
   /// A torque that is straight between knots and on beyond them, as ramps: the first was climbed long ago.
-  void climb(const std::string& name, std::size_t j, std::vector<diagnose::FreeLaw::Knot> knots) {
+  /// \param turning  the hinges whose angles add up to that of the torque
+  void climb(const std::string& name, const std::vector<std::string>& turning, double rest,
+             std::vector<diagnose::FreeLaw::Knot> knots) {
     if (knots.size() > 1) {
       const auto beyond = [](const diagnose::FreeLaw::Knot& last, const diagnose::FreeLaw::Knot& before) {
         const double way = std::copysign(far / 100, last.deflection - before.deflection);
@@ -284,11 +294,11 @@ class Builder {
       knots.push_back(beyond(knots.back(), knots[knots.size() - 2]));
     }
     std::vector<std::pair<std::string, double>> joints;
-    for (const std::string& one : sum_[j]) joints.emplace_back(one, 1);
-    tree_.ramps.push_back({name + "0", joints, rest_[j] - 2 * far, rest_[j] - far, -knots.front().torque});
+    for (const std::string& one : turning) joints.emplace_back(one, 1);
+    tree_.ramps.push_back({name + "0", joints, rest - 2 * far, rest - far, -knots.front().torque});
     for (std::size_t k = 1; k < knots.size(); ++k)
-      tree_.ramps.push_back({fmt::format("{}{}", name, k), joints, rest_[j] + knots[k - 1].deflection,
-                             rest_[j] + knots[k].deflection, knots[k - 1].torque - knots[k].torque});
+      tree_.ramps.push_back({fmt::format("{}{}", name, k), joints, rest + knots[k - 1].deflection,
+                             rest + knots[k].deflection, knots[k - 1].torque - knots[k].torque});
   }
 
   /// What couples joints with each other.

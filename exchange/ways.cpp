@@ -24,6 +24,7 @@ constexpr Way maxwell{true, "as a damped hinge and a spring between it and the j
 constexpr Way jenkins{true, "as a hinge with dry friction and a spring between it and the joint"};
 constexpr Way quartic{true,
                       "as a slide under a constant force that follows the fourth power of the deflection"};
+constexpr Way ramps{true, "as forces that go with the joint's angle from knot to knot"};
 constexpr Way shared{true, "as springs on sums of joint angles"};
 constexpr Way stretch{true, "as a slide on a spring in every link"};
 constexpr Way beam{true, "as three hinges on springs in every link, at the points of Gauss"};
@@ -89,7 +90,7 @@ const std::map<std::string_view, Way>& coupled() {
       {"hysteresis", jenkins},       {"eccentric_load", load_site}, {"force_bias", cell_zero},
       {"force_gain", cell_scale},    {"cross_talk", cell_scale},    {"sensor_drift", cell_drift},
       {"saturation", cell_limit},    {"sensor_lag", cell_lag},      {"rail_misalignment", rail},
-      {"guide_friction", guide}};
+      {"guide_friction", guide},     {"piecewise_spring", ramps}};
   return all;
 }
 
@@ -104,8 +105,9 @@ const std::set<std::string_view>& of_the_bench() {
 Way without_coupling(Format format, std::string_view effect) {
   if (effect == "joint_stop" || effect == "joint_stops")
     return format == Format::sdf ? range : Way{false, "a range of this format has no stiffness"};
-  if (effect == "nonlinear_spring" || effect == "hardening_spread" || effect == "asymmetric_spring")
-    return linear;
+  static const std::set<std::string_view> springs{"nonlinear_spring", "hardening_spread", "asymmetric_spring",
+                                                  "piecewise_spring"};
+  if (springs.contains(effect)) return linear;
   if (of_the_bench().contains(effect)) return no_bench;
   return effect == "eccentric_load" ? no_point : no_coupling;
 }

@@ -19,30 +19,32 @@ bool passes_for(const Bench& bench, const Outcome& outcome, std::size_t e, const
   return rms(rest) * std::sqrt(static_cast<double>(rest.size())) <= noticed;
 }
 
-/// The effect of a single joint that may do alone what this one does.
-std::string_view of_one_joint(std::string_view id) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> pairs{
+/// The effect of a single joint that may do alone what this one of all joints does.
+std::string_view of_one_joint(const Kind& kind) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> pairs{
       {{"joint_stops", "joint_stop"},
+       {"piecewise_spring", "piecewise_spring"},
        {"stiffness_scale", "joint_stiffness"},
        {"force_gain", "joint_stiffness"},
        {"length_scale", "link_length"},
        {"rest_offset", "rest_angle"}}};
   const auto known =
-      std::find_if(pairs.begin(), pairs.end(), [&](const auto& one) { return one.first == id; });
-  return known == pairs.end() ? std::string_view() : known->second;
+      std::find_if(pairs.begin(), pairs.end(), [&](const auto& one) { return one.first == kind.id; });
+  return kind.at_joint || known == pairs.end() ? std::string_view() : known->second;
 }
 
-/// All stops pass for that of the one joint that gets there; of a single sprung joint what is
-/// common to all for the same of that joint, as does the load cell's gain; all springs that are stiffer to
-/// one side for a scale where all bend to one side.
+/// All stops, and all springs that give way, pass for that of the one joint that gets there; of a single
+/// sprung joint what is common to all for the same of that joint, as does the load cell's gain; all springs
+/// that are stiffer to one side for a scale where all bend to one side.
 std::vector<std::string> tried(const Bench& bench, const Outcome& outcome, std::size_t e) {
   const Effect& effect = outcome.effects[e];
   std::vector<Effect> candidates;
   const std::vector<double>& k = bench.plan.nominal.stiffness;
   const bool one_joint = std::count_if(k.begin(), k.end(), [](double one) { return one > 0; }) == 1;
-  const std::string_view single = of_one_joint(effect.kind->id);
+  const std::string_view single = of_one_joint(*effect.kind);
   const bool own_stops = effect.kind->id == "joint_stops" && !effect.kind->each.empty();
-  if (effect.kind->id == "joint_stops" || (one_joint && !single.empty()))
+  const bool sets_in = effect.kind->id == "joint_stops" || effect.kind->id == "piecewise_spring";
+  if (!single.empty() && (sets_in || one_joint))
     for (Place j = 0; j < bench.plan.size(); ++j)
       candidates.push_back({&kind(single, true), j,
                             own_stops ? Values{effect.values[1 + j], effect.values[0]} : effect.values});

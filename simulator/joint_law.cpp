@@ -61,14 +61,15 @@ void JointLaw::remember(double deflection, double dt) {
 double JointLaw::spring(double deflection) const {
   const double d = deflection - set_;
   const double turned = std::copysign(std::max(0.0, std::abs(d) - joint_.backlash), d);  // behind its play
+  const double given = joint_.give * std::copysign(std::max(0.0, std::abs(turned) - joint_.knee), turned);
   const double cubic = joint_.hardening * turned * turned;
-  if (joint_.plain()) return -joint_.stiffness * cubic * turned;
+  if (joint_.plain()) return -joint_.stiffness * cubic * turned + joint_.stiffness * given;
   const Ageing& age = joint_.ageing;
   const double factor = (1 + std::copysign(joint_.asymmetry, joint_.asymmetry * d)) *
                         std::max(0.2, 1 - joint_.softening * std::max(largest_, std::abs(deflection))) /
                         (1 + age.creep * std::log1p(time_ / age.start)) *
                         (1 + age.loss * std::expm1(-time_ / age.warming));
-  return -joint_.stiffness * factor * (1 + cubic) * turned;
+  return -joint_.stiffness * factor * (1 + cubic) * turned + joint_.stiffness * factor * given;
 }
 
 double JointLaw::torque(double d, double rate) const {

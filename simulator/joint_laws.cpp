@@ -1,5 +1,5 @@
 // Torque laws of joints beyond a single parameter: dry friction, hysteresis, hardening, stops, relaxation,
-// set, capstan.
+// set, capstan, springs of two slopes.
 
 #include <cmath>
 
@@ -154,6 +154,45 @@ std::vector<Kind> friction() {
   };
 }
 
+/// Where a spring gives way, as a share of its largest deflection, and how much.
+Values draw_knee(double deflection, Random& r) {
+  return {significant(r.uniform(0.25, 0.7) * deflection, 4), significant(r.uniform(0.1, 0.4), 3)};
+}
+
+std::vector<Kind> piecewise_springs() {
+  return {
+      {"piecewise_spring",
+       "",
+       false,
+       {"s", "a"},
+       {false, true},
+       false,
+       2.2,
+       [](const Scene& s, Place j) { return several_elastic(s, j) && largest_deflection(s) > 0.15; },
+       [](const Scene& s, Place, Random& r) { return draw_knee(largest_deflection(s), r); },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (Joint& joint : is.joint) joint.knee = v[0], joint.give = v[1];
+       },
+       {},
+       laws},
+      {"piecewise_spring",
+       "",
+       true,
+       {"s", "a"},
+       {false, true},
+       false,
+       2.2,
+       [](const Scene& s, Place j) { return elastic(s, j) && s.deflection[j] > 0.15; },
+       [](const Scene& s, Place j, Random& r) { return draw_knee(s.deflection[j], r); },
+       [](Physics& is, const Plan&, Place j, const Values& v) {
+         is.joint[j].knee = v[0];
+         is.joint[j].give = v[1];
+       },
+       {},
+       laws},
+  };
+}
+
 std::vector<Kind> further_laws() {
   return {
       {"hardening_spread",
@@ -290,9 +329,11 @@ std::vector<Kind> further_laws() {
 }  // namespace
 
 std::vector<Kind> joint_laws() {
-  std::vector<Kind> kinds = friction();
-  const std::vector<Kind> more = further_laws();
-  kinds.insert(kinds.end(), more.begin(), more.end());
+  std::vector<Kind> kinds;
+  for (const auto& part : {friction, further_laws, piecewise_springs}) {
+    const std::vector<Kind> more = part();
+    kinds.insert(kinds.end(), more.begin(), more.end());
+  }
   return kinds;
 }
 

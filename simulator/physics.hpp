@@ -54,6 +54,8 @@ struct Joint {
   double stop = std::numeric_limits<double>::infinity(), stop_stiffness = 0;
   double hardening = 0;  ///< c of k d (1 + c d^2)
   double asymmetry = 0;  ///< e of k (1 + e sign d)
+  /// Beyond this deflection the spring is softer, by this share of its stiffness.
+  double knee = std::numeric_limits<double>::infinity(), give = 0;
   /// Beyond this torque the rest angle moves, by `flow` times what the excess would bend; it stays there and
   /// moves again beyond the largest torque so far.
   double yield = std::numeric_limits<double>::infinity(), flow = 0;

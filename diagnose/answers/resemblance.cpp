@@ -71,7 +71,8 @@ struct Likeness {
 
 /// The shapes of springs in the catalogue, each with what it leaves of a curve at its best. They have as many
 /// values each, a rest angle and a stiffness among them: what is left may be compared. A spring stiffer to
-/// one side turns near zero; a stop, or one to each side, away from it; play may lie off zero by as much.
+/// one side turns near zero; a stop, or one to each side, away from it, as does one that gives way to both;
+/// play may lie off zero by as much.
 std::vector<Likeness> shapes(const Curve& curve) {
   constexpr double near_zero = 0.25, far = 0.9;  // of the reach
   const Eigen::ArrayXd& d = curve.deflection;
@@ -85,12 +86,16 @@ std::vector<Likeness> shapes(const Curve& curve) {
     return std::min({left_by(curve, {d, beyond(d, at)}, false), left_by(curve, {d, above}, false),
                      left_by(curve, {d, below}, false)});
   });
+  const double gives_way = least(near_zero * reach, far * reach, [&](double at) {
+    return left_by(curve, {d, -beyond(d, at)}, false);
+  });
   const double play = least(-near_zero * reach, near_zero * reach, [&](double middle) {
     return least(0.02 * reach, far * reach,
                  [&](double half) { return left_by(curve, {beyond(d - middle, half)}, false); });
   });
   return {{"nonlinear_spring", cubic},
           {"asymmetric_spring", one_side},
+          {"piecewise_spring", gives_way},
           {"joint_stop", stops},
           {"backlash", play}};
 }

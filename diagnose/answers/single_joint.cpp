@@ -35,6 +35,7 @@ std::vector<Candidate> laws(const Study& study, std::size_t joint) {
   std::vector<Effects> shapes{{}}, memories{{}};
   for (const EffectAt& one : of_these({"nonlinear_spring",
                                        "asymmetric_spring",
+                                       {"piecewise_spring", joint},
                                        {"joint_stop", joint},
                                        "joint_stops",
                                        {"backlash", joint}}))

@@ -72,6 +72,7 @@ struct JointMemory {
 struct JointLaw {
   double stiffness = 0, rest = 0, backlash = 0;
   double stop = std::numeric_limits<double>::infinity(), stop_stiffness = 0, hardening = 0, asymmetry = 0;
+  double knee = std::numeric_limits<double>::infinity(), give = 0;
   double yield = std::numeric_limits<double>::infinity(), flow = 0;
   std::array<double, most_arms> arm_stiffness = {};
   std::vector<JointSlider> slider = {};  ///< the first is the dry friction
@@ -93,11 +94,7 @@ struct JointLaw {
     const double d = angle - rest;
     Torque torque = flow > 0 ? flowing(d, last) : spring(d);
     for (const TorqueTable& one : table) torque += one.at(d);
-    if (const double size = std::abs(d); size > stop) {
-      torque.value += stop_stiffness * std::copysign(size - stop, d);
-      torque.slope += stop_stiffness;
-      torque.energy += stop_stiffness * (size - stop) * (size - stop) / 2;
-    }
+    torque += felt_beyond(stop, stop_stiffness, d);
     return torque;
   }
 
@@ -160,14 +157,23 @@ struct JointLaw {
   }
 
  private:
-  /// Spring with play and hardening, stiffer to one side.
+  /// A spring that is felt beyond a deflection alone.
+  static Torque felt_beyond(double limit, double stiffness, double d) {
+    const double over = std::abs(d) - limit;
+    if (!(over > 0)) return {};
+    return {stiffness * std::copysign(over, d), stiffness, stiffness * over * over / 2};
+  }
+
+  /// Spring with play and hardening, stiffer to one side, that gives way beyond its knee.
   [[nodiscard]] Torque spring(double d) const {
     const double size = std::abs(d);
     if (size < backlash) return {};
     const double e = std::copysign(size - backlash, d),
                  k = stiffness * (1 + std::copysign(1.0, d) * asymmetry);
-    return {k * e * (1 + hardening * e * e), k * (1 + 3 * hardening * e * e),
-            k * e * e * (1 + hardening * e * e / 2) / 2};
+    Torque torque{k * e * (1 + hardening * e * e), k * (1 + 3 * hardening * e * e),
+                  k * e * e * (1 + hardening * e * e / 2) / 2};
+    torque += felt_beyond(knee, -give * k, e);
+    return torque;
   }
 
   /// The deflection that the spring keeps of `d`: beyond the yield the rest follows.

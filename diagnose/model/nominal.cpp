@@ -30,6 +30,8 @@ Rig without_effects(const Experiment& experiment) {
   rig.stop_stiffness.assign(n, 0);
   rig.hardening.assign(n, 0);
   rig.asymmetry.assign(n, 0);
+  rig.knee.assign(n, std::numeric_limits<double>::infinity());
+  rig.give.assign(n, 0);
   rig.friction.assign(n, 0);
   rig.sliders.resize(n);
   for (const Point<double>& weight : weights(experiment)) rig.weight.emplace_back(weight.x, weight.y);

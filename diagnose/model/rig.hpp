@@ -51,6 +51,8 @@ struct Rig {
   std::vector<double> stop_stiffness;        ///< k_s
   std::vector<double> hardening;             ///< c of k d (1 + c d^2), 1/rad^2
   std::vector<double> asymmetry;             ///< e: stiffer by it where d > 0, softer where d < 0
+  std::vector<double> knee;                  ///< deflection beyond which the spring gives way; or infinite
+  std::vector<double> give;                  ///< a: by how much it is softer there, over its stiffness
   std::vector<double> friction;              ///< tau_c, N m; acts at elastic joints
   std::vector<std::vector<Slider>> sliders;  ///< at elastic joints
   std::vector<Vector2> weight;               ///< dead weight of each link, at its middle, N

@@ -31,6 +31,8 @@ JointLaw joint_law(const Rig& rig, const std::vector<double>& times, std::size_t
   law.stop_stiffness = rig.stop_stiffness[i];
   law.hardening = rig.hardening[i];
   law.asymmetry = rig.asymmetry[i];
+  law.knee = rig.knee[i];
+  law.give = rig.give[i];
   law.yield = rig.yield;
   law.flow = rig.flow;
   for (std::size_t a = 0; a < rig.arms.size(); ++a)

@@ -34,6 +34,7 @@ inline std::optional<Chosen> chosen(const EffectAt& at) {
   static const std::map<std::string_view, Chosen> all{
       {"joint_stop", {{10, 1}, {0.05, 1}}},
       {"joint_stops", {{10, 1}, {0.05, 1}}},
+      {"piecewise_spring", {{10, 0.5}, {0.03, 0.5}}},
       {"viscoelasticity", {{0, t}, {0.3, t}}},
       {"relaxation_spectrum", {{0, t, 0, later}, {0.3, t, 0.2, later}}},
       {"link_bending", {{3e-6}, {}}},

@@ -104,6 +104,7 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
       {"length_scale", {0.01}},
       {"rest_offset", {0.03}},
       {"asymmetric_spring", {0.05}},
+      {"piecewise_spring", {0.3, 0.2}},
       {"joint_stops", {0.3, 4}},
       {"hysteresis", {0.2, 0.03, 0.2, 0.03, 0.2, 0.03}},
       {"relaxation_spectrum", {0.2, 1, 0.2, 1}},
@@ -118,8 +119,13 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
       {"saturation", {0.3 / 7}},
       {"sensor_lag", {0.75}}};
   const std::map<std::string, std::vector<double>> of_a_joint{
-      {"joint_stiffness", {0.2}}, {"rest_angle", {0.05}},  {"backlash", {0.05}},
-      {"joint_stop", {0.3, 5}},   {"link_length", {0.02}}, {"hysteresis", {0.2, 0.03, 0.2, 0.03, 0.2, 0.03}}};
+      {"joint_stiffness", {0.2}},
+      {"rest_angle", {0.05}},
+      {"backlash", {0.05}},
+      {"joint_stop", {0.3, 5}},
+      {"link_length", {0.02}},
+      {"hysteresis", {0.2, 0.03, 0.2, 0.03, 0.2, 0.03}},
+      {"piecewise_spring", {0.3, 0.2}}};
   std::size_t known = 0;
   for (const Effect& row : catalogue()) {
     CAPTURE(row.id);
@@ -182,6 +188,14 @@ TEST_CASE("fits start at shares of what the joints are asked for, by hand") {
   CHECK(own.basins == 2);
   REQUIRE(own.from.size() == 10);
   check_values(own.from[3], {3.0 * 4, 0.4 * 0.11, 0.4 * 0.23, 0.4 * 0.31});
+  const auto knees = [](double reach) {
+    std::vector<std::vector<double>> all;
+    for (const double share : {0.2, 0.4, 0.6, 0.8, 0.95})
+      for (const double give : {0.2, 0.6}) all.push_back({share * reach, give});
+    return all;
+  };
+  check_starts("piecewise_spring", 0, knees(0.31), 2);
+  check_starts("piecewise_spring", 2, knees(0.23), 2);
   const double low = std::log(0.25), wide = std::log(1800.0) - low;
   check_starts("viscoelasticity", 0,
                {{0.1, low + 0.1 * wide},
@@ -232,6 +246,7 @@ TEST_CASE(
                                            {"joint_friction", {{}, true, true, 100, 1, false}},
                                            {"joint_stop", {{1}, false, false, 100, 1, false}},
                                            {"joint_stops", {{1}, false, false, 100, 1, false}},
+                                           {"piecewise_spring", {{1}, false, false, 100, 1, false}},
                                            {"viscoelasticity", {{0}, false, true, 100, 1, false}},
                                            {"link_bending", {{}, true, false, 1, 1, false}},
                                            {"guide_friction", {{}, false, true, 100, 1, false}},
@@ -343,6 +358,7 @@ TEST_CASE("where an effect is possible: what it asks of the bench, one thing at 
                                  {"play", one_spring},
                                  {"friction_spread", one_spring},
                                  {"hardening_spread", one_spring},
+                                 {"piecewise_spring", one_spring},
                                  {"hysteresis", one_spring},
                                  {"hysteresis", no_turn},
                                  {"length_scale", one_link},
@@ -393,7 +409,7 @@ TEST_CASE("where an effect is possible: what it asks of the bench, one thing at 
   CHECK(effect("run_rest").possible({most, 0}));
   most.runs = 15;
   CHECK(effect("run_tare").possible({most, 0}));
-  for (const char* id : {"joint_stiffness", "rest_angle", "backlash", "hysteresis"}) {
+  for (const char* id : {"joint_stiffness", "rest_angle", "backlash", "piecewise_spring", "hysteresis"}) {
     CAPTURE(id);
     CHECK_FALSE(effect(id, 1).possible({all, 0}));
   }
@@ -407,8 +423,8 @@ TEST_CASE("effects of one kind add up, and what each adds to the rig, by hand") 
   const auto add = [&](const Effect& row, std::size_t joint, const std::vector<double>& value) {
     Rig rig;
     rig.length = {0.2, 0.5, 0.6}, rig.stiffness = {0, 3, 5};
-    rig.rest_error = rig.backlash = rig.stop = rig.stop_stiffness = rig.hardening = rig.asymmetry =
-        rig.friction = {1, 2, 3};
+    rig.rest_error = rig.backlash = rig.stop = rig.stop_stiffness = rig.hardening = rig.asymmetry = rig.knee =
+        rig.give = rig.friction = {1, 2, 3};
     rig.weight.assign(3, Vector2(0.1, 0.2));
     rig.sliders.resize(3);
     for (int twice = 0; twice < 2; ++twice)
@@ -437,6 +453,10 @@ TEST_CASE("effects of one kind add up, and what each adds to the rig, by hand") 
   check_values(with("joint_stop", 2, {0.1, 7}).stop_stiffness, {1, 7, 3});
   check_values(with("joint_stops", 0, {0.1, 7}).stop, {0.1, 0.1, 0.1});
   check_values(with("joint_stops", 0, {0.1, 7}).stop_stiffness, {7, 7, 7});
+  check_values(with("piecewise_spring", 0, {0.1, 0.5}).knee, {0.1, 0.1, 0.1});
+  check_values(with("piecewise_spring", 0, {0.1, 0.5}).give, {0.5, 0.5, 0.5});
+  check_values(with("piecewise_spring", 2, {0.1, 0.5}).knee, {1, 0.1, 3});
+  check_values(with("piecewise_spring", 2, {0.1, 0.5}).give, {1, 0.5, 3});
   CHECK(with("joint_coupling", 0, {0.25}).coupling == 0.5);
   CHECK(with("viscoelasticity", 0, {0.25, 9}).arms == std::vector<Arm>{{0.25, 9}, {0.25, 9}});
   CHECK(with("relaxation_spectrum", 0, {1, 2, 3, 4}).arms ==

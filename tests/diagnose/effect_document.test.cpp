@@ -176,6 +176,7 @@ std::vector<Same> same_predictions() {
   const std::vector<std::vector<double>> beyond{{0.5, -1.2}, {0.55, -1.3}, {0.6, -1.4}};
   const std::vector<std::vector<double>> one_side{rest, {0.45, -0.8}, {0.5, -0.7}, {0.55, -0.6}};
   const Experiment press = two_links({2, 1.5}, rest, from_rest);
+  const Experiment alike = two_links({1.5, 1.5}, rest, from_rest);
   const Experiment left = two_links({2, 1.5}, rest, one_side);
   const Experiment one_spring = two_links({0, 1.5}, rest, from_rest);
   const Experiment bent = two_links({2, 1.5}, rest, beyond);
@@ -192,6 +193,9 @@ std::vector<Same> same_predictions() {
       // In 6 s an arm of 1e6 s loses 6e-6 of its torque.
       {{"viscoelasticity"}, {0.3, 1e6}, {"joint_stiffness", 2}, {0.3}, one_spring, 6e-6},
       {{"asymmetric_spring"}, {0.3}, {"stiffness_scale"}, {0.3}, left, solved},
+      // The spring gives way after 0.001 rad of deflections of 0.3 rad and more.
+      {{"piecewise_spring", 2}, {1e-3, 0.3}, {"joint_stiffness", 2}, {-0.3}, bent, 1e-3 / 0.3},
+      {{"piecewise_spring"}, {0.08, 0.4}, {"plastic_set"}, {1.5 * 0.08, 0.4 / 0.6}, alike, solved},
       {{"hysteresis"}, {0.1, 1, 0.15, 1, 0.05, 1}, {"stiffness_scale"}, {0.3}, press, solved},
       {{"relaxation_spectrum"}, {0.1, 3, 0.2, 3}, {"viscoelasticity"}, {0.3, 3}, press, solved},
       {{"tendon_friction"}, {0.1}, {"rest_angle", 2}, {-0.9 * std::expm1(-0.1)}, press, solved},

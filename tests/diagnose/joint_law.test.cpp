@@ -49,6 +49,29 @@ TEST_CASE("a spring, with hardening, play and a stop: torques by hand") {
   check_torque(law, 0.3, 0.6 + 7 * 0.1);
 }
 
+TEST_CASE("a spring that gives way: k d up to its knee, on from there at k (1 - a), the same to both sides") {
+  JointLaw law = spring();
+  law.knee = 0.2;
+  law.give = 0.4;
+  check_torque(law, 0.15, 0.3);
+  check_torque(law, 0.3, 2 * (0.2 + 0.6 * 0.1));
+  CHECK(law.elastic(0.1 + 0.2).value == close_to(0.4));
+  CHECK(law.elastic(0.1 + 0.3).energy == close_to(0.09 - 2 * 0.4 * 0.01 / 2));
+  law.backlash = 0.05;  // the spring turns behind its play
+  check_torque(law, 0.35, 2 * (0.2 + 0.6 * 0.1));
+  law.backlash = 0;
+  law.asymmetry = 0.25;
+  CHECK(law.elastic(0.1 - 0.3).value == close_to(-1.5 * (0.2 + 0.6 * 0.1)));
+  const JointLaw plain = spring();
+  for (const double d : {-0.3, 0.0, 0.1, 0.4}) {
+    JointLaw nothing = spring(), far = spring();
+    nothing.knee = 0.2;
+    far.knee = 0.5, far.give = 0.4;
+    CHECK(nothing.elastic(0.1 + d).value == plain.elastic(0.1 + d).value);
+    CHECK(far.elastic(0.1 + d).value == plain.elastic(0.1 + d).value);
+  }
+}
+
 TEST_CASE("a dry contact carries its torque until it slips, and turns back through sticking") {
   const JointLaw law = spring();
   const JointSlider dry{JointLaw::sticking * 2, 0.4, 0};

@@ -1,8 +1,11 @@
 /// The torque laws of the wider catalogue, in closed form for one joint and in balance for three.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "diagnose/answers/diagnosis.hpp"
 #include "diagnose/model/study.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
@@ -118,6 +121,73 @@ TEST_CASE("joints that harden each on its own, that are stiffer to one side, and
     }
   CHECK(difference(predicted_run(experiment, only("hardening_spread"), {2, 2, 2}),
                    predicted_run(experiment, only("nonlinear_spring"), {2})) == 0);
+}
+
+TEST_CASE("springs that give way beyond an angle, at all joints and at one") {
+  const Experiment experiment = cycle();
+  const std::vector<double>& k = experiment.joint_stiffness;
+  const double s = 0.05, a = 0.4;
+  const auto balanced = [&](const Candidate& candidate, const std::function<bool(std::size_t)>& gives) {
+    std::array<int, 3> beyond{}, within{};
+    for (const Balance& one : balances(experiment, predicted_run(experiment, candidate, {s, a})))
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double d = one.deflection[i], over = gives(i) ? std::max(0.0, std::abs(d) - s) : 0;
+        CHECK(one.moment[i] ==
+              doctest::Approx(k[i] * (d - a * std::copysign(over, d))).epsilon(solver_accuracy).scale(1));
+        (std::abs(d) > s ? beyond : within)[i] += 1;
+      }
+    for (const auto& counted : {beyond, within})
+      CHECK(*std::max_element(counted.begin(), counted.end()) > 10);
+  };
+  balanced(only("piecewise_spring"), [](std::size_t) { return true; });
+  balanced(only("piecewise_spring", 2), [](std::size_t joint) { return joint == 1; });
+}
+
+TEST_CASE(
+    "a spring that gives way by nothing, or beyond where it turns, is a plain one; at once, a softer one") {
+  const Experiment experiment = cycle();
+  const Trace nominal = predicted_run(experiment, {}, {});
+  for (const std::size_t joint : {0U, 2U}) {
+    const Candidate gives = only("piecewise_spring", joint);
+    CHECK(difference(predicted_run(experiment, gives, {0.05, 0}), nominal) == 0);
+    CHECK(difference(predicted_run(experiment, gives, {2, 0.4}), nominal) == 0);
+  }
+  // What is left of it is the torque a k s, which moves forces of newtons and angles in proportion to s.
+  const auto left = [&](double s) {
+    return difference(predicted_run(experiment, only("piecewise_spring", 2), {s, 0.4}),
+                      predicted_run(experiment, only("joint_stiffness", 2), {-0.4}));
+  };
+  CHECK(left(1e-4) == close_to(left(2e-4) / 2).epsilon(0.02));
+  const Experiment one = one_joint({0.3, 0.6});
+  const Trace bent = predicted_run(one, only("piecewise_spring", 1), {0.01, 0.4});
+  for (const Eigen::Index row : {0, 1})
+    CHECK(moment(bent, row) ==
+          close_to(spring_stiffness * (0.6 * angle(bent, row, 0) + 0.4 * 0.01)).epsilon(solver_accuracy));
+}
+
+TEST_CASE(
+    "springs that give way are named, at all joints or at the one, and springs that soften or stop are not") {
+  Experiment experiment = cycle();
+  press(experiment, {-0.4, 0.6, 0.3}, {-0.05, 0.03}, 40, true);
+  press(experiment, {0.4, 0.3, -0.6}, {-0.06, 0.02}, 40, true);
+  const std::vector<std::pair<Candidate, std::vector<double>>> planted{
+      {only("piecewise_spring"), {0.08, 0.4}},
+      {only("piecewise_spring", 2), {0.1, 0.5}},
+      {only("nonlinear_spring"), {-1.5}},
+      {only("joint_stop", 2), {0.05, 3}}};
+  for (const auto& [cause, value] : planted) {
+    CAPTURE(cause.label());
+    const Diagnosis diagnosis = diagnose::diagnose(Study(measured(experiment, cause, value, 11)));
+    const Fit& best = diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit;
+    REQUIRE(best.candidate.label() == cause.label());
+    for (const std::size_t place : diagnosis.cause.equivalent)
+      for (const auto& [other, unused] : planted)
+        CHECK(diagnosis.cause.ranking[place].hypothesis.fit.candidate.label() != other.label());
+    for (std::size_t p = 0; p < value.size(); ++p) {
+      const auto own = static_cast<Eigen::Index>(p);
+      CHECK(std::abs(best.parameters[p] - value[p]) < 5 * std::sqrt(best.covariance(own, own)));
+    }
+  }
 }
 
 TEST_CASE("a Jenkins element: the way back is the way there twice as large, and a closed loop is forgotten") {

@@ -44,6 +44,11 @@ const std::vector<Drawn> kinds{
     {"nonlinear_spring", [](double d, double share) { return 10 * d * (1 + (5 + 20 * share) * d * d); }},
     {"asymmetric_spring",
      [](double d, double share) { return 10 * d * (1 + (d > 0 ? 1 : -1) * (0.2 + 0.6 * share)); }},
+    {"piecewise_spring",
+     [](double d, double share) {
+       const double over = std::abs(d) - (0.15 + 0.15 * share);
+       return 10 * d - (over > 0 ? std::copysign(6 * over, d) : 0);
+     }},
     {"joint_stop",
      [](double d, double share) {
        const double over = std::abs(d) - (0.15 + 0.15 * share);

@@ -23,6 +23,8 @@ Rig full_rig(bool bending, bool coupled) {
   rig.rest_error = {0.01, -0.02, 0.03};
   rig.hardening = {0.7, -0.3, 1.1};
   rig.asymmetry = {0.1, -0.05, 0.2};
+  rig.knee = {0.05, 0.3, 0.1};
+  rig.give = {0.3, 0.6, 0.2};
   rig.coupling = coupled ? 0.4 : 0;
   rig.flexibility = bending ? 0.6 : 0;
   rig.axial = 0.011;

@@ -92,6 +92,16 @@ TEST_CASE("shape and memory of a single joint are named though its spring was a 
   CHECK(sum == doctest::Approx(1));
 }
 
+TEST_CASE("a spring that gives way is named as one, and not as one that softens little by little") {
+  const Candidate gives{{{"piecewise_spring", 1}, {"joint_stiffness", 1}}};
+  Experiment experiment = measured(strut(), gives, {0.15, 0.6, 0.3}, 12);
+  ripple(experiment, 0.1);
+  const Study study(experiment);
+  Cause cause = nothing_found();
+  REQUIRE(name_single_joint(study, noise_of(study), cause));
+  for (const Candidate& one : listed(cause)) CHECK(has(one, "piecewise_spring"));
+}
+
 TEST_CASE("a value of the nominal spring that is right is not named beside the law") {
   std::vector<double> right_spring = of_law;
   right_spring[7] = right_spring[8] = 0;

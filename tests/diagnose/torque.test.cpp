@@ -90,6 +90,8 @@ TEST_CASE("what a joint stores is the work of its torque, with everything that i
   law.backlash = 0.05;
   law.stop = 0.3;
   law.stop_stiffness = 7;
+  law.knee = 0.1;
+  law.give = 0.4;
   law.table.push_back(crooked);
   law.table.emplace_back(std::vector<FreeLaw::Knot>{{0, 0.25}});
   const double at_rest = law.elastic(0.1).energy;
@@ -101,11 +103,12 @@ TEST_CASE("what a joint stores is the work of its torque, with everything that i
     CHECK(law.elastic(0.1 + d).slope ==
           close_to((torque(0.1 + d + 1e-6) - torque(0.1 + d - 1e-6)) / 2e-6).epsilon(1e-6));
   }
-  // by hand: 1.2 k of d - b, hardened, a stop of 7 from 0.3 on, the table, and 1/4
+  // by hand: 1.2 k of d - b, hardened, 0.4 of it less from 0.1 on, a stop of 7 from 0.3 on, the table, and
+  // 1/4
   CHECK(law.elastic(0.6).value ==
-        close_to(2.4 * 0.45 * (1 + 3 * 0.45 * 0.45) + 7 * 0.2 + (-1 + 3 * 0.2) + 0.25));
+        close_to(2.4 * (0.45 * (1 + 3 * 0.45 * 0.45) - 0.4 * 0.35) + 7 * 0.2 + (-1 + 3 * 0.2) + 0.25));
   CHECK(law.elastic(0.1 - 0.5).value ==
-        close_to(-1.6 * 0.45 * (1 + 3 * 0.45 * 0.45) - 7 * 0.2 + (1 - 5 * 0.3) + 0.25));
+        close_to(-1.6 * (0.45 * (1 + 3 * 0.45 * 0.45) - 0.4 * 0.35) - 7 * 0.2 + (1 - 5 * 0.3) + 0.25));
 }
 
 TEST_CASE("a spring that yielded at once, and one that has moved its rest, store what they keep") {

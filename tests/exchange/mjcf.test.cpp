@@ -51,6 +51,7 @@ TEST_CASE("several effects of the bench at once, and of the chain, in one file")
                         {"rail_misalignment", 0, {{"eps", 0.1}}},
                         {"position_offset", 0, {{"d_x", 0.004}, {"d_y", -0.002}}},
                         {"nonlinear_spring", 0, {{"c", 2}}},
+                        {"piecewise_spring", 0, {{"s", 0.03}, {"a", 0.4}}},
                         {"backlash", 2, {{"b", 0.05}}}};
   experiment.link_mass = {0.2, 0.1, 0.3};  // which hang from the links, not from what stands beside them
   experiment.gravity = {0.6, -9.7};

@@ -87,7 +87,10 @@ TEST_CASE(
   CHECK(carried(falls, 2, 5) < 0.051);     // fast
 }
 
-TEST_CASE("an asymmetric spring, play, hardening and a stop, beyond or instead of the plain spring") {
+TEST_CASE(
+    "an asymmetric spring, play, hardening, a stop and a spring that gives way, beyond or instead of the "
+    "plain "
+    "spring") {
   Joint uneven = joint();
   uneven.asymmetry = -0.1;
   CHECK(Turned(uneven).to(0.2) == close_to(-stiffness * 0.9 * 0.2));
@@ -99,6 +102,12 @@ TEST_CASE("an asymmetric spring, play, hardening and a stop, beyond or instead o
   Joint stopped = joint();
   stopped.stop = 0.1, stopped.stop_stiffness = 7;
   CHECK(Turned(stopped).to(-0.3) == close_to(7 * 0.2));
+  Joint soft = joint();
+  soft.knee = 0.1, soft.give = 0.4;
+  CHECK(Turned(soft).to(0.1) == 0);
+  CHECK(Turned(soft).to(-0.3) == close_to(-stiffness * 0.4 * 0.2));
+  soft.backlash = 0.05, soft.asymmetry = 0.2;
+  CHECK(Turned(soft).to(0.3) == close_to(-stiffness * 1.2 * (0.25 - 0.4 * 0.15)));
 }
 
 TEST_CASE(

@@ -151,6 +151,21 @@ TEST_CASE("the second trial: a third outside, a third with groups or tolerances,
   CHECK(seen.size() == outside().size());
 }
 
+TEST_CASE("springs that give way pass for the one that gets there alone; where all do, for none") {
+  const Bench bench = working();
+  std::vector<double> reach = scene_of(bench).deflection;
+  const auto most = std::max_element(reach.begin(), reach.end());
+  const std::string alone = "piecewise_spring(" + std::to_string(most - reach.begin() + 1) + ")";
+  const auto passes_for = [&](bool at_joint, double s) {
+    const Place joint = at_joint ? static_cast<Place>(most - reach.begin()) : 0;
+    return equivalents(bench, outcome_of(bench, {{&kind("piecewise_spring", at_joint), joint, {s, 0.3}}}));
+  };
+  const double least = *std::min_element(reach.begin(), reach.end());
+  CHECK(passes_for(false, 0.97 * *most) == std::vector<std::vector<std::string>>{{alone}});
+  CHECK(passes_for(false, 0.5 * least).empty());
+  CHECK(passes_for(true, 0.5 * least).empty());
+}
+
 TEST_CASE(
     "of a single sprung joint what is common to all passes for the same of that joint, of several it does "
     "not") {

@@ -1,5 +1,6 @@
 /// \file
-/// Torque laws of the joints beyond a single number: hysteresis, stops, set, spectra of relaxation.
+/// Torque laws of the joints beyond a single number: springs of two slopes, stops, hysteresis, set, spectra
+/// of relaxation.
 
 #include <array>
 #include <cmath>
@@ -7,8 +8,8 @@
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/model/effects/each_joint.hpp"
+#include "diagnose/model/effects/onsets.hpp"
 #include "diagnose/model/effects/rows.hpp"
-#include "diagnose/model/effects/stops.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -153,6 +154,49 @@ std::vector<Effect> springs() {
   };
 }
 
+/// How much softer than its beginning a spring may be where it gives way: some of it is left.
+constexpr double most_give = 0.95;
+
+std::vector<ParameterRange> piecewise_ranges() {
+  return {onset_angle("s"), one_way("a", "ratio", 0.2, most_give)};
+}
+
+Starts piecewise_starts(double reach) {
+  return onset_starts({0.2, 0.6}, [&](double share, double give) {
+    return std::vector{share * reach, give};
+  });
+}
+
+/// Of all joints alike, and of one.
+std::vector<Effect> piecewise_springs() {
+  return {
+      {.id = "piecewise_spring",
+       .words = "springs that give way beyond an angle",
+       .parameters = [](const Place&) { return piecewise_ranges(); },
+       .add =
+           [](const Addition& to) {
+             to.rig.knee.assign(to.rig.knee.size(), to.value[0]);
+             to.rig.give.assign(to.rig.give.size(), to.value[1]);
+           },
+       .possible = several_elastic,
+       .starts = [](const Place&, const Exercise& nominal) { return piecewise_starts(nominal.largest); },
+       .probing = {.growing = {1}}},
+      {.id = "piecewise_spring",
+       .words = "the spring of joint {} giving way beyond an angle",
+       .at_joint = true,
+       .parameters = [](const Place&) { return piecewise_ranges(); },
+       .add =
+           [](const Addition& to) {
+             to.rig.knee[to.joint] = to.value[0];
+             to.rig.give[to.joint] = to.value[1];
+           },
+       .possible = [](const Place& at) { return at.sizes.joint_stiffness[at.joint] > 0; },
+       .starts = [](const Place& at,
+                    const Exercise& nominal) { return piecewise_starts(nominal.deflection[at.joint]); },
+       .probing = {.growing = {1}}},
+  };
+}
+
 /// Of all joints alike, and with an angle of its own at each.
 std::vector<Effect> stops() {
   return {
@@ -160,7 +204,7 @@ std::vector<Effect> stops() {
        .words = "stops at every joint",
        .parameters =
            [](const Place& at) {
-             return std::vector{stop_angle("s"), stop_stiffness(at.sizes.stiffness)};
+             return std::vector{onset_angle("s"), stop_stiffness(at.sizes.stiffness)};
            },
        .add =
            [](const Addition& to) {
@@ -181,7 +225,7 @@ std::vector<Effect> stops() {
            [](const Place& at) {
              std::vector<ParameterRange> all{stop_stiffness(at.sizes.stiffness)};
              for (std::size_t i = 0; i < at.sizes.link_length.size(); ++i)
-               all.push_back(stop_angle(numbered("s", i)));
+               all.push_back(onset_angle(numbered("s", i)));
              return all;
            },
        .add =
@@ -270,7 +314,7 @@ std::vector<Effect> memory() {
 
 std::vector<Effect> joint_law_effects() {
   std::vector<Effect> rows;
-  for (const auto& group : {springs, stops, hysteresis, memory})
+  for (const auto& group : {springs, piecewise_springs, stops, hysteresis, memory})
     for (Effect& row : group()) rows.push_back(std::move(row));
   return rows;
 }

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "diagnose/model/effects/onsets.hpp"
 #include "diagnose/model/effects/rows.hpp"
-#include "diagnose/model/effects/stops.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -75,7 +75,7 @@ std::vector<Effect> joint_effects() {
        .at_joint = true,
        .parameters =
            [](const Place& at) {
-             return std::vector{stop_angle("s"), stop_stiffness(at.sizes.stiffness_at(at.joint))};
+             return std::vector{onset_angle("s"), stop_stiffness(at.sizes.stiffness_at(at.joint))};
            },
        .add =
            [](const Addition& to) {
