@@ -351,6 +351,12 @@ Diagnosis diagnose(const Study& study, const Report& progress, bool plan) {
   return diagnosis;
 }
 
+bool Diagnosis::may_hide_ripple() const {
+  return !gap.present && std::any_of(gap.rms.begin(), gap.rms.end(), [&](const auto& measured) {
+    return noise.of(measured.first) > beliefs::largest_hum;
+  });
+}
+
 void put_in_order(std::vector<Estimate>& estimates, std::size_t element) {
   std::vector<std::vector<Estimate>> elements;
   for (std::size_t p = 0; p < estimates.size(); p += element)

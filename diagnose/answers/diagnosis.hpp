@@ -84,6 +84,9 @@ struct Diagnosis {
   [[nodiscard]] bool offers_law() const {
     return cause.verdict == CauseVerdict::unknown && law && law->shrink;
   }
+  /// Whether the readings of some channel scatter so much, without a gap, that a ripple of the device finer
+  /// than they are may be in it beside noise.
+  [[nodiscard]] bool may_hide_ripple() const;
 };
 
 /// \param progress  called now and then with the share of the work that is done

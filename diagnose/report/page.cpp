@@ -226,7 +226,9 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
   for (const auto& [sensor, scale] : view["gap"]["noise"].items())
     if (!sensor.starts_with("correlation")) view["noise"].push_back({{"sensor", sensor}, {"scale", scale}});
   for (const auto& [sensor, value] : view["gap"]["noise"]["correlations"].items())
-    view["correlations"].push_back({{"sensor", sensor}, {"value", value}});
+    view["correlations"].push_back({{"sensor", sensor}, {"value", value}, {"last", false}});
+  view["correlations"].back()["last"] = true;
+  view["may_hide_ripple"] = diagnosis.may_hide_ripple();
   for (const auto& [sensor, share] : view["gap"]["proportional_noise"].items())
     view["proportional"].push_back({{"sensor", sensor}, {"share", share}});
   for (const auto& [sensor, times] : view["gap"]["uneven_noise"].items())

@@ -54,12 +54,6 @@ std::string scatter(const NoiseModel& noise, const std::map<Channel, double>& me
   return text + " neighbours correlate by " + correlations(noise, measured) + "\n" + words;
 }
 
-/// Whether the readings of some channel scatter so much that more may be in it than noise.
-bool may_hide_ripple(const NoiseModel& noise, const std::map<Channel, double>& measured) {
-  return std::any_of(measured.begin(), measured.end(),
-                     [&](const auto& one) { return noise.of(one.first) > beliefs::largest_hum; });
-}
-
 std::string gap(const Diagnosis& diagnosis) {
   const GapAnswer& answer = diagnosis.gap;
   const NoiseModel& noise = diagnosis.noise;
@@ -68,7 +62,7 @@ std::string gap(const Diagnosis& diagnosis) {
                   answer.present ? "Yes" : "No, the nominal model explains the readings to the noise",
                   page::p_value(answer.test.p_value), answer.chi2_per_value, by_channel(answer.rms));
   text += scatter(noise, answer.rms);
-  if (!answer.present && may_hide_ripple(noise, answer.rms))
+  if (diagnosis.may_hide_ripple())
     text +=
         "  so much that a ripple of the device finer than the readings may hide in it: measure in smaller "
         "steps\n";

@@ -145,6 +145,9 @@ TEST_CASE("a page of an ambiguous cause, of an unknown one, and of none") {
   CHECK(has_words(page, "<strong>No gap.</strong>"));
   CHECK_FALSE(has_words(page, "<section id=\"where\">"));
   CHECK_FALSE(has_words(page, "</svg>after: "));
+  CHECK_FALSE(has_words(page, "ripple"));
+  made.noise.scale[2] = 6;  // of Fx, beyond five
+  CHECK(has_words(as_html(study, made), "a ripple of the device finer than they are may hide in it"));
 }
 
 TEST_CASE("the command of a run: how far it has gone, along where it goes farthest") {

@@ -64,6 +64,10 @@ TEST_CASE("what else the words may say: no gap, tones, remainders, rivals, what 
       "chi-square per value 12.5; rms Fx 0.25 N, q2 0.0031 rad)\n"
       "  noise over declared: Fx 1.50, q 0.67; neighbours correlate by 0.12 (force), 0.03 (angle)\n"
       "  Fx of press-1 hums every 3.7 readings, 1.6 declared sigmas rms: taken for noise\n");
+  CHECK_FALSE(has_words(as_text(made), "ripple"));
+  made.noise.scale[2] = 6;  // of Fx, beyond five
+  CHECK(has_words(as_text(made),
+                  "  so much that a ripple of the device finer than the readings may hide in it"));
 
   made = made_up();
   made.cause.verdict = CauseVerdict::ambiguous;
