@@ -1,5 +1,7 @@
 #include "simulator/draw_scatter.hpp"
 
+#include <algorithm>
+
 namespace plumbline::simulator {
 namespace {
 
@@ -23,6 +25,23 @@ std::string draw_channel(const Plan& plan, Random& random) {
   return random.one_of(names);
 }
 
+void remember(Scatter& scatter, double correlation) {
+  scatter.correlation = {correlation, correlation, correlation};
+}
+
+/// A filter that the load cell alone has, or the encoders, or what watches the end point.
+void forget_but_one(Scatter& scatter, const Plan& plan, Random& random) {
+  std::vector<double Sigma::*> has{&Sigma::force};
+  if (plan.angles_measured) has.push_back(&Sigma::angle);
+  const bool watched = std::any_of(plan.runs.begin(), plan.runs.end(),
+                                   [](const PlannedRun& run) { return run.force_controlled; });
+  if (watched) has.push_back(&Sigma::position);
+  double Sigma::*filtered = random.one_of(has);
+  const double correlation = scatter.correlation.*filtered;
+  scatter.correlation = {};
+  scatter.correlation.*filtered = correlation;
+}
+
 }  // namespace
 
 Scatter draw_scatter(const Plan& plan, double force, Random& random) {
@@ -37,7 +56,7 @@ Scatter draw_scatter(const Plan& plan, double force, Random& random) {
     scatter.outliers = random.uniform(0.01, 0.02);
   } else if (kind < 0.40) {
     scatter.kind = "ar1";
-    scatter.correlation = random.uniform(0.4, 0.8);
+    remember(scatter, random.uniform(0.4, 0.8));
   }
   draw_sigmas(scatter, plan, force, wrong, random);
   return scatter;
@@ -58,7 +77,11 @@ Scatter draw_rough_scatter(const Plan& plan, double force, Random& random) {
     scatter.outliers = random.uniform(0.02, 0.08);
   } else if (kind < 0.49) {
     scatter.kind = "ar1";
-    scatter.correlation = random.uniform(0.7, 0.9);
+    remember(scatter, random.uniform(0.7, 0.9));
+    if (random.chance(0.5)) {
+      scatter.kind = "ar1 of one sensor";
+      forget_but_one(scatter, plan, random);
+    }
   } else if (kind < 0.59) {
     scatter.kind = "proportional";
   } else if (kind < 0.69) {

@@ -55,17 +55,18 @@ void let_loop(Readings& readings, double loop) {
 /// Noise of one channel along a run.
 class Channel {
  public:
-  /// \param share  of the reading, which scatters beside sigma
-  Channel(const std::string& name, double sigma, double share, const Scatter& scatter, Random& random)
-      : sigma_(name == scatter.bad_channel ? scatter.bad_factor * sigma : sigma),
-        share_(share),
+  /// \param sensor  its number in what is told by sensor
+  Channel(const std::string& name, double Sigma::*sensor, const Scatter& scatter, Random& random)
+      : sigma_((name == scatter.bad_channel ? scatter.bad_factor : 1) * scatter.sigma.*sensor),
+        share_(scatter.proportional.*sensor),
+        correlation_(scatter.correlation.*sensor),
         scatter_(scatter),
         random_(random),
         last_(random.normal()) {}
 
   double operator()(double value, double t) {
     if (sigma_ == 0 || std::isnan(value)) return value;
-    const double r = scatter_.correlation;
+    const double r = correlation_;
     last_ = r * last_ + std::sqrt(1 - r * r) * random_.normal();
     double shown = value + std::hypot(sigma_, share_ * value) * last_;
     if (scatter_.hum > 0)
@@ -76,7 +77,7 @@ class Channel {
   }
 
  private:
-  double sigma_, share_;
+  double sigma_, share_, correlation_;
   const Scatter& scatter_;
   Random& random_;
   double last_;
@@ -116,17 +117,14 @@ Readings scattered(const PlannedRun& run, Readings readings, const Scatter& scat
   for (std::size_t a = 0; a < 2; ++a) {
     const std::string name(1, "xy"[a]);
     Channel channel(run.force_controlled ? name : "F" + name,
-                    run.force_controlled ? scatter.sigma.position : scatter.sigma.force,
-                    run.force_controlled ? scatter.proportional.position : scatter.proportional.force,
-                    scatter, random);
+                    run.force_controlled ? &Sigma::position : &Sigma::force, scatter, random);
     for (Reading& one : readings) {
       double& value = run.force_controlled ? one.end_point[a] : one.force[a];
       value = channel(value, one.t);
     }
   }
   for (std::size_t j = 0; j < readings.front().q.size(); ++j) {
-    Channel channel("q" + std::to_string(j + 1), scatter.sigma.angle, scatter.proportional.angle, scatter,
-                    random);
+    Channel channel("q" + std::to_string(j + 1), &Sigma::angle, scatter, random);
     for (Reading& one : readings) one.q[j] = channel(one.q[j], one.t);
   }
   return readings;

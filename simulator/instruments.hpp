@@ -24,11 +24,11 @@ struct Sigma {
 
 /// How the readings scatter.
 struct Scatter {
-  /// or misdeclared, outliers, ar1, proportional, hum, one channel
+  /// or misdeclared, outliers, ar1, ar1 of one sensor, proportional, hum, one channel
   std::string kind = "declared";
   Sigma sigma;  ///< true standard deviations
   Sigma declared;
-  double correlation = 0;          ///< of successive readings
+  Sigma correlation;               ///< of successive readings, by sensor
   double outliers = 0;             ///< share of wild readings
   Sigma proportional;              ///< shares of the readings that scatter beside sigma
   double hum = 0, hum_period = 1;  ///< amplitude of a sine in sigmas; s

@@ -100,7 +100,7 @@ TEST_CASE("scatter is as large and as correlated as it says") {
   // these
   CHECK(noise_of(scatter_of(0.02), 5).deviation == close_to(0.02).epsilon(0.02));
   Scatter scatter = scatter_of(0.02);
-  scatter.correlation = 0.9;
+  scatter.correlation.force = 0.9;
   CHECK(noise_of(scatter, 5).neighbours == close_to(0.9).epsilon(0.013));
   scatter = scatter_of(0.02);
   scatter.proportional.force = 0.01;
@@ -142,10 +142,34 @@ TEST_CASE("rough noise goes to three times the declared, 8 % of outliers and a c
     const Scatter scatter = draw_rough_scatter(plan, 10, random);
     loudest = std::max(loudest, scatter.sigma.force / scatter.declared.force);
     wildest = std::max(wildest, scatter.outliers);
-    smoothest = std::max(smoothest, scatter.correlation);
+    smoothest = std::max(smoothest, scatter.correlation.force);
   }
   // 100 to 150 draws of each: the largest is within the last tenth of the range but for a chance of 3e-5
   CHECK((loudest > 2.5 && loudest <= 3));
   CHECK((wildest > 0.074 && wildest <= 0.08));
   CHECK((smoothest > 0.88 && smoothest <= 0.9));
+}
+
+TEST_CASE("half of the noise that remembers is of one kind of sensor, one that the bench has") {
+  Plan plan = a_bench();
+  plan.angles_measured = true;
+  Random random(9, 1);
+  int of_all = 0, of_one = 0;
+  std::size_t force = 0, angle = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Scatter scatter = draw_rough_scatter(plan, 10, random);
+    const Sigma& r = scatter.correlation;
+    of_all += scatter.kind == "ar1";
+    if (scatter.kind == "ar1") CHECK((r.force >= 0.7 && r.force == r.angle && r.force == r.position));
+    if (scatter.kind != "ar1 of one sensor") continue;
+    ++of_one;
+    force += r.force > 0, angle += r.angle > 0;
+    CHECK((r.force > 0) + (r.angle > 0) == 1);
+    CHECK(r.position == 0);  // every run of this bench imposes the end point
+    CHECK(r.force + r.angle >= 0.7);
+  }
+  // 12 of 100 in all: 240 of 2000, give or take 15; half of these, give or take 8: three times that
+  CHECK(std::abs(of_all + of_one - 240) < 45);
+  CHECK(std::abs(of_all - of_one) < 48);
+  CHECK((force > 0 && angle > 0));
 }
