@@ -43,6 +43,13 @@ bool springs_left(const Rig& rig) {
   return true;
 }
 
+/// Whether a spring that hardens is stiffer to one side: what follows its fourth power is the same to both.
+bool hardens_to_one_side(const Rig& rig) {
+  for (std::size_t j = 0; j < rig.length.size(); ++j)
+    if (rig.hardening[j] != 0 && rig.asymmetry[j] != 0) return true;
+  return false;
+}
+
 /// What stands against an effect beside those that are carried already; nothing where it goes.
 std::string_view against(Format format, const NominalEffect& effect, const Rig& rig) {
   if ((effect.id == "gravity" || effect.id == "tip_payload") && !one_gravity(rig))
@@ -50,6 +57,8 @@ std::string_view against(Format format, const NominalEffect& effect, const Rig& 
   const bool plays = std::any_of(rig.backlash.begin(), rig.backlash.end(), [](double b) { return b > 0; });
   if (format == Format::mjcf && rig.eccentricity != 0 && has_drive(rig))
     return "the drive of this file holds the point where the load acts, not the end point";
+  if (format == Format::mjcf && hardens_to_one_side(rig))
+    return "a spring that hardens is as stiff to both sides in this file";
   if (rig.force_lag > 0 && !rig.force_drift.isZero(0)) return "what drifts does not lag in this file";
   if (rig.coupling != 0 && (!springs_left(rig) || plays))
     return "springs that neighbours share leave a joint without one of its own";

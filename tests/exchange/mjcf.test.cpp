@@ -86,6 +86,17 @@ TEST_CASE("what MJCF cannot carry stands in it as numbers that MuJoCo reads") {
         std::string::npos);
 }
 
+TEST_CASE("a spring that hardens is not carried beside one that is stiffer to one side, of the same joint") {
+  Model model{"three links", diagnose::test::full_bench(), {0.3, -0.5, 0.4}};
+  model.experiment.effects = {{"asymmetric_spring", 0, {{"e", 0.1}}}, {"nonlinear_spring", 0, {{"c", 2}}}};
+  const Written file = to_mjcf(model);
+  REQUIRE(file.effects.size() == 2);
+  CHECK(file.effects[0].carried);
+  CHECK_FALSE(file.effects[1].carried);
+  CHECK(file.text.find("NOT CARRIED: nonlinear_spring: a spring that hardens is as stiff to both sides") !=
+        std::string::npos);
+}
+
 TEST_CASE("friction that changes with the deflection stands in MJCF as numbers") {
   Model model{"three links", diagnose::test::full_bench(), {0.3, -0.5, 0.4}};
   model.experiment.laws = {{2, {{0, 0}}, {{0.02, 0, 0, {{-0.1, 0.05}, {0.2, 0.3}}}}, {}}};
