@@ -57,18 +57,19 @@ Repeats together(const Experiment& experiment, const std::vector<const Series*>&
 }  // namespace
 
 std::vector<Repeats> repeats(const Experiment& experiment, const std::vector<Series>& series) {
+  std::vector<const Series*> left;
+  for (const Series& one : series) left.push_back(&one);
+  // Of readings at the same place those of one run stand first: not by the order in which runs are listed.
+  std::sort(left.begin(), left.end(), [](const Series* a, const Series* b) { return a->seed < b->seed; });
   std::vector<Repeats> all;
-  std::vector<bool> told(series.size(), false);
-  for (std::size_t s = 0; s < series.size(); ++s) {
-    std::vector<const Series*> group;
-    for (std::size_t other = s; other < series.size(); ++other) {
-      const bool same =
-          other == s || (series[other].channel == series[s].channel &&
-                         go_the_same_way(experiment.runs[series[s].run], experiment.runs[series[other].run]));
-      if (told[other] || !same) continue;
-      told[other] = true;
-      group.push_back(&series[other]);
-    }
+  while (!left.empty()) {
+    const Series& first = *left.front();
+    const auto others = std::stable_partition(left.begin(), left.end(), [&](const Series* one) {
+      return one == &first || (one->channel == first.channel &&
+                               go_the_same_way(experiment.runs[first.run], experiment.runs[one->run]));
+    });
+    const std::vector<const Series*> group(left.begin(), others);
+    left.erase(left.begin(), others);
     if (group.size() > 1) all.push_back(together(experiment, group));
   }
   return all;
