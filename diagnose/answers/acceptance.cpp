@@ -113,6 +113,13 @@ bool is_of_machining(const Candidate& candidate) {
                      [](const EffectAt& at) { return at.effect->of_machining; });
 }
 
+/// Whether an effect of it only says how a torque goes with the angle: of benches of another simulator whose
+/// springs came to a plateau four of four were named `piecewise_spring`.
+bool is_a_shape(const Candidate& candidate) {
+  return std::any_of(candidate.effects.begin(), candidate.effects.end(),
+                     [](const EffectAt& at) { return at.effect->of_shape; });
+}
+
 /// Whether an effect of this rig sets in where a parameter says, as a stop does; what gives back less than it
 /// took does so anew after every reversal.
 bool sets_in(const Study& study, const EffectAt& at) {
@@ -245,6 +252,8 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
     hedge(cause, Reservation::beyond_tolerance);
   } else if (is_of_machining(best.candidate)) {
     hedge(cause, Reservation::machining_alone);
+  } else if (is_a_shape(best.candidate)) {
+    hedge(cause, Reservation::shape_alone);
   }
 }
 

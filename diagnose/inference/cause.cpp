@@ -38,6 +38,10 @@ std::string reservation_words(Reservation reservation) {
     case Reservation::machining_alone:
       return "what machining leaves has values at every joint or link, in which a cause of another kind may "
              "hide";
+    case Reservation::shape_alone:
+      return "it says how a torque goes with the angle, not why: a plateau, or whatever else gives way "
+             "smoothly, "
+             "looks the same";
     case Reservation::beyond_tolerance:
       return "its tolerances are wider than machining leaves";
     case Reservation::single_joint:

@@ -21,6 +21,7 @@ enum class Reservation {
   small_gap,         ///< it takes two effects, and noise is much of the gap that it is tested on
   many_values,       ///< beside one effect it takes another with a value at every joint, link or run
   machining_alone,   ///< it is what machining leaves, or a kind of that, and nothing else
+  shape_alone,       ///< it says how a torque goes with the angle, as laws that nobody listed go too
   beyond_tolerance,  ///< its tolerances are wider than machining leaves
   single_joint  ///< it draws the torque law of the only sprung joint, all but a part, and leaves more than
                 ///< noise

@@ -98,6 +98,8 @@ struct Effect {
   /// The rows of it with fewer elements and with more, itself among them, fewest first; null where their
   /// number is fixed.
   std::function<std::vector<const Effect*>()> numbers = nullptr;
+  /// Says how a torque goes with the angle, as laws that nobody listed go too.
+  bool of_shape = false;
   /// What machining leaves on every chain, and may stand beside any cause.
   bool of_machining = false;
 };

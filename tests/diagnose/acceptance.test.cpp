@@ -278,6 +278,18 @@ TEST_CASE("two effects are doubted where noise is more than a tenth of the gap t
   CHECK(asked({{{"force_gain"}}}, 0.69).verdict == CauseVerdict::identified);
 }
 
+TEST_CASE("what only says how a torque goes with the angle is doubted, alone and beside another effect") {
+  const Study study = three_runs();
+  for (const Candidate& shape :
+       {Candidate{{{"piecewise_spring"}}}, Candidate{{{"piecewise_spring", 2}, {"force_gain"}}}}) {
+    const Cause doubted = demanded(study, named(study, {shape}), leaving(1));
+    CHECK(doubted.verdict == CauseVerdict::ambiguous);
+    CHECK(doubted.reservation == Reservation::shape_alone);
+    CHECK(doubted.unknown == 0.25);
+  }
+  CHECK(demanded(study, named(study, {{{"joint_stops"}}}), leaving(1)).verdict == CauseVerdict::identified);
+}
+
 TEST_CASE("what machining leaves is doubted alone, and not beside a cause") {
   const Study study = three_runs();
   const std::vector<EffectAt> machining{{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}};

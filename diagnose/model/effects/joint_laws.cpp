@@ -180,7 +180,8 @@ std::vector<Effect> piecewise_springs() {
            },
        .possible = several_elastic,
        .starts = [](const Place&, const Exercise& nominal) { return piecewise_starts(nominal.largest); },
-       .probing = {.growing = {1}}},
+       .probing = {.growing = {1}},
+       .of_shape = true},
       {.id = "piecewise_spring",
        .words = "the spring of joint {} giving way beyond an angle",
        .at_joint = true,
@@ -193,7 +194,8 @@ std::vector<Effect> piecewise_springs() {
        .possible = [](const Place& at) { return at.sizes.joint_stiffness[at.joint] > 0; },
        .starts = [](const Place& at,
                     const Exercise& nominal) { return piecewise_starts(nominal.deflection[at.joint]); },
-       .probing = {.growing = {1}}},
+       .probing = {.growing = {1}},
+       .of_shape = true},
   };
 }
 
