@@ -50,12 +50,13 @@ struct JointSlider {
 };
 
 /// As many Maxwell arms, and sliders, as a joint can have: of three effects that act together each brings its
-/// own, beside those of a free law and of the nominal model. A slider is kept for the direction of motion.
+/// own, beside those of a free law and of the nominal model: five elements of all joints and five of one, dry
+/// friction, and a slider that is kept for the direction of motion.
 inline constexpr std::size_t most_law_arms = 3, most_law_sliders = 7;
 inline constexpr std::size_t most_nominal_arms = 3 + most_law_arms,
-                             most_nominal_sliders = 6 + most_law_sliders;
+                             most_nominal_sliders = 10 + most_law_sliders;
 inline constexpr std::size_t most_arms = most_nominal_arms + 3 + most_law_arms,
-                             most_sliders = most_nominal_sliders + 8 + most_law_sliders;
+                             most_sliders = most_nominal_sliders + 12 + most_law_sliders;
 
 /// What a joint remembers of its history, at the last reading.
 struct JointMemory {

@@ -78,16 +78,22 @@ TEST_CASE("an effect beside the same one of the nominal model adds to it") {
 TEST_CASE("as many arms and sliders as an effect of the nominal model has go beside those of three others") {
   Experiment experiment = full_bench();
   const Study bare(experiment);
-  for (const EffectAt& at : {EffectAt("hysteresis"), EffectAt("hysteresis", 2),
-                             EffectAt("relaxation_spectrum"), EffectAt("viscoelasticity")}) {
-    const auto one = corrected_models(bare, found(bare, at, sizeable(bare, at)));
+  const auto amount_of = [&](const EffectAt& at) {
+    const bool elements = at.effect->id == "hysteresis";
+    return elements ? std::vector<double>{0.2, 0.01, 0.2, 0.02, 0.2, 0.03, 0.2, 0.05, 0.2, 0.1}
+                    : sizeable(bare, at);
+  };
+  const EffectAt all(*diagnose::effect("hysteresis").numbers().back()),
+      one_joint(*diagnose::effect("hysteresis", 2).numbers().back(), 2);
+  for (const EffectAt& at : {all, one_joint, EffectAt("relaxation_spectrum"), EffectAt("viscoelasticity")}) {
+    const auto one = corrected_models(bare, found(bare, at, amount_of(at)));
     experiment.effects.push_back(one.front().model.experiment.effects.front());
   }
   const Study study(experiment);
-  const Candidate three{{{"hysteresis"}, {"hysteresis", 2}, {"relaxation_spectrum"}}};
+  const Candidate three{{all, one_joint, {"relaxation_spectrum"}}};
   std::vector<double> amount;
   for (const EffectAt& at : three.effects)
-    for (const double value : sizeable(study, at)) amount.push_back(value);
+    for (const double value : amount_of(at)) amount.push_back(value);
   CHECK(predict(study, three, amount).reached);
 }
 
