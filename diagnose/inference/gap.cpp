@@ -41,7 +41,7 @@ Energy slow_energy(const Measurements& measurements, const std::vector<double>& 
     for (std::size_t k = 0; k < slow_components(m); ++k) {
       const double angle = std::numbers::pi * static_cast<double>(k) / static_cast<double>(m);
       const double component = cosine_wave(m, k).dot(values) / scale;
-      sum += component * component / spectrum(angle, noise.correlation_of(series));
+      sum += component * component / spectrum(angle, noise.correlation_of(series.channel));
     }
     energy.value.push_back(sum);
     for (std::size_t i = series.first; i < series.first + m; ++i)
@@ -65,7 +65,7 @@ class Simulation {
     std::vector<double> residual(measurements_.size());
     for (std::size_t s = 0; s < random_.size(); ++s) {
       const Series& series = measurements_.series()[s];
-      const double phi = noise.correlation_of(series), innovation = std::sqrt(1 - phi * phi);
+      const double phi = noise.correlation_of(series.channel), innovation = std::sqrt(1 - phi * phi);
       std::normal_distribution<double> normal;
       double state = normal(random_[s]);
       for (std::size_t i = 0; i < series.readings.size(); ++i) {

@@ -84,12 +84,12 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
   const auto larger = larger_correlations(measurements, residual, correlation);
   const auto by_chance = [&](const Series& series, const Eigen::VectorXd& values, double frequency) {
     const Eigen::VectorXd clock = clock_of(series);
-    const double estimated = chance_of(values, clock, frequency, at_pace(series, correlation));
+    const double estimated = chance_of(values, clock, frequency, of(series.channel, correlation));
     if (!(estimated < level)) return estimated;
     // Of noise that is slower than was estimated slow tones are none.
     double chance = estimated;
     for (const auto& [value, probability] : larger)
-      chance += probability * (chance_of(values, clock, frequency, at_pace(series, value)) - estimated);
+      chance += probability * (chance_of(values, clock, frequency, of(series.channel, value)) - estimated);
     return chance;
   };
   for (std::size_t s = 0; s < measurements.series().size(); ++s) {
@@ -97,7 +97,7 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
     if (!long_enough(series)) continue;
     Eigen::VectorXd values = values_of(series, residual);
     for (long i = 0; i < most_tones; ++i) {
-      auto [one, frequency, shares] = loudest(values, clock_of(series), at_pace(series, correlation));
+      auto [one, frequency, shares] = loudest(values, clock_of(series), of(series.channel, correlation));
       spectra[s] = std::move(shares);
       if (!(by_chance(series, values, frequency) < level) || one.rms() > beliefs::largest_hum) break;
       values -= tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 
 #include "diagnose/beliefs.hpp"
@@ -34,22 +33,12 @@ using Name = Channel::Name;
 
 constexpr std::array<Name, channel_names> all_names{Name::x, Name::y, Name::Fx, Name::Fy, Name::q};
 
-/// Series of one channel that are read at one pace.
-using Alike = std::vector<const Series*>;
-
-/// All series of one name, whatever their pace.
-Alike named(const Measurements& measurements, Name name) {
-  Alike all;
-  for (const Series& series : measurements.series())
-    if (series.channel.name == name) all.push_back(&series);
-  return all;
-}
-
-/// Differences of values `lag` apart.
-std::vector<double> differences(const Alike& all, const std::vector<double>& residual, std::size_t lag) {
+/// Differences of values `lag` apart, of all series of one name.
+std::vector<double> differences(const Measurements& measurements, const std::vector<double>& residual,
+                                Name name, std::size_t lag) {
   std::vector<double> result;
-  for (const Series* one : all) {
-    const Series& series = *one;
+  for (const Series& series : measurements.series()) {
+    if (series.channel.name != name) continue;
     for (std::size_t i = lag; i < series.readings.size(); ++i)
       result.push_back(residual[series.first + i] - residual[series.first + i - lag]);
   }
@@ -57,10 +46,11 @@ std::vector<double> differences(const Alike& all, const std::vector<double>& res
 }
 
 /// Differences of neighbouring differences.
-std::vector<double> second_differences(const Alike& all, const std::vector<double>& residual) {
+std::vector<double> second_differences(const Measurements& measurements, const std::vector<double>& residual,
+                                       Name name) {
   std::vector<double> result;
-  for (const Series* one : all) {
-    const Series& series = *one;
+  for (const Series& series : measurements.series()) {
+    if (series.channel.name != name) continue;
     for (std::size_t i = series.first + 2; i < series.first + series.readings.size(); ++i)
       result.push_back(residual[i - 2] - 2 * residual[i - 1] + residual[i]);
   }
@@ -144,7 +134,7 @@ std::vector<double> with_kin(const Measurements& measurements, const std::vector
   std::vector<double> all;
   for (const Name other : all_names) {
     if (Channel{other, 0}.sensor() != Channel{name, 0}.sensor()) continue;
-    const std::vector<double> steps = differences(named(measurements, other), residual, 1);
+    const std::vector<double> steps = differences(measurements, residual, other, 1);
     all.insert(all.end(), steps.begin(), steps.end());
   }
   return all;
@@ -159,13 +149,15 @@ double rounding(const Measurements& measurements, Name name) {
 }
 
 /// Standard deviation of what values are off those that were read at the same place, with room for what it
-/// varies by and for chance. Infinite where there are few.
+/// varies by and for chance. Infinite where there are few, or they are the same.
 double largest_of(const std::vector<double>& off) {
   constexpr std::size_t few = 8;
-  if (off.size() < few) return std::numeric_limits<double>::infinity();
+  const double variance = off.size() < few ? 0 : robust_variance(off);
+  // A run that was copied is no second one.
+  if (!(variance > 0)) return std::numeric_limits<double>::infinity();
   // Every second of such differences is new: two deviations of their root mean square.
   const double room = 1.5 + 2 / std::sqrt(static_cast<double>(off.size()));
-  return room * std::sqrt(robust_variance(off));
+  return room * std::sqrt(variance);
 }
 
 /// Standard deviation of a channel as values show it that were read close to each other on the path, at other
@@ -205,7 +197,7 @@ std::array<double, channel_names> rough_scales(const Measurements& measurements,
   constexpr std::size_t few = 30;      // a step and an outlier are then less than a sixth of them
   std::array<double, channel_names> scale{};
   for (const Name name : all_names) {
-    std::vector<double> steps = differences(named(measurements, name), residual, 1);
+    std::vector<double> steps = differences(measurements, residual, name, 1);
     if (steps.size() < few) steps = with_kin(measurements, residual, name);
     // An outlier spoils two differences: one in twelve readings would carry Huber's variance away.
     const double found = steps.empty() ? 0 : median_deviation(steps) / std::numbers::sqrt2;
@@ -243,27 +235,16 @@ std::vector<double> without_outliers(const Measurements& measurements, const std
 
 namespace {
 
-/// Variance of the noise of a channel, read at one pace, times 1 - phi, as first differences show it, and how
-/// much larger differences over two readings are; without the variance that rounding adds, which does not
-/// correlate.
+/// Variance of one channel's noise times 1 - phi, as first differences show it, and how much larger
+/// differences over two readings are; without the variance that rounding adds, which does not correlate.
 struct Steps {
-  std::size_t name = 0;
-  double pace = 1;
   double near = 0, ratio = 1, curved = 0, values = 0, rounded = 0;
-
-  [[nodiscard]] std::size_t sensor() const {
-    return static_cast<std::size_t>(Channel{all_names[name]}.sensor());
-  }
-  /// phi, from that where the sensor is read fastest.
-  [[nodiscard]] double correlation(const BySensor& fastest) const {
-    return std::pow(fastest[sensor()], pace);
-  }
 };
 
-Steps steps_of(const Measurements& measurements, const std::vector<double>& residual, const Alike& all) {
-  const Name name = all.front()->channel.name;
-  const std::vector<double> near = differences(all, residual, 1), far = differences(all, residual, 2);
-  Steps steps{static_cast<std::size_t>(name), all.front()->pace};
+Steps steps_of(const Measurements& measurements, const std::vector<double>& residual, Name name) {
+  const std::vector<double> near = differences(measurements, residual, name, 1);
+  const std::vector<double> far = differences(measurements, residual, name, 2);
+  Steps steps;
   steps.values = static_cast<double>(near.size());
   if (near.empty() || far.empty()) return steps;
   const double plain = robust_variance(near) / 2;
@@ -273,91 +254,63 @@ Steps steps_of(const Measurements& measurements, const std::vector<double>& resi
     steps.rounded = variance;
   steps.near = plain - steps.rounded;
   steps.ratio = (robust_variance(far) / 2 - steps.rounded) / steps.near;
-  steps.curved = robust_variance(second_differences(all, residual)) / 2 - 3 * steps.rounded;
+  steps.curved = robust_variance(second_differences(measurements, residual, name)) / 2 - 3 * steps.rounded;
   return steps;
 }
 
-/// Of every channel, by the paces at which it is read.
-std::vector<Steps> all_steps(const Measurements& measurements, const std::vector<double>& residual) {
-  std::map<std::pair<Name, double>, Alike> alike;
-  for (const Series& series : measurements.series())
-    alike[{series.channel.name, series.pace}].push_back(&series);
-  std::vector<Steps> steps;
-  for (const auto& [where, all] : alike) steps.push_back(steps_of(measurements, residual, all));
+std::array<Steps, channel_names> steps_by_channel(const Measurements& measurements,
+                                                  const std::vector<double>& residual) {
+  std::array<Steps, channel_names> steps;
+  for (const Name name : all_names)
+    steps[static_cast<std::size_t>(name)] = steps_of(measurements, residual, name);
   return steps;
 }
 
 /// Noise of the declared scale whose first differences are no larger than these correlates by 1 - near.
-double largest_correlation(const Measurements& measurements, const std::vector<Steps>& steps, Sensor sensor) {
+double largest_correlation(const Measurements& measurements, const std::array<Steps, channel_names>& steps,
+                           Sensor sensor) {
   std::vector<double> lengths;
-  for (const Series& series : measurements.series())
-    if (series.channel.sensor() == sensor) lengths.push_back(static_cast<double>(series.readings.size()));
   double rough = 0;
-  for (const Steps& one : steps)
-    if (one.sensor() == static_cast<std::size_t>(sensor) && one.pace == 1) rough = std::max(rough, one.near);
+  for (const Series& series : measurements.series()) {
+    if (series.channel.sensor() != sensor) continue;
+    lengths.push_back(static_cast<double>(series.readings.size()));
+    rough = std::max(rough, steps[static_cast<std::size_t>(series.channel.name)].near);
+  }
   return lengths.empty() ? 0 : std::min(0.9, std::max(std::exp(-10 / median(lengths)), 1 - rough));
+}
+
+std::size_t sensor_of(std::size_t name) {
+  return static_cast<std::size_t>(Channel{all_names[name]}.sensor());
 }
 
 /// What noise that seems to correlate so much really may, for it would scatter more in place than it does.
 BySensor correlation_in_place(const std::array<double, channel_names>& in_place,
-                              const std::vector<Steps>& steps, const BySensor& seeming) {
+                              const std::array<Steps, channel_names>& steps, const BySensor& seeming) {
   BySensor largest = seeming;
-  for (const Steps& one : steps) {
-    const double most = in_place[one.name] * in_place[one.name];
-    if (one.near <= (1 - one.correlation(seeming)) * most) continue;
-    const double bound = std::pow(std::max(0.0, 1 - one.near / most), 1 / one.pace);
-    largest[one.sensor()] = std::min(largest[one.sensor()], bound);
+  for (std::size_t c = 0; c < steps.size(); ++c) {
+    const std::size_t k = sensor_of(c);
+    const double most = in_place[c] * in_place[c];
+    if (steps[c].near > (1 - seeming[k]) * most)
+      largest[k] = std::clamp(1 - steps[c].near / most, 0.0, largest[k]);
   }
   return largest;
 }
 
-/// The correlation at which neighbours correlate as much in all, over the paces of a sensor, as differences
-/// say. \param told  by pace: what they say, and of how many values
-double common_correlation(const std::vector<Steps>& told) {
-  double sum = 0, values = 0;
-  for (const Steps& one : told) sum += one.values * (std::min(2.0, one.ratio) - 1), values += one.values;
-  if (!(values > 0)) return 0;
-  const auto explained = [&](double phi) {
-    double all = 0;
-    for (const Steps& one : told) all += one.values * std::pow(phi, one.pace);
-    return all;
-  };
-  const bool one_pace = std::all_of(told.begin(), told.end(), [](const Steps& one) { return one.pace == 1; });
-  if (one_pace || sum <= 0 || sum >= values) return sum / values;
-  double low = 0, high = 1;
-  while (high - low > 1e-12) (explained((low + high) / 2) < sum ? low : high) = (low + high) / 2;
-  return low;
-}
-
-/// What the ratios of differences say of each sensor's correlation: (1 - phi^2) / (1 - phi) = 1 + phi.
-BySensor raw_correlation(const std::vector<Steps>& steps) {
-  std::array<std::vector<Steps>, sensors> told;
-  for (const Steps& one : steps) {
+/// What the ratios of differences say of each sensor's correlation.
+BySensor raw_correlation(const std::array<Steps, channel_names>& steps) {
+  BySensor ratio{}, weight{}, correlation{};
+  for (std::size_t c = 0; c < steps.size(); ++c) {
     // Differences over two readings that exceed twice those over one by more than chance, one in twenty, are
     // of a slope, not of noise.
-    const double by_chance = 1.64 * correlation_deviation(1, one.values);
-    if (one.near > 0 && one.ratio <= 2 + by_chance) told[one.sensor()].push_back(one);
+    const double by_chance = 1.64 * correlation_deviation(1, steps[c].values);
+    if (!(steps[c].near > 0) || steps[c].ratio > 2 + by_chance) continue;
+    ratio[sensor_of(c)] += steps[c].values * std::min(2.0, steps[c].ratio);
+    weight[sensor_of(c)] += steps[c].values;
   }
-  BySensor correlation{};
-  std::transform(told.begin(), told.end(), correlation.begin(), common_correlation);
+  // (1 - phi^2) / (1 - phi) = 1 + phi
+  for (std::size_t k = 0; k < sensors; ++k)
+    if (weight[k] > 0) correlation[k] = ratio[k] / weight[k] - 1;
   return correlation;
-}
-
-/// So many values tell a correlation where the sensor is read fastest: those that are read so, and others as
-/// far as theirs changes with it.
-BySensor telling_values(const std::vector<Steps>& steps, const BySensor& correlation) {
-  BySensor values{};
-  for (const Steps& one : steps) {
-    const double change = one.pace * std::pow(correlation[one.sensor()], one.pace - 1);
-    values[one.sensor()] += std::min(1.0, change * change) * one.values;
-  }
-  return values;
-}
-
-/// Variance of a channel's noise as its steps at one pace show it, for this correlation.
-double variance_of(const Steps& steps, double phi) {
-  const double straight = steps.near / (1 - phi), curved = steps.curved / ((1 - phi) * (3 - phi));
-  return steps.ratio > 2 && curved > 0 ? std::min(straight, curved) : straight;
 }
 
 }  // namespace
@@ -366,31 +319,13 @@ double correlation_deviation(double correlation, double values) {
   return (1.4 + 0.8 * correlation) / std::sqrt(values);
 }
 
-double at_pace(const Series& series, const BySensor& correlation) {
-  return std::pow(of(series.channel, correlation), series.pace);
-}
-
-namespace {
-
-/// Standard deviations of the channels, for these correlations: the mean over the paces.
-std::array<double, channel_names> scales_of(const std::vector<Steps>& steps, const BySensor& correlation) {
-  std::array<double, channel_names> variance{}, values{}, scale{1, 1, 1, 1, 1};
-  for (const Steps& one : steps) {
-    if (!(one.near > 0)) continue;
-    variance[one.name] += one.values * (variance_of(one, one.correlation(correlation)) + one.rounded);
-    values[one.name] += one.values;
-  }
-  for (std::size_t c = 0; c < channel_names; ++c)
-    if (values[c] > 0) scale[c] = std::sqrt(variance[c] / values[c]);
-  return scale;
-}
-
-RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual,
-                   const std::vector<Steps>& steps) {
+RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual) {
   RawNoise noise;
-  for (const Steps& one : steps) noise.values[one.name] += one.values;
-  for (std::size_t c = 0; c < channel_names; ++c)
+  const std::array<Steps, channel_names> steps = steps_by_channel(measurements, residual);
+  for (std::size_t c = 0; c < steps.size(); ++c) {
+    noise.values[c] = steps[c].values;
     noise.largest_in_place[c] = largest_in_place(measurements, residual, all_names[c]);
+  }
   noise.correlation = raw_correlation(steps);
   BySensor seeming{};
   for (std::size_t k = 0; k < sensors; ++k) {
@@ -400,36 +335,35 @@ RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& 
   const BySensor taken = correlation_in_place(noise.largest_in_place, steps, seeming);
   for (std::size_t k = 0; k < sensors; ++k)
     if (taken[k] < seeming[k]) noise.largest_correlation[k] = taken[k];
-  noise.scale = scales_of(steps, taken);
+  for (std::size_t c = 0; c < steps.size(); ++c) {
+    if (!(steps[c].near > 0)) continue;
+    const double phi = taken[sensor_of(c)];
+    const double straight = steps[c].near / (1 - phi), curved = steps[c].curved / ((1 - phi) * (3 - phi));
+    const double fine = steps[c].ratio > 2 && curved > 0 ? std::min(straight, curved) : straight;
+    noise.scale[c] = std::sqrt(fine + steps[c].rounded);
+  }
   return noise;
 }
 
-}  // namespace
-
-RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual) {
-  return raw_noise(measurements, residual, all_steps(measurements, residual));
-}
-
 NoiseModel estimate_noise(const Measurements& measurements, const std::vector<double>& residual) {
-  const std::vector<Steps> steps = all_steps(measurements, residual);
-  const RawNoise raw = raw_noise(measurements, residual, steps);
+  const RawNoise raw = raw_noise(measurements, residual);
+  BySensor values{}, taken{};
+  for (std::size_t c = 0; c < raw.values.size(); ++c) values[sensor_of(c)] += raw.values[c];
   NoiseModel noise;
-  BySensor taken{};
-  for (std::size_t k = 0; k < sensors; ++k)
-    taken[k] = std::clamp(raw.correlation[k], 0.0, raw.largest_correlation[k]);
-  const BySensor values = telling_values(steps, taken);
   // The estimate's variance is about 1/values.
   constexpr double prior = 1 / (beliefs::correlation_spread * beliefs::correlation_spread);
-  for (std::size_t k = 0; k < sensors; ++k)
-    noise.correlation[k] =
-        std::clamp(values[k] / (values[k] + prior) * raw.correlation[k], 0.0, raw.largest_correlation[k]);
-  const std::array<double, channel_names> scales = scales_of(steps, noise.correlation);
-  for (std::size_t c = 0; c < channel_names; ++c) {
-    const auto k = static_cast<std::size_t>(Channel{all_names[c]}.sensor());
+  for (std::size_t k = 0; k < sensors; ++k) {
+    const double weight = values[k] / (values[k] + prior);
+    noise.correlation[k] = std::clamp(weight * raw.correlation[k], 0.0, raw.largest_correlation[k]);
+    taken[k] = std::clamp(raw.correlation[k], 0.0, raw.largest_correlation[k]);
+  }
+  for (std::size_t c = 0; c < noise.scale.size(); ++c) {
+    const std::size_t k = sensor_of(c);
+    const double scale = raw.scale[c] * std::sqrt((1 - taken[k]) / (1 - noise.correlation[k]));
     // What is declared is of the sensor, before its readings are rounded.
     const double declared = std::hypot(1.0, rounding(measurements, all_names[c]));
     noise.scale[c] = declared;
-    if (raw.values[c] > 0) noise.scale[c] *= with_prior(scales[c] / declared, raw.values[c] / 2);
+    if (raw.values[c] > 0 && scale > 0) noise.scale[c] *= with_prior(scale / declared, raw.values[c] / 2);
     // Large and slow at once is a gap, not noise; in runs too short for noise so slow, what has a slope.
     if (noise.correlation[k] > 0.5 || raw.correlation[k] > 0.9)
       noise.scale[c] = std::min(noise.scale[c], std::max(1.5, declared));
@@ -442,9 +376,10 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
 std::array<PossibleCorrelation, 2> larger_correlations(const Measurements& measurements,
                                                        const std::vector<double>& residual,
                                                        const BySensor& estimated) {
-  const std::vector<Steps> steps = all_steps(measurements, residual);
-  const BySensor values = telling_values(steps, estimated),
-                 largest = raw_noise(measurements, residual, steps).largest_correlation;
+  BySensor values{};
+  for (const Series& series : measurements.series())
+    values[static_cast<std::size_t>(series.channel.sensor())] += static_cast<double>(series.readings.size());
+  const BySensor largest = raw_noise(measurements, residual).largest_correlation;
   std::array<PossibleCorrelation, 2> all{{{{}, 0.2220759}, {{}, 0.0112574}}};
   constexpr std::array<double, 2> deviations{1.3556262, 2.8569700};
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -470,7 +405,7 @@ std::vector<double> whiten(const Measurements& measurements, const std::vector<d
     const auto count = static_cast<Eigen::Index>(series.readings.size());
     Eigen::Map<Eigen::VectorXd>(white.data() + series.first, count) =
         whitened(Eigen::Map<const Eigen::VectorXd>(residual.data() + series.first, count),
-                 noise.of(series.channel), noise.correlation_of(series));
+                 noise.of(series.channel), noise.correlation_of(series.channel));
   }
   return white;
 }

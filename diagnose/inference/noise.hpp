@@ -17,15 +17,10 @@ inline double of(const Channel& channel, const BySensor& all) {
   return all[static_cast<std::size_t>(channel.sensor())];
 }
 
-/// Correlation of neighbours in a series, from those of every sensor where it is read fastest: what a filter
-/// forgets goes with time.
-double at_pace(const Series& series, const BySensor& correlation);
-
 /// First-order autoregressive noise: true sigma = scale · declared sigma, correlation between neighbours.
 struct NoiseModel {
   std::array<double, channel_names> scale{1.0, 1.0, 1.0, 1.0, 1.0};  ///< by Channel::Name
-  /// Where it is read fastest: a filter that is in a load cell is not in a camera.
-  BySensor correlation{};
+  BySensor correlation{};  ///< a filter that is in a load cell is not in a camera
 
   bool operator==(const NoiseModel& other) const = default;
 
@@ -35,7 +30,6 @@ struct NoiseModel {
   [[nodiscard]] double correlation_of(const Channel& channel) const {
     return diagnose::of(channel, correlation);
   }
-  [[nodiscard]] double correlation_of(const Series& series) const { return at_pace(series, correlation); }
 };
 
 /// What the differences of neighbouring residuals say, before any prior or limit.

@@ -74,8 +74,7 @@ TEST_CASE("a tone that is fast in one run is known in another of its channel whe
     others += test_gap(measurements, residual(0.5, 20)).p_value < beliefs::gap_level;
   }
   CHECK(alarms <= 3);  // of 20 where one in a hundred is meant: four have a chance of 4e-5
-  // Where readings are closer noise may remember longer: once in twenty a wave of the fast run alone is that.
-  CHECK(slow_alone >= draws - 2);
+  CHECK(slow_alone == draws);
   CHECK(others == 2 * draws);
 }
 

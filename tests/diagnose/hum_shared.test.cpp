@@ -110,8 +110,8 @@ TEST_CASE("a soft tone goes by the clock where readings are uneven, and is known
         test_gap(measurements, step).p_value < beliefs::gap_level && find_hum(measurements, step).empty();
   }
   CHECK(known >= 18);
-  CHECK(alarms <= 3);                  // of 20 where one in a hundred is meant: four have a chance of 4e-5
-  CHECK(unknown_period >= draws - 2);  // or noise that remembers, where readings are closer
+  CHECK(alarms <= 3);  // of 20 where one in a hundred is meant: four have a chance of 4e-5
+  CHECK(unknown_period == draws);
   CHECK(steps >= 18);
 }
 

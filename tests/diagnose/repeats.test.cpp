@@ -111,6 +111,15 @@ TEST_CASE("a ripple finer than the readings is no noise where a run is repeated,
   }
 }
 
+TEST_CASE("a run that was copied says nothing of the noise") {
+  Experiment experiment = read_from(pressed(1, 40), 3, 0, 2);
+  const double once = scale_of_forces(experiment);
+  experiment.runs.push_back(experiment.runs.front());
+  experiment.runs.back().id = "copied";
+  // Twice the same steps are believed a little more: the prior weighs 16 values beside their 80.
+  CHECK(scale_of_forces(experiment) == close_to(once).epsilon(0.1));
+}
+
 TEST_CASE("what a repeated run shows is a gap, and noise of five times the declared is none") {
   const auto is_gap = [](const Experiment& experiment) {
     const Study study(experiment);
