@@ -31,11 +31,11 @@ void remember(Scatter& scatter, double correlation) {
 
 /// A filter that the load cell alone has, or the encoders, or what watches the end point.
 void forget_but_one(Scatter& scatter, const Plan& plan, Random& random) {
-  std::vector<double Sigma::*> has{&Sigma::force};
+  const auto is_loaded = [](const PlannedRun& run) { return run.force_controlled; };
+  std::vector<double Sigma::*> has;
+  if (!std::all_of(plan.runs.begin(), plan.runs.end(), is_loaded)) has.push_back(&Sigma::force);
   if (plan.angles_measured) has.push_back(&Sigma::angle);
-  const bool watched = std::any_of(plan.runs.begin(), plan.runs.end(),
-                                   [](const PlannedRun& run) { return run.force_controlled; });
-  if (watched) has.push_back(&Sigma::position);
+  if (std::any_of(plan.runs.begin(), plan.runs.end(), is_loaded)) has.push_back(&Sigma::position);
   double Sigma::*filtered = random.one_of(has);
   const double correlation = scatter.correlation.*filtered;
   scatter.correlation = {};

@@ -138,7 +138,10 @@ std::vector<EffectAt> never_exercised(const Study& study, const Findings& findin
   if (cause.ranking.empty()) return result;
   // What the best explanation is made of has been seen at work.
   const std::vector<EffectAt>& best = cause.ranking[cause.best].hypothesis.fit.candidate.effects;
-  std::erase_if(result, [&](const EffectAt& at) { return std::count(best.begin(), best.end(), at) > 0; });
+  std::erase_if(result, [&](const EffectAt& at) {
+    return std::any_of(best.begin(), best.end(),
+                       [&](const EffectAt& seen) { return Candidate{{seen}}.is_form_of({{at}}); });
+  });
   return result;
 }
 
@@ -146,7 +149,7 @@ std::vector<EffectAt> never_exercised(const Study& study, const Findings& findin
 bool overturned(const Findings& on_fewer, const Findings& on_all) {
   const Candidate& led = on_fewer.hypotheses.front().fit.candidate;
   const auto place = std::find_if(on_all.hypotheses.begin(), on_all.hypotheses.end(),
-                                  [&](const Hypothesis& one) { return one.fit.candidate == led; });
+                                  [&](const Hypothesis& one) { return one.fit.candidate.is_form_of(led); });
   return place == on_all.hypotheses.end() ||
          place->log_evidence < on_all.hypotheses.front().log_evidence - beliefs::told_apart;
 }

@@ -38,7 +38,8 @@ std::vector<std::vector<Element>> one_fewer(const std::vector<Element>& elements
   return ways;
 }
 
-/// The new one is weak, and acts halfway between its neighbours; farther out by half where it has one alone.
+/// The new one is weak, and acts halfway between its neighbours; five eighths as far as the first of them,
+/// half as far again as the last.
 std::vector<std::vector<Element>> one_more(const std::vector<Element>& elements, double weak) {
   std::vector<std::vector<Element>> ways;
   for (std::size_t e = 0; e <= elements.size(); ++e) {

@@ -149,15 +149,13 @@ double rounding(const Measurements& measurements, Name name) {
 }
 
 /// Standard deviation of what values are off those that were read at the same place, with room for what it
-/// varies by and for chance. Infinite where there are few, or they are the same.
+/// varies by and for chance. Infinite where there are few.
 double largest_of(const std::vector<double>& off) {
   constexpr std::size_t few = 8;
-  const double variance = off.size() < few ? 0 : robust_variance(off);
-  // A run that was copied is no second one.
-  if (!(variance > 0)) return std::numeric_limits<double>::infinity();
+  if (off.size() < few) return std::numeric_limits<double>::infinity();
   // Every second of such differences is new: two deviations of their root mean square.
   const double room = 1.5 + 2 / std::sqrt(static_cast<double>(off.size()));
-  return room * std::sqrt(variance);
+  return room * std::sqrt(robust_variance(off));
 }
 
 /// Standard deviation of a channel as values show it that were read close to each other on the path, at other

@@ -166,6 +166,7 @@ class Searcher {
       const std::vector<const Effect*> rows = at.effect->numbers();
       const auto own = std::find(rows.begin(), rows.end(), at.effect);
       const auto step_on = [&, last = fitted](const Effect* row) mutable {
+        if (!last.converged) return;
         const Starts from = in_number(study_, last, e, *row);
         last.candidate.effects[e] = EffectAt(*row, at.joint);
         fits.push_back(last = fit(study_, last.candidate, settings_, from));
@@ -372,8 +373,9 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
       add(fits, searcher.from_parts(fits));
     }
   }
+  Findings findings = in_their_numbers(study, searcher, weighed(study, std::move(fits)));
   report(1);
-  return in_their_numbers(study, searcher, weighed(study, std::move(fits)));
+  return findings;
 }
 
 }  // namespace plumbline::diagnose

@@ -51,7 +51,8 @@ std::vector<const Effect*> rows_of(const Experiment& experiment) {
   for (const Effect& row : catalogue()) {
     rows.push_back(&row);
     if (!row.numbers) continue;
-    for (const Effect* other : row.numbers()) rows.push_back(other);
+    for (const Effect* other : row.numbers())
+      if (other != &row) rows.push_back(other);
   }
   if (experiment.stated)
     for (const Effect& row : *experiment.stated) rows.push_back(&row);

@@ -61,6 +61,9 @@ std::vector<Repeats> repeats(const Experiment& experiment, const std::vector<Ser
   for (const Series& one : series) left.push_back(&one);
   // Of readings at the same place those of one run stand first: not by the order in which runs are listed.
   std::sort(left.begin(), left.end(), [](const Series* a, const Series* b) { return a->seed < b->seed; });
+  // A run that was copied is no second one.
+  const auto copied = [](const Series* a, const Series* b) { return a->seed == b->seed; };
+  left.erase(std::unique(left.begin(), left.end(), copied), left.end());
   std::vector<Repeats> all;
   while (!left.empty()) {
     const Series& first = *left.front();

@@ -68,8 +68,13 @@ TEST_CASE("runs between the same ends repeat each other, whichever they begin at
   press(experiment, shape, {-0.04, 0}, 10, true);                                        // less far
   press(experiment, shape, {0, -0.06}, 10, true);                                        // across
   press(experiment, {0.3, -0.5, 0.5}, {-0.06, 0}, 10, true);                             // from another shape
+  double read = 0;  // what is read alike was copied
   for (Run& run : experiment.runs)
-    for (Reading& reading : run.readings) reading.q.clear();
+    for (Reading& reading : run.readings) {
+      reading.q.clear();
+      reading.Fx = ++read;
+      reading.Fy = -read;
+    }
   const Study study(experiment);
   const std::vector<Repeats>& all = study.measurements().repeats();
   REQUIRE(all.size() == 2);  // Fx and Fy
@@ -118,6 +123,7 @@ TEST_CASE("a run that was copied says nothing of the noise") {
   experiment.runs.back().id = "copied";
   // Twice the same steps are believed a little more: the prior weighs 16 values beside their 80.
   CHECK(scale_of_forces(experiment) == close_to(once).epsilon(0.1));
+  CHECK(Study(experiment).measurements().repeats().empty());
 }
 
 TEST_CASE("what a repeated run shows is a gap, and noise of five times the declared is none") {
