@@ -19,8 +19,8 @@ const NoiseModel& allowed(const Findings& findings) {
   return findings.tolerance ? *findings.tolerance : findings.noise;
 }
 
-/// Posterior probabilities of the genuine hypotheses, of all where none is genuine; several forms of one
-/// cause are that with the most evidence, as probable as all of them.
+/// Posterior probabilities of the genuine hypotheses, of all where none is genuine; of several forms of one
+/// cause of that with the most evidence alone.
 std::vector<Ranked> ranked(const Study& study, const Findings& findings) {
   const auto stands = [&](const Hypothesis& one) { return genuine(study, one.fit); };
   const bool any = std::any_of(findings.hypotheses.begin(), findings.hypotheses.end(), stands);
@@ -29,18 +29,14 @@ std::vector<Ranked> ranked(const Study& study, const Findings& findings) {
   for (const Hypothesis& hypothesis : findings.hypotheses) {
     if (any && !stands(hypothesis)) continue;
     const Candidate& candidate = hypothesis.fit.candidate;
-    const double best = ranking.empty() ? hypothesis.log_evidence : ranking.front().hypothesis.log_evidence,
-                 weight = std::exp(hypothesis.log_evidence - best);
-    sum += weight;
-    const auto better = std::find_if(ranking.begin(), ranking.end(), [&](const Ranked& one) {
-      return one.hypothesis.fit.candidate.is_form_of(candidate);
-    });
-    if (better != ranking.end()) {
-      better->probability += weight;
+    if (std::any_of(ranking.begin(), ranking.end(), [&](const Ranked& better) {
+          return better.hypothesis.fit.candidate.is_form_of(candidate);
+        }))
       continue;
-    }
-    ranking.push_back(
-        {hypothesis, weight, chi2_per_dof(study.measurements(), hypothesis.fit, allowed(findings))});
+    const double best = ranking.empty() ? hypothesis.log_evidence : ranking.front().hypothesis.log_evidence;
+    ranking.push_back({hypothesis, std::exp(hypothesis.log_evidence - best),
+                       chi2_per_dof(study.measurements(), hypothesis.fit, allowed(findings))});
+    sum += ranking.back().probability;
   }
   for (Ranked& one : ranking) one.probability /= sum;
   return ranking;
