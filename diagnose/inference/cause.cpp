@@ -40,8 +40,7 @@ std::string reservation_words(Reservation reservation) {
              "hide";
     case Reservation::shape_alone:
       return "it says how a torque goes with the angle, not why: a plateau, or whatever else gives way "
-             "smoothly, "
-             "looks the same";
+             "smoothly, looks the same";
     case Reservation::beyond_tolerance:
       return "its tolerances are wider than machining leaves";
     case Reservation::single_joint:

@@ -1,6 +1,7 @@
 #include "diagnose/model/repeats.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace plumbline::diagnose {
 namespace {
@@ -25,10 +26,9 @@ Way way_of(const Run& run) {
 }
 
 /// Whether they go between the same ends, whichever they begin at.
-bool go_the_same_way(const Run& a, const Run& b) {
+bool go_the_same_way(const Run& a, const Way& one, const Run& b, const Way& other) {
   constexpr double close = 0.05;  // of how far they go
   if (a.control != b.control || a.rest != b.rest) return false;
-  const Way one = way_of(a), other = way_of(b);
   const auto near = [&](const Eigen::Vector2d& end, const Eigen::Vector2d& as) {
     return (end - as).norm() <= close * one.reach;
   };
@@ -64,13 +64,18 @@ std::vector<Repeats> repeats(const Experiment& experiment, const std::vector<Ser
   // A run that was copied is no second one.
   const auto copied = [](const Series* a, const Series* b) { return a->seed == b->seed; };
   left.erase(std::unique(left.begin(), left.end(), copied), left.end());
+  std::map<std::size_t, Way> ways;  // by run
+  for (const Series& one : series)
+    if (!ways.contains(one.run)) ways[one.run] = way_of(experiment.runs[one.run]);
+  const auto repeat = [&](const Series& one, const Series& other) {
+    return one.channel == other.channel && go_the_same_way(experiment.runs[one.run], ways[one.run],
+                                                           experiment.runs[other.run], ways[other.run]);
+  };
   std::vector<Repeats> all;
   while (!left.empty()) {
     const Series& first = *left.front();
-    const auto others = std::stable_partition(left.begin(), left.end(), [&](const Series* one) {
-      return one == &first || (one->channel == first.channel &&
-                               go_the_same_way(experiment.runs[first.run], experiment.runs[one->run]));
-    });
+    const auto others = std::stable_partition(
+        left.begin(), left.end(), [&](const Series* one) { return one == &first || repeat(first, *one); });
     const std::vector<const Series*> group(left.begin(), others);
     left.erase(left.begin(), others);
     if (group.size() > 1) all.push_back(together(experiment, group));
