@@ -66,14 +66,25 @@ double local_median(const Series& series, const std::vector<double>& residual, s
   return median(std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(width)));
 }
 
-/// Takes back the marks of three neighbours or more that are off to the same side: that is no chance, but
-/// something that lasts (a snap that comes too late, say).
-void keep_what_lasts(const Series& series, const std::vector<double>& off, std::vector<bool>& marked) {
+/// How many neighbours that are off to the same side are no chance: three, and more where so many of all
+/// readings are far out that some three of them stand together.
+std::size_t no_chance(double far_out, double readings) {
+  constexpr double level = 1e-3;
+  const double share = far_out / readings / 2;  // to one side
+  std::size_t neighbours = 3;
+  while (2 * readings * std::pow(share, static_cast<double>(neighbours)) > level) ++neighbours;
+  return neighbours;
+}
+
+/// Takes back the marks of so many neighbours or more that are off to the same side: that is something that
+/// lasts (a snap that comes too late, say).
+void keep_what_lasts(const Series& series, const std::vector<double>& off, std::size_t lasting,
+                     std::vector<bool>& marked) {
   const std::size_t end = series.first + series.readings.size();
   for (std::size_t i = series.first; i < end;) {
     std::size_t next = i + 1;
     while (next < end && marked[i] && marked[next] && (off[next] > 0) == (off[i] > 0)) ++next;
-    if (marked[i] && next - i > 2)
+    if (marked[i] && next - i >= lasting)
       std::fill(marked.begin() + static_cast<std::ptrdiff_t>(i),
                 marked.begin() + static_cast<std::ptrdiff_t>(next), false);
     i = next;
@@ -111,9 +122,10 @@ double with_prior(double scale, double values) {
 
 namespace {
 
-/// Marks what stands off the local median by more than `limit` standard deviations of its channel.
+/// Marks what stands off the local median by more than `limit` standard deviations of its channel, unless so
+/// many neighbours do.
 std::vector<bool> marks(const Measurements& measurements, const std::vector<double>& residual,
-                        const std::array<double, channel_names>& scale, double limit) {
+                        const std::array<double, channel_names>& scale, double limit, std::size_t lasting) {
   std::vector<bool> marked(residual.size(), false);
   std::vector<double> off(residual.size(), 0.0);
   for (const Series& series : measurements.series()) {
@@ -122,7 +134,7 @@ std::vector<bool> marks(const Measurements& measurements, const std::vector<doub
       off[series.first + i] = residual[series.first + i] - local_median(series, residual, i);
       marked[series.first + i] = series.readings.size() >= 5 && std::abs(off[series.first + i]) > tolerance;
     }
-    keep_what_lasts(series, off, marked);
+    keep_what_lasts(series, off, lasting, marked);
     keep_what_leads_on(series, residual, tolerance, marked);
   }
   return marked;
@@ -219,12 +231,15 @@ std::vector<double> smoothed_over(const Measurements& measurements, const std::v
 std::vector<bool> outliers(const Measurements& measurements, const std::vector<double>& residual) {
   constexpr double limit = 5;  // one false mark in a million readings of normal noise
   constexpr double heavy_limit = 3, heavy_share = 0.015, heavy_count = 3;
-  const std::vector<bool> marked = marks(measurements, residual, rough_scales(measurements, residual), limit);
+  const auto readings = static_cast<double>(residual.size());
+  const std::vector<bool> marked =
+      marks(measurements, residual, rough_scales(measurements, residual), limit, no_chance(0, readings));
   const auto count = static_cast<double>(std::count(marked.begin(), marked.end(), true));
-  if (count < heavy_count || count <= heavy_share * static_cast<double>(residual.size())) return marked;
+  if (count < heavy_count || count <= heavy_share * readings) return marked;
   // So many far out have more between them and the rest.
   const std::vector<double> clean = smoothed_over(measurements, residual, marked);
-  return marks(measurements, residual, rough_scales(measurements, clean), heavy_limit);
+  return marks(measurements, residual, rough_scales(measurements, clean), heavy_limit,
+               no_chance(count, readings));
 }
 
 std::vector<double> without_outliers(const Measurements& measurements, const std::vector<double>& residual) {

@@ -125,6 +125,19 @@ TEST_CASE("where more than 1.5 % are far out and three at least, three deviation
   CHECK(marked_of(60, {{5, 1.9}, {20, 30}, {30, 30}, {50, 30}}) == Marks{20, 30, 50});
 }
 
+TEST_CASE("where many are far out, three of them stand together by chance") {
+  // Of 200 values six are 3 %, 1.5 % to one side: three in a row are expected 2 * 200 * 0.015^3 = 1.4e-3
+  // times, four 2e-5 times, and 1e-3 is no chance. Of five three are expected 8e-4 times.
+  const Places rare{{40, -30}, {50, 30}, {60, -30}, {70, 30}, {80, -30}, {90, 30}};
+  Places three = rare, four = rare;
+  for (const std::size_t i : {20U, 21U, 22U}) three[i] = four[i] = 30;
+  four[23] = 30;
+  CHECK(marked_of(100, three) == Marks{20, 21, 22, 40, 50, 60, 70, 80, 90});
+  CHECK(marked_of(100, four) == Marks{40, 50, 60, 70, 80, 90});
+  three.erase(40);
+  CHECK(marked_of(100, three) == Marks{50, 60, 70, 80, 90});
+}
+
 TEST_CASE("where many are far out the noise is what is left without them") {
   // every twelfth of 60 values: 10 of 59 differences are large, the others 1.6 or nothing
   Places values;
