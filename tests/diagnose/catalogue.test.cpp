@@ -82,7 +82,7 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
   // k = 4, L = 1.3, l = 1.3 / 3, f = 7, phi = 0.3; the slip torque k phi is 1.2, L^2 / k is 0.4225
   const double c = 0.01 * 1.3 * 1.3 / 4, density = 4 / (9.81 * 1.3 * 1.3);
   const std::map<std::string, std::vector<double>> of_chain{
-      {"nonlinear_spring", {0.5}},
+      {"nonlinear_spring", {0.05 / 0.09}},
       {"joint_friction", {0.06}},
       {"joint_coupling", {0.4}},
       {"viscoelasticity", {0.2, 1}},

@@ -4,6 +4,7 @@
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/model/effects/each_joint.hpp"
+#include "diagnose/model/effects/hardening.hpp"
 #include "diagnose/model/effects/rows.hpp"
 
 namespace plumbline::diagnose {
@@ -126,7 +127,8 @@ std::vector<Effect> common_effects() {
        .parameters =
            [](const Place& at) {
              const double scale = 1 / (at.sizes.deflection * at.sizes.deflection);
-             return each(at, {"c", "1/rad²", beliefs::hardening_tolerance * scale, -1 * scale, 20 * scale});
+             const ParameterRange alike = hardening(at.sizes);
+             return each(at, {"c", "1/rad²", beliefs::hardening_tolerance * scale, alike.low, alike.high});
            },
        .add =
            [](const Addition& to) {

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "diagnose/model/effects/hardening.hpp"
 #include "diagnose/model/effects/onsets.hpp"
 #include "diagnose/model/effects/rows.hpp"
 
@@ -37,7 +38,7 @@ std::vector<Effect> joint_effects() {
        .possible = is_elastic},
       {.id = "nonlinear_spring",
        .words = "joint springs that harden or soften with their deflection",
-       .parameters = [](const Place&) { return std::vector{both_ways("c", "1/rad²", 0.5, -3, 50)}; },
+       .parameters = [](const Place& at) { return std::vector{hardening(at.sizes)}; },
        .add =
            [](const Addition& to) {
              for (double& c : to.rig.hardening) c += to.value[0];
