@@ -159,12 +159,13 @@ bool leaves_structure(const Measurements& measurements, const Findings& findings
 }
 
 /// Whether the choice that is made without a part falls on the best explanation, or among those that are then
-/// not told apart on it.
+/// not told apart on it. Every single effect has been looked at; several together are looked for anew, for
+/// which were found is a choice too.
 bool chosen_without(const Study& study, const HeldOut& part, const Findings& findings, const Cause& cause) {
   const Study seen = study.of(without(study.experiment(), part));
-  const Cause blind = judge(seen, confirmed(seen, findings));
-  if (blind.ranking.empty()) return false;
   const Candidate& best = cause.ranking[cause.best].hypothesis.fit.candidate;
+  const Cause blind = judge(seen, best.count() > 1 ? search(seen) : confirmed(seen, findings));
+  if (blind.ranking.empty()) return false;
   const auto is_best = [&](std::size_t place) {
     return blind.ranking[place].hypothesis.fit.candidate.is_form_of(best);
   };
