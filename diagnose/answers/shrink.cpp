@@ -114,7 +114,7 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
       total += 1;
     }
     // Squares of neighbours correlate by the square of what their values do.
-    const double squares = std::pow(noise.correlation_of(channel), 2);
+    const double squares = std::pow(noise.correlation_of(series), 2);
     shrink.independent += static_cast<double>(values[s].size()) * (1 - squares) / (1 + squares);
   }
   if (total == 0) return shrink;

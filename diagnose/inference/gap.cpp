@@ -41,7 +41,7 @@ Energy slow_energy(const Measurements& measurements, const std::vector<double>& 
     for (std::size_t k = 0; k < slow_components(m); ++k) {
       const double angle = std::numbers::pi * static_cast<double>(k) / static_cast<double>(m);
       const double component = cosine_wave(m, k).dot(values) / scale;
-      sum += component * component / spectrum(angle, noise.correlation_of(series.channel));
+      sum += component * component / spectrum(angle, noise.correlation_of(series));
     }
     energy.value.push_back(sum);
     for (std::size_t i = series.first; i < series.first + m; ++i)
@@ -65,7 +65,7 @@ class Simulation {
     std::vector<double> residual(measurements_.size());
     for (std::size_t s = 0; s < random_.size(); ++s) {
       const Series& series = measurements_.series()[s];
-      const double phi = noise.correlation_of(series.channel), innovation = std::sqrt(1 - phi * phi);
+      const double phi = noise.correlation_of(series), innovation = std::sqrt(1 - phi * phi);
       std::normal_distribution<double> normal;
       double state = normal(random_[s]);
       for (std::size_t i = 0; i < series.readings.size(); ++i) {
@@ -99,8 +99,8 @@ Null null_distribution(const Measurements& measurements, const NoiseModel& noise
   double square_total = 0, square_whole = 0;
   for (int draw = 0; draw < draws; ++draw) {
     const std::vector<double> residual = simulation.draw(noise);
-    const Energy energy =
-        slow_energy(measurements, residual, taken ? *taken : estimate_noise(measurements, residual));
+    const Energy energy = slow_energy(
+        measurements, residual, taken ? *taken : estimate_noise(measurements, residual, noise.with_time));
     null.mean_total += energy.total() / draws;
     square_total += energy.total() * energy.total() / draws;
     null.mean_whole += energy.whole / draws;
@@ -165,8 +165,7 @@ GapTest tested(const Measurements& measurements, const std::vector<double>& resi
   };
   // The tail of what several places give together is longer than that of their mean.
   double estimated = 1;
-  for (const auto& [correlation, probability] :
-       larger_correlations(measurements, clean, test.noise.correlation)) {
+  for (const auto& [correlation, probability] : larger_correlations(measurements, clean, test.noise)) {
     add(null_of_slower(measurements, test.noise, correlation, how), probability);
     estimated -= probability;
   }

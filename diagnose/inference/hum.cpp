@@ -51,8 +51,8 @@ double chance_of(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, do
   return 2 * n * std::pow(1 - tone_share(values, clock, frequency, correlation), n - 1);
 }
 
-/// By how much neighbours correlate beside the loudest tone of each series, be it noise or not.
-BySensor correlation_beside_tones(const Measurements& measurements, const std::vector<double>& residual) {
+/// The noise beside the loudest tone of each series, be it noise or not.
+NoiseModel noise_beside_tones(const Measurements& measurements, const std::vector<double>& residual) {
   std::vector<Hum> all;
   for (std::size_t s = 0; s < measurements.series().size(); ++s) {
     const Series& series = measurements.series()[s];
@@ -60,7 +60,7 @@ BySensor correlation_beside_tones(const Measurements& measurements, const std::v
     all.push_back(loudest(values_of(series, residual), clock_of(series), 0).tone);
     all.back().series = s;
   }
-  return estimate_noise(measurements, without_hum(measurements, residual, all)).correlation;
+  return estimate_noise(measurements, without_hum(measurements, residual, all));
 }
 
 /// Whether a tone is much the same wherever the path comes to the same place: then it is of the chain.
@@ -80,16 +80,17 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
   constexpr double level = 1e-3;
   std::vector<Hum> all;
   std::vector<Eigen::VectorXd> spectra(measurements.series().size());
-  const BySensor correlation = correlation_beside_tones(measurements, residual);
-  const auto larger = larger_correlations(measurements, residual, correlation);
+  const NoiseModel noise = noise_beside_tones(measurements, residual);
+  const auto larger = larger_correlations(measurements, residual, noise);
   const auto by_chance = [&](const Series& series, const Eigen::VectorXd& values, double frequency) {
     const Eigen::VectorXd clock = clock_of(series);
-    const double estimated = chance_of(values, clock, frequency, of(series.channel, correlation));
+    const double estimated = chance_of(values, clock, frequency, noise.correlation_of(series));
     if (!(estimated < level)) return estimated;
     // Of noise that is slower than was estimated slow tones are none.
     double chance = estimated;
     for (const auto& [value, probability] : larger)
-      chance += probability * (chance_of(values, clock, frequency, of(series.channel, value)) - estimated);
+      chance += probability *
+                (chance_of(values, clock, frequency, at_pace(series, value, noise.with_time)) - estimated);
     return chance;
   };
   for (std::size_t s = 0; s < measurements.series().size(); ++s) {
@@ -97,7 +98,7 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
     if (!long_enough(series)) continue;
     Eigen::VectorXd values = values_of(series, residual);
     for (long i = 0; i < most_tones; ++i) {
-      auto [one, frequency, shares] = loudest(values, clock_of(series), of(series.channel, correlation));
+      auto [one, frequency, shares] = loudest(values, clock_of(series), noise.correlation_of(series));
       spectra[s] = std::move(shares);
       if (!(by_chance(series, values, frequency) < level) || one.rms() > beliefs::largest_hum) break;
       values -= tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);

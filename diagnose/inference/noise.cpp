@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/bench/median.hpp"
+#include "diagnose/inference/slow.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -33,12 +35,22 @@ using Name = Channel::Name;
 
 constexpr std::array<Name, channel_names> all_names{Name::x, Name::y, Name::Fx, Name::Fy, Name::q};
 
-/// Differences of values `lag` apart, of all series of one name.
-std::vector<double> differences(const Measurements& measurements, const std::vector<double>& residual,
-                                Name name, std::size_t lag) {
+/// Series of one channel that are read at one pace.
+using Alike = std::vector<const Series*>;
+
+/// All series of one name, whatever their pace.
+Alike named(const Measurements& measurements, Name name) {
+  Alike all;
+  for (const Series& series : measurements.series())
+    if (series.channel.name == name) all.push_back(&series);
+  return all;
+}
+
+/// Differences of values `lag` apart.
+std::vector<double> differences(const Alike& all, const std::vector<double>& residual, std::size_t lag) {
   std::vector<double> result;
-  for (const Series& series : measurements.series()) {
-    if (series.channel.name != name) continue;
+  for (const Series* one : all) {
+    const Series& series = *one;
     for (std::size_t i = lag; i < series.readings.size(); ++i)
       result.push_back(residual[series.first + i] - residual[series.first + i - lag]);
   }
@@ -46,11 +58,10 @@ std::vector<double> differences(const Measurements& measurements, const std::vec
 }
 
 /// Differences of neighbouring differences.
-std::vector<double> second_differences(const Measurements& measurements, const std::vector<double>& residual,
-                                       Name name) {
+std::vector<double> second_differences(const Alike& all, const std::vector<double>& residual) {
   std::vector<double> result;
-  for (const Series& series : measurements.series()) {
-    if (series.channel.name != name) continue;
+  for (const Series* one : all) {
+    const Series& series = *one;
     for (std::size_t i = series.first + 2; i < series.first + series.readings.size(); ++i)
       result.push_back(residual[i - 2] - 2 * residual[i - 1] + residual[i]);
   }
@@ -146,7 +157,7 @@ std::vector<double> with_kin(const Measurements& measurements, const std::vector
   std::vector<double> all;
   for (const Name other : all_names) {
     if (Channel{other, 0}.sensor() != Channel{name, 0}.sensor()) continue;
-    const std::vector<double> steps = differences(measurements, residual, other, 1);
+    const std::vector<double> steps = differences(named(measurements, other), residual, 1);
     all.insert(all.end(), steps.begin(), steps.end());
   }
   return all;
@@ -207,7 +218,7 @@ std::array<double, channel_names> rough_scales(const Measurements& measurements,
   constexpr std::size_t few = 30;      // a step and an outlier are then less than a sixth of them
   std::array<double, channel_names> scale{};
   for (const Name name : all_names) {
-    std::vector<double> steps = differences(measurements, residual, name, 1);
+    std::vector<double> steps = differences(named(measurements, name), residual, 1);
     if (steps.size() < few) steps = with_kin(measurements, residual, name);
     // An outlier spoils two differences: one in twelve readings would carry Huber's variance away.
     const double found = steps.empty() ? 0 : median_deviation(steps) / std::numbers::sqrt2;
@@ -248,16 +259,28 @@ std::vector<double> without_outliers(const Measurements& measurements, const std
 
 namespace {
 
-/// Variance of one channel's noise times 1 - phi, as first differences show it, and how much larger
-/// differences over two readings are; without the variance that rounding adds, which does not correlate.
+/// Variance of the noise of a channel, read at one pace, times 1 - phi, as first differences show it, and how
+/// much larger differences over two readings are; without the variance that rounding adds, which does not
+/// correlate.
 struct Steps {
+  std::size_t name = 0;
+  double pace = 1;
   double near = 0, ratio = 1, curved = 0, values = 0, rounded = 0;
+
+  [[nodiscard]] std::size_t sensor() const {
+    return static_cast<std::size_t>(Channel{all_names[name]}.sensor());
+  }
+  /// phi, from that where the sensor is read fastest.
+  [[nodiscard]] double correlation(const BySensor& fastest) const {
+    return std::pow(fastest[sensor()], pace);
+  }
 };
 
-Steps steps_of(const Measurements& measurements, const std::vector<double>& residual, Name name) {
-  const std::vector<double> near = differences(measurements, residual, name, 1);
-  const std::vector<double> far = differences(measurements, residual, name, 2);
-  Steps steps;
+Steps steps_of(const Measurements& measurements, const std::vector<double>& residual, const Alike& all,
+               double pace) {
+  const Name name = all.front()->channel.name;
+  const std::vector<double> near = differences(all, residual, 1), far = differences(all, residual, 2);
+  Steps steps{static_cast<std::size_t>(name), pace};
   steps.values = static_cast<double>(near.size());
   if (near.empty() || far.empty()) return steps;
   const double plain = robust_variance(near) / 2;
@@ -267,63 +290,94 @@ Steps steps_of(const Measurements& measurements, const std::vector<double>& resi
     steps.rounded = variance;
   steps.near = plain - steps.rounded;
   steps.ratio = (robust_variance(far) / 2 - steps.rounded) / steps.near;
-  steps.curved = robust_variance(second_differences(measurements, residual, name)) / 2 - 3 * steps.rounded;
+  steps.curved = robust_variance(second_differences(all, residual)) / 2 - 3 * steps.rounded;
   return steps;
 }
 
-std::array<Steps, channel_names> steps_by_channel(const Measurements& measurements,
-                                                  const std::vector<double>& residual) {
-  std::array<Steps, channel_names> steps;
-  for (const Name name : all_names)
-    steps[static_cast<std::size_t>(name)] = steps_of(measurements, residual, name);
+/// Of every channel, by the paces at which it is read where these matter.
+std::vector<Steps> all_steps(const Measurements& measurements, const std::vector<double>& residual,
+                             const ForgetsWithTime& with_time) {
+  std::map<std::pair<Name, double>, Alike> alike;
+  for (const Series& series : measurements.series()) {
+    const bool paced = with_time[static_cast<std::size_t>(series.channel.sensor())];
+    alike[{series.channel.name, paced ? series.pace : 1}].push_back(&series);
+  }
+  std::vector<Steps> steps;
+  for (const auto& [where, all] : alike) steps.push_back(steps_of(measurements, residual, all, where.second));
   return steps;
 }
 
 /// Noise of the declared scale whose first differences are no larger than these correlates by 1 - near.
-double largest_correlation(const Measurements& measurements, const std::array<Steps, channel_names>& steps,
-                           Sensor sensor) {
+double largest_correlation(const Measurements& measurements, const std::vector<Steps>& steps, Sensor sensor) {
   std::vector<double> lengths;
+  for (const Series& series : measurements.series())
+    if (series.channel.sensor() == sensor) lengths.push_back(static_cast<double>(series.readings.size()));
   double rough = 0;
-  for (const Series& series : measurements.series()) {
-    if (series.channel.sensor() != sensor) continue;
-    lengths.push_back(static_cast<double>(series.readings.size()));
-    rough = std::max(rough, steps[static_cast<std::size_t>(series.channel.name)].near);
-  }
+  for (const Steps& one : steps)
+    if (one.sensor() == static_cast<std::size_t>(sensor) && one.pace == 1) rough = std::max(rough, one.near);
   return lengths.empty() ? 0 : std::min(0.9, std::max(std::exp(-10 / median(lengths)), 1 - rough));
-}
-
-std::size_t sensor_of(std::size_t name) {
-  return static_cast<std::size_t>(Channel{all_names[name]}.sensor());
 }
 
 /// What noise that seems to correlate so much really may, for it would scatter more in place than it does.
 BySensor correlation_in_place(const std::array<double, channel_names>& in_place,
-                              const std::array<Steps, channel_names>& steps, const BySensor& seeming) {
+                              const std::vector<Steps>& steps, const BySensor& seeming) {
   BySensor largest = seeming;
-  for (std::size_t c = 0; c < steps.size(); ++c) {
-    const std::size_t k = sensor_of(c);
-    const double most = in_place[c] * in_place[c];
-    if (steps[c].near > (1 - seeming[k]) * most)
-      largest[k] = std::clamp(1 - steps[c].near / most, 0.0, largest[k]);
+  for (const Steps& one : steps) {
+    const double most = in_place[one.name] * in_place[one.name];
+    if (one.near <= (1 - one.correlation(seeming)) * most) continue;
+    const double bound = std::pow(std::max(0.0, 1 - one.near / most), 1 / one.pace);
+    largest[one.sensor()] = std::min(largest[one.sensor()], bound);
   }
   return largest;
 }
 
-/// What the ratios of differences say of each sensor's correlation.
-BySensor raw_correlation(const std::array<Steps, channel_names>& steps) {
-  BySensor ratio{}, weight{}, correlation{};
-  for (std::size_t c = 0; c < steps.size(); ++c) {
+/// The correlation at which neighbours correlate as much in all, over the paces of a sensor, as differences
+/// say. \param told  by pace: what they say, and of how many values
+double common_correlation(const std::vector<Steps>& told) {
+  double sum = 0, values = 0;
+  for (const Steps& one : told) sum += one.values * (std::min(2.0, one.ratio) - 1), values += one.values;
+  if (!(values > 0)) return 0;
+  const auto explained = [&](double phi) {
+    double all = 0;
+    for (const Steps& one : told) all += one.values * std::pow(phi, one.pace);
+    return all;
+  };
+  const bool one_pace = std::all_of(told.begin(), told.end(), [](const Steps& one) { return one.pace == 1; });
+  if (one_pace || sum <= 0 || sum >= values) return sum / values;
+  double low = 0, high = 1;
+  while (high - low > 1e-12) (explained((low + high) / 2) < sum ? low : high) = (low + high) / 2;
+  return low;
+}
+
+/// What the ratios of differences say of each sensor's correlation: (1 - phi^2) / (1 - phi) = 1 + phi.
+BySensor raw_correlation(const std::vector<Steps>& steps) {
+  std::array<std::vector<Steps>, sensors> told;
+  for (const Steps& one : steps) {
     // Differences over two readings that exceed twice those over one by more than chance, one in twenty, are
     // of a slope, not of noise.
-    const double by_chance = 1.64 * correlation_deviation(1, steps[c].values);
-    if (!(steps[c].near > 0) || steps[c].ratio > 2 + by_chance) continue;
-    ratio[sensor_of(c)] += steps[c].values * std::min(2.0, steps[c].ratio);
-    weight[sensor_of(c)] += steps[c].values;
+    const double by_chance = 1.64 * correlation_deviation(1, one.values);
+    if (one.near > 0 && one.ratio <= 2 + by_chance) told[one.sensor()].push_back(one);
   }
-  // (1 - phi^2) / (1 - phi) = 1 + phi
-  for (std::size_t k = 0; k < sensors; ++k)
-    if (weight[k] > 0) correlation[k] = ratio[k] / weight[k] - 1;
+  BySensor correlation{};
+  std::transform(told.begin(), told.end(), correlation.begin(), common_correlation);
   return correlation;
+}
+
+/// So many values tell a correlation where the sensor is read fastest: those that are read so, and others as
+/// far as theirs changes with it.
+BySensor telling_values(const std::vector<Steps>& steps, const BySensor& correlation) {
+  BySensor values{};
+  for (const Steps& one : steps) {
+    const double change = one.pace * std::pow(correlation[one.sensor()], one.pace - 1);
+    values[one.sensor()] += std::min(1.0, change * change) * one.values;
+  }
+  return values;
+}
+
+/// Variance of a channel's noise as its steps at one pace show it, for this correlation.
+double variance_of(const Steps& steps, double phi) {
+  const double straight = steps.near / (1 - phi), curved = steps.curved / ((1 - phi) * (3 - phi));
+  return steps.ratio > 2 && curved > 0 ? std::min(straight, curved) : straight;
 }
 
 }  // namespace
@@ -332,13 +386,106 @@ double correlation_deviation(double correlation, double values) {
   return (1.4 + 0.8 * correlation) / std::sqrt(values);
 }
 
-RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual) {
-  RawNoise noise;
-  const std::array<Steps, channel_names> steps = steps_by_channel(measurements, residual);
-  for (std::size_t c = 0; c < steps.size(); ++c) {
-    noise.values[c] = steps[c].values;
-    noise.largest_in_place[c] = largest_in_place(measurements, residual, all_names[c]);
+double at_pace(const Series& series, const BySensor& correlation, const ForgetsWithTime& with_time) {
+  const double fastest = of(series.channel, correlation);
+  return with_time[static_cast<std::size_t>(series.channel.sensor())] ? std::pow(fastest, series.pace)
+                                                                      : fastest;
+}
+
+namespace {
+
+/// What the likelihood of first-order autoregressive noise takes of a series: sums of its squares and of the
+/// products of neighbours.
+struct Products {
+  const Series* series;
+  double before = 0, after = 0, both = 0;
+
+  /// Squares of the innovations, in the variance of the noise.
+  [[nodiscard]] double innovations(double phi) const {
+    return (after - 2 * phi * both + phi * phi * before) / (1 - phi * phi);
   }
+  [[nodiscard]] double values() const { return static_cast<double>(series->readings.size()) - 1; }
+};
+
+/// Of what is not slow: a gap is, in some runs and not in others.
+std::vector<Products> products_of(const Measurements& measurements, const std::vector<double>& residual,
+                                  Sensor sensor) {
+  std::vector<Products> all;
+  for (const Series& series : measurements.series()) {
+    const std::size_t count = series.readings.size();
+    if (series.channel.sensor() != sensor || count < 2) continue;
+    const auto later = static_cast<Eigen::Index>(count) - 1;
+    Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(residual.data() + series.first, later + 1);
+    for (std::size_t k = 0; k < slow_components(count); ++k) {
+      const Eigen::VectorXd wave = cosine_wave(count, k);
+      values -= wave.dot(values) * wave;
+    }
+    all.push_back({&series, values.head(later).squaredNorm(), values.tail(later).squaredNorm(),
+                   values.head(later).dot(values.tail(later))});
+  }
+  return all;
+}
+
+/// Log-likelihood, largest over the scales of the channels, of noise that correlates so where it is read
+/// fastest.
+double log_likelihood(const std::vector<Products>& all, double fastest, bool with_time) {
+  std::array<double, channel_names> squares{}, values{};
+  double log = 0;
+  for (const Products& one : all) {
+    const double phi = with_time ? std::pow(fastest, one.series->pace) : fastest;
+    const auto c = static_cast<std::size_t>(one.series->channel.name);
+    squares[c] += one.innovations(phi);
+    values[c] += one.values();
+    log -= one.values() * std::log(1 - phi * phi) / 2;
+  }
+  for (std::size_t c = 0; c < channel_names; ++c)
+    if (squares[c] > 0) log -= values[c] * std::log(squares[c] / values[c]) / 2;
+  return log;
+}
+
+/// The same, largest over the correlation as well: over memories from half a reading to a thousand.
+double log_likelihood(const std::vector<Products>& all, bool with_time) {
+  double best = log_likelihood(all, 0, with_time);
+  for (double memory = 0.5; memory < 1000; memory *= 1.1)
+    best = std::max(best, log_likelihood(all, std::exp(-1 / memory), with_time));
+  return best;
+}
+
+}  // namespace
+
+ForgetsWithTime forgets_with_time(const Measurements& measurements, const std::vector<double>& residual) {
+  ForgetsWithTime with_time{};
+  const std::vector<Series>& series = measurements.series();
+  if (std::all_of(series.begin(), series.end(), [](const Series& one) { return one.pace == 1; }))
+    return with_time;
+  for (std::size_t k = 0; k < sensors; ++k) {
+    const std::vector<Products> all = products_of(measurements, residual, static_cast<Sensor>(k));
+    with_time[k] = log_likelihood(all, true) > log_likelihood(all, false);
+  }
+  return with_time;
+}
+
+namespace {
+
+/// Standard deviations of the channels, for these correlations: the mean over the paces.
+std::array<double, channel_names> scales_of(const std::vector<Steps>& steps, const BySensor& correlation) {
+  std::array<double, channel_names> variance{}, values{}, scale{1, 1, 1, 1, 1};
+  for (const Steps& one : steps) {
+    if (!(one.near > 0)) continue;
+    variance[one.name] += one.values * (variance_of(one, one.correlation(correlation)) + one.rounded);
+    values[one.name] += one.values;
+  }
+  for (std::size_t c = 0; c < channel_names; ++c)
+    if (values[c] > 0) scale[c] = std::sqrt(variance[c] / values[c]);
+  return scale;
+}
+
+RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual,
+                   const std::vector<Steps>& steps) {
+  RawNoise noise;
+  for (const Steps& one : steps) noise.values[one.name] += one.values;
+  for (std::size_t c = 0; c < channel_names; ++c)
+    noise.largest_in_place[c] = largest_in_place(measurements, residual, all_names[c]);
   noise.correlation = raw_correlation(steps);
   BySensor seeming{};
   for (std::size_t k = 0; k < sensors; ++k) {
@@ -348,35 +495,43 @@ RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& 
   const BySensor taken = correlation_in_place(noise.largest_in_place, steps, seeming);
   for (std::size_t k = 0; k < sensors; ++k)
     if (taken[k] < seeming[k]) noise.largest_correlation[k] = taken[k];
-  for (std::size_t c = 0; c < steps.size(); ++c) {
-    if (!(steps[c].near > 0)) continue;
-    const double phi = taken[sensor_of(c)];
-    const double straight = steps[c].near / (1 - phi), curved = steps[c].curved / ((1 - phi) * (3 - phi));
-    const double fine = steps[c].ratio > 2 && curved > 0 ? std::min(straight, curved) : straight;
-    noise.scale[c] = std::sqrt(fine + steps[c].rounded);
-  }
+  noise.scale = scales_of(steps, taken);
   return noise;
 }
 
+}  // namespace
+
+RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual) {
+  return raw_noise(measurements, residual,
+                   all_steps(measurements, residual, forgets_with_time(measurements, residual)));
+}
+
 NoiseModel estimate_noise(const Measurements& measurements, const std::vector<double>& residual) {
-  const RawNoise raw = raw_noise(measurements, residual);
-  BySensor values{}, taken{};
-  for (std::size_t c = 0; c < raw.values.size(); ++c) values[sensor_of(c)] += raw.values[c];
+  return estimate_noise(measurements, residual, forgets_with_time(measurements, residual));
+}
+
+NoiseModel estimate_noise(const Measurements& measurements, const std::vector<double>& residual,
+                          const ForgetsWithTime& with_time) {
+  const std::vector<Steps> steps = all_steps(measurements, residual, with_time);
+  const RawNoise raw = raw_noise(measurements, residual, steps);
   NoiseModel noise;
+  noise.with_time = with_time;
+  BySensor taken{};
+  for (std::size_t k = 0; k < sensors; ++k)
+    taken[k] = std::clamp(raw.correlation[k], 0.0, raw.largest_correlation[k]);
+  const BySensor values = telling_values(steps, taken);
   // The estimate's variance is about 1/values.
   constexpr double prior = 1 / (beliefs::correlation_spread * beliefs::correlation_spread);
-  for (std::size_t k = 0; k < sensors; ++k) {
-    const double weight = values[k] / (values[k] + prior);
-    noise.correlation[k] = std::clamp(weight * raw.correlation[k], 0.0, raw.largest_correlation[k]);
-    taken[k] = std::clamp(raw.correlation[k], 0.0, raw.largest_correlation[k]);
-  }
-  for (std::size_t c = 0; c < noise.scale.size(); ++c) {
-    const std::size_t k = sensor_of(c);
-    const double scale = raw.scale[c] * std::sqrt((1 - taken[k]) / (1 - noise.correlation[k]));
+  for (std::size_t k = 0; k < sensors; ++k)
+    noise.correlation[k] =
+        std::clamp(values[k] / (values[k] + prior) * raw.correlation[k], 0.0, raw.largest_correlation[k]);
+  const std::array<double, channel_names> scales = scales_of(steps, noise.correlation);
+  for (std::size_t c = 0; c < channel_names; ++c) {
+    const auto k = static_cast<std::size_t>(Channel{all_names[c]}.sensor());
     // What is declared is of the sensor, before its readings are rounded.
     const double declared = std::hypot(1.0, rounding(measurements, all_names[c]));
     noise.scale[c] = declared;
-    if (raw.values[c] > 0 && scale > 0) noise.scale[c] *= with_prior(scale / declared, raw.values[c] / 2);
+    if (raw.values[c] > 0) noise.scale[c] *= with_prior(scales[c] / declared, raw.values[c] / 2);
     // Large and slow at once is a gap, not noise; in runs too short for noise so slow, what has a slope.
     if (noise.correlation[k] > 0.5 || raw.correlation[k] > 0.9)
       noise.scale[c] = std::min(noise.scale[c], std::max(1.5, declared));
@@ -388,18 +543,19 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
 
 std::array<PossibleCorrelation, 2> larger_correlations(const Measurements& measurements,
                                                        const std::vector<double>& residual,
-                                                       const BySensor& estimated) {
-  BySensor values{};
-  for (const Series& series : measurements.series())
-    values[static_cast<std::size_t>(series.channel.sensor())] += static_cast<double>(series.readings.size());
-  const BySensor largest = raw_noise(measurements, residual).largest_correlation;
+                                                       const NoiseModel& estimated) {
+  const std::vector<Steps> steps = all_steps(measurements, residual, estimated.with_time);
+  const BySensor& correlation = estimated.correlation;
+  const BySensor values = telling_values(steps, correlation),
+                 largest = raw_noise(measurements, residual, steps).largest_correlation;
   std::array<PossibleCorrelation, 2> all{{{{}, 0.2220759}, {{}, 0.0112574}}};
   constexpr std::array<double, 2> deviations{1.3556262, 2.8569700};
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t k = 0; k < sensors; ++k)
       if (values[k] > 0)
-        all[i].value[k] = std::clamp(
-            estimated[k] + deviations[i] * correlation_deviation(estimated[k], values[k]), 0.0, largest[k]);
+        all[i].value[k] =
+            std::clamp(correlation[k] + deviations[i] * correlation_deviation(correlation[k], values[k]), 0.0,
+                       largest[k]);
   return all;
 }
 
@@ -418,7 +574,7 @@ std::vector<double> whiten(const Measurements& measurements, const std::vector<d
     const auto count = static_cast<Eigen::Index>(series.readings.size());
     Eigen::Map<Eigen::VectorXd>(white.data() + series.first, count) =
         whitened(Eigen::Map<const Eigen::VectorXd>(residual.data() + series.first, count),
-                 noise.of(series.channel), noise.correlation_of(series.channel));
+                 noise.of(series.channel), noise.correlation_of(series));
   }
   return white;
 }

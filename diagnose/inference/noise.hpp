@@ -17,10 +17,19 @@ inline double of(const Channel& channel, const BySensor& all) {
   return all[static_cast<std::size_t>(channel.sensor())];
 }
 
+/// Of each kind of sensor, whether its noise is forgotten with time, as by a filter, and not with every
+/// reading.
+using ForgetsWithTime = std::array<bool, sensors>;
+
+/// Correlation of neighbours in a series, from those of every sensor where it is read fastest.
+double at_pace(const Series& series, const BySensor& correlation, const ForgetsWithTime& with_time);
+
 /// First-order autoregressive noise: true sigma = scale · declared sigma, correlation between neighbours.
 struct NoiseModel {
   std::array<double, channel_names> scale{1.0, 1.0, 1.0, 1.0, 1.0};  ///< by Channel::Name
-  BySensor correlation{};  ///< a filter that is in a load cell is not in a camera
+  /// Where it is read fastest: a filter that is in a load cell is not in a camera.
+  BySensor correlation{};
+  ForgetsWithTime with_time{};
 
   bool operator==(const NoiseModel& other) const = default;
 
@@ -29,6 +38,9 @@ struct NoiseModel {
   }
   [[nodiscard]] double correlation_of(const Channel& channel) const {
     return diagnose::of(channel, correlation);
+  }
+  [[nodiscard]] double correlation_of(const Series& series) const {
+    return at_pace(series, correlation, with_time);
   }
 };
 
@@ -59,6 +71,10 @@ std::vector<double> without_outliers(const Measurements& measurements, const std
 /// E(e_{t-1} - 2 e_t + e_{t+1})^2 = 2 sigma^2 (1 - phi)(3 - phi).
 RawNoise raw_noise(const Measurements& measurements, const std::vector<double>& residual);
 
+/// Which sensors' noise is forgotten with time: where runs are read at different paces, what their
+/// differences say of neighbours agrees better so than with one correlation for all.
+ForgetsWithTime forgets_with_time(const Measurements& measurements, const std::vector<double>& residual);
+
 /// Standard deviation of a correlation as so many values tell it: 1.4 over their root in simulated noise that
 /// does not correlate, 1.8 in noise that does by a half, 2.1 by 0.9.
 double correlation_deviation(double correlation, double values);
@@ -66,6 +82,10 @@ double correlation_deviation(double correlation, double values);
 /// The same with the priors: a scale near one unless the readings say otherwise, and a half-normal
 /// correlation.
 NoiseModel estimate_noise(const Measurements& measurements, const std::vector<double>& residual);
+
+/// The same of noise of which it is known how it is forgotten.
+NoiseModel estimate_noise(const Measurements& measurements, const std::vector<double>& residual,
+                          const ForgetsWithTime& with_time);
 
 /// By how much neighbours may correlate more than is estimated, at the upper places of five (Gauss and
 /// Hermite's): the rest is the estimate's, for the lower places, where noise is less slow, count as that. All
@@ -76,7 +96,7 @@ struct PossibleCorrelation {
 };
 std::array<PossibleCorrelation, 2> larger_correlations(const Measurements& measurements,
                                                        const std::vector<double>& residual,
-                                                       const BySensor& estimated);
+                                                       const NoiseModel& estimated);
 
 /// Standardised innovations of values in the order of reading, whose noise has this scale and correlates so
 /// from one to the next.

@@ -75,6 +75,23 @@ std::vector<double> clock_of(const Run& run, const Series& series) {
   return clock;
 }
 
+/// Gives every series its pace. Intervals that are alike are the same; a clock that somebody made up tells
+/// none.
+void tell_paces(const Experiment& experiment, Sensor sensor, std::vector<Series>& all) {
+  constexpr double alike = 1.5;
+  std::vector<Series*> timed;
+  for (Series& one : all)
+    if (one.channel.sensor() == sensor && one.interval > 0 && !experiment.runs[one.run].counts_readings())
+      timed.push_back(&one);
+  std::sort(timed.begin(), timed.end(),
+            [](const Series* a, const Series* b) { return a->interval < b->interval; });
+  double same = 0;
+  for (Series* one : timed) {
+    if (one->interval > alike * same) same = one->interval;
+    one->pace = same / timed.front()->interval;
+  }
+}
+
 /// Makes the sigma of a series so many times as large.
 void widen(Series& series, double times, SeenNoise& seen) {
   series.sigma *= times;
@@ -112,6 +129,8 @@ Measurements::Measurements(const Experiment& experiment) {
       all.push_back(std::move(values));
     }
   }
+  for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle})
+    tell_paces(experiment, sensor, series_);
   std::vector<SeenNoise> seen;
   for (std::size_t s = 0; s < series_.size(); ++s) {
     const Series& series = series_[s];

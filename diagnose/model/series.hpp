@@ -19,6 +19,7 @@ struct Series {
   std::size_t first = 0;              ///< place of its first value in the flat list
   std::vector<std::size_t> readings;  ///< index of each value's reading in the run
   double interval = 0;                ///< mean time from value to value, s; 0 of one value
+  double pace = 1;               ///< interval, in that of the run in which its kind of sensor is read fastest
   std::vector<double> clock;     ///< when each was read, intervals after the first; its number without times
   std::vector<Between> between;  ///< where its run went the same way more than once
   /// Of each value: the declared one, wider where the readings scatter in proportion to themselves.
