@@ -10,6 +10,7 @@
 #include "diagnose/answers/rotation.hpp"
 #include "diagnose/answers/single_joint.hpp"
 #include "diagnose/beliefs.hpp"
+#include "diagnose/inference/outliers.hpp"
 
 namespace plumbline::diagnose {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "diagnose/answers/torque_balance.hpp"
 #include "diagnose/inference/least_squares.hpp"
+#include "diagnose/inference/outliers.hpp"
 
 namespace plumbline::diagnose {
 namespace {

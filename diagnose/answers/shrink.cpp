@@ -1,4 +1,5 @@
 #include "diagnose/answers/shrink.hpp"
+#include "diagnose/inference/outliers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,7 @@
 #include "diagnose/answers/rotation.hpp"
 #include "diagnose/beliefs.hpp"
 #include "diagnose/inference/gap.hpp"
+#include "diagnose/inference/outliers.hpp"
 
 namespace plumbline::diagnose {
 namespace {

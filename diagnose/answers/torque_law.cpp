@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "diagnose/answers/law_choice.hpp"
+#include "diagnose/inference/outliers.hpp"
 #include "diagnose/model/run_rig.hpp"
 
 namespace plumbline::diagnose {

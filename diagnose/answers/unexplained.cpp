@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "diagnose/answers/torque_balance.hpp"
+#include "diagnose/inference/outliers.hpp"
 #include "diagnose/model/between.hpp"
 
 namespace plumbline::diagnose {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnose/answers/torque_balance.hpp"
+#include "diagnose/inference/outliers.hpp"
 
 namespace plumbline::diagnose {
 namespace {

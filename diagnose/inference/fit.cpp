@@ -1,4 +1,5 @@
 #include "diagnose/inference/fit.hpp"
+#include "diagnose/inference/outliers.hpp"
 
 #include <ceres/ceres.h>
 #include <glog/logging.h>

@@ -7,6 +7,7 @@
 #include <optional>
 #include <random>
 
+#include "diagnose/inference/outliers.hpp"
 #include "diagnose/inference/slow.hpp"
 
 namespace plumbline::diagnose {
@@ -99,8 +100,8 @@ Null null_distribution(const Measurements& measurements, const NoiseModel& noise
   double square_total = 0, square_whole = 0;
   for (int draw = 0; draw < draws; ++draw) {
     const std::vector<double> residual = simulation.draw(noise);
-    const Energy energy = slow_energy(
-        measurements, residual, taken ? *taken : estimate_noise(measurements, residual, noise.with_time));
+    const Energy energy = slow_energy(measurements, residual,
+                                      taken ? *taken : estimate_noise(measurements, residual, noise.manner));
     null.mean_total += energy.total() / draws;
     square_total += energy.total() * energy.total() / draws;
     null.mean_whole += energy.whole / draws;

@@ -90,7 +90,7 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
     double chance = estimated;
     for (const auto& [value, probability] : larger)
       chance += probability *
-                (chance_of(values, clock, frequency, at_pace(series, value, noise.with_time)) - estimated);
+                (chance_of(values, clock, frequency, at_pace(series, value, noise.manner)) - estimated);
     return chance;
   };
   for (std::size_t s = 0; s < measurements.series().size(); ++s) {

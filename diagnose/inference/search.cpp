@@ -7,6 +7,7 @@
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/inference/elements.hpp"
+#include "diagnose/inference/outliers.hpp"
 #include "diagnose/inference/rival.hpp"
 #include "diagnose/inference/screen.hpp"
 

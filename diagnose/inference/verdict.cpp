@@ -9,6 +9,7 @@
 #include "diagnose/beliefs.hpp"
 #include "diagnose/inference/alike.hpp"
 #include "diagnose/inference/genuine.hpp"
+#include "diagnose/inference/outliers.hpp"
 #include "diagnose/inference/rival.hpp"
 
 namespace plumbline::diagnose {

@@ -61,6 +61,29 @@ double roughness(const Differences& differences, double proportion) {
   return deviation > 0 ? deviation : unknown;
 }
 
+/// Of each value, how many in a row read the same.
+std::vector<std::size_t> repeated(const std::vector<double>& values) {
+  std::vector<std::size_t> times;
+  for (std::size_t i = 0; i < values.size();) {
+    std::size_t next = i + 1;
+    while (next < values.size() && values[next] == values[i]) ++next;
+    times.insert(times.end(), next - i, next - i);
+    i = next;
+  }
+  return times;
+}
+
+/// How many times the variance of one coarse reading those have of which so many in a row are the same, for
+/// the error of rounding is one: so much the less do they scatter beside it, for that would have shown.
+/// \param step  that they are rounded to, declared sigmas
+double rounded_alike(double step, std::size_t times) {
+  constexpr std::size_t few = 4;  // that noise as large as a step makes equal once in thirty times
+  const double rounded = step * step / 12, count = static_cast<double>(times);
+  // The farthest of so many is off by the root of 2 ln m deviations, and by no more than half a step.
+  const double scatter = times < few ? 1 : std::min(1.0, step * step / (8 * std::log(count)));
+  return (scatter + rounded * count) / (scatter + rounded);
+}
+
 double mean_interval(const Run& run, const std::vector<std::size_t>& readings) {
   const double time = run.readings[readings.back()].t - run.readings[readings.front()].t;
   return readings.size() > 1 ? time / static_cast<double>(readings.size() - 1) : 0;
@@ -165,7 +188,8 @@ void Measurements::weigh_groups(Sensor sensor, std::size_t (*group_of)(const Ser
   }
 }
 
-/// Gives every value its sigma. What scatters in proportion does so in all runs of a channel.
+/// Gives every value its sigma. What scatters in proportion does so in all runs of a channel. Coarse readings
+/// that are the same in a row were rounded alike: together they have that error once.
 void Measurements::weigh(const std::vector<std::vector<double>>& values, const std::vector<SeenNoise>& seen) {
   std::map<Channel::Name, std::vector<Differences>> in_time, in_place;
   for (std::size_t s = 0; s < series_.size(); ++s) {
@@ -181,8 +205,11 @@ void Measurements::weigh(const std::vector<std::vector<double>>& values, const s
   for (std::size_t s = 0; s < series_.size(); ++s) {
     Series& series = series_[s];
     series.proportion = proportions[series.channel.name];
-    for (const double value : values[s])
-      series.sigmas.push_back(series.sigma * std::hypot(1.0, series.proportion * value));
+    const std::vector<std::size_t> times = repeated(values[s]);
+    for (std::size_t i = 0; i < values[s].size(); ++i) {
+      const double wider = series.step > 0 ? std::sqrt(rounded_alike(series.step, times[i])) : 1;
+      series.sigmas.push_back(series.sigma * std::hypot(1.0, series.proportion * values[s][i]) * wider);
+    }
     series.roughness = roughness(Differences(values[s], series.sigma), series.proportion);
   }
 }

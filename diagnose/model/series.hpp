@@ -22,7 +22,8 @@ struct Series {
   double pace = 1;               ///< interval, in that of the run in which its kind of sensor is read fastest
   std::vector<double> clock;     ///< when each was read, intervals after the first; its number without times
   std::vector<Between> between;  ///< where its run went the same way more than once
-  /// Of each value: the declared one, wider where the readings scatter in proportion to themselves.
+  /// Of each value: the declared one, wider where the readings scatter in proportion to themselves, and where
+  /// coarse ones repeat.
   std::vector<double> sigmas;
   double proportion = 0;  ///< that part over the declared sigma, per unit of the reading; mostly 0
   double step = 0;        ///< that coarse readings are rounded to, declared sigmas; 0 where none shows

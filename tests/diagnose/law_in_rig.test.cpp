@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "diagnose/answers/torque_law.hpp"
+#include "diagnose/inference/outliers.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

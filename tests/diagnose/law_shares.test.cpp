@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "diagnose/answers/implied_shares.hpp"
+#include "diagnose/inference/outliers.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

@@ -1,4 +1,5 @@
 #include "diagnose/inference/noise.hpp"
+#include "diagnose/inference/outliers.hpp"
 
 #include <doctest/doctest.h>
 

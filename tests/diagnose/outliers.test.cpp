@@ -4,6 +4,7 @@
 #include <map>
 
 #include "diagnose/inference/noise.hpp"
+#include "diagnose/inference/outliers.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 

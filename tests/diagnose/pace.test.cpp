@@ -7,6 +7,7 @@
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/inference/gap.hpp"
+#include "diagnose/inference/noise_steps.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 
@@ -65,7 +66,7 @@ TEST_CASE("what neighbours correlate goes with the time between them where noise
   const Experiment experiment = read_every({2, 0.5}, 200);
   const Measurements measurements(experiment);
   const double phi = std::exp(-0.5 / 2.24);
-  const NoiseModel noise{{1, 1, 1, 1, 1}, {0, phi, 0}, {false, true, false}};
+  const NoiseModel noise{{1, 1, 1, 1, 1}, {0, phi, 0}, {{false, true, false}, {}}};
   for (const Series& series : measurements.series())
     CHECK(noise.correlation_of(series) == close_to(series.run == 0 ? std::pow(phi, 4) : phi));
   std::mt19937_64 random(5);
@@ -90,15 +91,16 @@ TEST_CASE("readings say whether their noise is forgotten with time or with every
     // Two channels of 200 values tell the correlation of each run. At the slow pace it is 0.41 with time, 0.8
     // without, four deviations off.
     const NoiseModel with_time = estimated(filter(2.24)), with_readings = estimated(always(phi));
-    CHECK(with_time.with_time[at_force]);
-    CHECK_FALSE(with_readings.with_time[at_force]);
+    CHECK(with_time.manner.with_time[at_force]);
+    CHECK_FALSE(with_readings.manner.with_time[at_force]);
     CHECK(std::abs(with_time.correlation[at_force] - phi) < 3 * correlation_deviation(phi, 400));
     CHECK(std::abs(with_readings.correlation[at_force] - phi) < 3 * correlation_deviation(phi, 800));
   }
   // What does not remember is forgotten with every reading, and at one pace there is no telling.
   const Experiment one_pace = read_every({2, 2}, 200);
   const Measurements alike(one_pace);
-  CHECK_FALSE(estimate_noise(alike, remembering(one_pace, alike, filter(5), random)).with_time[at_force]);
+  CHECK_FALSE(
+      estimate_noise(alike, remembering(one_pace, alike, filter(5), random)).manner.with_time[at_force]);
 }
 
 TEST_CASE("noise that remembers for seconds, or for readings, is no gap in runs that are read at any pace" *

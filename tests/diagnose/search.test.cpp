@@ -9,6 +9,7 @@
 #include "diagnose/answers/heldout.hpp"
 #include "diagnose/bench/condense.hpp"
 #include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/inference/outliers.hpp"
 #include "diagnose/inference/rival.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"

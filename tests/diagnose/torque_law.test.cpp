@@ -5,6 +5,7 @@
 
 #include "diagnose/answers/law_choice.hpp"
 #include "diagnose/answers/torque_balance.hpp"
+#include "diagnose/inference/outliers.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
