@@ -10,6 +10,7 @@
 #include "diagnose/beliefs.hpp"
 #include "diagnose/inference/alike.hpp"
 #include "diagnose/inference/genuine.hpp"
+#include "diagnose/inference/outliers.hpp"
 #include "diagnose/inference/rival.hpp"
 
 namespace plumbline::diagnose {
@@ -114,10 +115,27 @@ bool is_of_machining(const Candidate& candidate) {
 }
 
 /// Whether an effect of it only says how a torque goes with the angle: of benches of another simulator whose
-/// springs came to a plateau four of four were named `piecewise_spring`.
-bool is_a_shape(const Candidate& candidate) {
-  return std::any_of(candidate.effects.begin(), candidate.effects.end(),
-                     [](const EffectAt& at) { return at.effect->of_shape; });
+/// springs came to a plateau four of four were named `piecewise_spring`, and of eight in which one joint
+/// stiffened smoothly five `joint_stop`, at a small angle.
+bool is_a_shape(const Study& study, const Fit& fit) {
+  constexpr double soft = 3;  // over the spring beside it
+  const std::vector<EffectAt>& effects = fit.candidate.effects;
+  if (std::any_of(effects.begin(), effects.end(), [](const EffectAt& at) { return at.effect->of_shape; }))
+    return true;
+  const std::vector<ParameterRange> ranges = study.ranges(fit.candidate);
+  for (std::size_t p = 0; p < ranges.size(); ++p)
+    if (ranges[p].name == "k_s" && fit.parameters[p] < soft * ranges[p].scale) return true;
+  return false;
+}
+
+/// Whether it takes three relaxation times: of sixteen benches of another simulator that relaxed by a power
+/// of time fifteen were named so.
+bool relaxes_in_many_ways(const Candidate& candidate) {
+  const auto has = [&](std::string_view id) {
+    return std::any_of(candidate.effects.begin(), candidate.effects.end(),
+                       [&](const EffectAt& at) { return at.effect->id == id; });
+  };
+  return has("relaxation_spectrum") && has("viscoelasticity");
 }
 
 /// Whether an effect of this rig sets in where a parameter says, as a stop does; what gives back less than it
@@ -252,8 +270,10 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
     hedge(cause, Reservation::beyond_tolerance);
   } else if (is_of_machining(best.candidate)) {
     hedge(cause, Reservation::machining_alone);
-  } else if (is_a_shape(best.candidate)) {
+  } else if (is_a_shape(study, best)) {
     hedge(cause, Reservation::shape_alone);
+  } else if (relaxes_in_many_ways(best.candidate)) {
+    hedge(cause, Reservation::many_times);
   }
 }
 

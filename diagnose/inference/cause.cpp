@@ -39,8 +39,11 @@ std::string reservation_words(Reservation reservation) {
       return "what machining leaves has values at every joint or link, in which a cause of another kind may "
              "hide";
     case Reservation::shape_alone:
-      return "it says how a torque goes with the angle, not why: a plateau, or whatever else gives way "
-             "smoothly, looks the same";
+      return "it says how a torque goes with the angle, not why: a plateau, or whatever else gives way or "
+             "stiffens smoothly, looks the same";
+    case Reservation::many_times:
+      return "it says how a torque relaxes, not why: three times draw whatever relaxes over decades, as by a "
+             "power of time";
     case Reservation::beyond_tolerance:
       return "its tolerances are wider than machining leaves";
     case Reservation::single_joint:

@@ -22,6 +22,7 @@ enum class Reservation {
   many_values,       ///< beside one effect it takes another with a value at every joint, link or run
   machining_alone,   ///< it is what machining leaves, or a kind of that, and nothing else
   shape_alone,       ///< it says how a torque goes with the angle, as laws that nobody listed go too
+  many_times,        ///< it relaxes in three times, as what relaxes by a power of time is drawn too
   beyond_tolerance,  ///< its tolerances are wider than machining leaves
   single_joint  ///< it draws the torque law of the only sprung joint, all but a part, and leaves more than
                 ///< noise

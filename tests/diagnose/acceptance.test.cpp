@@ -287,7 +287,22 @@ TEST_CASE("what only says how a torque goes with the angle is doubted, alone and
     CHECK(doubted.reservation == Reservation::shape_alone);
     CHECK(doubted.unknown == 0.25);
   }
-  CHECK(demanded(study, named(study, {{{"joint_stops"}}}), leaving(1)).verdict == CauseVerdict::identified);
+  // A stop as stiff as the spring beside it is a spring that stiffens; one of three times that is a stop.
+  CHECK(demanded(study, named(study, {{{"joint_stops"}}}, 2.9), leaving(1)).reservation ==
+        Reservation::shape_alone);
+  CHECK(demanded(study, named(study, {{{"joint_stops"}}}, 3), leaving(1)).verdict ==
+        CauseVerdict::identified);
+}
+
+TEST_CASE("three relaxation times are doubted, two are not") {
+  const Study study = three_runs();
+  const Cause three =
+      demanded(study, named(study, {{{"relaxation_spectrum"}, {"viscoelasticity"}}}), leaving(1));
+  CHECK(three.verdict == CauseVerdict::ambiguous);
+  CHECK(three.reservation == Reservation::many_times);
+  for (const Candidate& fewer :
+       {Candidate{{{"relaxation_spectrum"}}}, Candidate{{{"viscoelasticity"}, {"force_gain"}}}})
+    CHECK(demanded(study, named(study, fewer), leaving(1)).verdict == CauseVerdict::identified);
 }
 
 TEST_CASE("what machining leaves is doubted alone, and not beside a cause") {
