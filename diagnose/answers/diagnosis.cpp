@@ -32,6 +32,15 @@ void require_reached(const Study& study) {
               "end points within reach and a stable posture at every reading");
 }
 
+std::vector<HummingChannel> listed(const Study& study, const std::vector<Hum>& hum) {
+  std::vector<HummingChannel> channels;
+  for (const Hum& one : hum) {
+    const Series& series = study.measurements().series()[one.series];
+    channels.push_back({study.experiment().runs[series.run].id, series.channel, one.period, one.rms()});
+  }
+  return channels;
+}
+
 std::vector<RougherRun> rougher_runs(const Study& study) {
   std::vector<RougherRun> rougher;
   for (const Series& series : study.measurements().series()) {
@@ -62,10 +71,7 @@ GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
     }
   }
   for (auto& [channel, square] : gap.rms) square = std::sqrt(square / count[channel]);
-  for (const Hum& one : gap.test.hum) {
-    const Series& series = measurements.series()[one.series];
-    gap.hum.push_back({study.experiment().runs[series.run].id, series.channel, one.period, one.rms()});
-  }
+  gap.hum = listed(study, gap.test.hum);
   for (const Series& series : measurements.series())
     if (series.beside_joints > 1) gap.uneven[series.channel] = series.beside_joints;
   gap.rougher = rougher_runs(study);
@@ -270,7 +276,17 @@ Findings put_to_the_test(const Study& study, const Study& seen, const Findings& 
   return findings;
 }
 
-void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
+/// Tones that the leading explanation leaves: of the readings themselves a gap hides them.
+std::vector<Hum> heard_beside(const Study& study, const Findings& findings) {
+  if (findings.hypotheses.empty()) return {};
+  const Measurements& measurements = study.measurements();
+  return find_hum(measurements, without_outliers(measurements, findings.hypotheses.front().fit.residual));
+}
+
+enum class Hears { hum, nothing };
+
+/// \param hears  whether hum may be left in the readings: what is heard is taken out, and all is done again
+void explain(const Study& study, Diagnosis& diagnosis, const Report& progress, Hears hears) {
   const HeldOut heldout = choose_heldout(study.experiment());
   const Study seen = study.of(without(study.experiment(), heldout));
   const Findings chosen = search(seen, [&](double share) { progress(0.1 + 0.4 * share); });
@@ -282,6 +298,16 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress) {
   }
   Findings findings =
       judged_on_all(study, seen, chosen, diagnosis.cause, [&](double share) { progress(0.5 + 0.4 * share); });
+  if (hears == Hears::hum) {
+    const std::vector<Hum> hum = heard_beside(study, findings);
+    diagnosis.gap.hum = listed(study, hum);
+    if (!hum.empty()) {
+      const Study still = study.of(quiet(study.experiment(), study.measurements(), hum));
+      explain(
+          still, diagnosis, [&](double share) { progress(0.9 + 0.1 * share); }, Hears::nothing);
+      return;
+    }
+  }
   diagnosis.noise = findings.noise;
   findings = put_to_the_test(study, seen, chosen, std::move(findings), diagnosis);
   diagnosis.allowed = findings.noise;
@@ -346,7 +372,7 @@ Diagnosis diagnose(const Study& study, const Report& progress, bool plan) {
   diagnosis.experiment = study.experiment().name;
   diagnosis.gap = ask_for_gap(study, residual);
   diagnosis.allowed = diagnosis.noise = diagnosis.gap.test.noise;
-  if (diagnosis.gap.present) explain(study, diagnosis, report);
+  if (diagnosis.gap.present) explain(study, diagnosis, report, Hears::hum);
   diagnosis.where = locate(study, study.nominal(), residual, diagnosis.noise);
   imply_joints(study, residual, diagnosis);
   if (diagnosis.gap.present && diagnosis.cause.verdict == CauseVerdict::unknown)

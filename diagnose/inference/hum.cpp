@@ -113,4 +113,17 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
   return all;
 }
 
+Experiment quiet(Experiment experiment, const Measurements& measurements, const std::vector<Hum>& hum) {
+  for (const Hum& one : hum) {
+    const Series& series = measurements.series()[one.series];
+    const Eigen::VectorXd wave =
+        tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
+    std::vector<Reading>& readings = experiment.runs[series.run].readings;
+    for (std::size_t i = 0; i < series.readings.size(); ++i)
+      series.channel.in(readings[series.readings[i]]) -=
+          wave(static_cast<Eigen::Index>(i)) * series.sigmas[i];
+  }
+  return experiment;
+}
+
 }  // namespace plumbline::diagnose

@@ -16,4 +16,7 @@ namespace plumbline::diagnose {
 /// the rest, at the same time's period and about as loud.
 std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<double>& residual);
 
+/// The experiment whose readings are without these tones.
+Experiment quiet(Experiment experiment, const Measurements& measurements, const std::vector<Hum>& hum);
+
 }  // namespace plumbline::diagnose

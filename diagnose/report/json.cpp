@@ -42,7 +42,11 @@ Json by_label(const std::map<Channel, double>& values) {
 }
 
 Json gap(const GapAnswer& answer, const NoiseModel& model) {
-  Json proportional = Json::object(), rougher = Json::array(), other_side = Json::array();
+  Json hum = Json::array(), proportional = Json::object(), rougher = Json::array(),
+       other_side = Json::array();
+  for (const HummingChannel& one : answer.hum)
+    hum.push_back(
+        {{"run", one.run}, {"channel", one.channel.label()}, {"period", one.period}, {"rms", one.rms}});
   for (const auto& [name, share] : answer.proportional) proportional[label(name)] = share;
   for (const RougherRun& one : answer.rougher)
     rougher.push_back({{"run", one.run}, {"sensor", label(one.sensor)}, {"times", one.times}});
@@ -53,6 +57,7 @@ Json gap(const GapAnswer& answer, const NoiseModel& model) {
           {"chi2_per_dof", answer.chi2_per_value},
           {"rms", by_label(answer.rms)},
           {"noise", noise(model, answer.rms)},
+          {"hum", hum},
           {"proportional_noise", proportional},
           {"uneven_noise", by_label(answer.uneven)},
           {"rougher_runs", rougher},

@@ -54,6 +54,26 @@ std::string scatter(const NoiseModel& noise, const std::map<Channel, double>& me
   return text + " neighbours correlate by " + correlations(noise, measured) + "\n" + words;
 }
 
+/// Channels of a run that hum together in one line.
+std::string hum_in_words(const std::vector<HummingChannel>& hum) {
+  std::string text;
+  for (auto first = hum.begin(); first != hum.end();) {
+    const auto end = std::find_if(first, hum.end(), [&](const HummingChannel& one) {
+      return one.run != first->run || std::abs(one.period - first->period) > 0.05 * first->period;
+    });
+    std::vector<std::string> channels;
+    double loudest = 0;
+    for (auto one = first; one != end; ++one)
+      channels.push_back(one->channel.label()), loudest = std::max(loudest, one->rms);
+    text +=
+        fmt::format("  {} of {} {} every {:.2g} readings, {}{:.1f} declared sigmas rms: taken for noise\n",
+                    fmt::join(channels, ", "), first->run, channels.size() > 1 ? "hum" : "hums",
+                    first->period, channels.size() > 1 ? "up to " : "", loudest);
+    first = end;
+  }
+  return text;
+}
+
 std::string gap(const Diagnosis& diagnosis) {
   const GapAnswer& answer = diagnosis.gap;
   const NoiseModel& noise = diagnosis.noise;
@@ -83,12 +103,7 @@ std::string gap(const Diagnosis& diagnosis) {
         "  from reading {} of {} on the chain is where its imperfections sent it, half a degree of a rest "
         "angle deciding: so is the model\n",
         one.reading, one.run);
-  if (answer.present) return text;
-  for (const HummingChannel& one : answer.hum)
-    text +=
-        fmt::format("  {} of {} hums every {:.2g} readings, {:.1f} declared sigmas rms: taken for noise\n",
-                    one.channel.label(), one.run, one.period, one.rms);
-  return text;
+  return text + hum_in_words(answer.hum);
 }
 
 template <class Share, class Name>

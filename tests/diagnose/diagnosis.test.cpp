@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numbers>
 #include <random>
 
 #include "diagnose/inference/fit.hpp"
@@ -174,6 +175,27 @@ TEST_CASE("two causes at once are both named" * doctest::test_suite("long")) {
       with_readings(unread_bench(), {{{"joint_friction", 0}, {"joint_stiffness", 1}}}, {0.03, 0.3}, 3)));
   CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
   CHECK(said(diagnosis) == std::vector<std::string>{"joint_friction", "joint_stiffness(1)"});
+}
+
+TEST_CASE("hum beside a gap is taken out of the readings, and said") {
+  Experiment humming = with_readings(unread_bench(), {{{"joint_friction"}}}, {0.03}, 3);
+  for (Run& run : humming.runs)
+    for (std::size_t i = 0; i < run.readings.size(); ++i) {
+      const double wave = std::sin(2 * std::numbers::pi * static_cast<double>(i) / 3.7);
+      run.readings[i].Fx += 3 * humming.noise.Fx * wave;
+      run.readings[i].Fy += 3 * humming.noise.Fy * wave;
+    }
+  const Diagnosis diagnosis = plumbline::diagnose::diagnose(Study(humming));
+  CHECK(said(diagnosis) == std::vector<std::string>{"joint_friction"});
+  CHECK(diagnosis.cause.verdict == CauseVerdict::identified);
+  CHECK(diagnosis.gap.hum.size() == 2 * humming.runs.size());
+  for (const HummingChannel& one : diagnosis.gap.hum) {
+    CHECK(one.channel.sensor() == Sensor::force);
+    CHECK(one.period == doctest::Approx(3.7).epsilon(0.05));
+    CHECK(one.rms == doctest::Approx(3 / std::numbers::sqrt2).epsilon(0.25));
+  }
+  // What is left is the noise that was put in.
+  CHECK(diagnosis.cause.ranking[diagnosis.cause.best].chi2_per_dof < 1.3);
 }
 
 TEST_CASE("values of their own in each run do not stand for what machining leaves" *

@@ -39,7 +39,7 @@ inline Diagnosis made_up() {
               {1e-5, 3, {}, made.noise, {}},
               12.5,
               {{of_Fx, 0.25}, {of_q2, 0.0031}},
-              {},
+              {{"press-1", of_q2, 7.5, 1.25}},
               {{Channel::Name::Fx, 0.021}},
               {{of_q2, 3.2}},
               {{"load-2", Sensor::force, 2.7}},

@@ -13,6 +13,7 @@ TEST_CASE("every number of a diagnosis stands in its JSON, by hand") {
   CHECK(json["gap"] == ReportJson::parse(R"json({"present": true, "p_value": 1e-5, "chi2_per_dof": 12.5,
     "rms": {"Fx": 0.25, "q2": 0.0031}, "noise": {"Fx": 2.0, "q": 0.5, "correlation": 0.12,
       "correlations": {"force": 0.12, "angle": 0.03}},
+    "hum": [{"run": "press-1", "channel": "q2", "period": 7.5, "rms": 1.25}],
     "proportional_noise": {"Fx": 0.021}, "uneven_noise": {"q2": 3.2},
     "rougher_runs": [{"run": "load-2", "sensor": "force", "times": 2.7}], "taken_for_weights": ["load-2"],
     "other_side": [{"run": "press-1", "from": 3}]})json"));

@@ -42,6 +42,8 @@ TEST_CASE("a page holds the numbers of the JSON at its keys, and says what was f
                           "/gap/proportional_noise/Fx",
                           "/gap/uneven_noise/q2",
                           "/gap/rougher_runs/0/times",
+                          "/gap/hum/0/period",
+                          "/gap/hum/0/rms",
                           "/where/joints/2/share",
                           "/where/runs/1/share",
                           "/where/channels/1/share",

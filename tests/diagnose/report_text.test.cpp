@@ -21,7 +21,8 @@ const std::string gap_in_words =
     "  the forces of load-2 point straight down and have no noise: taken for weights\n"
     "  from reading 3 of press-1 on the chain is where its imperfections sent it, half a degree of a rest "
     "angle "
-    "deciding: so is the model\n";
+    "deciding: so is the model\n"
+    "  q2 of press-1 hums every 7.5 readings, 1.2 declared sigmas rms: taken for noise\n";
 
 const std::string where_in_words =
     "\nWhere?  shares of the squared residual beyond noise\n"
@@ -53,7 +54,6 @@ TEST_CASE("a diagnosis in words, by hand") {
 TEST_CASE("what else the words may say: no gap, tones, remainders, rivals, what was not exercised") {
   Diagnosis made = made_up();
   made.gap.hum = {{"press-1", of_Fx, 3.7, 1.6}};
-  CHECK_FALSE(has_words(as_text(made), "hums"));  // beside a gap it is no matter
   made.gap.present = false;
   made.noise.scale = {1, 1, 1.5, 1, 1 / 1.5};
   made.gap.proportional.clear(), made.gap.uneven.clear(), made.gap.taken_for_weights.clear();
@@ -65,6 +65,11 @@ TEST_CASE("what else the words may say: no gap, tones, remainders, rivals, what 
       "  noise over declared: Fx 1.50, q 0.67; neighbours correlate by 0.12 (force), 0.03 (angle)\n"
       "  Fx of press-1 hums every 3.7 readings, 1.6 declared sigmas rms: taken for noise\n");
   CHECK_FALSE(has_words(as_text(made), "ripple"));
+  made.gap.hum = {{"press-1", of_Fx, 3.7, 1.6}, {"press-1", of_q2, 3.6, 1.9}, {"load-2", of_Fx, 3.7, 1}};
+  CHECK(
+      has_words(as_text(made),
+                "  Fx, q2 of press-1 hum every 3.7 readings, up to 1.9 declared sigmas rms: taken for noise\n"
+                "  Fx of load-2 hums every 3.7 readings, 1.0 declared sigmas rms: taken for noise\n"));
   made.noise.scale[2] = 6;  // of Fx, beyond five
   CHECK(has_words(as_text(made),
                   "  so much that a ripple of the device finer than the readings may hide in it"));
