@@ -68,7 +68,7 @@ TORQUES = {
     "none": lambda q: 0,
     "ambiguous": lambda q: 0.2 * q,  # a stiffer joint, or a load cell that reads too much
     "unknown": lambda q: 0.05 * math.sin(15 * q),
-    "unpredicted": lambda q: 0.05 * math.sin(90 * q),  # unknown, and too fine for any law
+    "unpredicted": lambda q: 0.05 * math.sin(100 * q),  # unknown, and too fine for any law
     "stopped": lambda q: math.copysign(5 * max(0, abs(q) - 0.25), q),  # identified, at a joint
 }
 

@@ -108,6 +108,7 @@ def reports(folder):
     rippled = lambda joint, d, k: k * d + (0.12 * math.sin(25 * d) if joint == 1 else 0)
     two_links.write(folder / "no-gap", linear, control=("displacement", "force"), angles=True)
     two_links.write(folder / "rough", linear, control=("displacement",) * 3, rough=1)
+    two_links.write(folder / "hum", linear, hum=3)
     two_links.write(folder / "ripple", rippled, control=("displacement", "displacement"), angles=True, readings=60)
     two_links.write(folder / "drag", dragged(), control=("displacement", "displacement"), angles=True, readings=60)
     two_links.write(folder / "one-spring", lambda joint, d, k: 1.3 * k * d, stiffness=(0.0, 1.5))
@@ -120,6 +121,8 @@ def reports(folder):
     rough = written("diagnose", "rough", folder=folder)
     assert [one["run"] for one in rough["gap"]["rougher_runs"]] == ["run-1"]
     assert not rough["gap"]["present"]
+    humming = written("diagnose", "hum", folder=folder)
+    assert [one["channel"] for one in humming["gap"]["hum"]] == ["Fx", "Fy"]
     bundled = written("diagnose", "--next", "--corrected", "corrected.toml", folder=folder)
     found = {name: report["cause"]["verdict"] for name, report in verdicts.items()}
     assert found == {"no-gap": "none", "ripple": "unknown", "drag": "unknown", "one-spring": "ambiguous"}, found
@@ -130,7 +133,7 @@ def reports(folder):
         assert (len(files) > 1) == (report["cause"]["verdict"] == "ambiguous"), files
     assert bundled["cause"]["verdict"] == "identified"
     edited = written("diagnose", "no-gap", "--model", "no-gap.xml", "--corrected", "edited.xml", folder=folder)
-    hold("gap-diagnosis", [*verdicts.values(), on_its_side, rough, bundled, edited])
+    hold("gap-diagnosis", [*verdicts.values(), on_its_side, rough, humming, bundled, edited])
 
 
 def trial(folder):

@@ -21,8 +21,10 @@ def force(q, torque):
     return ((d * torque[0] - b * torque[1]) / det, (a * torque[1] - c * torque[0]) / det)
 
 
-def write(folder, law, *, control=("displacement",), angles=False, stiffness=STIFFNESS, readings=40, seed=1, rough=None):
-    """`law(joint, deflection, k)` is the torque that the joints really carry; run `rough` scatters four times as much."""
+def write(folder, law, *, control=("displacement",), angles=False, stiffness=STIFFNESS, readings=40, seed=1, rough=None,
+          hum=0):
+    """`law(joint, deflection, k)` is the torque that the joints really carry; run `rough` scatters four times as much.
+    `hum` is the amplitude, in sigmas, of a tone every three and a half readings of what is measured."""
     noise = random.Random(seed)
     folder.mkdir()
     text = (f'format = "chain-experiment/1"\nname = "{folder.name}"\n[nominal]\nlink_length = {list(LENGTH)}\n'
@@ -41,6 +43,7 @@ def write(folder, law, *, control=("displacement",), angles=False, stiffness=STI
             values = {**dict(zip(("x", "y"), end_point(q))), **dict(zip(("Fx", "Fy"), F))}
             for channel in ("Fx", "Fy") if kind == "displacement" else ("x", "y"):
                 values[channel] += noise.gauss(0, SIGMA[channel] * (4 if number == rough else 1))
+                values[channel] += hum * SIGMA[channel] * math.sin(2 * math.pi * t / 3.5)
             fields = [2 * t, *values.values()] + [a + noise.gauss(0, SIGMA["q"]) for a in q if angles]
             lines.append(",".join(f"{value:.9g}" for value in fields))
         (folder / f"run-{number}.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
