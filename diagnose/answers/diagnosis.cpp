@@ -32,6 +32,7 @@ void require_reached(const Study& study) {
               "end points within reach and a stable posture at every reading");
 }
 
+/// Tones, by the names of their runs and channels.
 std::vector<HummingChannel> listed(const Study& study, const std::vector<Hum>& hum) {
   std::vector<HummingChannel> channels;
   for (const Hum& one : hum) {

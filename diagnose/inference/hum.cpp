@@ -68,7 +68,7 @@ bool goes_with_the_path(const Series& series, const Hum& one) {
   constexpr std::size_t few = 8;
   constexpr double share = 0.25;
   if (series.between.size() < few) return false;
-  const Eigen::VectorXd wave = tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
+  const Eigen::VectorXd wave = wave_of(series, one);
   double off = 0;
   for (const Between& between : series.between) off += std::pow(between.off(wave.data()), 2);
   return off < share * static_cast<double>(series.between.size()) * one.rms() * one.rms();
@@ -101,7 +101,7 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
       auto [one, frequency, shares] = loudest(values, clock_of(series), noise.correlation_of(series));
       spectra[s] = std::move(shares);
       if (!(by_chance(series, values, frequency) < level) || one.rms() > beliefs::largest_hum) break;
-      values -= tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
+      values -= wave_of(series, one);
       one.series = s;
       all.push_back(one);
     }
@@ -116,8 +116,7 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
 Experiment quiet(Experiment experiment, const Measurements& measurements, const std::vector<Hum>& hum) {
   for (const Hum& one : hum) {
     const Series& series = measurements.series()[one.series];
-    const Eigen::VectorXd wave =
-        tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
+    const Eigen::VectorXd wave = wave_of(series, one);
     std::vector<Reading>& readings = experiment.runs[series.run].readings;
     for (std::size_t i = 0; i < series.readings.size(); ++i)
       series.channel.in(readings[series.readings[i]]) -=

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "diagnose/inference/noise_steps.hpp"
-#include "diagnose/inference/slow.hpp"
+#include "diagnose/inference/spectrum.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -49,11 +49,8 @@ std::vector<Products> products_of(const Measurements& measurements, const std::v
     const std::size_t count = series.readings.size();
     if (series.channel.sensor() != sensor || count < 2) continue;
     const auto later = static_cast<Eigen::Index>(count) - 1;
-    Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(residual.data() + series.first, later + 1);
-    for (std::size_t k = 0; k < slow_components(count); ++k) {
-      const Eigen::VectorXd wave = cosine_wave(count, k);
-      values -= wave.dot(values) * wave;
-    }
+    const Eigen::VectorXd values =
+        Fast(count).part(Eigen::Map<const Eigen::VectorXd>(residual.data() + series.first, later + 1));
     all.push_back({&series, values.head(later).squaredNorm(), values.tail(later).squaredNorm(),
                    values.head(later).dot(values.tail(later))});
   }

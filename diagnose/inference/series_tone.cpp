@@ -44,13 +44,17 @@ Slow slow_tone(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, doub
           left > 0 ? static_cast<double>(values.size() - columns) / 2 * std::log(energy / left) : 0};
 }
 
+Eigen::VectorXd wave_of(const Series& series, const Hum& one) {
+  return tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
+}
+
 std::vector<double> without_hum(const Measurements& measurements, std::vector<double> residual,
                                 const std::vector<Hum>& hum) {
   for (const Hum& one : hum) {
     const Series& series = measurements.series()[one.series];
     Eigen::Map<Eigen::VectorXd> values(residual.data() + series.first,
                                        static_cast<Eigen::Index>(series.readings.size()));
-    values -= tone(clock_of(series), 1 / one.period) * Eigen::Vector2d(one.cosine, one.sine);
+    values -= wave_of(series, one);
   }
   return residual;
 }

@@ -41,6 +41,9 @@ struct Slow {
 /// is a part.
 Slow slow_tone(const Eigen::VectorXd& values, const Eigen::VectorXd& clock, double frequency, bool round);
 
+/// What a tone adds to the values of its series, declared sigmas.
+Eigen::VectorXd wave_of(const Series& series, const Hum& one);
+
 /// The residual without these tones.
 std::vector<double> without_hum(const Measurements& measurements, std::vector<double> residual,
                                 const std::vector<Hum>& hum);
