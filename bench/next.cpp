@@ -25,7 +25,7 @@ namespace plumbline::bench {
 using namespace diagnose;
 namespace {
 
-constexpr std::size_t most_runs = 8;
+constexpr std::size_t most_runs = 16;
 
 double uniform(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);

@@ -115,16 +115,14 @@ bool is_of_machining(const Candidate& candidate) {
 }
 
 /// Whether an effect of it only says how a torque goes with the angle: of benches of another simulator whose
-/// springs came to a plateau four of four were named `piecewise_spring`, and of eight in which one joint
-/// stiffened smoothly five `joint_stop`, at a small angle.
+/// springs came to a plateau four of four were named `piecewise_spring`.
 bool is_a_shape(const Study& study, const Fit& fit) {
-  constexpr double soft = 3;  // over the spring beside it
   const std::vector<EffectAt>& effects = fit.candidate.effects;
   if (std::any_of(effects.begin(), effects.end(), [](const EffectAt& at) { return at.effect->of_shape; }))
     return true;
   const std::vector<ParameterRange> ranges = study.ranges(fit.candidate);
   for (std::size_t p = 0; p < ranges.size(); ++p)
-    if (ranges[p].name == "k_s" && fit.parameters[p] < soft * ranges[p].scale) return true;
+    if (fit.parameters[p] < ranges[p].shape_below) return true;
   return false;
 }
 

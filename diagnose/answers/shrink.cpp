@@ -8,10 +8,9 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Flat: which values are held out and no outliers.
+/// Flat, by series: which values are held out, and no outliers.
 std::vector<std::vector<std::size_t>> judged_values(const Measurements& measurements, const HeldOut& heldout,
-                                                    const std::vector<double>& after) {
-  const std::vector<bool> outlier = outliers(measurements, after);
+                                                    const std::vector<bool>& outlier) {
   std::vector<std::vector<std::size_t>> by_series;
   for (const Series& series : measurements.series()) {
     by_series.emplace_back();
@@ -65,6 +64,15 @@ void bootstrap(const std::vector<Sums>& blocks, Ratio& shrink) {
   shrink.ratio_high = std::max(shrink.ratio, ratios[draws - 1 - draws / 40]);
 }
 
+/// Of the values that are held out.
+Sums sums(const std::vector<std::vector<std::size_t>>& values, const std::vector<double>& before,
+          const std::vector<double>& after) {
+  Sums sum;
+  for (const auto& series : values)
+    for (const std::size_t i : series) sum.before += before[i] * before[i], sum.after += after[i] * after[i];
+  return sum;
+}
+
 std::map<Channel, ChannelShrink> by_channel(const Measurements& measurements,
                                             const std::vector<std::vector<std::size_t>>& values,
                                             const std::vector<double>& before,
@@ -74,13 +82,9 @@ std::map<Channel, ChannelShrink> by_channel(const Measurements& measurements,
     parts[measurements.series()[s].channel].push_back(values[s]);
   std::map<Channel, ChannelShrink> result;
   for (const auto& [channel, part] : parts) {
-    Sums sum;
+    const Sums sum = sums(part, before, after);
     double count = 0;
-    for (const auto& series : part) {
-      count += static_cast<double>(series.size());
-      for (const std::size_t i : series)
-        sum.before += before[i] * before[i], sum.after += after[i] * after[i];
-    }
+    for (const auto& series : part) count += static_cast<double>(series.size());
     if (!(sum.before > 0)) continue;
     ChannelShrink& one = result[channel];
     one.ratio = std::sqrt(sum.after / sum.before);
@@ -96,9 +100,9 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
                       const std::vector<double>& before, const std::vector<double>& after,
                       const NoiseModel& noise) {
   Shrink shrink;
-  const auto values = judged_values(measurements, heldout, after);
+  const std::vector<bool> outlier = outliers(measurements, after);
+  const auto values = judged_values(measurements, heldout, outlier);
   std::map<Channel, double> count;
-  Sums all;
   double floor = 0, chi2 = 0, total = 0;
   for (std::size_t s = 0; s < values.size(); ++s) {
     const Series& series = measurements.series()[s];
@@ -108,8 +112,6 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
       shrink.rms_before[channel] += std::pow(series.sigmas[i - series.first] * before[i], 2);
       shrink.rms_after[channel] += std::pow(series.sigmas[i - series.first] * after[i], 2);
       count[channel] += 1;
-      all.before += before[i] * before[i];
-      all.after += after[i] * after[i];
       floor += scale * scale;
       chi2 += std::pow(after[i] / scale, 2);
       total += 1;
@@ -122,7 +124,12 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
   shrink.heldout = heldout.names;
   for (auto& [channel, sum] : shrink.rms_before) sum = std::sqrt(sum / count[channel]);
   for (auto& [channel, sum] : shrink.rms_after) sum = std::sqrt(sum / count[channel]);
+  const Sums all = sums(values, before, after);
+  const auto every = judged_values(measurements, heldout, std::vector<bool>(after.size(), false));
+  for (std::size_t s = 0; s < values.size(); ++s) shrink.left_out += every[s].size() - values[s].size();
+  const Sums with_left_out = sums(every, before, after);
   shrink.ratio = std::sqrt(all.after / all.before);
+  shrink.ratio_with_left_out = std::sqrt(with_left_out.after / with_left_out.before);
   shrink.noise_floor_ratio = std::sqrt(floor / all.before);
   shrink.chi2_per_value_after = chi2 / total;
   bootstrap(blocks(values, before, after), shrink);

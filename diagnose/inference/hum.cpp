@@ -63,15 +63,24 @@ NoiseModel noise_beside_tones(const Measurements& measurements, const std::vecto
   return estimate_noise(measurements, without_hum(measurements, residual, all));
 }
 
-/// Whether a tone is much the same wherever the path comes to the same place: then it is of the chain.
+/// Whether a tone is much the same wherever the path comes to the same place: then it is of the chain. Within
+/// a quarter of its period, as where the path holds still, any tone is much the same.
 bool goes_with_the_path(const Series& series, const Hum& one) {
   constexpr std::size_t few = 8;
-  constexpr double share = 0.25;
-  if (series.between.size() < few) return false;
-  const Eigen::VectorXd wave = wave_of(series, one);
+  constexpr double share = 0.25, quarter = 0.25;
+  const Eigen::VectorXd wave = wave_of(series, one), clock = clock_of(series);
+  const auto later = [&](std::size_t a, std::size_t b) {
+    return std::abs(clock[static_cast<Eigen::Index>(a)] - clock[static_cast<Eigen::Index>(b)]) >
+           quarter * one.period;
+  };
+  std::size_t count = 0;
   double off = 0;
-  for (const Between& between : series.between) off += std::pow(between.off(wave.data()), 2);
-  return off < share * static_cast<double>(series.between.size()) * one.rms() * one.rms();
+  for (const Between& between : series.between) {
+    if (!later(between.value, between.before) || !later(between.value, between.after)) continue;
+    ++count;
+    off += std::pow(between.off(wave.data()), 2);
+  }
+  return count >= few && off < share * static_cast<double>(count) * one.rms() * one.rms();
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 /// What the diagnosis knows of an effect, as one row, and sets of effects that act together.
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,8 @@ struct ParameterRange {
   double low, high;  ///< physical bounds
   /// Standard deviation of its prior, a Gaussian about zero, where it is a tolerance; 0 where it is not.
   double tolerance = 0;
+  /// With less than this its effect only says how a torque goes with the angle, as laws that nobody listed do.
+  double shape_below = -std::numeric_limits<double>::infinity();
 
   /// Whether zero is the nominal model.
   [[nodiscard]] bool may_be_nothing() const { return coordinate == Coordinate::plain && low <= 0; }

@@ -151,18 +151,21 @@ Json shrink(const Diagnosis& diagnosis) {
                                  {"ratio_high", one.ratio_high},
                                  {"noise_floor_ratio", one.noise_floor_ratio}};
   }
-  return {{"of", shrinks(diagnosis)},
-          {"tested", measured.tested()},
-          {"chosen_blind", measured.chosen_blind},
-          {"heldout", measured.heldout},
-          {"rms_before", by_label(measured.rms_before)},
-          {"rms_after", by_label(measured.rms_after)},
-          {"ratio", measured.ratio},
-          {"ratio_low", measured.ratio_low},
-          {"ratio_high", measured.ratio_high},
-          {"noise_floor_ratio", measured.noise_floor_ratio},
-          {"chi2_per_dof_after", measured.chi2_per_value_after},
-          {"channels", channels}};
+  Json result = {{"of", shrinks(diagnosis)},
+                 {"tested", measured.tested()},
+                 {"chosen_blind", measured.chosen_blind},
+                 {"heldout", measured.heldout},
+                 {"rms_before", by_label(measured.rms_before)},
+                 {"rms_after", by_label(measured.rms_after)},
+                 {"ratio", measured.ratio},
+                 {"ratio_low", measured.ratio_low},
+                 {"ratio_high", measured.ratio_high},
+                 {"noise_floor_ratio", measured.noise_floor_ratio},
+                 {"chi2_per_dof_after", measured.chi2_per_value_after},
+                 {"channels", channels}};
+  if (measured.left_out > 0)
+    result["left_out"] = {{"values", measured.left_out}, {"ratio_with", measured.ratio_with_left_out}};
+  return result;
 }
 
 Json missing(const Missing& what) {

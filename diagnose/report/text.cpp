@@ -225,6 +225,14 @@ std::string what_shrinks(const Diagnosis& diagnosis) {
   return diagnosis.cause.verdict == CauseVerdict::unknown ? "the best partial explanation" : "this cause";
 }
 
+std::string left_out(const Shrink& shrink) {
+  if (shrink.left_out == 0) return "";
+  return fmt::format(
+      "  without {} of the values held out, which stand{} off {} neighbours; with {}: {:.3g}\n",
+      shrink.left_out, shrink.left_out == 1 ? "s" : "", shrink.left_out == 1 ? "its" : "their",
+      shrink.left_out == 1 ? "it" : "them", shrink.ratio_with_left_out);
+}
+
 std::string how_far(const Diagnosis& diagnosis) {
   if (diagnosis.nothing_predicts)
     return "How far?  Nothing that was tried leaves less on readings held out than the nominal model\n";
@@ -241,11 +249,11 @@ std::string how_far(const Diagnosis& diagnosis) {
   return fmt::format(
       "How far?  On held-out readings ({}), with {}{}, the residual {} {:.3g} of itself (95 %: {:.3g} to "
       "{:.3g}; "
-      "noise floor {:.3g})\n  rms before: {}\n  rms after:  {}\n",
+      "noise floor {:.3g})\n  rms before: {}\n  rms after:  {}\n{}",
       held, what_shrinks(diagnosis), shrink.chosen_blind ? "" : ", which without them would not be chosen",
       shrink.ratio < 1 ? "shrinks to" : "does not shrink, it becomes", shrink.ratio, shrink.ratio_low,
       shrink.ratio_high, shrink.noise_floor_ratio, by_channel(shrink.rms_before),
-      by_channel(shrink.rms_after));
+      by_channel(shrink.rms_after), left_out(shrink));
 }
 
 std::string odds(double log_odds) {

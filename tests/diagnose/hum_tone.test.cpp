@@ -146,6 +146,25 @@ TEST_CASE("a tone is known in another run where its readings show it slower than
   CHECK(shown == close_to(60 * (1 - 2 / 2.1)).epsilon(0.1));
 }
 
+TEST_CASE("a tone that changes little while a place is read again and again is no matter of the place") {
+  // A tone of 16 s, read every second in the first run and every 0.4 s in the second: there 40 readings, of
+  // which a quarter are ten. Eight at a time are of the same place but for some hundredths, and in their order
+  // of place three or five apart.
+  Experiment experiment = blank_experiment({64, 64});
+  for (std::size_t i = 0; i < 64; ++i) {
+    Reading& reading = experiment.runs[1].readings[i];
+    reading.t *= 0.4;
+    reading.x += 0.01 * static_cast<double>(i / 8) + 1e-4 * static_cast<double>(5 * i % 8);
+  }
+  const Measurements measurements(experiment);
+  REQUIRE(measurements.series()[2].between.size() > 30);
+  std::vector<double> residual(measurements.size(), 0.0);
+  sound(measurements, 0, {{4, 1, 0}}, residual);
+  sound(measurements, 2, {{1.6, 0, 1}}, residual);
+  const std::vector<Hum> heard = find_hum(measurements, residual);
+  CHECK(std::any_of(heard.begin(), heard.end(), [](const Hum& one) { return one.series == 2; }));
+}
+
 TEST_CASE("a tone is said to be in the series that has it") {
   const Measurements measurements(blank_experiment({10, 64, 64}));
   REQUIRE(measurements.series().size() == 6);

@@ -66,6 +66,7 @@ inline Diagnosis made_up() {
   shrink.ratio = 0.125, shrink.ratio_low = 0.101, shrink.ratio_high = 0.152;
   shrink.noise_floor_ratio = 0.11;
   shrink.chi2_per_value_after = 1.21;
+  shrink.left_out = 3, shrink.ratio_with_left_out = 0.172;
   shrink.channels = {{of_Fx, {0.13, 0.12, 0.14, 0.09}}, {of_q2, {0.36, 0.34, 0.38, 0.3}}};
   shrink.chosen_blind = true;
   made.shrink = shrink;

@@ -44,7 +44,8 @@ TEST_CASE("every number of a diagnosis stands in its JSON, by hand") {
     "rms_after": {"Fx": 0.031, "q2": 0.0011}, "ratio": 0.125, "ratio_low": 0.101, "ratio_high": 0.152,
     "noise_floor_ratio": 0.11, "chi2_per_dof_after": 1.21, "channels": {
       "Fx": {"ratio": 0.13, "ratio_low": 0.12, "ratio_high": 0.14, "noise_floor_ratio": 0.09},
-      "q2": {"ratio": 0.36, "ratio_low": 0.34, "ratio_high": 0.38, "noise_floor_ratio": 0.3}}})json"));
+      "q2": {"ratio": 0.36, "ratio_low": 0.34, "ratio_high": 0.38, "noise_floor_ratio": 0.3}},
+    "left_out": {"values": 3, "ratio_with": 0.172}})json"));
   CHECK(json["next"] == ReportJson::array());
   CHECK_FALSE(json.contains("law"));
 }

@@ -55,6 +55,8 @@ TEST_CASE("a page holds the numbers of the JSON at its keys, and says what was f
                           "/shrink/ratio_high",
                           "/shrink/noise_floor_ratio",
                           "/shrink/chi2_per_dof_after",
+                          "/shrink/left_out/values",
+                          "/shrink/left_out/ratio_with",
                           "/cause/ranking/3/probability",
                           "/cause/ranking/2/chi2_per_dof",
                           "/shrink/channels/q2/ratio",

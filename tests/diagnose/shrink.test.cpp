@@ -108,7 +108,12 @@ TEST_CASE("an isolated outlier among the held-out readings counts neither before
   const std::size_t bad = measurements.series()[2].first + 4;
   before[bad] += 40;
   after[bad] += 40;
-  CHECK(measure_shrink(measurements, whole_run(experiment, 1), before, after, {}).ratio == close_to(0.1));
+  const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 1), before, after, {});
+  CHECK(shrink.ratio == close_to(0.1));
+  CHECK(shrink.left_out == 1);
+  // 18 values, of which one is 50 before and 41 after
+  CHECK(shrink.ratio_with_left_out == close_to(std::sqrt((17 + 41 * 41) / (1700.0 + 50 * 50))));
+  CHECK(measure_shrink(measurements, whole_run(experiment, 0), before, after, {}).left_out == 0);
 }
 
 TEST_CASE("bounds of the shrink: 1.96 deviations of the ratio of white noise to a constant gap") {

@@ -139,8 +139,8 @@ inline Pace pace_of(const Model& model, Pace otherwise) {
 /// From the robot's MJCF, changed in MuJoCo, by the lab's files to the corrected MJCF and back to MuJoCo.
 struct RoundTrip {
   diagnose::Diagnosis diagnosis;
-  /// What is left of the residual on the readings held out, as the report says, and in MuJoCo: of several
-  /// candidates' files with the best. 1 without any.
+  /// What is left of the residual on the readings held out, all of them, as the report says, and in MuJoCo:
+  /// of several candidates' files with the best. 1 without any.
   double reported = 1, mujoco = 1;
   /// Of all readings, before and with the file, in standard deviations of their noise.
   double before = 0, after = 0;
@@ -158,9 +158,9 @@ inline RoundTrip round_trip(const Lab& lab, const Experiment& bench, const Predi
   const auto left_there = [&](const std::vector<double>& left) {
     const diagnose::HeldOut heldout = named(study.experiment(), trip.diagnosis.shrink->heldout);
     return measure_shrink(study.measurements(), heldout, study.nominal_residual(), left, trip.diagnosis.noise)
-        .ratio;
+        .ratio_with_left_out;
   };
-  if (const auto& shrink = trip.diagnosis.shrink) trip.reported = shrink->ratio;
+  if (const auto& shrink = trip.diagnosis.shrink) trip.reported = shrink->ratio_with_left_out;
   // The law of the report is fitted to all readings, unlike those that its shrink is measured with.
   if (trip.diagnosis.offers_law())
     trip.reported = left_there(study.residual(predict_with_law(study, trip.diagnosis.law->law)));

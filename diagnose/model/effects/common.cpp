@@ -127,8 +127,10 @@ std::vector<Effect> common_effects() {
        .parameters =
            [](const Place& at) {
              const double scale = 1 / (at.sizes.deflection * at.sizes.deflection);
+             // A joint that bends a third of what is typical softens as fully with nine times as much.
              const ParameterRange alike = hardening(at.sizes);
-             return each(at, {"c", "1/rad²", beliefs::hardening_tolerance * scale, alike.low, alike.high});
+             return each(at,
+                         {"c", "1/rad²", beliefs::hardening_tolerance * scale, 9 * alike.low, alike.high});
            },
        .add =
            [](const Addition& to) {

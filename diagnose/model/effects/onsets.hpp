@@ -13,9 +13,12 @@ inline ParameterRange onset_angle(std::string_view name) {
   return {name, "rad", Coordinate::plain, 0.3, 1e-3, 3};
 }
 
-/// k_s, beside a spring of this stiffness.
+/// k_s, beside a spring of this stiffness. Of eight benches of another simulator in which one joint stiffened
+/// smoothly five were named a stop, at a small angle and hardly stiffer than the spring.
 inline ParameterRange stop_stiffness(double spring) {
-  return one_way("k_s", "N m/rad", spring, 100 * spring);
+  ParameterRange range = one_way("k_s", "N m/rad", spring, 100 * spring);
+  range.shape_below = 3 * spring;
+  return range;
 }
 
 /// What begins at shares of the largest deflection, each with little and with much of it.
