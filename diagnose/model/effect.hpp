@@ -30,7 +30,8 @@ struct ParameterRange {
   double low, high;  ///< physical bounds
   /// Standard deviation of its prior, a Gaussian about zero, where it is a tolerance; 0 where it is not.
   double tolerance = 0;
-  /// With less than this its effect only says how a torque goes with the angle, as laws that nobody listed do.
+  /// With less than this its effect only says how a torque goes with the angle, as laws that nobody listed
+  /// do.
   double shape_below = -std::numeric_limits<double>::infinity();
 
   /// Whether zero is the nominal model.

@@ -148,8 +148,8 @@ TEST_CASE("a tone is known in another run where its readings show it slower than
 
 TEST_CASE("a tone that changes little while a place is read again and again is no matter of the place") {
   // A tone of 16 s, read every second in the first run and every 0.4 s in the second: there 40 readings, of
-  // which a quarter are ten. Eight at a time are of the same place but for some hundredths, and in their order
-  // of place three or five apart.
+  // which a quarter are ten. Eight at a time are of the same place but for some hundredths, and in their
+  // order of place three or five apart.
   Experiment experiment = blank_experiment({64, 64});
   for (std::size_t i = 0; i < 64; ++i) {
     Reading& reading = experiment.runs[1].readings[i];
