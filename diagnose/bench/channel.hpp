@@ -15,6 +15,11 @@ struct Reading;
 enum class Sensor { position, force, angle };
 inline constexpr std::size_t sensors = 3;
 
+/// Its place in arrays by sensor.
+constexpr std::size_t place_of(Sensor sensor) {
+  return static_cast<std::size_t>(sensor);
+}
+
 /// "position", "force" or "angle".
 std::string label(Sensor sensor);
 

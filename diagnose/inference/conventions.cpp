@@ -167,7 +167,7 @@ Change compare_run(const Columns& before, const Columns& after) {
     change.readable = change.readable && 2 * after[c].count >= before[c].count;
     const double b = misfit(before, before[c]), a = misfit(after, after[c]);
     if (std::abs(a - b) < 1e-9) continue;
-    const auto sensor = static_cast<std::size_t>(after[c].channel.sensor());
+    const auto sensor = place_of(after[c].channel.sensor());
     change.before += b, change.after += a;
     Change::add(change.was[sensor], before[c], energy_of_sensor(before, before[c]));
     Change::add(change.is[sensor], after[c], energy_of_sensor(after, after[c]));

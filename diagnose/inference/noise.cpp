@@ -76,7 +76,7 @@ double largest_correlation(const Measurements& measurements, const std::vector<S
     if (series.channel.sensor() == sensor) lengths.push_back(static_cast<double>(series.readings.size()));
   double rough = 0;
   for (const Steps& one : steps)
-    if (one.sensor() == static_cast<std::size_t>(sensor) && one.pace == 1) rough = std::max(rough, one.near);
+    if (one.sensor() == place_of(sensor) && one.pace == 1) rough = std::max(rough, one.near);
   return lengths.empty() ? 0 : std::min(0.9, std::max(std::exp(-10 / median(lengths)), 1 - rough));
 }
 
@@ -200,9 +200,9 @@ NoiseModel estimate_noise(const Measurements& measurements, const std::vector<do
   const std::array<double, channel_names> scales = scales_of(steps, noise.correlation);
   BySensor of_sensor{};
   for (std::size_t c = 0; c < channel_names; ++c)
-    of_sensor[static_cast<std::size_t>(Channel{all_names[c]}.sensor())] += raw.values[c];
+    of_sensor[place_of(Channel{all_names[c]}.sensor())] += raw.values[c];
   for (std::size_t c = 0; c < channel_names; ++c) {
-    const auto k = static_cast<std::size_t>(Channel{all_names[c]}.sensor());
+    const auto k = place_of(Channel{all_names[c]}.sensor());
     // What is declared is of the sensor, before its readings are rounded.
     const double declared = std::hypot(1.0, rounding(measurements, all_names[c]));
     noise.scale[c] = declared;

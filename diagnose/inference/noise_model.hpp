@@ -12,7 +12,7 @@ namespace plumbline::diagnose {
 using BySensor = std::array<double, sensors>;
 
 inline double of(const Channel& channel, const BySensor& all) {
-  return all[static_cast<std::size_t>(channel.sensor())];
+  return all[place_of(channel.sensor())];
 }
 
 /// How the noise of each kind of sensor is looked at.

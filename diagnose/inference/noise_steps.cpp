@@ -55,7 +55,7 @@ std::vector<Steps> plain_steps(const Measurements& measurements, const std::vect
                                const Manner& manner) {
   std::map<std::pair<Channel::Name, double>, SeriesGroup> alike;
   for (const Series& series : measurements.series()) {
-    const bool paced = manner.with_time[static_cast<std::size_t>(series.channel.sensor())];
+    const bool paced = manner.with_time[place_of(series.channel.sensor())];
     alike[{series.channel.name, paced ? series.pace : 1}].push_back(&series);
   }
   std::vector<Steps> steps;

@@ -24,9 +24,7 @@ struct Steps {
   /// The same as second differences show it, to which a slope adds nothing.
   double curved = 0, curved_correlation = 0;
 
-  [[nodiscard]] std::size_t sensor() const {
-    return static_cast<std::size_t>(Channel{all_names[name]}.sensor());
-  }
+  [[nodiscard]] std::size_t sensor() const { return place_of(Channel{all_names[name]}.sensor()); }
   /// Not where differences over two readings exceed twice those over one by more than chance, one in twenty:
   /// they are of a slope, not of noise.
   [[nodiscard]] bool tells_correlation() const {

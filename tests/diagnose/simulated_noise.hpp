@@ -9,7 +9,7 @@
 #include "diagnose/inference/noise.hpp"
 
 /// Place of the load cell among the sensors.
-inline constexpr auto at_force = static_cast<std::size_t>(plumbline::diagnose::Sensor::force);
+inline constexpr auto at_force = plumbline::diagnose::place_of(plumbline::diagnose::Sensor::force);
 
 /// Runs under an imposed end point of which only the layout matters: all readings are zero.
 inline plumbline::diagnose::Experiment blank_experiment(const std::vector<std::size_t>& readings) {
