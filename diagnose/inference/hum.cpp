@@ -63,24 +63,51 @@ NoiseModel noise_beside_tones(const Measurements& measurements, const std::vecto
   return estimate_noise(measurements, without_hum(measurements, residual, all));
 }
 
-/// Whether a tone is much the same wherever the path comes to the same place: then it is of the chain. Within
-/// a quarter of its period, as where the path holds still, any tone is much the same.
-bool goes_with_the_path(const Series& series, const Hum& one) {
-  constexpr std::size_t few = 8;
-  constexpr double share = 0.25, quarter = 0.25;
+/// What tones differ by where the path comes to the same place, and what they would by chance.
+struct AtOnePlace {
+  std::size_t count = 0;
+  double off = 0, by_chance = 0;
+};
+
+/// Within a quarter of its period, as where the path holds still, any tone is much the same: that tells
+/// nothing.
+void compare(const Series& series, const Hum& one, AtOnePlace& all) {
+  constexpr double quarter = 0.25;
   const Eigen::VectorXd wave = wave_of(series, one), clock = clock_of(series);
   const auto later = [&](std::size_t a, std::size_t b) {
     return std::abs(clock[static_cast<Eigen::Index>(a)] - clock[static_cast<Eigen::Index>(b)]) >
            quarter * one.period;
   };
-  std::size_t count = 0;
-  double off = 0;
   for (const Between& between : series.between) {
     if (!later(between.value, between.before) || !later(between.value, between.after)) continue;
-    ++count;
-    off += std::pow(between.off(wave.data()), 2);
+    ++all.count;
+    all.off += std::pow(between.off(wave.data()), 2);
+    all.by_chance += one.rms() * one.rms();
   }
-  return count >= few && off < share * static_cast<double>(count) * one.rms() * one.rms();
+}
+
+/// Whether two tones are one by the clock, as far as the longer of their runs tells.
+bool is_one_tone(const Series& a, const Hum& in_a, const Series& b, const Hum& in_b) {
+  const auto frequency = [](const Series& series, const Hum& one) {
+    return 1 / (one.period * series.interval);
+  };
+  const auto ordinate = [](const Series& series) {
+    return 1 / (static_cast<double>(series.readings.size()) * series.interval);
+  };
+  return std::abs(frequency(a, in_a) - frequency(b, in_b)) < std::min(ordinate(a), ordinate(b));
+}
+
+/// Whether a tone is much the same wherever the path comes to the same place, in all runs that have it: then
+/// it is of the chain. One run alone may have turned back at its crest.
+bool goes_with_the_path(const Measurements& measurements, const Hum& one, const std::vector<Hum>& all) {
+  constexpr std::size_t few = 8;
+  constexpr double share = 0.25;
+  AtOnePlace there;
+  for (const Hum& other : all) {
+    const Series &series = measurements.series()[other.series], &own = measurements.series()[one.series];
+    if (is_one_tone(own, one, series, other)) compare(series, other, there);
+  }
+  return there.count >= few && there.off < share * there.by_chance;
 }
 
 }  // namespace
@@ -117,8 +144,8 @@ std::vector<Hum> find_hum(const Measurements& measurements, const std::vector<do
   }
   add_shared(measurements, residual, spectra, level, all);
   add_known(measurements, residual, level, all);
-  std::erase_if(all,
-                [&](const Hum& one) { return goes_with_the_path(measurements.series()[one.series], one); });
+  const std::vector<Hum> heard = all;
+  std::erase_if(all, [&](const Hum& one) { return goes_with_the_path(measurements, one, heard); });
   return all;
 }
 

@@ -165,6 +165,31 @@ TEST_CASE("a tone that changes little while a place is read again and again is n
   CHECK(std::any_of(heard.begin(), heard.end(), [](const Hum& one) { return one.series == 2; }));
 }
 
+TEST_CASE("what is the same there and back may be of the path, unless another run has it otherwise") {
+  // 64 readings there and back, and a tone of 4.5 rounds that is at its crest where the run turns back.
+  Experiment experiment = blank_experiment({65, 65});
+  for (Run& run : experiment.runs)
+    for (std::size_t i = 0; i < 65; ++i) run.readings[i].x += 0.01 * std::abs(static_cast<double>(i) - 32);
+  const Measurements measurements(experiment);
+  REQUIRE(measurements.series()[0].between.size() > 30);
+  // 4.5 rounds of 64 readings are so many of 65
+  constexpr double rounds = 4.5 * 65 / 64;
+  const auto heard_in_first = [&](const std::vector<Hum>& all) {
+    return std::any_of(all.begin(), all.end(), [](const Hum& one) { return one.series == 0; });
+  };
+  const double crest = 2 * std::numbers::pi * 4.5 * 32 / 64;
+  const Rounds turned_back{rounds, std::cos(crest), std::sin(crest)},
+      crossed{rounds, -std::sin(crest), std::cos(crest)};
+  std::vector<double> residual(measurements.size(), 0.0);
+  sound(measurements, 0, {turned_back}, residual);
+  CHECK_FALSE(heard_in_first(find_hum(measurements, residual)));
+  std::vector<double> of_both = residual;
+  sound(measurements, 2, {turned_back}, of_both);
+  CHECK_FALSE(heard_in_first(find_hum(measurements, of_both)));
+  sound(measurements, 2, {crossed}, residual);
+  CHECK(heard_in_first(find_hum(measurements, residual)));
+}
+
 TEST_CASE("a tone is said to be in the series that has it") {
   const Measurements measurements(blank_experiment({10, 64, 64}));
   REQUIRE(measurements.series().size() == 6);
