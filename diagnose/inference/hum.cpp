@@ -67,6 +67,13 @@ NoiseModel noise_beside_tones(const Measurements& measurements, const std::vecto
 struct AtOnePlace {
   std::size_t count = 0;
   double off = 0, by_chance = 0;
+
+  /// Whether they are much the same.
+  [[nodiscard]] bool alike() const {
+    constexpr std::size_t few = 8;
+    constexpr double share = 0.25;
+    return count >= few && off < share * by_chance;
+  }
 };
 
 /// Within a quarter of its period, as where the path holds still, any tone is much the same: that tells
@@ -97,17 +104,17 @@ bool is_one_tone(const Series& a, const Hum& in_a, const Series& b, const Hum& i
   return std::abs(frequency(a, in_a) - frequency(b, in_b)) < std::min(ordinate(a), ordinate(b));
 }
 
-/// Whether a tone is much the same wherever the path comes to the same place, in all runs that have it: then
-/// it is of the chain. One run alone may have turned back at its crest.
+/// Whether a tone is much the same wherever the path comes to the same place, in its own run and in all that
+/// have it: then it is of the chain. One run alone may have turned back at its crest.
 bool goes_with_the_path(const Measurements& measurements, const Hum& one, const std::vector<Hum>& all) {
-  constexpr std::size_t few = 8;
-  constexpr double share = 0.25;
-  AtOnePlace there;
-  for (const Hum& other : all) {
-    const Series &series = measurements.series()[other.series], &own = measurements.series()[one.series];
-    if (is_one_tone(own, one, series, other)) compare(series, other, there);
-  }
-  return there.count >= few && there.off < share * there.by_chance;
+  const Series& own = measurements.series()[one.series];
+  AtOnePlace here, anywhere;
+  compare(own, one, here);
+  if (!here.alike()) return false;
+  for (const Hum& other : all)
+    if (const Series& series = measurements.series()[other.series]; is_one_tone(own, one, series, other))
+      compare(series, other, anywhere);
+  return anywhere.alike();
 }
 
 }  // namespace
