@@ -1,7 +1,6 @@
 #include "diagnose/answers/diagnosis.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <plumbline/base/error.hpp>
 
@@ -10,15 +9,13 @@
 #include "diagnose/answers/rotation.hpp"
 #include "diagnose/answers/single_joint.hpp"
 #include "diagnose/beliefs.hpp"
+#include "diagnose/inference/hum.hpp"
 #include "diagnose/inference/outliers.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
 using Report = std::function<void(double)>;
-
-/// The rise of twice the log-likelihood at the end of a 95 % interval of one parameter.
-constexpr double rise_95 = 3.841;
 
 void require_reached(const Study& study) {
   if (study.nominal().reached) return;
@@ -30,96 +27,6 @@ void require_reached(const Study& study) {
                 "runs under a force, or a second link that turns freely to carry the force");
   throw Error("experiment \"" + study.experiment().name + "\"", "runs that the nominal chain cannot follow",
               "end points within reach and a stable posture at every reading");
-}
-
-/// Tones, by the names of their runs and channels.
-std::vector<HummingChannel> listed(const Study& study, const std::vector<Hum>& hum) {
-  std::vector<HummingChannel> channels;
-  for (const Hum& one : hum) {
-    const Series& series = study.measurements().series()[one.series];
-    channels.push_back({study.experiment().runs[series.run].id, series.channel, one.period, one.rms()});
-  }
-  return channels;
-}
-
-std::vector<RougherRun> rougher_runs(const Study& study) {
-  std::vector<RougherRun> rougher;
-  for (const Series& series : study.measurements().series()) {
-    const std::string& run = study.experiment().runs[series.run].id;
-    const Sensor sensor = series.channel.sensor();
-    const bool told = std::any_of(rougher.begin(), rougher.end(), [&](const RougherRun& one) {
-      return one.run == run && one.sensor == sensor;
-    });
-    if (series.beside_runs > 1 && !told) rougher.push_back({run, sensor, series.beside_runs});
-  }
-  return rougher;
-}
-
-GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
-  const Measurements& measurements = study.measurements();
-  GapAnswer gap;
-  gap.test = test_gap(measurements, residual);
-  gap.present = gap.test.p_value < beliefs::gap_level;
-  const std::vector<double> clean = without_outliers(measurements, residual);
-  std::map<Channel, double> count;
-  double sum = 0;
-  for (const Series& series : measurements.series()) {
-    const double scale = gap.test.noise.of(series.channel);
-    for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i) {
-      gap.rms[series.channel] += std::pow(series.sigmas[i - series.first] * clean[i], 2);
-      count[series.channel] += 1;
-      sum += std::pow(clean[i] / scale, 2);
-    }
-  }
-  for (auto& [channel, square] : gap.rms) square = std::sqrt(square / count[channel]);
-  gap.hum = listed(study, gap.test.hum);
-  for (const Series& series : measurements.series())
-    if (series.beside_joints > 1) gap.uneven[series.channel] = series.beside_joints;
-  gap.rougher = rougher_runs(study);
-  for (const Run& run : study.experiment().runs) {
-    if (run.weights_inferred) gap.taken_for_weights.push_back(run.id);
-    if (run.side) gap.other_side.push_back({run.id, run.first_taken(run.side->first())});
-  }
-  for (const Series& series : measurements.series()) {
-    if (series.proportion == 0) continue;
-    double& share = gap.proportional[series.channel.name];
-    share = std::max(share, series.proportion * series.sigma * gap.test.noise.of(series.channel));
-  }
-  gap.chi2_per_value = sum / static_cast<double>(measurements.size());
-  return gap;
-}
-
-/// 95 % bounds of one parameter: of what a tolerance holds, nearly a Gaussian, by its spread; of others by
-/// profile likelihood.
-Profile bounds(const Study& study, const Fit& fit, std::size_t parameter, const FitSettings& settings) {
-  const ParameterRange range = study.ranges(fit.candidate)[parameter];
-  const auto p = static_cast<Eigen::Index>(parameter);
-  if (!(range.tolerance > 0) || fit.at_bound[parameter])
-    return profile(study, fit, parameter, settings, rise_95);
-  const double reach = std::sqrt(rise_95 * fit.covariance(p, p)), value = fit.parameters[parameter];
-  return {std::max(range.low, value - reach), std::min(range.high, value + reach)};
-}
-
-/// Values and bounds for the best explanation, in the noise that it leaves.
-std::vector<std::vector<Estimate>> estimate(const Study& study, const Fit& found, const NoiseModel& noise) {
-  FitSettings settings;
-  settings.noise = noise;
-  const Fit again = fit_from(study, found.candidate, settings, found.parameters);
-  const Fit& fit = again.converged ? again : found;
-  std::vector<std::vector<Estimate>> result;
-  std::size_t p = 0;
-  for (const EffectAt& at : fit.candidate.effects) {
-    result.emplace_back();
-    for (const ParameterRange& range : study.ranges(at)) {
-      const Profile reach = bounds(study, fit, p, settings);
-      result.back().push_back({std::string(range.name), std::string(range.unit),
-                               catalogue_value(range.coordinate, fit.parameters[p]), reach.low, reach.high,
-                               fit.at_bound[p]});
-      ++p;
-    }
-    if (at.effect->element > 0) put_in_order(result.back(), at.effect->element);
-  }
-  return result;
 }
 
 /// What the runs never touched: a nominal parameter's change that no measured value shows; and what the user
@@ -388,22 +295,6 @@ bool Diagnosis::may_hide_ripple() const {
   return !gap.present && std::any_of(gap.rms.begin(), gap.rms.end(), [&](const auto& measured) {
     return noise.of(measured.first) > beliefs::largest_hum;
   });
-}
-
-void put_in_order(std::vector<Estimate>& estimates, std::size_t element) {
-  std::vector<std::vector<Estimate>> elements;
-  for (std::size_t p = 0; p < estimates.size(); p += element)
-    elements.emplace_back(estimates.begin() + static_cast<std::ptrdiff_t>(p),
-                          estimates.begin() + static_cast<std::ptrdiff_t>(p + element));
-  std::stable_sort(elements.begin(), elements.end(),
-                   [](const std::vector<Estimate>& a, const std::vector<Estimate>& b) {
-                     return a.back().value < b.back().value;
-                   });
-  for (std::size_t p = 0; p < estimates.size(); ++p) {
-    Estimate& moved = elements[p / element][p % element];
-    moved.name = estimates[p].name;
-    estimates[p] = moved;
-  }
 }
 
 }  // namespace plumbline::diagnose

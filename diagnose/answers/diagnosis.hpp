@@ -3,9 +3,10 @@
 /// The whole diagnosis: is there a gap, where, what causes it, how far it shrinks.
 
 #include <functional>
-#include <map>
 #include <optional>
 
+#include "diagnose/answers/estimates.hpp"
+#include "diagnose/answers/gap_answer.hpp"
 #include "diagnose/answers/next_run.hpp"
 #include "diagnose/answers/offered_law.hpp"
 #include "diagnose/answers/shrink.hpp"
@@ -13,54 +14,6 @@
 #include "diagnose/inference/verdict.hpp"
 
 namespace plumbline::diagnose {
-
-/// A tone in one channel of one run that was taken for noise.
-struct HummingChannel {
-  std::string run;
-  Channel channel;
-  double period;  ///< readings
-  double rms;     ///< declared sigmas
-};
-
-/// A run whose chain went to the other side than its nominal model goes to by itself.
-struct OtherSide {
-  std::string run;
-  std::size_t reading;  ///< as it was taken, from 0: the first one there
-};
-
-/// A run in which a sensor scatters more than in the others, and how many times.
-struct RougherRun {
-  std::string run;
-  Sensor sensor;
-  double times;
-};
-
-struct GapAnswer {
-  bool present;
-  GapTest test;
-  double chi2_per_value;          ///< of the nominal residual, in the noise as it is
-  std::map<Channel, double> rms;  ///< of the nominal residual by channel, in its unit
-  std::vector<HummingChannel> hum;
-  /// Of channels that scatter in proportion to their readings: the share of the reading, beside the rest.
-  std::map<Channel::Name, double> proportional;
-  /// Of joints whose angles scatter more than those of the others: how many times.
-  std::map<Channel, double> uneven;
-  std::vector<RougherRun> rougher;
-  /// Runs whose forces were taken for those of weights, since they look like it (Run::weights_inferred).
-  std::vector<std::string> taken_for_weights;
-  std::vector<OtherSide> other_side;
-};
-
-/// A parameter of the best explanation with its 95 % bounds, in catalogue units.
-struct Estimate {
-  std::string name, unit;
-  double value, low, high;
-  bool at_bound;
-};
-
-/// Puts elements of so many parameters each that may change places in the order of the last of them; the
-/// names stay where they are.
-void put_in_order(std::vector<Estimate>& estimates, std::size_t element);
 
 struct Diagnosis {
   std::string experiment;
