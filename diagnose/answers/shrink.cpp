@@ -1,4 +1,5 @@
 #include "diagnose/answers/shrink.hpp"
+#include "diagnose/inference/gathered.hpp"
 #include "diagnose/inference/outliers.hpp"
 
 #include <algorithm>
@@ -7,6 +8,15 @@
 
 namespace plumbline::diagnose {
 namespace {
+
+/// Values that stand off their neighbours, but not what gathers: that is missed, and no fault of the
+/// readings.
+std::vector<bool> wild(const Measurements& measurements, const std::vector<double>& after) {
+  std::vector<bool> marked = outliers(measurements, after);
+  const std::vector<bool> missed = gathered(measurements, marked);
+  for (std::size_t i = 0; i < marked.size(); ++i) marked[i] = marked[i] && !missed[i];
+  return marked;
+}
 
 /// Flat, by series: which values are held out, and no outliers.
 std::vector<std::vector<std::size_t>> judged_values(const Measurements& measurements, const HeldOut& heldout,
@@ -100,7 +110,7 @@ Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
                       const std::vector<double>& before, const std::vector<double>& after,
                       const NoiseModel& noise) {
   Shrink shrink;
-  const std::vector<bool> outlier = outliers(measurements, after);
+  const std::vector<bool> outlier = wild(measurements, after);
   const auto values = judged_values(measurements, heldout, outlier);
   std::map<Channel, double> count;
   double floor = 0, chi2 = 0, total = 0;

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "diagnose/bench/median.hpp"
-#include "diagnose/inference/gathered.hpp"
 #include "diagnose/inference/residual_differences.hpp"
 
 namespace plumbline::diagnose {
@@ -64,7 +63,7 @@ void keep_what_leads_on(const Series& series, const std::vector<double>& residua
 }
 
 /// Marks what stands off the local median by more than `limit` standard deviations of its channel, unless so
-/// many neighbours do, or other sensors with it.
+/// many neighbours do.
 std::vector<bool> marks(const Measurements& measurements, const std::vector<double>& residual,
                         const std::array<double, channel_names>& scale, double limit, std::size_t lasting) {
   std::vector<bool> marked(residual.size(), false);
@@ -78,9 +77,6 @@ std::vector<bool> marks(const Measurements& measurements, const std::vector<doub
     keep_what_lasts(series, off, lasting, marked);
     keep_what_leads_on(series, residual, tolerance, marked);
   }
-  if (std::find(marked.begin(), marked.end(), true) == marked.end()) return marked;
-  const std::vector<bool> missed = gathered(measurements, marked);
-  for (std::size_t i = 0; i < marked.size(); ++i) marked[i] = marked[i] && !missed[i];
   return marked;
 }
 
