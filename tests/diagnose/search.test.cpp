@@ -70,8 +70,8 @@ TEST_CASE("no explanation costs more than a part of it, where the rest can be no
 }
 
 TEST_CASE("unequal friction of the joints is found where it leaves least, and not in a hollow beside") {
-  // Five links of which no angle is read, pressed and let go; with these three draws, as with twelve of
-  // forty, the first fit ends in a hollow.
+  // Five links of which no angle is read, pressed and let go; with this draw, as with eight of forty, a
+  // search that exchanges nothing ends in a hollow, at a hundred times the cost.
   Experiment bench = test::three_links();
   bench.link_length = {0.12, 0.1, 0.11, 0.09, 0.1};
   bench.joint_stiffness = {2, 1.5, 1.8, 1.2, 1};
@@ -81,23 +81,21 @@ TEST_CASE("unequal friction of the joints is found where it leaves least, and no
   for (Run& run : bench.runs)
     for (Reading& reading : run.readings) reading.q.clear();
   const Candidate truth = test::only("friction_spread");
-  for (const unsigned draw : {1U, 3U, 5U}) {
-    CAPTURE(draw);
-    std::mt19937 random(draw);
-    std::uniform_real_distribution<double> size(std::log(0.02), std::log(0.4));
-    std::vector<double> friction(5);
-    for (double& one : friction) one = std::exp(size(random));
-    const Study study(test::measured(bench, truth, friction, draw));
-    const Findings findings = search(study);
-    const auto found = std::find_if(findings.hypotheses.begin(), findings.hypotheses.end(),
-                                    [&](const Hypothesis& one) { return one.fit.candidate == truth; });
-    FitSettings settings;
-    settings.noise = findings.noise;
-    REQUIRE(found != findings.hypotheses.end());
-    const double at_truth = fit_from(study, truth, settings, friction).cost,
-                 there = fit_from(study, truth, settings, found->fit.parameters).cost;
-    CHECK(there < at_truth + 3);  // a likelihood twenty times less
-  }
+  constexpr unsigned draw = 8;
+  std::mt19937 random(draw);
+  std::uniform_real_distribution<double> size(std::log(0.02), std::log(0.4));
+  std::vector<double> friction(5);
+  for (double& one : friction) one = std::exp(size(random));
+  const Study study(test::measured(bench, truth, friction, draw));
+  const Findings findings = search(study);
+  const auto found = std::find_if(findings.hypotheses.begin(), findings.hypotheses.end(),
+                                  [&](const Hypothesis& one) { return one.fit.candidate == truth; });
+  FitSettings settings;
+  settings.noise = findings.noise;
+  REQUIRE(found != findings.hypotheses.end());
+  const double at_truth = fit_from(study, truth, settings, friction).cost,
+               there = fit_from(study, truth, settings, found->fit.parameters).cost;
+  CHECK(there < at_truth + 3);  // a likelihood twenty times less
 }
 
 TEST_CASE("explanations are weighed in the noise that the one leaves that costs least, best evidence first") {
