@@ -77,13 +77,12 @@ class Searcher {
   [[nodiscard]] std::vector<Fit> exchanged(const std::vector<Fit>& singles) const {
     constexpr std::size_t seeds = 6;
     std::vector<const Fit*> from;
-    for (const Fit& one : singles) {
-      if (&one == singles.data() + seeds) break;
-      const std::vector<ParameterRange> ranges = study_.ranges(one.candidate);
+    for (std::size_t s = 0; s < std::min(seeds, singles.size()); ++s) {
+      const std::vector<ParameterRange> ranges = study_.ranges(singles[s].candidate);
       if (std::all_of(ranges.begin(), ranges.end(), [](const ParameterRange& range) {
             return range.coordinate == Coordinate::plain && range.low == 0;
           }))
-        from.push_back(&one);
+        from.push_back(&singles[s]);
     }
     return side_by_side(from.size(), [&](std::size_t i) { return exchanged(*from[i]); });
   }
