@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "diagnose/inference/gap.hpp"
 #include "diagnose/model/study.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
@@ -98,16 +99,15 @@ Experiment numbered(std::size_t count, std::size_t turn) {
 }  // namespace
 
 TEST_CASE("which readings are drawn together, by hand") {
-  // 1200 readings in 500 groups: three each, but for the first and the last one, and the one that is left
-  // before it.
-  const Run run = condensed(numbered(1200, 1200)).runs[0];
+  // 1199 readings in 500 groups: three each, but for the first and the last one, and the two twos that 1197
+  // between them would not fill: 399 threes.
+  const Run run = condensed(numbered(1199, 1199)).runs[0];
   CHECK(run.groups.size == 3);
-  REQUIRE(run.readings.size() == 402);
-  CHECK(run.groups.first.size() == 403);
+  REQUIRE(run.readings.size() == 401);
+  CHECK(run.groups.first.size() == 402);
   for (std::size_t g = 1; g < 400; ++g) CHECK(run.groups.first[g] == 3 * g - 2);
   CHECK(run.groups.first[400] == 1198);
   CHECK(run.groups.first[401] == 1199);
-  CHECK(run.groups.first[402] == 1200);
   // Of 4, 5 and 6: the mean time, the mean command, the middle of what was measured.
   const Reading& third = run.readings[2];
   CHECK(third.t == 10);
@@ -115,20 +115,80 @@ TEST_CASE("which readings are drawn together, by hand") {
   CHECK(third.y == 15);
   CHECK(third.Fx == 5);
   CHECK(third.Fy == 5);
-  for (const std::size_t end : {0U, 401U}) CHECK(std::isnan(run.readings[end].Fx));
+  for (const std::size_t end : {0U, 400U}) CHECK(std::isnan(run.readings[end].Fx));
   CHECK(run.readings[0].x == 0);
-  CHECK(run.readings[401].x == -1199);
+  CHECK(run.readings[400].x == -1198);
 
-  // Where threes fill the run up to its last reading, none is cut.
-  CHECK(condensed(numbered(1202, 1202)).runs[0].readings.size() == 402);
-
-  // A turn stands alone, and cuts the group before it short.
-  const Run back = condensed(numbered(1200, 600)).runs[0];
+  // A turn stands alone. Between it and the ends, 599 readings each: 200 groups, one of them of two.
+  const Run back = condensed(numbered(1201, 600)).runs[0];
   const auto turn = std::find(back.groups.first.begin(), back.groups.first.end(), 600U);
   REQUIRE(turn != back.groups.first.end());
-  CHECK(*(turn - 1) == 598);
+  CHECK(*(turn - 1) == 597);
   CHECK(*(turn + 1) == 601);
-  CHECK(*(turn + 2) == 604);
+  CHECK(*(turn + 200) == 1197);
+  CHECK(*(turn + 201) == 1200);
+}
+
+namespace {
+
+/// A bench without effect that is pressed so often by so much of three centimetres, at so many readings each
+/// way, with noise of the declared size.
+Experiment cycled(int cycles, int each_way, double unrest = 0) {
+  Experiment experiment = three_links();
+  experiment.noise = {0, 0, 0.02, 0.02, 0};
+  press(experiment, {0.3, -0.5, 0.4}, {-0.03, 0}, each_way, true, 0.01);
+  Run& run = experiment.runs[0];
+  const std::vector<Reading> once = run.readings;
+  for (int cycle = 1; cycle < cycles; ++cycle)
+    run.readings.insert(run.readings.end(), once.begin() + 1, once.end());
+  for (std::size_t i = 0; i < run.readings.size(); ++i) run.readings[i].t = 0.01 * static_cast<double>(i);
+  for (Reading& reading : run.readings) reading.q.clear();
+  const Prediction nominal = predict(Study(experiment), {}, {});
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  for (std::size_t i = 0; i < run.readings.size(); ++i) {
+    for (const Channel& channel : run.measured())
+      channel.in(run.readings[i]) = nominal.runs[0](static_cast<Eigen::Index>(i), column_of(channel)) +
+                                    channel.sigma(experiment.noise) * normal(random);
+    run.readings[i].x += unrest * normal(random);
+  }
+  return experiment;
+}
+
+}  // namespace
+
+TEST_CASE("what is drawn together scatters as it says and shows no gap, however often and far a run goes") {
+  // Forces of a press change by forty sigmas on the way, along a curve.
+  for (const auto& [cycles, each_way] :
+       std::vector<std::pair<int, int>>{{1, 5000}, {10, 500}, {50, 100}, {100, 20}, {1000, 2}}) {
+    CAPTURE(cycles);
+    CAPTURE(each_way);
+    const Study study(condensed(cycled(cycles, each_way)));
+    const std::vector<double> residual = study.nominal_residual();
+    REQUIRE(residual.size() >= 100);
+    double sum = 0;
+    for (const double r : residual) sum += r * r;
+    const double count = static_cast<double>(residual.size()), chance = 4 * std::sqrt(2 / count);
+    // Medians of a few scatter by up to a sixth less than the formula for many says.
+    CHECK(sum / count < 1.05 + chance);
+    CHECK(sum / count > 0.80 - chance);
+    CHECK(test_gap(study.measurements(), residual).p_value > 1e-3);
+  }
+}
+
+TEST_CASE("the unrest of a logged position is no turn, and leaves readings to draw together") {
+  const Experiment few = condensed(cycled(1, 5000, 3e-5));
+  CHECK(few.runs[0].readings.size() < 600);
+  std::size_t unseen = 0;
+  for (const Reading& reading : few.runs[0].readings) unseen += std::isnan(reading.Fx) ? 1 : 0;
+  CHECK(unseen <= 3);
+}
+
+TEST_CASE("a run that turns at every reading comes back as it is") {
+  Experiment experiment = cycled(1, 1000);
+  for (std::size_t i = 0; i < experiment.runs[0].readings.size(); i += 2)
+    experiment.runs[0].readings[i].x += 1e-3;
+  CHECK(condensed(experiment).runs[0].readings.size() == experiment.runs[0].readings.size());
 }
 
 TEST_CASE("how many readings are left: all of a thousand, of more 500 in all, or forty of a short run") {
