@@ -19,6 +19,11 @@ namespace {
 /// Columns whose misfit is below this share of what it could be are not worth a question, nor are starts so
 /// near the unloaded end points, in lengths of the chain.
 constexpr double misfit_in_doubt = 0.05, start_in_doubt = 0.01;
+/// A gap beside the slip may leave as much in a run that the slip does not touch.
+constexpr double misfit_of_a_gap = 0.25;
+/// Starts so far off tell of axes and angles as well: what leaves a tenth of it is no chance, and what leaves
+/// a fiftieth of a far one needs no other evidence.
+constexpr double start_off = 0.03, start_far_off = 0.1, mostly_placed = 0.1, wholly_placed = 0.02;
 /// What a conversion may leave: of the misfit, and of the readings themselves.
 struct Allowance {
   double misfit, readings;
@@ -27,7 +32,7 @@ struct Allowance {
 /// reversed, still less a thousand times too large; but a chain that buckles to its other side looks
 /// mirrored, and one whose first joint is softer than it was believed looks as if its list began at the other
 /// end. What other runs refute is believed of the rest where it mends them nearly whole.
-constexpr Allowance usual{0.2, 0.6}, of_a_mirror{0.1, 0.35}, of_an_order{0.04, 0.2},
+constexpr Allowance usual{0.2, 0.6}, of_a_mirror{0.1, 0.5}, of_an_order{0.04, 0.2},
     of_a_large_factor{0.6, 0.9}, refuted_elsewhere{0.03, 0.15};
 
 bool is_large(double factor) {
@@ -57,13 +62,13 @@ struct Column {
 using Columns = std::vector<Column>;  ///< of one run
 
 /// What is missing in the prediction counts as unloaded; what a conversion could not read is left out.
-Column compare(const Series& series, const Run& run, const Trace& predicted, double unloaded) {
-  Column column{series.channel};
-  for (const std::size_t i : series.readings) {
-    const double m = series.channel.of(run.readings[i]) - unloaded;
+Column compare(const Channel& channel, const Run& run, const Trace& predicted, double unloaded) {
+  Column column{channel};
+  for (std::size_t i = 0; i < run.readings.size(); ++i) {
+    const double m = channel.of(run.readings[i]) - unloaded;
     if (!std::isfinite(m)) continue;
     ++column.count;
-    const double value = predicted(static_cast<Eigen::Index>(i), column_of(series.channel));
+    const double value = predicted(static_cast<Eigen::Index>(i), column_of(channel));
     const double p = std::isfinite(value) ? value - unloaded : 0;
     column.measured += m * m;
     column.predicted += p * p;
@@ -85,13 +90,16 @@ double unloaded_value(const Channel& channel, const Vector2& end, const std::vec
   }
 }
 
-std::vector<Columns> compare(const Experiment& experiment, const Measurements& measurements,
-                             const Prediction& prediction) {
+/// Of the columns that hold readings.
+std::vector<Columns> compare(const Experiment& experiment, const Prediction& prediction) {
   std::vector<Columns> runs(experiment.runs.size());
-  for (const Series& series : measurements.series()) {
-    const Run& run = experiment.runs[series.run];
-    const double unloaded = unloaded_value(series.channel, unloaded_end(experiment, run.rest), run.rest);
-    runs[series.run].push_back(compare(series, run, prediction.runs[series.run], unloaded));
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const Run& run = experiment.runs[r];
+    for (const Channel& channel : run.measured()) {
+      const double unloaded = unloaded_value(channel, unloaded_end(experiment, run.rest), run.rest);
+      const Column column = compare(channel, run, prediction.runs[r], unloaded);
+      if (column.count > 0) runs[r].push_back(column);
+    }
   }
   return runs;
 }
@@ -163,7 +171,8 @@ struct Change {
 
 Change compare_run(const Columns& before, const Columns& after) {
   Change change;
-  for (std::size_t c = 0; c < after.size(); ++c) {
+  change.readable = after.size() == before.size();
+  for (std::size_t c = 0; change.readable && c < after.size(); ++c) {
     change.readable = change.readable && 2 * after[c].count >= before[c].count;
     const double b = misfit(before, before[c]), a = misfit(after, after[c]);
     if (std::abs(a - b) < 1e-9) continue;
@@ -220,13 +229,18 @@ struct Trial {
   double misfit = 0;                   ///< left in all runs
   double unusual = 0;                  ///< how far from the usual sizes it leaves the bench
   double left_as_is = 0, left = 0;
+  bool wholly_placed = false;
+  double start = 0;  ///< distance at start that it leaves
 };
+
+/// Whether a conversion puts the unloaded end points where the runs start.
+enum class Placed { no, mostly, wholly };
 
 class Check {
  public:
   explicit Check(const Study& study)
       : study_(study),
-        as_is_(compare(study.experiment(), study.measurements(), study.nominal())),
+        as_is_(compare(study.experiment(), study.nominal())),
         start_(distance_at_start(study.experiment())),
         conversions_(conversions(study.experiment())) {}
 
@@ -235,6 +249,8 @@ class Check {
     return !study_.nominal().reached || start_ > start_in_doubt ||
            std::any_of(as_is_.begin(), as_is_.end(), misfits);
   }
+
+  [[nodiscard]] double start_as_is() const { return start_; }
 
   [[nodiscard]] std::vector<Trial> suspected() const {
     std::vector<Trial> found;
@@ -256,33 +272,57 @@ class Check {
       predicted = simulate(experiment, nominal_rig(experiment), {});
     }
     if (!predicted.reached) return {};
-    std::optional<Trial> trial = judge(conversion, compare(experiment, study_.measurements(), predicted),
-                                       places_starts(conversion, start));
-    if (trial) trial->unusual = unusual(experiment);
+    std::optional<Trial> trial = judge(conversion, compare(experiment, predicted), placed(conversion, start));
+    if (!trial) return {};
+    trial->unusual = unusual(experiment);
+    trial->start = start;
     return trial;
   }
 
-  /// Whether another order of the chain puts its unloaded end points where the runs start. No spring, load or
-  /// sensor of force moves those, so that an order is then no more likely to be a gap than a unit is.
-  [[nodiscard]] bool places_starts(const Conversion& conversion, double start) const {
-    constexpr double left = 0.1;
-    return is_of_an_order(conversion) && start_ > start_in_doubt && start < left * start_;
+  /// No spring, load or sensor of force moves those points, so that an order is then no more likely to be a
+  /// gap than a unit is.
+  [[nodiscard]] Placed placed(const Conversion& conversion, double start) const {
+    if (start_ > start_far_off && start < wholly_placed * start_) return Placed::wholly;
+    const double off = is_of_an_order(conversion) ? start_in_doubt : start_off;
+    return start_ > off && start < mostly_placed * start_ ? Placed::mostly : Placed::no;
+  }
+
+  /// \param now  the columns as converted
+  [[nodiscard]] std::optional<Trial> judge(const Conversion& conversion, const std::vector<Columns>& now,
+                                           Placed placed) const {
+    return placed == Placed::wholly ? judge_placed(conversion, now) : judge_mended(conversion, now, placed);
+  }
+
+  /// Where it places the starts of all runs nothing else may be worse; how much is mended depends on the gap.
+  [[nodiscard]] std::optional<Trial> judge_placed(const Conversion& conversion,
+                                                  const std::vector<Columns>& now) const {
+    Trial trial{conversion};
+    Change whole;
+    for (std::size_t r = 0; r < now.size(); ++r) {
+      const Change change = compare_run(as_is_[r], now[r]);
+      if (!change.readable) return {};
+      for (const Column& column : now[r]) trial.misfit += misfit(now[r], column);
+      trial.runs.push_back(r);
+      whole += change;
+    }
+    if (whole.after > whole.before + misfit_in_doubt) return {};
+    trial.wholly_placed = true;
+    return trial;
   }
 
   /// The columns that the conversion changes, in the runs that it mends, must agree.
-  /// \param placed  whether it places the starts of the runs: then their misfit need not be in doubt
-  [[nodiscard]] std::optional<Trial> judge(const Conversion& conversion, const std::vector<Columns>& now,
-                                           bool placed) const {
+  [[nodiscard]] std::optional<Trial> judge_mended(const Conversion& conversion,
+                                                  const std::vector<Columns>& now, Placed placed) const {
     Trial trial{conversion};
     Change whole;
     bool refuted = false;
     for (std::size_t r = 0; r < now.size(); ++r) {
       const Change change = compare_run(as_is_[r], now[r]);
       if (!change.readable) return {};
-      const bool mended = change.after < change.before;
-      if (!mended && worst(as_is_[r]) > misfit_in_doubt) return {};
-      const bool worse = change.after > change.before;
-      if (worse && (conversion.chain || conversion.mirror)) return {};
+      const bool mended = change.after<change.before, worse = change.after> change.before;
+      if (!mended && worst(as_is_[r]) > misfit_of_a_gap) return {};
+      if (change.after > change.before + misfit_in_doubt && (conversion.chain || conversion.mirror))
+        return {};
       refuted = refuted || worse;
       for (const Column& column : mended ? now[r] : as_is_[r])
         trial.misfit += misfit(mended ? now[r] : as_is_[r], column);
@@ -290,8 +330,9 @@ class Check {
       trial.runs.push_back(r);
       whole += change;
     }
-    const Allowance& allowed = refuted ? refuted_elsewhere : placed ? usual : allowance(conversion);
-    const bool in_doubt = placed || whole.before >= misfit_in_doubt;
+    const bool mostly = placed == Placed::mostly;
+    const Allowance& allowed = refuted ? refuted_elsewhere : mostly ? usual : allowance(conversion);
+    const bool in_doubt = mostly || whole.before >= misfit_in_doubt;
     if (trial.runs.empty() || !in_doubt || whole.after > allowed.misfit * whole.before) return {};
     for (const Column& sensor : whole.is)
       if (!centred(sensor, conversion.factor)) return {};
@@ -314,6 +355,9 @@ std::optional<Doubt> doubtful_convention(const Study& study) {
   if (!check.in_doubt()) return {};
   std::vector<Trial> found = check.suspected();
   if (found.empty()) return {};
+  const auto placed = [](const Trial& one) { return one.wholly_placed; };
+  if (std::any_of(found.begin(), found.end(), placed))
+    std::erase_if(found, [&](const Trial& one) { return !placed(one); });
   // Squares of residuals: what leaves half as much again, or differs by a thousandth, cannot be told apart;
   // nor can two units, whose factors a gap may bring nearer or farther: of those that leave up to twice as
   // much, the more common is asked about first.
@@ -342,7 +386,9 @@ std::optional<Doubt> doubtful_convention(const Study& study) {
               conversion.remedy,
               {},
               best.left_as_is,
-              best.left};
+              best.left,
+              best.wholly_placed ? check.start_as_is() : 0,
+              best.start};
   if (best.runs.size() < study.experiment().runs.size())
     for (const std::size_t r : best.runs) doubt.runs.push_back(study.experiment().runs[r].id);
   for (std::size_t i = 1; i < found.size(); ++i)
@@ -358,8 +404,12 @@ void require_conventions(const Study& study) {
     where += fmt::format("run{} {}, ", doubt->runs.size() > 1 ? "s" : "", fmt::join(doubt->runs, ", "));
   std::string found = "what looks like " + doubt->looks_like;
   for (const std::string& other : doubt->or_else) found += ", or " + other;
-  found += fmt::format(" (the nominal model then misses {:.2g} % instead of {:.2g} %)", 100 * doubt->left,
-                       100 * doubt->left_as_is);
+  if (doubt->start_as_is > 0)
+    found += fmt::format(" (the runs then start {:.2g} instead of {:.2g} lengths of the chain off, together)",
+                         doubt->start, doubt->start_as_is);
+  else
+    found += fmt::format(" (the nominal model then misses {:.2g} % instead of {:.2g} %)", 100 * doubt->left,
+                         100 * doubt->left_as_is);
   throw Error(where + doubt->what, found,
               doubt->expected + ": if it is so, write " + doubt->remedy + "; if not, pass --as-is");
 }

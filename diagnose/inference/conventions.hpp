@@ -21,6 +21,9 @@ struct Doubt {
   std::string remedy;                ///< what to write in experiment.toml if they are
   std::vector<std::string> or_else;  ///< other readings that fit as well: "joint_stiffness like N cm/rad"
   double left_as_is, left;  ///< rms of what the nominal model leaves, over the readings' own: now and then
+  /// Distances of the runs' starts from the unloaded end points, lengths of the chain, together: now and
+  /// then, where they are what betrays it; otherwise zero now.
+  double start_as_is, start;
 };
 
 /// Compares the readings with the nominal model as they stand and under each of the closed list of
@@ -28,7 +31,8 @@ struct Doubt {
 /// the squared misfit of every column that it changes, in every run that misfits, and where no common factor
 /// but its own would do. How much it must remove, and how far off that factor may be, are such that a gap
 /// beside the slip does not hide it and a gap alone does not look like one. Of the order of a chain it is
-/// nearly all, but where only the other order stands unloaded where the runs start.
+/// nearly all, but where only the other order stands unloaded where the runs start. Where a conversion alone
+/// places all starts, that is enough: no gap moves them.
 std::optional<Doubt> doubtful_convention(const Study& study);
 
 /// A search among causes is wasted on numbers that were meant otherwise.

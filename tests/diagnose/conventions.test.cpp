@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <plumbline/base/error.hpp>
 #include <random>
+#include <utility>
 
 #include "diagnose/bench/conversion.hpp"
 #include "diagnose/bench/plausible.hpp"
@@ -85,6 +87,59 @@ TEST_CASE("a slip of unit, sign, axis or order is named beside a gap") {
     CHECK(std::find(all.begin(), all.end(), expected) != all.end());
     CHECK(all.size() <= 5);
   }
+}
+
+TEST_CASE("axes and angles that place where runs start are named beside any gap") {
+  // Two joints a third as stiff as believed, one that bends the chain at rest and a load cell that reads
+  // half.
+  const std::vector<std::pair<std::string, Spoil>> slips{
+      {"x, y, Fx, Fy like axes with y mirrored", each_reading([](Reading& r) { r.y = -r.y, r.Fy = -r.Fy; })},
+      {"x, y, Fx, Fy like axes with x mirrored", each_reading([](Reading& r) { r.x = -r.x, r.Fx = -r.Fx; })},
+      {"x, y, Fx, Fy like axes with x and y swapped",
+       each_reading([](Reading& r) { std::swap(r.x, r.y), std::swap(r.Fx, r.Fy); })},
+      {"rest like angles in the reverse order",
+       each_rest([](std::vector<double>& rest) { std::reverse(rest.begin(), rest.end()); })},
+  };
+  const Candidate soft{{{"joint_stiffness", 1}, {"joint_stiffness", 3}, "force_gain"}};
+  const Experiment gap = measured(full_bench(), soft, {-0.5, -0.5, -0.2}, 5);
+  REQUIRE_FALSE(doubtful_convention(Study(gap)));
+  for (const auto& [expected, spoil] : slips) {
+    CAPTURE(expected);
+    Experiment experiment = gap;
+    spoil(experiment);
+    const auto doubt = doubtful_convention(Study(experiment));
+    REQUIRE(doubt);
+    const std::vector<std::string> all = names(*doubt);
+    CHECK(std::find(all.begin(), all.end(), expected) != all.end());
+    CHECK(doubt->start_as_is > 0.1);
+    CHECK(doubt->start < 0.01 * doubt->start_as_is);
+  }
+}
+
+TEST_CASE("axes are named where one of two forces alone is measured") {
+  Experiment experiment = stiffer_bench();
+  for (Run& run : experiment.runs)
+    if (run.holds_end_point())
+      for (Reading& r : run.readings) r.Fx = std::exchange(r.Fy, std::numeric_limits<double>::quiet_NaN());
+  const auto doubt = doubtful_convention(Study(experiment));
+  REQUIRE(doubt);
+  const std::vector<std::string> all = names(*doubt);
+  CHECK(std::find(all.begin(), all.end(), "Fx, Fy like forces with x and y swapped") != all.end());
+}
+
+TEST_CASE("a straight column that buckles to the other side, and is softer than believed, is not mirrored") {
+  Experiment column = three_links();
+  column.joint_stiffness = {2.0, 1.5, 1.0};
+  load(column, {0, 0, 0}, {0, 0}, {-3.2, 0}, 30);
+  press(column, {0.005, -0.004, 0.003}, {-0.08, 0}, 25, true);
+  for (const double softer : {0.0, -0.2, -0.4})
+    for (const double sign : {1.0, -1.0}) {
+      CAPTURE(softer);
+      CAPTURE(sign);
+      const Candidate truth{{"rest_spread", {"joint_stiffness", 2}}};
+      const Experiment read = measured(column, truth, {sign * 0.012, -sign * 0.009, sign * 0.006, softer}, 3);
+      CHECK_FALSE(doubtful_convention(Study(read)));
+    }
 }
 
 TEST_CASE("a factor of a thousand is named beside a gap of half the forces") {
