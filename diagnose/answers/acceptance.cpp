@@ -203,8 +203,8 @@ std::optional<Shrink> accept_what_leaves(const Study& study, const NoiseModel& n
   if (!place || cause.ranking[*place].chi2_per_dof > most) return std::nullopt;
   const std::optional<Rotated> blind = rotated(study, cause.ranking[*place].hypothesis.fit, noise, noise);
   if (!blind) return std::nullopt;
-  const double left = blind->shrink.ratio, floor = blind->shrink.noise_floor_ratio;
-  if (!predicts(blind->shrink, times) || floor > beliefs::clear) return std::nullopt;
+  if (!predicts(blind->shrink, times) || blind->shrink.noise_floor_ratio > beliefs::clear)
+    return std::nullopt;
   Cause weighed = cause;
   const std::size_t accepted = weigh_beside_remainder(study, noise, *place, weighed);
   const Hypothesis &one = weighed.ranking[accepted].hypothesis, &first = weighed.ranking.front().hypothesis;
@@ -212,7 +212,6 @@ std::optional<Shrink> accept_what_leaves(const Study& study, const NoiseModel& n
   if (is_behind && !contains(first.fit.candidate, one.fit.candidate)) return std::nullopt;
   cause = std::move(weighed);
   settle_on(cause, accepted, beliefs::other_than_nearly);
-  cause.remainder = std::sqrt(std::max(0.0, left * left - floor * floor));
   return blind->shrink;
 }
 

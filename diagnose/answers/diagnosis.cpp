@@ -165,6 +165,12 @@ Findings judged_on_all(const Study& study, const Study& seen, const Findings& ch
   return findings;
 }
 
+/// Share of the gap of readings held out that is left beyond their noise.
+double beyond_noise(const Shrink& shrink) {
+  const double left = shrink.ratio, floor = shrink.noise_floor_ratio;
+  return std::sqrt(std::max(0.0, left * left - floor * floor));
+}
+
 /// Tests the best explanation on held-out readings and settles what is said of it. \returns the findings that
 /// this is said by
 Findings put_to_the_test(const Study& study, const Study& seen, const Findings& chosen, Findings findings,
@@ -177,8 +183,11 @@ Findings put_to_the_test(const Study& study, const Study& seen, const Findings& 
   demand_prediction(study, diagnosis.shrink, diagnosis.cause);
   if (accept_remainder(study, findings.noise, diagnosis.cause) ||
       accept_tolerable(study, seen, chosen, findings, diagnosis.cause) ||
-      accept_doubtful(study, findings.noise, diagnosis.cause))
+      accept_doubtful(study, findings.noise, diagnosis.cause)) {
     test_best();
+    if (diagnosis.shrink && diagnosis.shrink->tested())
+      diagnosis.cause.remainder = beyond_noise(*diagnosis.shrink);
+  }
   demand_shrink(diagnosis.shrink, diagnosis.cause);
   demand_second_run(study, diagnosis.cause);
   return findings;

@@ -10,7 +10,14 @@
 namespace plumbline::diagnose {
 namespace {
 
-constexpr std::size_t wanted_readings = 500, least_readings = 40, short_enough = 1000;
+constexpr std::size_t wanted_readings = 500, short_enough = 1000;
+
+/// Of a run that is one of so many: forty, but no more than a thousand of all, and twenty where they are
+/// many.
+std::size_t least_readings(std::size_t runs) {
+  return std::clamp<std::size_t>(1000 / runs, 20, 40);
+}
+
 /// Shares of a run's extent: a group goes no farther, for it tells of one place; a shorter way back is no
 /// turn but the unrest of a logged position.
 constexpr double farthest_in_group = 0.1, unrest = 0.01;
@@ -228,8 +235,8 @@ Experiment condensed(Experiment experiment) {
   for (const Run& run : experiment.runs) total += run.readings.size();
   if (total <= short_enough) return experiment;
   for (Run& run : experiment.runs) {
-    const std::size_t count = run.readings.size(),
-                      groups = std::max(least_readings, count * wanted_readings / total);
+    const std::size_t count = run.readings.size(), groups = std::max(least_readings(experiment.runs.size()),
+                                                                     count * wanted_readings / total);
     Condenser condenser(run, (count + groups - 1) / groups);
     if (condenser.gains()) run = condenser.result();
   }

@@ -166,6 +166,15 @@ void require_anything_measured(const Run& run, const Noise& noise) {
               run.holds_end_point() ? "a positive one for Fx, Fy or q" : "a positive one for x, y or q");
 }
 
+/// A joint has turns, not thousands of them, also in degrees; beyond, its sine is rounding.
+void require_turns(const Run& run) {
+  constexpr double most = 1e4;
+  for (std::size_t j = 0; j < run.rest.size(); ++j)
+    if (std::abs(run.rest[j]) > most)
+      throw Error("run \"" + run.id + "\"", fmt::format("rest of joint {}: {:.4g} rad", j + 1, run.rest[j]),
+                  fmt::format("an angle within {:.0f} rad", most));
+}
+
 void require_chain(const Experiment& experiment) {
   const auto passive = std::count(experiment.joint_stiffness.begin(), experiment.joint_stiffness.end(), 0.0);
   if (passive > 2)
@@ -173,7 +182,10 @@ void require_chain(const Experiment& experiment) {
                 "at most two: with more the chain is a mechanism even with its end point held");
   const Reach<double> limits = reach(experiment.link_length);
   require_resolved(experiment, limits.largest);
-  for (const Run& run : experiment.runs) require_reach(experiment, run, limits);
+  for (const Run& run : experiment.runs) {
+    require_turns(run);
+    require_reach(experiment, run, limits);
+  }
 }
 
 }  // namespace

@@ -47,9 +47,9 @@ std::string reservation_words(Reservation reservation) {
     case Reservation::beyond_tolerance:
       return "its tolerances are wider than machining leaves";
     case Reservation::single_joint:
-      return "it closes nearly all of the gap, beside a spring that is not as it was believed, but leaves "
-             "more "
-             "than the readings scatter";
+      return "it closes most of the gap, beside a spring that is not as it was believed, but leaves more "
+             "than "
+             "the readings scatter";
   }
   return "";
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <mutex>
 #include <plumbline/base/parallel.hpp>
 
 #include "diagnose/beliefs.hpp"
@@ -63,10 +64,17 @@ class Searcher {
             .scale;
   }
 
-  [[nodiscard]] std::vector<Fit> singles() const {
+  /// \param report  called with the share of them that is fitted
+  [[nodiscard]] std::vector<Fit> singles(const std::function<void(double)>& report) const {
     const std::vector<EffectAt> effects = possible_effects(study_);
-    std::vector<Fit> fits = side_by_side(
-        effects.size(), [&](std::size_t e) { return fit(study_, Candidate{{effects[e]}}, settings_); });
+    std::mutex one_at_a_time;
+    std::size_t done = 0;
+    std::vector<Fit> fits = side_by_side(effects.size(), [&](std::size_t e) {
+      Fit fitted = fit(study_, Candidate{{effects[e]}}, settings_);
+      const std::lock_guard only(one_at_a_time);
+      report(static_cast<double>(++done) / static_cast<double>(effects.size()));
+      return fitted;
+    });
     std::sort(fits.begin(), fits.end(), better);
     return fits;
   }
@@ -375,12 +383,11 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
     if (progress) progress(share);
   };
   const Searcher searcher(study);
-  std::vector<Fit> singles = searcher.singles();
+  std::vector<Fit> singles = searcher.singles([&](double share) { report(0.5 * share); });
   add(singles, searcher.exchanged(singles));
   std::vector<Fit> fits = singles;
   add(fits, searcher.again(known));
   const auto p_value = [&] { return structure_p_value(study.measurements(), fits.front().residual); };
-  report(0.1);
   constexpr double look_further = 0.05;  // a search more costs time alone
   if (!fits.empty() && p_value() < look_further) add(fits, searcher.in_other_numbers(fits.front()));
   if (!fits.empty() && p_value() < look_further) {
@@ -388,10 +395,10 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
     add(fits, pairs);
     add(fits, searcher.parts(pairs));
     add(fits, searcher.plainer(pairs));
-    report(0.4);
+    report(0.7);
     add(pairs, beside_machining(searcher, singles, fits));
     add(fits, pairs);
-    report(0.6);
+    report(0.8);
     if (p_value() < beliefs::fit_level) {
       const std::vector<Fit> threes = searcher.extended(pairs, pair_seeds);
       add(fits, threes);

@@ -66,7 +66,10 @@ const Effect& effect(std::string_view id, std::size_t joint) {
 
 std::string EffectAt::label() const {
   std::string text(effect->id);
-  return joint > 0 ? text + "(" + std::to_string(joint) + ")" : text;
+  if (joint > 0) return text + "(" + std::to_string(joint) + ")";
+  const bool has_form_for_all =
+      std::find(effect->special.begin(), effect->special.end(), effect->id) != effect->special.end();
+  return has_form_for_all ? text + " (each its own)" : text;
 }
 
 std::string EffectAt::in_words() const {

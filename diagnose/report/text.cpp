@@ -38,6 +38,11 @@ std::string correlations(const NoiseModel& noise, const std::map<Channel, double
   return text;
 }
 
+/// "3.0", "0.033".
+std::string times(double scale) {
+  return scale < 0.1 ? fmt::format("{:.2g}", scale) : fmt::format("{:.1f}", scale);
+}
+
 /// How the noise compares with the declared; said in words where it is another.
 std::string scatter(const NoiseModel& noise, const std::map<Channel, double>& measured) {
   std::string text = "  noise over declared:", words;
@@ -45,10 +50,11 @@ std::string scatter(const NoiseModel& noise, const std::map<Channel, double>& me
     const auto carries = [&](const auto& one) { return one.first.name == name; };
     if (std::none_of(measured.begin(), measured.end(), carries)) continue;
     const double scale = noise.of({name});
-    text += fmt::format(" {} {:.2f},", label(name), scale);
+    text +=
+        " " + label(name) + (scale < 0.1 ? fmt::format(" {:.2g},", scale) : fmt::format(" {:.2f},", scale));
     if (scale > 1.5 || scale < 1 / 1.5)
       words +=
-          fmt::format("  the readings of {} scatter {:.1f} times what was declared\n", label(name), scale);
+          fmt::format("  the readings of {} scatter {} times what was declared\n", label(name), times(scale));
   }
   text.back() = ';';
   return text + " neighbours correlate by " + correlations(noise, measured) + "\n" + words;

@@ -62,6 +62,16 @@ TEST_CASE("a commanded end point lies within the reach, to a ten-thousandth of i
   CHECK(refused(experiment).find("reading 3: found an end point 0.76 m") != std::string::npos);
 }
 
+TEST_CASE("a joint has no thousands of turns at rest") {
+  Experiment experiment = full_bench();
+  experiment.runs[1].rest[2] = -9e3;
+  CHECK_NOTHROW(require_bench(experiment));
+  experiment.runs[1].rest[2] = 1e9;
+  CHECK_THROWS_WITH_AS(
+      require_bench(experiment),
+      "run \"press-2\": found rest of joint 3: 1e+09 rad, expected an angle within 10000 rad", Error);
+}
+
 TEST_CASE("a folded chain cannot come nearer than its longest link exceeds the others") {
   Experiment experiment = straight_bench();
   experiment.link_length = {0.40, 0.15, 0.05};
