@@ -66,10 +66,13 @@ const Effect& effect(std::string_view id, std::size_t joint) {
 
 std::string EffectAt::label() const {
   std::string text(effect->id);
-  if (joint > 0) return text + "(" + std::to_string(joint) + ")";
-  const bool has_form_for_all =
-      std::find(effect->special.begin(), effect->special.end(), effect->id) != effect->special.end();
-  return has_form_for_all ? text + " (each its own)" : text;
+  return joint > 0 ? text + "(" + std::to_string(joint) + ")" : text;
+}
+
+std::string EffectAt::name() const {
+  const std::vector<std::string_view>& special = effect->special;
+  const bool has_form_for_all = std::find(special.begin(), special.end(), effect->id) != special.end();
+  return has_form_for_all ? label() + " (each its own)" : label();
 }
 
 std::string EffectAt::in_words() const {
@@ -79,6 +82,12 @@ std::string EffectAt::in_words() const {
 std::string Candidate::label() const {
   std::string text;
   for (const EffectAt& at : effects) text += (text.empty() ? "" : " + ") + at.label();
+  return text;
+}
+
+std::string Candidate::name() const {
+  std::string text;
+  for (const EffectAt& at : effects) text += (text.empty() ? "" : " + ") + at.name();
   return text;
 }
 

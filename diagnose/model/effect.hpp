@@ -126,8 +126,11 @@ struct EffectAt {
   std::size_t joint;
   friend bool operator==(const EffectAt&, const EffectAt&) = default;
 
-  /// "backlash(2)"
+  /// "backlash(2)", as files have it
   [[nodiscard]] std::string label() const;
+  /// The same for people, whom a value for all joints and one at each are two things:
+  /// "joint_stops (each its own)"
+  [[nodiscard]] std::string name() const;
   /// "play in joint 2"
   [[nodiscard]] std::string in_words() const;
 };
@@ -139,6 +142,7 @@ struct Candidate {
 
   /// "backlash(2) + gravity"
   [[nodiscard]] std::string label() const;
+  [[nodiscard]] std::string name() const;
   [[nodiscard]] bool has(const EffectAt& at) const;
   /// Whether it is named like the other: a value for all joints and one at each are forms of one cause.
   [[nodiscard]] bool is_form_of(const Candidate& other) const;

@@ -122,14 +122,14 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
     if (!who.empty()) list.push_back({{"names", who}, {"why", why}});
   };
   for (const std::size_t place : cause.equivalent)
-    add(cause.ranking[place].hypothesis.fit.candidate.label(), "these readings do not tell it from the best");
+    add(cause.ranking[place].hypothesis.fit.candidate.name(), "these readings do not tell it from the best");
   const std::vector<std::size_t> places = listed_places(cause);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::size_t place = places[i];
     const bool named =
         place == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), place) > 0;
     if (!named && cause.verdict != CauseVerdict::unknown && cause.ranking[place].probability >= 0.01)
-      add(cause.ranking[place].hypothesis.fit.candidate.label(),
+      add(cause.ranking[place].hypothesis.fit.candidate.name(),
           "less probable, yet keeps " + ranking[i]["probability"].get<std::string>());
   }
   if (cause.reservation != Reservation::none) {
@@ -138,7 +138,7 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
     add("unknown", "a cause outside the catalogue keeps " + ranking.back()["probability"].get<std::string>());
   }
   std::vector<std::string> idle;
-  for (const EffectAt& at : explained.diagnosis.not_exercised) idle.push_back(at.label());
+  for (const EffectAt& at : explained.diagnosis.not_exercised) idle.push_back(at.name());
   add(joined(idle, ", ", ", "), "never exercised: no reading of these runs depends on it");
   add(out_of_sight(explained.study),
       "not looked for: on this bench, with these channels, it could change nothing that was measured");
@@ -152,11 +152,11 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   view["best"] = false;
   if (explained.best != nullptr) {
     const Candidate& best = explained.best->candidate;
-    view["best"] = {{"names", best.label()},
-                    {"words", words(best)},
-                    {"model", explained.model},
-                    {"drawn", explained.diagnosis.offers_law() ? explained.model
-                                                               : explained.model + ": " + best.label()}};
+    view["best"] = {
+        {"names", best.name()},
+        {"words", words(best)},
+        {"model", explained.model},
+        {"drawn", explained.diagnosis.offers_law() ? explained.model : explained.model + ": " + best.name()}};
     Json rows = parameters(view["cause"]["effects"], best, explained.diagnosis.estimates);
     const bool any = !rows.empty();
     view["explained"] = {{"any", any}, {"parameters", std::move(rows)}};

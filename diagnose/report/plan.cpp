@@ -24,19 +24,25 @@ Json blindness(const Blindness& left) {
   return {{"unseen", labels(left.unseen)}, {"alike", alike}};
 }
 
+std::vector<std::string> names(const std::vector<EffectAt>& effects) {
+  std::vector<std::string> all;
+  for (const EffectAt& at : effects) all.push_back(at.name());
+  return all;
+}
+
 std::string list(const std::vector<EffectAt>& effects) {
-  return effects.empty() ? "none" : fmt::format("{}", fmt::join(labels(effects), ", "));
+  return effects.empty() ? "none" : fmt::format("{}", fmt::join(names(effects), ", "));
 }
 
 std::string in_lines(const std::vector<Alike>& alike, const std::string& indent) {
   if (alike.empty()) return indent + "none\n";
   std::string text;
   for (const Alike& one : alike) {
-    text += indent + fmt::format("{}", fmt::join(labels(one.effects), " | "));
+    text += indent + fmt::format("{}", fmt::join(names(one.effects), " | "));
     if (one.exactly) text += " (exactly alike)";
     if (!one.others.empty())
       text += fmt::format("{} mistaken for {}", one.effects.size() > 1 ? ", each" : ":",
-                          fmt::join(labels(one.others), ", "));
+                          fmt::join(names(one.others), ", "));
     text += "\n";
   }
   return text;

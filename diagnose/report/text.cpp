@@ -157,7 +157,7 @@ std::string parameters(const Diagnosis& diagnosis) {
   const Candidate& candidate = diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate;
   for (std::size_t e = 0; e < candidate.effects.size(); ++e) {
     const EffectAt& at = candidate.effects[e];
-    text += fmt::format("  {}, {}\n", at.label(), at.in_words());
+    text += fmt::format("  {}, {}\n", at.name(), at.in_words());
     for (const Estimate& one : diagnosis.estimates[e]) text += "    " + parameter(one) + "\n";
   }
   return text;
@@ -165,7 +165,7 @@ std::string parameters(const Diagnosis& diagnosis) {
 
 std::string never_exercised(const Diagnosis& diagnosis) {
   std::string idle;
-  for (const EffectAt& at : diagnosis.not_exercised) idle += (idle.empty() ? "" : ", ") + at.label();
+  for (const EffectAt& at : diagnosis.not_exercised) idle += (idle.empty() ? "" : ", ") + at.name();
   if (idle.empty()) return "";
   return "  neither excluded nor blamed, for the runs never exercise them: " + idle + "\n";
 }
@@ -182,7 +182,7 @@ std::string unexplained(const Diagnosis& diagnosis) {
   if (!diagnosis.cause.ranking.empty()) {
     const Ranked& partial = diagnosis.cause.ranking[diagnosis.cause.best];
     text += fmt::format("  best partial explanation: {} (chi-square per degree of freedom {:.3g})\n",
-                        partial.hypothesis.fit.candidate.label(), partial.chi2_per_dof);
+                        partial.hypothesis.fit.candidate.name(), partial.chi2_per_dof);
   }
   if (diagnosis.law) text += law_as_text(*diagnosis.law);
   return text + never_exercised(diagnosis);
@@ -191,7 +191,7 @@ std::string unexplained(const Diagnosis& diagnosis) {
 /// What cannot be told apart from the best: the most probable a line each, the rest together.
 std::string others_alike(const Cause& cause) {
   constexpr std::size_t lines = 6;
-  const auto label = [&](std::size_t place) { return cause.ranking[place].hypothesis.fit.candidate.label(); };
+  const auto label = [&](std::size_t place) { return cause.ranking[place].hypothesis.fit.candidate.name(); };
   std::vector<std::size_t> places = cause.equivalent;
   std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
     return cause.ranking[a].probability > cause.ranking[b].probability;
@@ -212,7 +212,7 @@ std::string what(const Diagnosis& diagnosis) {
   std::string text =
       fmt::format("What?  {}: {} (probability {:.3f}, chi-square per degree of freedom {:.3g})\n",
                   cause.verdict == CauseVerdict::identified ? "Identified" : "Ambiguous",
-                  best.hypothesis.fit.candidate.label(), best.probability, best.chi2_per_dof);
+                  best.hypothesis.fit.candidate.name(), best.probability, best.chi2_per_dof);
   text += parameters(diagnosis);
   if (cause.remainder > 0)
     text += fmt::format("  with a remainder: {} of the gap is left on the readings held out\n",
