@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "diagnose/bench/median.hpp"
 
@@ -21,6 +22,8 @@ std::size_t least_readings(std::size_t runs) {
 /// Shares of a run's extent: a group goes no farther, for it tells of one place; a shorter way back is no
 /// turn but the unrest of a logged position.
 constexpr double farthest_in_group = 0.1, unrest = 0.01;
+/// The same of the farthest run, where this one stands still.
+constexpr double unrest_at_rest = 0.002;
 /// Groups from turn to turn, in the mean: what stands alone there is lost.
 constexpr double least_of_stretch = 4;
 
@@ -68,10 +71,12 @@ std::vector<std::size_t> turns_farther_than(const Run& run, double distance) {
 /// Draws the readings of one run together, group by group.
 class Condenser {
  public:
-  Condenser(const Run& run, std::size_t most) : run_(run), result_(run) {
+  /// \param most  readings of a group
+  /// \param still  what is no motion where it is commanded
+  Condenser(const Run& run, std::size_t most, double still)
+      : run_(run), turns_(turns_farther_than(run, std::max(unrest * extent(run), still))), result_(run) {
     result_.readings.clear();
     const double whole = extent(run_);
-    turns_ = turns_farther_than(run_, unrest * whole);
     const double count = static_cast<double>(run_.readings.size());
     const double farthest = std::min(farthest_in_group * whole / way(),
                                      1 / (least_of_stretch * static_cast<double>(turns_.size() + 1)));
@@ -234,10 +239,12 @@ Experiment condensed(Experiment experiment) {
   std::size_t total = 0;
   for (const Run& run : experiment.runs) total += run.readings.size();
   if (total <= short_enough) return experiment;
+  std::map<Control, double> farthest;
+  for (const Run& run : experiment.runs) farthest[run.control] = std::max(farthest[run.control], extent(run));
   for (Run& run : experiment.runs) {
     const std::size_t count = run.readings.size(), groups = std::max(least_readings(experiment.runs.size()),
                                                                      count * wanted_readings / total);
-    Condenser condenser(run, (count + groups - 1) / groups);
+    Condenser condenser(run, (count + groups - 1) / groups, unrest_at_rest * farthest[run.control]);
     if (condenser.gains()) run = condenser.result();
   }
   return experiment;

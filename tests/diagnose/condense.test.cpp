@@ -184,6 +184,24 @@ TEST_CASE("the unrest of a logged position is no turn, and leaves readings to dr
   CHECK(unseen <= 3);
 }
 
+TEST_CASE("a run that is held does not turn where its logged position is unsteady") {
+  Experiment experiment = cycled(1, 500);
+  Run held = experiment.runs[0];
+  const Reading far = held.readings[500];
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  for (std::size_t i = 0; i < held.readings.size(); ++i) {
+    held.readings[i] = far;
+    held.readings[i].t = 0.01 * static_cast<double>(i);
+    held.readings[i].x += 5e-6 * normal(random);
+  }
+  experiment.runs.push_back(held);
+  const Experiment few = condensed(experiment);
+  CHECK(few.runs[1].readings.size() < 300);
+  const std::vector<Reading>& left = few.runs[1].readings;
+  CHECK(std::count_if(left.begin(), left.end(), [](const Reading& r) { return std::isnan(r.Fx); }) <= 3);
+}
+
 TEST_CASE("a run that turns at every reading comes back as it is") {
   Experiment experiment = cycled(1, 1000);
   for (std::size_t i = 0; i < experiment.runs[0].readings.size(); i += 2)
