@@ -173,7 +173,7 @@ Change compare_run(const Columns& before, const Columns& after) {
   Change change;
   change.readable = after.size() == before.size();
   for (std::size_t c = 0; change.readable && c < after.size(); ++c) {
-    change.readable = change.readable && 2 * after[c].count >= before[c].count;
+    change.readable = 2 * after[c].count >= before[c].count;
     const double b = misfit(before, before[c]), a = misfit(after, after[c]);
     if (std::abs(a - b) < 1e-9) continue;
     const auto sensor = place_of(after[c].channel.sensor());
@@ -279,8 +279,8 @@ class Check {
     return trial;
   }
 
-  /// No spring, load or sensor of force moves those points, so that an order is then no more likely to be a
-  /// gap than a unit is.
+  /// No spring, load or sensor of force moves unloaded end points, so that an order is no more likely to be a
+  /// gap than a unit is where it places them.
   [[nodiscard]] Placed placed(const Conversion& conversion, double start) const {
     if (start_ > start_far_off && start < wholly_placed * start_) return Placed::wholly;
     const double off = is_of_an_order(conversion) ? start_in_doubt : start_off;
@@ -319,7 +319,8 @@ class Check {
     for (std::size_t r = 0; r < now.size(); ++r) {
       const Change change = compare_run(as_is_[r], now[r]);
       if (!change.readable) return {};
-      const bool mended = change.after<change.before, worse = change.after> change.before;
+      const bool mended = change.after < change.before;
+      const bool worse = change.before < change.after;
       if (!mended && worst(as_is_[r]) > misfit_of_a_gap) return {};
       if (change.after > change.before + misfit_in_doubt && (conversion.chain || conversion.mirror))
         return {};
