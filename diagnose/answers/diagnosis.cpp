@@ -165,12 +165,6 @@ Findings judged_on_all(const Study& study, const Study& seen, const Findings& ch
   return findings;
 }
 
-/// Share of the gap of readings held out that is left beyond their noise.
-double beyond_noise(const Shrink& shrink) {
-  const double left = shrink.ratio, floor = shrink.noise_floor_ratio;
-  return std::sqrt(std::max(0.0, left * left - floor * floor));
-}
-
 /// Tests the best explanation on held-out readings and settles what is said of it. \returns the findings that
 /// this is said by
 Findings put_to_the_test(const Study& study, const Study& seen, const Findings& chosen, Findings findings,
@@ -186,7 +180,7 @@ Findings put_to_the_test(const Study& study, const Study& seen, const Findings& 
       accept_doubtful(study, findings.noise, diagnosis.cause)) {
     test_best();
     if (diagnosis.shrink && diagnosis.shrink->tested())
-      diagnosis.cause.remainder = beyond_noise(*diagnosis.shrink);
+      diagnosis.cause.remainder = diagnosis.shrink->beyond_noise();
   }
   demand_shrink(diagnosis.shrink, diagnosis.cause);
   demand_second_run(study, diagnosis.cause);

@@ -107,6 +107,10 @@ std::map<Channel, ChannelShrink> by_channel(const Measurements& measurements,
 
 }  // namespace
 
+double Shrink::beyond_noise() const {
+  return std::sqrt(std::max(0.0, ratio * ratio - noise_floor_ratio * noise_floor_ratio));
+}
+
 Shrink measure_shrink(const Measurements& measurements, const HeldOut& heldout,
                       const std::vector<double>& before, const std::vector<double>& after,
                       const NoiseModel& noise) {

@@ -30,6 +30,8 @@ struct Shrink {
 
   /// Whether the readings carry a gap that could shrink.
   [[nodiscard]] bool tested() const { return noise_floor_ratio <= beliefs::carries_no_gap; }
+  /// Share of the gap that is left beyond the noise.
+  [[nodiscard]] double beyond_noise() const;
 };
 
 /// Compares residuals before (nominal) and after on the held-out readings; outliers are left out of both,

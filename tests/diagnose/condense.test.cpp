@@ -209,6 +209,40 @@ TEST_CASE("a run that turns at every reading comes back as it is") {
   CHECK(condensed(experiment).runs[0].readings.size() == experiment.runs[0].readings.size());
 }
 
+TEST_CASE("what goes along a parabola is drawn onto it, and what is faster on its way as well") {
+  Experiment experiment = numbered(10001, 10001);
+  const auto along = [](double x) { return 3 - 2 * x + 0.01 * x * x; };
+  for (const bool faster : {false, true}) {
+    CAPTURE(faster);
+    for (Reading& reading : experiment.runs[0].readings) {
+      if (faster) reading.x *= 1 - reading.x / 1e5, reading.y = -3 * reading.x;
+      reading.Fx = along(reading.x);
+    }
+    const Run few = condensed(experiment).runs[0];
+    CHECK(few.groups.size >= 19);
+    // Of an even number the mean of the middle two is off by a quarter of the curvature, and of a step that
+    // grows by a ten-thousandth of itself, twenty readings long, by less; a plain median by 25 of them.
+    for (const Reading& reading : few.readings)
+      if (!std::isnan(reading.Fx)) CHECK(std::abs(reading.Fx - along(reading.x)) < 0.01);
+  }
+}
+
+TEST_CASE("a few readings between two turns are not drawn together with their measured values") {
+  // Groups of twenty, and five readings between two turns of a hundredth and more of the way.
+  Experiment experiment = numbered(10001, 5000);
+  std::vector<Reading>& readings = experiment.runs[0].readings;
+  for (std::size_t i = 0; i < 6; ++i) {
+    readings[2000 + i].x += 100.0 * static_cast<double>(i + 1);
+    readings[2000 + i].y = -3 * readings[2000 + i].x;
+  }
+  const Run few = condensed(experiment).runs[0];
+  REQUIRE(few.groups.size > 15);
+  std::size_t unseen = 0;
+  for (const Reading& reading : few.readings) unseen += std::isnan(reading.Fx) ? 1 : 0;
+  // The ends, the middle, the two new turns, and what is between these.
+  CHECK(unseen == 6);
+}
+
 TEST_CASE("how many readings are left: all of a thousand, of more 500 in all, or forty of a short run") {
   CHECK(condensed(numbered(1000, 1000)).runs[0].readings.size() == 1000);
   // 1001 in 500 groups would be three each as well

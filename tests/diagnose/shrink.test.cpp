@@ -71,6 +71,14 @@ TEST_CASE("the shrink of four held-out readings, by hand") {
   CHECK(shrink.ratio_high == close_to(1.0 / 4));
 }
 
+TEST_CASE("what is left beyond the noise, by hand") {
+  Shrink shrink;
+  shrink.ratio = 0.5, shrink.noise_floor_ratio = 0.3;
+  CHECK(shrink.beyond_noise() == close_to(0.4));
+  shrink.ratio = 0.2;
+  CHECK(shrink.beyond_noise() == 0);
+}
+
 TEST_CASE("held-out values count as those that do not correlate; none leave the shrink as it is") {
   const Experiment experiment = blank_experiment({16, 16});
   const Measurements measurements(experiment);
