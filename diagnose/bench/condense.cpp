@@ -134,10 +134,12 @@ class Condenser {
             mean(group, [&](const Reading& r) { return run_.command(r).y(); })};
   }
 
-  [[nodiscard]] double middle(const Stretch& group, const Channel& channel) const {
+  /// Median of what is made of the readings that hold a channel.
+  template <class Value>
+  [[nodiscard]] double middle(const Stretch& group, const Channel& channel, Value value) const {
     std::vector<double> values;
-    for (std::size_t i = group.from; i < group.to; ++i) values.push_back(channel.of(run_.readings[i]));
-    std::erase_if(values, [](double v) { return std::isnan(v); });
+    for (std::size_t i = group.from; i < group.to; ++i)
+      if (!std::isnan(channel.of(run_.readings[i]))) values.push_back(value(run_.readings[i]));
     return median(std::move(values));
   }
 
@@ -163,15 +165,15 @@ class Condenser {
     const std::size_t third = std::max<std::size_t>(1, seen.count() / 3);
     const std::array<Stretch, 3> thirds{
         {{seen.from, seen.from + third}, {seen.from + third, seen.to - third}, {seen.to - third, seen.to}}};
-    if (seen.count() < thirds.size()) return {};
     const Eigen::Vector2d centre = mean_command(group);
     Trend found;
     found.along = mean_command(thirds[2]) - mean_command(thirds[0]);
     found.along /= found.along.squaredNorm();
     std::array<double, 3> at{}, value{};
     for (std::size_t i = 0; i < thirds.size(); ++i) {
-      at[i] = (mean_command(thirds[i]) - centre).dot(found.along);
-      value[i] = middle(thirds[i], channel);
+      at[i] = middle(thirds[i], channel,
+                     [&](const Reading& r) { return (run_.command(r) - centre).dot(found.along); });
+      value[i] = middle(thirds[i], channel, [&](const Reading& r) { return channel.of(r); });
     }
     const double before = (value[1] - value[0]) / (at[1] - at[0]),
                  after = (value[2] - value[1]) / (at[2] - at[1]);
@@ -184,13 +186,8 @@ class Condenser {
   [[nodiscard]] double drawn(const Stretch& group, const Stretch& stretch, const Channel& channel) const {
     const Trend off = trend(group, stretch, channel);
     const Eigen::Vector2d centre = mean_command(group);
-    std::vector<double> values;
-    for (std::size_t i = group.from; i < group.to; ++i) {
-      const Reading& reading = run_.readings[i];
-      values.push_back(channel.of(reading) - off(run_.command(reading) - centre));
-    }
-    std::erase_if(values, [](double v) { return std::isnan(v); });
-    return median(std::move(values));
+    return middle(group, channel,
+                  [&](const Reading& r) { return channel.of(r) - off(run_.command(r) - centre); });
   }
 
   /// In groups that are alike.

@@ -356,9 +356,8 @@ std::optional<Doubt> doubtful_convention(const Study& study) {
   if (!check.in_doubt()) return {};
   std::vector<Trial> found = check.suspected();
   if (found.empty()) return {};
-  const auto placed = [](const Trial& one) { return one.wholly_placed; };
-  if (std::any_of(found.begin(), found.end(), placed))
-    std::erase_if(found, [&](const Trial& one) { return !placed(one); });
+  if (std::ranges::any_of(found, &Trial::wholly_placed))
+    std::erase_if(found, [](const Trial& one) { return !one.wholly_placed; });
   // Squares of residuals: what leaves half as much again, or differs by a thousandth, cannot be told apart;
   // nor can two units, whose factors a gap may bring nearer or farther: of those that leave up to twice as
   // much, the more common is asked about first.

@@ -40,7 +40,7 @@ std::string correlations(const NoiseModel& noise, const std::map<Channel, double
 
 /// "3.0", "0.033".
 std::string times(double scale) {
-  return scale < 0.1 ? fmt::format("{:.2g}", scale) : fmt::format("{:.1f}", scale);
+  return scale < 1 ? fmt::format("{:.2g}", scale) : fmt::format("{:.1f}", scale);
 }
 
 /// How the noise compares with the declared; said in words where it is another.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "diagnose/inference/gap.hpp"
@@ -209,6 +210,14 @@ TEST_CASE("a run that turns at every reading comes back as it is") {
   CHECK(condensed(experiment).runs[0].readings.size() == experiment.runs[0].readings.size());
 }
 
+TEST_CASE("of many runs less is left of each: thirty-three of one of thirty, twenty of one of sixty") {
+  for (const auto& [runs, size] : std::vector<std::pair<std::size_t, std::size_t>>{{30, 10}, {60, 15}}) {
+    Experiment many = numbered(300, 300);
+    many.runs.resize(runs, many.runs[0]);
+    CHECK(condensed(many).runs[0].groups.size == size);
+  }
+}
+
 TEST_CASE("what goes along a parabola is drawn onto it, and what is faster on its way as well") {
   Experiment experiment = numbered(10001, 10001);
   const auto along = [](double x) { return 3 - 2 * x + 0.01 * x * x; };
@@ -218,6 +227,8 @@ TEST_CASE("what goes along a parabola is drawn onto it, and what is faster on it
       if (faster) reading.x *= 1 - reading.x / 1e5, reading.y = -3 * reading.x;
       reading.Fx = along(reading.x);
     }
+    for (std::size_t i = 3; i < 10001; i += 50)
+      experiment.runs[0].readings[i].Fx = std::numeric_limits<double>::quiet_NaN();
     const Run few = condensed(experiment).runs[0];
     CHECK(few.groups.size >= 19);
     // Of an even number the mean of the middle two is off by a quarter of the curvature, and of a step that

@@ -14,6 +14,7 @@
 #include "diagnose/bench/conversion.hpp"
 #include "diagnose/bench/plausible.hpp"
 #include "diagnose/bench/read_experiment.hpp"
+#include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 #include "tests/diagnose/slips.hpp"
 
@@ -175,6 +176,35 @@ TEST_CASE(
   CHECK(asked(1, 1));
   CHECK(asked(0.7, 0));
   CHECK_FALSE(asked(0.7, 1));
+}
+
+TEST_CASE("a run alone that looks mirrored went to its other side") {
+  Experiment experiment = measured(full_bench(), {}, {}, 5);
+  const auto mirror = [](Run& run) {
+    for (Reading& reading : run.readings) reading.Fy *= -1;
+  };
+  mirror(experiment.runs[0]);
+  CHECK_FALSE(doubtful_convention(Study(experiment)));
+  for (std::size_t r = 1; r < experiment.runs.size(); ++r) mirror(experiment.runs[r]);
+  CHECK(doubtful_convention(Study(experiment)));
+}
+
+TEST_CASE("the question says what the nominal model misses now and then") {
+  Experiment experiment = stiffer_bench();
+  forces_over(-1)(experiment);
+  const auto doubt = doubtful_convention(Study(experiment));
+  REQUIRE(doubt);
+  // Forces of the opposite sign are off by nearly twice themselves, the positions that they press to by less.
+  CHECK(doubt->left_as_is > 1.5);
+  CHECK(doubt->left < 0.15);
+  try {
+    require_conventions(Study(experiment));
+    FAIL("no question");
+  } catch (const Error& error) {
+    const std::string said = fmt::format("(the nominal model then misses {:.2g} % instead of {:.2g} %)",
+                                         100 * doubt->left, 100 * doubt->left_as_is);
+    CHECK(std::string(error.what()).find(said) != std::string::npos);
+  }
 }
 
 TEST_CASE("stiffnesses six or four times too large are no unit") {

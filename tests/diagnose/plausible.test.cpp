@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+#include <utility>
+
 #include <cmath>
 #include <plumbline/base/error.hpp>
 
@@ -64,12 +67,15 @@ TEST_CASE("a commanded end point lies within the reach, to a ten-thousandth of i
 
 TEST_CASE("a joint has no thousands of turns at rest") {
   Experiment experiment = full_bench();
-  experiment.runs[1].rest[2] = -9e3;
-  CHECK_NOTHROW(require_bench(experiment));
-  experiment.runs[1].rest[2] = 1e9;
-  CHECK_THROWS_WITH_AS(
-      require_bench(experiment),
-      "run \"press-2\": found rest of joint 3: 1e+09 rad, expected an angle within 10000 rad", Error);
+  for (const std::size_t joint : {0U, 2U}) {
+    const double before = std::exchange(experiment.runs[1].rest[joint], -9e3);
+    CHECK_NOTHROW(require_bench(experiment));
+    experiment.runs[1].rest[joint] = 1e9;
+    const std::string said = "run \"press-2\": found rest of joint " + std::to_string(joint + 1) +
+                             ": 1e+09 rad, expected an angle within 10000 rad";
+    CHECK_THROWS_WITH_AS(require_bench(experiment), said.c_str(), Error);
+    experiment.runs[1].rest[joint] = before;
+  }
 }
 
 TEST_CASE("a folded chain cannot come nearer than its longest link exceeds the others") {

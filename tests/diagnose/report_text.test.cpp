@@ -52,6 +52,15 @@ TEST_CASE("a diagnosis in words, by hand") {
   CHECK(as_text(made_up()) == gap_in_words + where_in_words + cause_in_words + shrink_in_words);
 }
 
+TEST_CASE("readings that scatter far less than was declared are told with their digits") {
+  Diagnosis made = made_up();
+  made.noise.scale = {1, 1, 0.15, 1, 0.0333};
+  const std::string text = as_text(made);
+  CHECK(text.find("  noise over declared: Fx 0.15, q 0.033;") != std::string::npos);
+  CHECK(text.find("  the readings of Fx scatter 0.15 times what was declared\n") != std::string::npos);
+  CHECK(text.find("  the readings of q scatter 0.033 times what was declared\n") != std::string::npos);
+}
+
 TEST_CASE("what else the words may say: no gap, tones, remainders, rivals, what was not exercised") {
   Diagnosis made = made_up();
   made.gap.hum = {{"press-1", of_Fx, 3.7, 1.6}};
