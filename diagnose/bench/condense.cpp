@@ -81,7 +81,6 @@ class Condenser {
     const double farthest = std::min(farthest_in_group * whole / way(),
                                      1 / (least_of_stretch * static_cast<double>(turns_.size() + 1)));
     size_ = count * farthest < static_cast<double>(most) ? static_cast<std::size_t>(count * farthest) : most;
-    result_.groups = {size_, {}};
   }
 
   /// Of two readings the middle gains nothing over either.

@@ -59,6 +59,9 @@ TEST_CASE("readings that scatter far less than was declared are told with their 
   CHECK(text.find("  noise over declared: Fx 0.15, q 0.033;") != std::string::npos);
   CHECK(text.find("  the readings of Fx scatter 0.15 times what was declared\n") != std::string::npos);
   CHECK(text.find("  the readings of q scatter 0.033 times what was declared\n") != std::string::npos);
+  made.noise.scale = {1, 1, 1.96, 1, 1};
+  CHECK(as_text(made).find("  the readings of Fx scatter 2.0 times what was declared\n") !=
+        std::string::npos);
 }
 
 TEST_CASE("what else the words may say: no gap, tones, remainders, rivals, what was not exercised") {
