@@ -68,18 +68,27 @@ std::vector<std::size_t> turns_farther_than(const Run& run, double distance) {
   return turns;
 }
 
+/// What stands alone: the ends, and where the run turns back by more than a distance.
+std::vector<std::size_t> stops(const Run& run, double distance) {
+  std::vector<std::size_t> all = turns_farther_than(run, distance);
+  all.insert(all.begin(), 0);
+  all.push_back(run.readings.size() - 1);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
 /// Draws the readings of one run together, group by group.
 class Condenser {
  public:
   /// \param most  readings of a group
   /// \param still  what is no motion where it is commanded
   Condenser(const Run& run, std::size_t most, double still)
-      : run_(run), turns_(turns_farther_than(run, std::max(unrest * extent(run), still))), result_(run) {
+      : run_(run), stops_(stops(run, std::max(unrest * extent(run), still))), result_(run) {
     result_.readings.clear();
     const double whole = extent(run_);
     const double count = static_cast<double>(run_.readings.size());
     const double farthest = std::min(farthest_in_group * whole / way(),
-                                     1 / (least_of_stretch * static_cast<double>(turns_.size() + 1)));
+                                     1 / (least_of_stretch * static_cast<double>(stops_.size() - 1)));
     size_ = count * farthest < static_cast<double>(most) ? static_cast<std::size_t>(count * farthest) : most;
   }
 
@@ -88,7 +97,7 @@ class Condenser {
 
   Run result() {
     std::size_t from = 0;
-    for (const std::size_t alone : stops()) {
+    for (const std::size_t alone : stops_) {
       add(Stretch{from, alone});
       add_alone(alone);
       from = alone + 1;
@@ -99,20 +108,11 @@ class Condenser {
   }
 
  private:
-  /// What stands alone: the ends, and where the run turns.
-  [[nodiscard]] std::vector<std::size_t> stops() const {
-    std::vector<std::size_t> all{0};
-    all.insert(all.end(), turns_.begin(), turns_.end());
-    all.push_back(run_.readings.size() - 1);
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-  }
-
   /// From stop to stop.
   [[nodiscard]] double way() const {
     double sum = 0;
     Eigen::Vector2d last = run_.command(run_.readings.front());
-    for (const std::size_t stop : stops()) {
+    for (const std::size_t stop : stops_) {
       const Eigen::Vector2d at = run_.command(run_.readings[stop]);
       if (!at.allFinite()) continue;
       sum += (at - last).norm();
@@ -223,7 +223,7 @@ class Condenser {
   static constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
 
   const Run& run_;
-  std::vector<std::size_t> turns_;
+  std::vector<std::size_t> stops_;
   std::size_t size_;
   std::vector<double> sizes_;
   Run result_;

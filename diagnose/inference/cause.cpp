@@ -48,8 +48,7 @@ std::string reservation_words(Reservation reservation) {
       return "its tolerances are wider than machining leaves";
     case Reservation::single_joint:
       return "it closes most of the gap, beside a spring that is not as it was believed, but leaves more "
-             "than "
-             "the readings scatter";
+             "than the readings scatter";
   }
   return "";
 }
