@@ -158,6 +158,30 @@ Experiment cycled(int cycles, int each_way, double unrest = 0) {
 
 }  // namespace
 
+TEST_CASE("a run that turns back by little has four groups from turn to turn, in the mean") {
+  // There by so many readings, then 199 times back and there again by fifty of them: 200 stretches, so 800
+  // groups. Of 500 they would be of 25 readings and more, by the way of a tenth of the extent longer still.
+  for (const auto& [there, size] :
+       std::vector<std::pair<std::size_t, std::size_t>>{{2089, 15}, {2829, 15}, {2850, 16}}) {
+    CAPTURE(there);
+    const std::size_t count = there + 199 * 50 + 1;
+    Experiment experiment = numbered(count, count);
+    std::vector<Reading>& readings = experiment.runs[0].readings;
+    for (std::size_t i = there; i < count; ++i) {
+      const std::size_t leg = (i - there) / 50, on = (i - there) % 50, back = leg % 2 == 0 ? on : 50 - on;
+      readings[i].x = -static_cast<double>(there - back);
+      readings[i].y = -3 * readings[i].x;
+    }
+    const Run few = condensed(experiment).runs[0];
+    // What is between the first reading and the first turn.
+    const auto turn = std::find(few.groups.first.begin(), few.groups.first.end(), there);
+    REQUIRE(turn != few.groups.first.end());
+    CHECK(static_cast<std::size_t>(turn - few.groups.first.begin()) == 1 + (there - 1 + size - 1) / size);
+    CHECK(std::count_if(few.readings.begin(), few.readings.end(),
+                        [](const Reading& r) { return std::isnan(r.Fx); }) == 201);
+  }
+}
+
 TEST_CASE("what is drawn together scatters as it says and shows no gap, however often and far a run goes") {
   // Forces of a press change by forty sigmas on the way, along a curve.
   for (const auto& [cycles, each_way] :
