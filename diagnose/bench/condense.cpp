@@ -73,7 +73,6 @@ std::vector<std::size_t> stops(const Run& run, double distance) {
   std::vector<std::size_t> all = turns_farther_than(run, distance);
   all.insert(all.begin(), 0);
   all.push_back(run.readings.size() - 1);
-  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 
