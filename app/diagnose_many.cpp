@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <plumbline/base/error.hpp>
+#include <set>
 
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
@@ -42,6 +43,17 @@ std::vector<campaign::Outcome> diagnosed(const ManyExperiments& many, const std:
   return outcomes;
 }
 
+/// \throws Error for a folder that is there twice: it would count as two benches that agree
+void require_different(const std::vector<fs::path>& folders) {
+  std::set<fs::path> known;
+  for (const fs::path& folder : folders) {
+    std::error_code unreadable;  // which is told where it is read
+    const fs::path one = fs::weakly_canonical(folder / "", unreadable);
+    if (!unreadable && !known.insert(one).second)
+      throw Error(folder.string(), "this folder again", "each experiment once");
+  }
+}
+
 }  // namespace
 
 void diagnose_many(const ManyExperiments& many, const CLI::App& verb) {
@@ -55,6 +67,7 @@ void diagnose_many(const ManyExperiments& many, const CLI::App& verb) {
     }
   }
   if (folders.empty()) throw Error(many.folders.front(), "no folder", "folders of experiments");
+  require_different(folders);
   Outputs outputs(verb, files_read(many, folders));
   files::OutputFile *const json = outputs.open("--json", many.json), *const html =
                                                                          outputs.open("--html", many.html);

@@ -124,6 +124,8 @@ struct Shared {
   const Experiment& experiment;
   SampleFormat format;
   Unit rest;
+  /// In words.
+  std::string chain;
 };
 
 /// Whether the forces of a run are such as weights impose and a servo on a load cell hardly would: straight
@@ -162,6 +164,17 @@ void read_samples_of(const Section& section, const Shared& shared, Run& run) {
   run.origins = std::move(samples.origins);
 }
 
+/// The run's own, or that of the chain.
+std::vector<double> read_rest(const Section& section, const Shared& shared) {
+  const Experiment& experiment = shared.experiment;
+  if (!section.has("rest") && !experiment.rest.empty()) return experiment.rest;
+  const std::vector<double> rest = section.numbers("rest", 0);
+  if (rest.size() != experiment.link_length.size())
+    throw Error(section.place("rest"), fmt::format("{} values", rest.size()),
+                fmt::format("{}, one for each link of {}", experiment.link_length.size(), shared.chain));
+  return in_si(rest, shared.rest);
+}
+
 Run read_run(const Section& section, const Shared& shared) {
   section.allow_only({"id", "control", "loaded_by", "rest", "samples", "csv", "columns"});
   Run run;
@@ -170,12 +183,9 @@ Run read_run(const Section& section, const Shared& shared) {
   const std::string control = section.text("control", expected);
   if (control != "displacement" && control != "force") section.refuse("control", expected);
   run.control = control == "force" ? Control::force : Control::end_point;
-  const Experiment& experiment = shared.experiment;
-  const std::size_t n = experiment.link_length.size();
-  run.rest = section.has("rest") || experiment.rest.empty() ? in_si(section.numbers("rest", n), shared.rest)
-                                                            : experiment.rest;
+  run.rest = read_rest(section, shared);
   if (!shared.source.plan || section.has("samples")) read_samples_of(section, shared, run);
-  run.by_weights = read_by_weights(section, run, experiment);
+  run.by_weights = read_by_weights(section, run, shared.experiment);
   run.weights_inferred = run.by_weights && !section.has("loaded_by");
   return run;
 }
@@ -218,7 +228,8 @@ Experiment read_settings(const Section& root, const Source& source, const Nomina
   experiment.bench =
       root.has("bench") ? read_bench(root.table("bench")) : Bench{Bench::Plane::unknown, {0.0, 0.0}, false};
   const Shared shared{source, experiment,
-                      read_sample_format(root, standard_format(experiment.link_length.size())), units.rest};
+                      read_sample_format(root, standard_format(experiment.link_length.size())), units.rest,
+                      model ? "the model that is given" : "the nominal chain"};
   experiment.noise = read_noise(root.table("noise"), shared.format);
   experiment.runs = read_runs(root, shared);
   count_from_first_reading(experiment.runs);

@@ -26,6 +26,10 @@ TEST_CASE(
   CHECK(contains(place.read("own.toml"), "joint_stiffness = [2, 2, 2, 2]\n"));
   check_refused(place.plumbline("diagnose --model nowhere.toml"));
   check_refused(place.plumbline("chain"));
+  place.write("short.toml", "[nominal]\nlink_length = [0.5, 0.5]\njoint_stiffness = [2, 2]\n");
+  const Outcome shorter = place.plumbline("diagnose --model short.toml");
+  check_refused(shorter);
+  CHECK(contains(shorter.err, "found 4 values, expected 2, one for each link of the model that is given"));
   place.write("rust.toml",
               "[nominal]\nlink_length = [0.25, 0.25, 0.25, 0.25]\njoint_stiffness = [2, 2, 2, 2]\n"
               "[[nominal.effect]]\nid = \"rust\"\nparameters = {}\n");

@@ -193,6 +193,18 @@ TEST_CASE("names of files that are no text are refused in one line, wherever the
   }
 }
 
+TEST_CASE("an experiment that is given twice is refused, however it is written") {
+  const Workplace here;
+  furnish(here);
+  fs::create_directory_symlink("one", here.path() / "X" / "link");
+  for (const char* again : {"X/one", "./X/../X/one/", "X/link"}) {
+    CAPTURE(again);
+    const Outcome outcome = here.plumbline(std::string("diagnose X/one ") + again);
+    check_refused(outcome);
+    CHECK(contains(outcome.err, "found this folder again, expected each experiment once"));
+  }
+}
+
 TEST_CASE("check lists every bad row, up to a number that a person reads") {
   const Workplace here;
   here.write("C.csv", "chain,lengths,stiffness\na,1;1;1,1;1;1\n");

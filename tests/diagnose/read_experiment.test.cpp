@@ -209,7 +209,8 @@ TEST_CASE("a fault of experiment.toml is named by its key") {
   CHECK(says(toml_fault("Fy = 0.02", "Fy = 0"), {"noise.Fy", "press"}));
   CHECK(says(toml_fault("q = 0.001", ""), {"noise.q", "press"}));
   CHECK(says(toml_fault("Fy = 0.02", ""), {"noise.Fy", "press"}));
-  CHECK(says(toml_fault("rest = [0.4, -0.9]", "rest = [0.4]"), {"run[1].rest", "1 values", "2 numbers"}));
+  CHECK(says(toml_fault("rest = [0.4, -0.9]", "rest = [0.4]"),
+             {"run[1].rest", "1 values", "2, one for each link of the nominal chain"}));
   CHECK(says(toml_fault("id = \"pull\"", "id = \"press\""), {"run[2].id", "\"press\" again"}));
   CHECK(says(toml_fault("\"force\"", "\"torque\""), {"run[2].control", "torque", "displacement"}));
   CHECK(says(toml_fault("\"pull.csv\"", "\"push.csv\""), {"push.csv"}));
