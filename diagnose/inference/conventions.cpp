@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "diagnose/bench/conversion.hpp"
+#include "diagnose/inference/unmoved.hpp"
 #include "diagnose/model/nominal.hpp"
 
 namespace plumbline::diagnose {
@@ -397,6 +398,7 @@ std::optional<Doubt> doubtful_convention(const Study& study) {
 }
 
 void require_conventions(const Study& study) {
+  require_moved(study);
   const std::optional<Doubt> doubt = doubtful_convention(study);
   if (!doubt) return;
   std::string where = study.experiment().name + ", ";

@@ -36,7 +36,8 @@ struct Doubt {
 std::optional<Doubt> doubtful_convention(const Study& study);
 
 /// A search among causes is wasted on numbers that were meant otherwise.
-/// \throws Error with the question, in one line, where a unit, sign, axis or order is in doubt
+/// \throws Error with the question, in one line, where a unit, sign, axis or order is in doubt, or where a
+/// measured column does not move
 void require_conventions(const Study& study);
 
 }  // namespace plumbline::diagnose
