@@ -7,6 +7,7 @@
 #include <map>
 
 #include "diagnose/model/proportional_noise.hpp"
+#include "diagnose/model/stretches.hpp"
 #include "diagnose/model/uneven_noise.hpp"
 
 namespace plumbline::diagnose {
@@ -155,16 +156,14 @@ Measurements::Measurements(const Experiment& experiment) {
   for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle})
     tell_paces(experiment, sensor, series_);
   std::vector<SeenNoise> seen;
-  for (std::size_t s = 0; s < series_.size(); ++s) {
-    const Series& series = series_[s];
-    const std::vector<bool> even = goes_evenly(experiment.runs[series.run], series.readings);
-    seen.push_back({Differences(all[s], series.sigma).where(even), {all[s], series.sigma, series.between}});
-  }
+  for (std::size_t s = 0; s < series_.size(); ++s)
+    seen.push_back(seen_noise(experiment.runs[series_[s].run], series_[s], all[s]));
   const auto joint_of = [](const Series& one) { return one.channel.joint; };
   const auto run_of = [](const Series& one) { return one.run; };
   weigh_groups(Sensor::angle, joint_of, &Series::beside_joints, seen);
   for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle})
     weigh_groups(sensor, run_of, &Series::beside_runs, seen);
+  weigh_stretches(experiment, all, seen);
   weigh(all, seen);
   repeats_ = diagnose::repeats(experiment, series_);
 }
@@ -188,6 +187,21 @@ void Measurements::weigh_groups(Sensor sensor, std::size_t (*group_of)(const Ser
   }
 }
 
+/// Marks where in a run a sensor scatters more than elsewhere.
+void Measurements::weigh_stretches(const Experiment& experiment,
+                                   const std::vector<std::vector<double>>& values,
+                                   std::vector<SeenNoise>& seen) {
+  for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle}) {
+    const std::vector<std::vector<RoughStretch>> rough = rough_stretches(experiment, series_, values, sensor);
+    for (std::size_t s = 0; s < series_.size(); ++s) {
+      Series& series = series_[s];
+      if (series.channel.sensor() != sensor || rough[series.run].empty()) continue;
+      series.rough = rough[series.run];
+      seen[s] = seen_noise(experiment.runs[series.run], series, values[s]);
+    }
+  }
+}
+
 /// Gives every value its sigma. What scatters in proportion does so in all runs of a channel. Coarse readings
 /// that are the same in a row were rounded alike: together they have that error once.
 void Measurements::weigh(const std::vector<std::vector<double>>& values, const std::vector<SeenNoise>& seen) {
@@ -208,7 +222,8 @@ void Measurements::weigh(const std::vector<std::vector<double>>& values, const s
     const std::vector<std::size_t> times = repeated(values[s]);
     for (std::size_t i = 0; i < values[s].size(); ++i) {
       const double wider = series.step > 0 ? std::sqrt(rounded_alike(series.step, times[i])) : 1;
-      series.sigmas.push_back(series.sigma * std::hypot(1.0, series.proportion * values[s][i]) * wider);
+      series.sigmas.push_back(series.sigma * series.roughness_at(series.readings[i]) *
+                              std::hypot(1.0, series.proportion * values[s][i]) * wider);
     }
     series.roughness = roughness(Differences(values[s], series.sigma), series.proportion);
   }

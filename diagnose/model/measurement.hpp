@@ -31,6 +31,8 @@ class Measurements {
  private:
   void weigh_groups(Sensor sensor, std::size_t (*group_of)(const Series&), double Series::*beside_others,
                     std::vector<SeenNoise>& seen);
+  void weigh_stretches(const Experiment& experiment, const std::vector<std::vector<double>>& values,
+                       std::vector<SeenNoise>& seen);
   void weigh(const std::vector<std::vector<double>>& values, const std::vector<SeenNoise>& seen);
 
   std::vector<Series> series_;
