@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/inference/outliers.hpp"
@@ -9,17 +11,18 @@
 namespace plumbline::diagnose {
 namespace {
 
-std::vector<RougherRun> rougher_runs(const Study& study) {
-  std::vector<RougherRun> rougher;
+/// Where a sensor scatters more, told once of all its channels.
+void tell_where_rough(const Study& study, GapAnswer& gap) {
+  std::set<std::pair<std::size_t, Sensor>> told;
   for (const Series& series : study.measurements().series()) {
-    const std::string& run = study.experiment().runs[series.run].id;
+    const Run& run = study.experiment().runs[series.run];
     const Sensor sensor = series.channel.sensor();
-    const bool told = std::any_of(rougher.begin(), rougher.end(), [&](const RougherRun& one) {
-      return one.run == run && one.sensor == sensor;
-    });
-    if (series.beside_runs > 1 && !told) rougher.push_back({run, sensor, series.beside_runs});
+    if (!told.emplace(series.run, sensor).second) continue;
+    if (series.beside_runs > 1) gap.rougher.push_back({run.id, sensor, series.beside_runs});
+    for (const RoughStretch& one : series.rough)
+      gap.rougher_stretches.push_back(
+          {run.id, sensor, run.first_taken(one.from), run.last_taken(one.to - 1), one.times});
   }
-  return rougher;
 }
 
 }  // namespace
@@ -53,7 +56,7 @@ GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
   gap.hum = listed(study, gap.test.hum);
   for (const Series& series : measurements.series())
     if (series.beside_joints > 1) gap.uneven[series.channel] = series.beside_joints;
-  gap.rougher = rougher_runs(study);
+  tell_where_rough(study, gap);
   for (const Run& run : study.experiment().runs) {
     if (run.weights_inferred) gap.taken_for_weights.push_back(run.id);
     if (run.side) gap.other_side.push_back({run.id, run.first_taken(run.side->first())});

@@ -32,6 +32,14 @@ struct RougherRun {
   double times;
 };
 
+/// Readings of a run in which a sensor scatters more than elsewhere, and how many times.
+struct RougherStretch {
+  std::string run;
+  Sensor sensor;
+  std::size_t from, to;  ///< as they were taken, from 0, the first and the last one
+  double times;
+};
+
 struct GapAnswer {
   bool present;
   GapTest test;
@@ -43,6 +51,7 @@ struct GapAnswer {
   /// Of joints whose angles scatter more than those of the others: how many times.
   std::map<Channel, double> uneven;
   std::vector<RougherRun> rougher;
+  std::vector<RougherStretch> rougher_stretches;
   /// Runs whose forces were taken for those of weights, since they look like it (Run::weights_inferred).
   std::vector<std::string> taken_for_weights;
   std::vector<OtherSide> other_side;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <random>
 
+#include "diagnose/inference/local_noise.hpp"
 #include "diagnose/inference/outliers.hpp"
 #include "diagnose/inference/slow.hpp"
 
@@ -55,7 +56,9 @@ Energy slow_energy(const Measurements& measurements, const std::vector<double>& 
 /// the runs.
 class Simulation {
  public:
-  explicit Simulation(const Measurements& measurements) : measurements_(measurements) {
+  /// \param local  by value, over what the noise model says
+  Simulation(const Measurements& measurements, const std::vector<double>& local)
+      : measurements_(measurements), local_(local) {
     for (const Series& series : measurements.series()) {
       std::seed_seq seed(series.seed.begin(), series.seed.end());
       random_.emplace_back(seed);
@@ -71,7 +74,7 @@ class Simulation {
       double state = normal(random_[s]);
       for (std::size_t i = 0; i < series.readings.size(); ++i) {
         if (i > 0) state = phi * state + innovation * normal(random_[s]);
-        residual[series.first + i] = noise.of(series.channel) * state;
+        residual[series.first + i] = noise.of(series.channel) * local_[series.first + i] * state;
       }
     }
     return residual;
@@ -79,6 +82,7 @@ class Simulation {
 
  private:
   const Measurements& measurements_;
+  const std::vector<double>& local_;
   std::vector<std::mt19937_64> random_;
 };
 
@@ -89,10 +93,10 @@ struct Null {
 };
 
 /// \param taken  the noise that statistics are reckoned with; else what is estimated of every draw
-Null null_distribution(const Measurements& measurements, const NoiseModel& noise,
-                       const std::optional<NoiseModel>& taken) {
+Null null_distribution(const Measurements& measurements, const std::vector<double>& local,
+                       const NoiseModel& noise, const std::optional<NoiseModel>& taken) {
   constexpr int draws = 100;  // the spread is then known to 7 %
-  Simulation simulation(measurements);
+  Simulation simulation(measurements, local);
   const std::size_t count = measurements.series().size();
   Null null;
   null.mean.assign(count, 0.0);
@@ -140,12 +144,13 @@ double upper_tail(double value, double mean, double variance) {
 enum class Slower { larger, as_large };
 
 /// Statistics of noise that is slower than this estimate.
-Null null_of_slower(const Measurements& measurements, const NoiseModel& estimate, const BySensor& correlation,
-                    Slower how) {
-  if (how == Slower::larger) return null_distribution(measurements, slower(estimate, correlation), estimate);
+Null null_of_slower(const Measurements& measurements, const std::vector<double>& local,
+                    const NoiseModel& estimate, const BySensor& correlation, Slower how) {
+  if (how == Slower::larger)
+    return null_distribution(measurements, local, slower(estimate, correlation), estimate);
   NoiseModel noise = estimate;
   noise.correlation = correlation;
-  return null_distribution(measurements, noise, std::nullopt);
+  return null_distribution(measurements, local, noise, std::nullopt);
 }
 
 GapTest tested(const Measurements& measurements, const std::vector<double>& residual, Slower how) {
@@ -155,6 +160,8 @@ GapTest tested(const Measurements& measurements, const std::vector<double>& resi
   clean = without_hum(measurements, std::move(clean), test.hum);
   test.noise = estimate_noise(measurements, clean);
   const Energy energy = slow_energy(measurements, clean, test.noise);
+  const std::vector<double> local = how == Slower::larger ? local_noise(measurements, clean)
+                                                          : std::vector<double>(measurements.size(), 1.0);
   test.series_p_value.assign(energy.value.size(), 0.0);
   double mean_total = 0, p_total = 0, p_whole = 0;
   const auto add = [&](const Null& null, double probability) {
@@ -167,10 +174,10 @@ GapTest tested(const Measurements& measurements, const std::vector<double>& resi
   // The tail of what several places give together is longer than that of their mean.
   double estimated = 1;
   for (const auto& [correlation, probability] : larger_correlations(measurements, clean, test.noise)) {
-    add(null_of_slower(measurements, test.noise, correlation, how), probability);
+    add(null_of_slower(measurements, local, test.noise, correlation, how), probability);
     estimated -= probability;
   }
-  add(null_distribution(measurements, test.noise, std::nullopt), estimated);
+  add(null_distribution(measurements, local, test.noise, std::nullopt), estimated);
   test.structure = energy.total() / mean_total;
   const double p_single = static_cast<double>(energy.value.size()) *
                           *std::min_element(test.series_p_value.begin(), test.series_p_value.end());

@@ -42,7 +42,7 @@ Json by_label(const std::map<Channel, double>& values) {
 }
 
 Json gap(const GapAnswer& answer, const NoiseModel& model) {
-  Json hum = Json::array(), proportional = Json::object(), rougher = Json::array(),
+  Json hum = Json::array(), proportional = Json::object(), rougher = Json::array(), stretches = Json::array(),
        other_side = Json::array();
   for (const HummingChannel& one : answer.hum)
     hum.push_back(
@@ -50,6 +50,12 @@ Json gap(const GapAnswer& answer, const NoiseModel& model) {
   for (const auto& [name, share] : answer.proportional) proportional[label(name)] = share;
   for (const RougherRun& one : answer.rougher)
     rougher.push_back({{"run", one.run}, {"sensor", label(one.sensor)}, {"times", one.times}});
+  for (const RougherStretch& one : answer.rougher_stretches)
+    stretches.push_back({{"run", one.run},
+                         {"sensor", label(one.sensor)},
+                         {"from", one.from},
+                         {"to", one.to},
+                         {"times", one.times}});
   for (const OtherSide& one : answer.other_side)
     other_side.push_back({{"run", one.run}, {"from", one.reading}});
   return {{"present", answer.present},
@@ -61,6 +67,7 @@ Json gap(const GapAnswer& answer, const NoiseModel& model) {
           {"proportional_noise", proportional},
           {"uneven_noise", by_label(answer.uneven)},
           {"rougher_runs", rougher},
+          {"rougher_stretches", stretches},
           {"taken_for_weights", answer.taken_for_weights},
           {"other_side", other_side}};
 }

@@ -101,6 +101,9 @@ std::string gap(const Diagnosis& diagnosis) {
   for (const RougherRun& one : answer.rougher)
     text += fmt::format("  {} readings of {} scatter {:.1f} times as much as those of the other runs\n",
                         label(one.sensor), one.run, one.times);
+  for (const RougherStretch& one : answer.rougher_stretches)
+    text += fmt::format("  {} readings {}-{} of {} scatter {:.1f} times as much as elsewhere\n",
+                        label(one.sensor), one.from, one.to, one.run, one.times);
   if (!answer.taken_for_weights.empty())
     text += fmt::format("  the forces of {} point straight down and have no noise: taken for weights\n",
                         fmt::join(answer.taken_for_weights, ", "));

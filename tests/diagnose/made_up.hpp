@@ -43,6 +43,7 @@ inline Diagnosis made_up() {
               {{Channel::Name::Fx, 0.021}},
               {{of_q2, 3.2}},
               {{"load-2", Sensor::force, 2.7}},
+              {{"press-1", Sensor::angle, 4, 9, 3.25}},
               {"load-2"},
               {{"press-1", 3}}};
   made.where.channels = {{of_Fx, 0.75}, {of_q2, 0.25}};

@@ -15,7 +15,8 @@ TEST_CASE("every number of a diagnosis stands in its JSON, by hand") {
       "correlations": {"force": 0.12, "angle": 0.03}},
     "hum": [{"run": "press-1", "channel": "q2", "period": 7.5, "rms": 1.25}],
     "proportional_noise": {"Fx": 0.021}, "uneven_noise": {"q2": 3.2},
-    "rougher_runs": [{"run": "load-2", "sensor": "force", "times": 2.7}], "taken_for_weights": ["load-2"],
+    "rougher_runs": [{"run": "load-2", "sensor": "force", "times": 2.7}],
+    "rougher_stretches": [{"run": "press-1", "sensor": "angle", "from": 4, "to": 9, "times": 3.25}], "taken_for_weights": ["load-2"],
     "other_side": [{"run": "press-1", "from": 3}]})json"));
   CHECK(json["where"] == ReportJson::parse(R"json({
     "channels": [{"channel": "Fx", "share": 0.75}, {"channel": "q2", "share": 0.25}],

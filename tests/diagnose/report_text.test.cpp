@@ -18,6 +18,7 @@ const std::string gap_in_words =
     "  the readings of Fx scatter by a further 2.1 % of themselves\n"
     "  the readings of q2 scatter 3.2 times as much as those of the other joints\n"
     "  force readings of load-2 scatter 2.7 times as much as those of the other runs\n"
+    "  angle readings 4-9 of press-1 scatter 3.2 times as much as elsewhere\n"
     "  the forces of load-2 point straight down and have no noise: taken for weights\n"
     "  from reading 3 of press-1 on the chain is where its imperfections sent it, half a degree of a rest "
     "angle "
@@ -70,7 +71,7 @@ TEST_CASE("what else the words may say: no gap, tones, remainders, rivals, what 
   made.gap.present = false;
   made.noise.scale = {1, 1, 1.5, 1, 1 / 1.5};
   made.gap.proportional.clear(), made.gap.uneven.clear(), made.gap.taken_for_weights.clear();
-  made.gap.rougher.clear(), made.gap.other_side.clear();
+  made.gap.rougher.clear(), made.gap.rougher_stretches.clear(), made.gap.other_side.clear();
   CHECK(
       as_text(made) ==
       "three links\n\nIs there a gap?  No, the nominal model explains the readings to the noise (p = 1e-05; "

@@ -108,6 +108,7 @@ def reports(folder):
     rippled = lambda joint, d, k: k * d + (0.12 * math.sin(25 * d) if joint == 1 else 0)
     two_links.write(folder / "no-gap", linear, control=("displacement", "force"), angles=True)
     two_links.write(folder / "rough", linear, control=("displacement",) * 3, rough=1)
+    two_links.write(folder / "partly-rough", linear, control=("displacement",) * 3, rough=2, rough_from=25)
     two_links.write(folder / "hum", linear, hum=3)
     two_links.write(folder / "ripple", rippled, control=("displacement", "displacement"), angles=True, readings=60)
     two_links.write(folder / "drag", dragged(), control=("displacement", "displacement"), angles=True, readings=60)
@@ -121,6 +122,9 @@ def reports(folder):
     rough = written("diagnose", "rough", folder=folder)
     assert [one["run"] for one in rough["gap"]["rougher_runs"]] == ["run-1"]
     assert not rough["gap"]["present"]
+    partly = written("diagnose", "partly-rough", folder=folder)
+    assert [one["run"] for one in partly["gap"]["rougher_stretches"]] == ["run-2"]
+    assert not partly["gap"]["present"]
     humming = written("diagnose", "hum", folder=folder)
     assert [one["channel"] for one in humming["gap"]["hum"]] == ["Fx", "Fy"]
     bundled = written("diagnose", "--next", "--corrected", "corrected.toml", folder=folder)

@@ -1,0 +1,65 @@
+#include "diagnose/inference/local_noise.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "diagnose/inference/residual_differences.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// A step of a gap counts no more than the noise of a very rough place would.
+constexpr double largest_square = 25;
+
+std::array<double, channel_names> usual_squares(const Measurements& measurements,
+                                                const std::vector<double>& residual) {
+  std::array<double, channel_names> usual{};
+  for (std::size_t c = 0; c < channel_names; ++c)
+    usual[c] = robust_variance(second_differences(series_named(measurements, all_names[c]), residual, 1));
+  return usual;
+}
+
+/// Squares of the second differences of a series about its values, but for the first and last one, over the
+/// usual ones.
+std::vector<double> squares_of(const Series& series, const std::vector<double>& residual, double usual) {
+  std::vector<double> squares(series.readings.size(), 1.0);
+  for (std::size_t i = 1; usual > 0 && i + 1 < squares.size(); ++i) {
+    const double* const value = residual.data() + series.first + i;
+    squares[i] = std::min(std::pow(value[-1] - 2 * value[0] + value[1], 2) / usual, largest_square);
+  }
+  return squares;
+}
+
+bool read_together(const Series& one, const Series& other) {
+  return one.run == other.run && one.channel.sensor() == other.channel.sensor() &&
+         one.readings == other.readings;
+}
+
+}  // namespace
+
+std::vector<double> local_noise(const Measurements& measurements, const std::vector<double>& residual) {
+  constexpr std::size_t around = 4;
+  constexpr double drawn = 4;  // so many differences of the usual size are added
+  const std::vector<Series>& all = measurements.series();
+  const std::array<double, channel_names> usual = usual_squares(measurements, residual);
+  std::vector<std::vector<double>> squares;
+  for (const Series& series : all)
+    squares.push_back(squares_of(series, residual, usual[static_cast<std::size_t>(series.channel.name)]));
+  std::vector<double> local(measurements.size(), 1.0);
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    const std::size_t count = all[s].readings.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      double sum = drawn, number = drawn;
+      for (std::size_t other = 0; other < all.size(); ++other) {
+        if (!read_together(all[s], all[other])) continue;
+        for (std::size_t k = std::max(i, around + 1) - around; k + 1 < std::min(count, i + around + 2); ++k)
+          sum += squares[other][k], number += 1;
+      }
+      local[all[s].first + i] = std::sqrt(std::max(1.0, sum / number));
+    }
+  }
+  return local;
+}
+
+}  // namespace plumbline::diagnose
