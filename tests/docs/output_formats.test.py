@@ -137,7 +137,7 @@ def reports(folder):
         assert (len(files) > 1) == (report["cause"]["verdict"] == "ambiguous"), files
     assert bundled["cause"]["verdict"] == "identified"
     edited = written("diagnose", "no-gap", "--model", "no-gap.xml", "--corrected", "edited.xml", folder=folder)
-    hold("gap-diagnosis", [*verdicts.values(), on_its_side, rough, humming, bundled, edited])
+    hold("gap-diagnosis", [*verdicts.values(), on_its_side, rough, partly, humming, bundled, edited])
 
 
 def trial(folder):
