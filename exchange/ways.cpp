@@ -61,6 +61,7 @@ const std::map<std::string_view, Way>& everywhere() {
                                                    {"length_scale", body_places},
                                                    {"length_spread", body_places},
                                                    {"gravity", masses},
+                                                   {"mass_scale", masses},
                                                    {"tip_payload", masses},
                                                    {"base_compliance", base_slides},
                                                    {"train_compliance", base_slide},

@@ -12,6 +12,9 @@ namespace {
 bool in_gravity(const Scene& s, Place) {
   return s.plan.plane == Plane::vertical;
 }
+bool heavy_as_modelled(const Scene& s, Place) {
+  return !s.plan.nominal.mass.empty();
+}
 bool along_imposed_and_turned(const Scene& s, Place j) {
   return end_point_imposed(s, j) && turns_back(s, j);
 }
@@ -151,6 +154,18 @@ std::vector<Kind> links_and_loads() {
        },
        [](Physics& is, const Plan&, Place, const Values& v) {
          for (std::size_t j = 0; j < is.mass.size(); ++j) is.mass[j] += v[0] * is.length[j];
+       }},
+      {"mass_scale",
+       "",
+       false,
+       {"a"},
+       {true},
+       false,
+       4,
+       heavy_as_modelled,
+       [](const Scene&, Place, Random& r) { return both_ways(r, 0.05, 0.3); },
+       [](Physics& is, const Plan&, Place, const Values& v) {
+         for (double& mass : is.mass) mass *= 1 + v[0];
        }},
       {"tip_payload",
        "",

@@ -94,6 +94,9 @@ Sizes sizes_of(const Experiment& experiment) {
   size.pause = size.pause > 0 ? size.pause : size.duration;
   // The deflection that the force gives a lever of half the chain, kept to what angles can be.
   size.deflection = std::clamp(0.3 * size.force * size.length / size.stiffness, 0.02, 1.0);
+  const bool falls = experiment.gravity[0] != 0 || experiment.gravity[1] != 0;
+  size.nominal_weight = falls && std::any_of(experiment.link_mass.begin(), experiment.link_mass.end(),
+                                             [](double mass) { return mass > 0; });
   size.weighs = experiment.bench.plane != Bench::Plane::horizontal;
   return size;
 }

@@ -16,6 +16,7 @@ struct Sizes {
   double deflection = 0;                             ///< of a joint under such a force, rad
   double duration = 0, pause = 0;                    ///< of the longest run; between readings of the fastest
   bool weighs = true;                                ///< the bench may feel gravity in its plane
+  bool nominal_weight = false;                       ///< the nominal links weigh something
   bool measures_force = false;                       ///< a run imposes the end point and reads the force
   bool load_cell = false;                            ///< or sets an imposed force by it
   bool pivot = false;                 ///< something holds or pulls the end point that weights do not

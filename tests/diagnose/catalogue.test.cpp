@@ -87,6 +87,7 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
       {"joint_coupling", {0.4}},
       {"viscoelasticity", {0.2, 1}},
       {"gravity", {0.1 * density}},
+      {"mass_scale", {0.1}},
       {"axial_compliance", {0.01 / 7}},
       {"link_bending", {0.3 / (4 * 1.3)}},
       {"tip_payload", {0.7}},
@@ -341,7 +342,7 @@ TEST_CASE("where an effect is possible: what it asks of the bench, one thing at 
   };
   Sizes all = sizes_by_hand();
   all.measures_force = all.load_cell = all.pivot = all.clock = all.measures_both_forces = true;
-  all.turns_back = all.bent_at_rest = true;
+  all.turns_back = all.bent_at_rest = all.nominal_weight = true;
   all.at_largest = 4;
   const auto one_spring = [](Sizes& s) { s.joint_stiffness = {0, 3, 0}; };
   const auto one_link = [](Sizes& s) { s.joint_stiffness = {3}, s.link_length = {0.2}; };
@@ -350,8 +351,10 @@ TEST_CASE("where an effect is possible: what it asks of the bench, one thing at 
   const auto no_clock = [](Sizes& s) { s.clock = false; };
   const auto no_turn = [](Sizes& s) { s.turns_back = false; };
   const auto weightless = [](Sizes& s) { s.weighs = false; };
+  const auto no_masses = [](Sizes& s) { s.nominal_weight = false; };
   const auto one_run = [](Sizes& s) { s.runs = 1; };
   const std::vector<Asked> asked{{"stiffness_scale", one_spring},
+                                 {"mass_scale", no_masses},
                                  {"rest_offset", one_spring},
                                  {"stiffness_spread", one_spring},
                                  {"rest_spread", one_spring},
@@ -491,6 +494,7 @@ TEST_CASE("effects of one kind add up, and what each adds to the rig, by hand") 
   const Rig heavy = with("gravity", 0, {0.25});
   CHECK((heavy.weight[1] - Vector2(0.1 + 0.5 * 0.5 * 9.81 * 0.6, 0.2 - 0.5 * 0.5 * 9.81 * 0.8)).norm() <
         1e-14);
+  CHECK((with("mass_scale", 0, {0.5}).weight[1] - 2.25 * Vector2(0.1, 0.2)).norm() < 1e-14);
   CHECK((with("tip_payload", 0, {0.25}).payload - Vector2(0.3, -0.4)).norm() < 1e-15);
   CHECK(with("base_compliance", 0, {1, 2}).base_compliance == Vector2(2, 4));
   CHECK(with("train_compliance", 0, {1}).train_compliance == 2);

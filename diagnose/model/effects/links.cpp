@@ -26,6 +26,14 @@ std::vector<Effect> link_effects() {
                to.rig.weight[j] += to.value[0] * to.rig.length[j] * standard_gravity * to.down;
            },
        .possible = [](const Place& at) { return at.sizes.weighs; }},
+      {.id = "mass_scale",
+       .words = "all masses wrong by one factor",
+       .parameters = [](const Place&) { return std::vector{both_ways("a", "ratio", 0.1, -0.95, 3)}; },
+       .add =
+           [](const Addition& to) {
+             for (Vector2& weight : to.rig.weight) weight *= 1 + to.value[0];
+           },
+       .possible = [](const Place& at) { return at.sizes.nominal_weight; }},
       {.id = "axial_compliance",
        .words = "links that stretch and shorten",
        .parameters =
