@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -33,9 +35,21 @@ std::string_view of_one_joint(const Kind& kind) {
   return kind.at_joint || known == pairs.end() ? std::string_view() : known->second;
 }
 
+/// Links that weigh more by as much in all: by so much a length, or by a factor of what they are believed to.
+std::optional<Effect> as_other_weight(const Nominal& nominal, const Effect& effect) {
+  const double mass = std::accumulate(nominal.mass.begin(), nominal.mass.end(), 0.0),
+               length = std::accumulate(nominal.length.begin(), nominal.length.end(), 0.0);
+  if (!(mass > 0)) return std::nullopt;
+  if (effect.kind->id == "gravity")
+    return Effect{&kind("mass_scale", false), 0, {effect.values[0] * length / mass}};
+  if (effect.kind->id == "mass_scale" && effect.values[0] > 0)
+    return Effect{&kind("gravity", false), 0, {effect.values[0] * mass / length}};
+  return std::nullopt;
+}
+
 /// All stops, and all springs that give way, pass for that of the one joint that gets there; of a single
 /// sprung joint what is common to all for the same of that joint, as does the load cell's gain; all springs
-/// that are stiffer to one side for a scale where all bend to one side.
+/// that are stiffer to one side for a scale where all bend to one side; a weight of the links for another.
 std::vector<std::string> tried(const Bench& bench, const Outcome& outcome, std::size_t e) {
   const Effect& effect = outcome.effects[e];
   std::vector<Effect> candidates;
@@ -51,6 +65,8 @@ std::vector<std::string> tried(const Bench& bench, const Outcome& outcome, std::
   if (effect.kind->id == "asymmetric_spring" && effect.kind->each.empty())
     for (const double sign : {1.0, -1.0})
       candidates.push_back({&kind("stiffness_scale", false), 0, {sign * effect.values[0]}});
+  if (const std::optional<Effect> weight = as_other_weight(bench.plan.nominal, effect))
+    candidates.push_back(*weight);
   std::vector<std::string> twins;
   for (const Effect& candidate : candidates)
     if (passes_for(bench, outcome, e, candidate)) twins.push_back(key_of(candidate));

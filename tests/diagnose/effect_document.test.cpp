@@ -182,6 +182,8 @@ std::vector<Same> same_predictions() {
   const Experiment left = two_links({2, 1.5}, rest, one_side);
   const Experiment one_spring = two_links({0, 1.5}, rest, from_rest);
   const Experiment bent = two_links({2, 1.5}, rest, beyond);
+  Experiment heavy = press;
+  heavy.link_mass = {0.12, 0.08}, heavy.gravity = {0.6 * 9.81, -0.8 * 9.81};
   const double solved = 1e-8;  // equilibria are solved to ten digits
   return {
       {{"train_compliance"}, {2e-3}, {"base_compliance"}, {2e-3, 0}, press, solved},
@@ -194,6 +196,7 @@ std::vector<Same> same_predictions() {
       {{"joint_stop", 2}, {1e-3, 0.45}, {"joint_stiffness", 2}, {0.3}, bent, 1e-3 / 0.3},
       // In 6 s an arm of 1e6 s loses 6e-6 of its torque.
       {{"viscoelasticity"}, {0.3, 1e6}, {"joint_stiffness", 2}, {0.3}, one_spring, 6e-6},
+      {{"mass_scale"}, {0.25}, {"gravity"}, {0.1}, heavy, solved},
       {{"asymmetric_spring"}, {0.3}, {"stiffness_scale"}, {0.3}, left, solved},
       // The spring gives way after 0.001 rad of deflections of 0.3 rad and more.
       {{"piecewise_spring", 2}, {1e-3, 0.3}, {"joint_stiffness", 2}, {-0.3}, bent, 1e-3 / 0.3},

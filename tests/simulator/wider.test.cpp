@@ -44,6 +44,13 @@ TEST_CASE("what changes the nominal numbers is the nominal statics of the change
   CHECK(against_nominal_statics(bench, "length_scale", {0.01}, [](Plan& plan, const Values& v) {
           for (double& length : plan.nominal.length) length *= 1 + v[0];
         }) < 0.01);
+  Bench heavy = bench;
+  heavy.plan.nominal.gravity = {0, -9.81};
+  heavy.plan.nominal.mass = heavy.plan.nominal.length;  // a tenth of a kilogram a metre
+  for (double& mass : heavy.plan.nominal.mass) mass *= 0.1;
+  CHECK(against_nominal_statics(heavy, "mass_scale", {-0.2}, [](Plan& plan, const Values& v) {
+          for (double& mass : plan.nominal.mass) mass *= 1 + v[0];
+        }) < 0.01);
   CHECK(against_nominal_statics(bench, "rest_offset", {0.02}, [](Plan& plan, const Values& v) {
           for (PlannedRun& run : plan.runs)
             for (double& q : run.rest) q += v[0];
