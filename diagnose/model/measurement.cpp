@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "diagnose/model/proportional_noise.hpp"
 #include "diagnose/model/stretches.hpp"
@@ -124,6 +125,23 @@ void widen(Series& series, double times, SeenNoise& seen) {
     for (double& size : differences->sizes) size /= times;
 }
 
+/// By what share of themselves the readings of each channel scatter besides.
+std::map<Channel::Name, double> proportions_of(const std::vector<Series>& series,
+                                               const std::vector<SeenNoise>& seen) {
+  std::map<Channel::Name, std::vector<Differences>> in_time, in_place;
+  for (std::size_t s = 0; s < series.size(); ++s) {
+    in_time[series[s].channel.name].push_back(seen[s].in_time);
+    in_place[series[s].channel.name].push_back(seen[s].in_place);
+  }
+  std::map<Channel::Name, double> proportions;
+  for (const auto& [name, all] : in_time) {
+    const double ratio = proportional_noise(all);
+    // Along a path that is sampled coarsely a stop looks like noise where forces are large.
+    proportions[name] = is_likely(in_place[name], ratio) ? ratio : 0;
+  }
+  return proportions;
+}
+
 }  // namespace
 
 Measurements::Measurements(const Experiment& experiment) {
@@ -187,11 +205,16 @@ void Measurements::weigh_groups(Sensor sensor, std::size_t (*group_of)(const Ser
   }
 }
 
-/// Marks where in a run a sensor scatters more than elsewhere.
+/// Marks where in a run a sensor scatters more than elsewhere; not where its readings scatter in proportion,
+/// for they do so wherever they are large.
 void Measurements::weigh_stretches(const Experiment& experiment,
                                    const std::vector<std::vector<double>>& values,
                                    std::vector<SeenNoise>& seen) {
+  std::set<Sensor> in_proportion;
+  for (const auto& [name, ratio] : proportions_of(series_, seen))
+    if (ratio > 0) in_proportion.insert(Channel{name}.sensor());
   for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle}) {
+    if (in_proportion.contains(sensor)) continue;
     const std::vector<std::vector<RoughStretch>> rough = rough_stretches(experiment, series_, values, sensor);
     for (std::size_t s = 0; s < series_.size(); ++s) {
       Series& series = series_[s];
@@ -205,20 +228,10 @@ void Measurements::weigh_stretches(const Experiment& experiment,
 /// Gives every value its sigma. What scatters in proportion does so in all runs of a channel. Coarse readings
 /// that are the same in a row were rounded alike: together they have that error once.
 void Measurements::weigh(const std::vector<std::vector<double>>& values, const std::vector<SeenNoise>& seen) {
-  std::map<Channel::Name, std::vector<Differences>> in_time, in_place;
-  for (std::size_t s = 0; s < series_.size(); ++s) {
-    in_time[series_[s].channel.name].push_back(seen[s].in_time);
-    in_place[series_[s].channel.name].push_back(seen[s].in_place);
-  }
-  std::map<Channel::Name, double> proportions;
-  for (const auto& [name, all] : in_time) {
-    const double ratio = proportional_noise(all);
-    // Along a path that is sampled coarsely a stop looks like noise where forces are large.
-    proportions[name] = is_likely(in_place[name], ratio) ? ratio : 0;
-  }
+  const std::map<Channel::Name, double> proportions = proportions_of(series_, seen);
   for (std::size_t s = 0; s < series_.size(); ++s) {
     Series& series = series_[s];
-    series.proportion = proportions[series.channel.name];
+    series.proportion = proportions.at(series.channel.name);
     const std::vector<std::size_t> times = repeated(values[s]);
     for (std::size_t i = 0; i < values[s].size(); ++i) {
       const double wider = series.step > 0 ? std::sqrt(rounded_alike(series.step, times[i])) : 1;
