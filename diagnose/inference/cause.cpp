@@ -41,6 +41,9 @@ std::string reservation_words(Reservation reservation) {
     case Reservation::shape_alone:
       return "it says how a torque goes with the angle, not why: a plateau, or whatever else gives way or "
              "stiffens smoothly, looks the same";
+    case Reservation::load_alone:
+      return "it is friction that goes with the load and hardly has a part of its own: that of a pulley or a "
+             "drive in front of the chain looks the same";
     case Reservation::many_times:
       return "it says how a torque relaxes, not why: three times draw whatever relaxes over decades, as by a "
              "power of time";

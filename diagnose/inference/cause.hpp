@@ -23,6 +23,7 @@ enum class Reservation {
   machining_alone,   ///< it is what machining leaves, or a kind of that, and nothing else
   shape_alone,       ///< it says how a torque goes with the angle, as laws that nobody listed go too
   many_times,        ///< it relaxes in three times, as what relaxes by a power of time is drawn too
+  load_alone,        ///< it rubs by the load alone, as a pulley does too
   beyond_tolerance,  ///< its tolerances are wider than machining leaves
   single_joint  ///< it draws the torque law of the only sprung joint, all but a part, and leaves more than
                 ///< noise

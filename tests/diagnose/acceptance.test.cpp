@@ -294,6 +294,22 @@ TEST_CASE("what only says how a torque goes with the angle is doubted, alone and
         CauseVerdict::identified);
 }
 
+TEST_CASE("friction that goes with the load alone is doubted, and friction that grows with it is not") {
+  const Study study = three_runs();
+  const double most = study.ranges(EffectAt("load_friction"))[1].high;
+  const auto growing = [&](const Candidate& candidate, std::size_t growth, double share) {
+    Cause cause = named(study, {candidate});
+    cause.ranking.front().hypothesis.fit.parameters[growth] = share * most;
+    return demanded(study, std::move(cause), leaving(1));
+  };
+  CHECK(growing({{{"load_friction"}}}, 1, 0.099).verdict == CauseVerdict::identified);
+  const Cause alone = growing({{{"load_friction"}}}, 1, 0.101);
+  CHECK(alone.verdict == CauseVerdict::ambiguous);
+  CHECK(alone.reservation == Reservation::load_alone);
+  CHECK(growing({{{"force_bias"}, {"load_friction"}}}, 3, 0.101).reservation == Reservation::load_alone);
+  CHECK(growing({{{"force_bias"}, {"load_friction"}}}, 2, 0.101).verdict == CauseVerdict::identified);
+}
+
 TEST_CASE("three relaxation times are doubted, two are not") {
   const Study study = three_runs();
   const Cause three =
