@@ -150,6 +150,22 @@ bool rubs_by_load_alone(const Study& study, const Fit& fit) {
   return false;
 }
 
+/// Whether it turns a chain that forces load together with these, or makes it longer and as much stiffer:
+/// what is read of its place is then turned or scaled as a whole. Of sixteen benches of another simulator
+/// whose camera was off eight were explained so, one of them alone.
+bool is_what_a_camera_does(const Study& study, const Candidate& candidate) {
+  const std::vector<Run>& runs = study.experiment().runs;
+  if (std::any_of(runs.begin(), runs.end(), [](const Run& run) { return run.holds_end_point(); }))
+    return false;
+  const auto has = [&](const EffectAt& at) {
+    return std::find(candidate.effects.begin(), candidate.effects.end(), at) != candidate.effects.end();
+  };
+  const bool turns = has({"rail_misalignment"}) && has({"rest_angle", 1});
+  const bool scales = has({"length_scale"}) &&
+                      (has({"force_gain"}) || has({"stiffness_scale"}) || has({"asymmetric_spring"}));
+  return turns || scales;
+}
+
 /// Whether an effect of this rig sets in where a parameter says, as a stop does; what gives back less than it
 /// took does so anew after every reversal.
 bool sets_in(const Study& study, const EffectAt& at) {
@@ -285,6 +301,8 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
     hedge(cause, Reservation::shape_alone);
   } else if (rubs_by_load_alone(study, best)) {
     hedge(cause, Reservation::load_alone);
+  } else if (is_what_a_camera_does(study, best.candidate)) {
+    hedge(cause, Reservation::camera);
   } else if (relaxes_in_many_ways(best.candidate)) {
     hedge(cause, Reservation::many_times);
   }

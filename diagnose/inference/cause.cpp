@@ -44,6 +44,9 @@ std::string reservation_words(Reservation reservation) {
     case Reservation::load_alone:
       return "it is friction that goes with the load and hardly has a part of its own: that of a pulley or a "
              "drive in front of the chain looks the same";
+    case Reservation::camera:
+      return "in two effects it does what positions that are read turned or scaled as a whole do in one: a "
+             "camera or a scale that is off looks the same";
     case Reservation::many_times:
       return "it says how a torque relaxes, not why: three times draw whatever relaxes over decades, as by a "
              "power of time";

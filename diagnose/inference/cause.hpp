@@ -14,16 +14,17 @@ std::string verdict_word(CauseVerdict verdict);
 /// Why an explanation that stands out may not be the cause.
 enum class Reservation {
   none,
-  not_tested,        ///< no readings that could be held out carry a gap that it could shrink
-  not_predicted,     ///< it does not predict the readings that were held out
-  one_run,           ///< where it sets in shows in one run alone
-  beyond_noise,      ///< it leaves more than the readings scatter, though no more than is tolerated
-  small_gap,         ///< it takes two effects, and noise is much of the gap that it is tested on
-  many_values,       ///< beside one effect it takes another with a value at every joint, link or run
-  machining_alone,   ///< it is what machining leaves, or a kind of that, and nothing else
-  shape_alone,       ///< it says how a torque goes with the angle, as laws that nobody listed go too
-  many_times,        ///< it relaxes in three times, as what relaxes by a power of time is drawn too
-  load_alone,        ///< it rubs by the load alone, as a pulley does too
+  not_tested,       ///< no readings that could be held out carry a gap that it could shrink
+  not_predicted,    ///< it does not predict the readings that were held out
+  one_run,          ///< where it sets in shows in one run alone
+  beyond_noise,     ///< it leaves more than the readings scatter, though no more than is tolerated
+  small_gap,        ///< it takes two effects, and noise is much of the gap that it is tested on
+  many_values,      ///< beside one effect it takes another with a value at every joint, link or run
+  machining_alone,  ///< it is what machining leaves, or a kind of that, and nothing else
+  shape_alone,      ///< it says how a torque goes with the angle, as laws that nobody listed go too
+  many_times,       ///< it relaxes in three times, as what relaxes by a power of time is drawn too
+  load_alone,       ///< it rubs by the load alone, as a pulley does too
+  camera,  ///< it turns or scales all that is seen of a chain under forces, as a camera does that is off
   beyond_tolerance,  ///< its tolerances are wider than machining leaves
   single_joint  ///< it draws the torque law of the only sprung joint, all but a part, and leaves more than
                 ///< noise

@@ -310,6 +310,25 @@ TEST_CASE("friction that goes with the load alone is doubted, and friction that 
   CHECK(growing({{{"force_bias"}, {"load_friction"}}}, 2, 0.101).verdict == CauseVerdict::identified);
 }
 
+TEST_CASE(
+    "what a camera that is off does under forces is doubted, the same where end points are put is not") {
+  Experiment loaded = blank_experiment({20, 20, 20});
+  for (Run& run : loaded.runs) run.control = Control::force;
+  const Study forces(loaded), put = three_runs();
+  for (const Candidate& seen :
+       {Candidate{{{"rail_misalignment"}, {"rest_angle", 1}}}, Candidate{{{"length_scale"}, {"force_gain"}}},
+        Candidate{{{"stiffness_scale"}, {"length_scale"}}}}) {
+    CAPTURE(seen.label());
+    const Cause doubted = demanded(forces, named(forces, seen), leaving(1));
+    CHECK(doubted.verdict == CauseVerdict::ambiguous);
+    CHECK(doubted.reservation == Reservation::camera);
+    CHECK(demanded(put, named(put, seen), leaving(1)).reservation != Reservation::camera);
+  }
+  for (const Candidate& other : {Candidate{{{"rail_misalignment"}, {"rest_angle", 2}}},
+                                 Candidate{{{"length_scale"}, {"gravity"}}}, Candidate{{{"length_scale"}}}})
+    CHECK(demanded(forces, named(forces, other), leaving(1)).reservation != Reservation::camera);
+}
+
 TEST_CASE("three relaxation times are doubted, two are not") {
   const Study study = three_runs();
   const Cause three =
