@@ -148,6 +148,14 @@ std::vector<Loudness> loudness(const Run& run, const OfSensor& read) {
   return all;
 }
 
+/// How many times the declared noise a stretch scatters, one at least: where readings scatter less than was
+/// declared it is no rougher for others that scatter still less.
+double beyond_declared(const std::vector<SeenNoise>& stretch) {
+  std::vector<Differences> in_time;
+  for (const SeenNoise& one : stretch) in_time.push_back(one.in_time);
+  return std::max(1.0, spread(in_time));
+}
+
 /// Where a stretch begins and ends is known to a few readings: these count as rough.
 void widen(std::vector<RoughStretch>& stretches, std::size_t readings) {
   constexpr std::size_t reach = 3;
@@ -198,7 +206,8 @@ std::vector<std::vector<RoughStretch>> rough_stretches(const Experiment& experim
         seen.back().push_back(seen_in(stretches[r].back(), run, *read.series[s], *read.values[s]));
     }
   }
-  const std::vector<double> times = uneven_noise(seen);
+  std::vector<double> times = uneven_noise(seen);
+  for (std::size_t i = 0; i < times.size(); ++i) times[i] = std::min(times[i], beyond_declared(seen[i]));
   auto next = times.begin();
   for (std::size_t r = 0; r < stretches.size(); ++r) {
     for (RoughStretch& one : stretches[r]) one.times = *next++;

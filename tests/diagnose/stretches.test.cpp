@@ -111,6 +111,19 @@ TEST_CASE("readings of a rough stretch count for less, those of its sensor alone
   }
 }
 
+TEST_CASE("a stretch is rougher than the declared noise or not at all") {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    Experiment experiment = rough_between(50, 81, 4, seed);
+    experiment.noise.Fx *= 2, experiment.noise.Fy *= 2;
+    const Measurements twice(experiment);
+    for (const Series& series : twice.series())
+      for (const RoughStretch& one : series.rough) CHECK(one.times == doctest::Approx(2).epsilon(0.4));
+    experiment.noise.Fx *= 5, experiment.noise.Fy *= 5;
+    const Measurements ten_times(experiment);
+    for (const Series& series : ten_times.series()) CHECK(series.rough.empty());
+  }
+}
+
 TEST_CASE("noise that is the same throughout has no rough stretch, nor has a corner of the path") {
   int rough = 0;
   for (unsigned seed = 1; seed <= 50; ++seed) {
