@@ -31,9 +31,24 @@ std::vector<double> squares_of(const Series& series, const std::vector<double>& 
   return squares;
 }
 
-bool read_together(const Series& one, const Series& other) {
-  return one.run == other.run && one.channel.sensor() == other.channel.sensor() &&
-         one.readings == other.readings;
+/// Over the channels that are read with a series, itself among them.
+struct Together {
+  std::vector<double> squares;  ///< their sum, by value
+  double channels = 0;
+};
+
+Together read_with(const Series& series, const std::vector<Series>& all,
+                   const std::vector<std::vector<double>>& squares) {
+  Together sum{std::vector<double>(series.readings.size(), 0.0)};
+  for (std::size_t other = 0; other < all.size(); ++other) {
+    const Series& one = all[other];
+    if (one.run != series.run || one.channel.sensor() != series.channel.sensor() ||
+        one.readings != series.readings)
+      continue;
+    sum.channels += 1;
+    for (std::size_t i = 0; i < sum.squares.size(); ++i) sum.squares[i] += squares[other][i];
+  }
+  return sum;
 }
 
 }  // namespace
@@ -47,16 +62,14 @@ std::vector<double> local_noise(const Measurements& measurements, const std::vec
   for (const Series& series : all)
     squares.push_back(squares_of(series, residual, usual[static_cast<std::size_t>(series.channel.name)]));
   std::vector<double> local(measurements.size(), 1.0);
-  for (std::size_t s = 0; s < all.size(); ++s) {
-    const std::size_t count = all[s].readings.size();
+  for (const Series& series : all) {
+    const Together here = read_with(series, all, squares);
+    const std::size_t count = here.squares.size();
     for (std::size_t i = 0; i < count; ++i) {
       double sum = drawn, number = drawn;
-      for (std::size_t other = 0; other < all.size(); ++other) {
-        if (!read_together(all[s], all[other])) continue;
-        for (std::size_t k = std::max(i, around + 1) - around; k + 1 < std::min(count, i + around + 2); ++k)
-          sum += squares[other][k], number += 1;
-      }
-      local[all[s].first + i] = std::sqrt(std::max(1.0, sum / number));
+      for (std::size_t k = std::max(i, around + 1) - around; k + 1 < std::min(count, i + around + 2); ++k)
+        sum += here.squares[k], number += here.channels;
+      local[series.first + i] = std::sqrt(std::max(1.0, sum / number));
     }
   }
   return local;
