@@ -155,18 +155,6 @@ std::vector<Kind> links_and_loads() {
        [](Physics& is, const Plan&, Place, const Values& v) {
          for (std::size_t j = 0; j < is.mass.size(); ++j) is.mass[j] += v[0] * is.length[j];
        }},
-      {"mass_scale",
-       "",
-       false,
-       {"a"},
-       {true},
-       false,
-       4,
-       heavy_as_modelled,
-       [](const Scene&, Place, Random& r) { return both_ways(r, 0.05, 0.3); },
-       [](Physics& is, const Plan&, Place, const Values& v) {
-         for (double& mass : is.mass) mass *= 1 + v[0];
-       }},
       {"tip_payload",
        "",
        false,
@@ -339,9 +327,24 @@ std::vector<Kind> joined(std::initializer_list<std::vector<Kind>> parts) {
 
 }  // namespace
 
+std::vector<Kind> masses() {
+  return {{"mass_scale",
+           "",
+           false,
+           {"a"},
+           {true},
+           false,
+           4,
+           heavy_as_modelled,
+           [](const Scene&, Place, Random& r) { return both_ways(r, 0.05, 0.3); },
+           [](Physics& is, const Plan&, Place, const Values& v) {
+             for (double& mass : is.mass) mass *= 1 + v[0];
+           }}};
+}
+
 const std::vector<Kind>& catalogue() {
-  static const std::vector<Kind> all =
-      joined({springs(), links_and_loads(), bench(), common_to_all_joints(), joint_laws(), sensors()});
+  static const std::vector<Kind> all = joined(
+      {springs(), links_and_loads(), bench(), common_to_all_joints(), joint_laws(), sensors(), masses()});
   return all;
 }
 

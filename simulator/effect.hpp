@@ -41,6 +41,7 @@ const std::vector<Kind>& catalogue();
 std::vector<Kind> common_to_all_joints();
 std::vector<Kind> joint_laws();
 std::vector<Kind> sensors();
+std::vector<Kind> masses();
 
 /// Effects that are in no catalogue: what a diagnosis must call unknown.
 const std::vector<Kind>& outside();

@@ -93,7 +93,7 @@ def broken(**changes):
 
 @pytest.mark.parametrize("changes, runs, message", [
     ({}, [{"id": "a"}], "experiment: run[1].samples: found no such key, expected columns of readings"),
-    ({}, [run("u-press", rest=[0, 0])], "experiment: run[1].rest: found 2 values, expected a list of 4 numbers"),
+    ({}, [run("u-press", rest=[0, 0])], "experiment: run[1].rest: found 2 values, expected 4, one for each link of the nominal chain"),
     ({}, [run("u-press", control="push")],
      "experiment: run[1].control: found 'push', expected \"displacement\" or \"force\""),
     ({}, [run("u-press", speed=1)], "experiment: run[1].speed: found an unknown key, expected one of "),

@@ -13,14 +13,21 @@ using namespace plumbline::simulator;
 
 namespace {
 
-Bench working() {
-  const Plan plan = a_bench();
+Bench working(const Plan& plan = a_bench()) {
   const Physics physics = physics_of(plan);
   Bench bench{plan, simulate(plan, physics), {}, {}};
   for (std::size_t r = 0; r < plan.runs.size(); ++r)
     bench.shown.push_back(show(plan, physics, plan.runs[r], bench.states[r]));
   bench.scatter.sigma = {scene_of(bench).force / 900, 1e-4 * plan.reach(), 7e-4};
   return bench;
+}
+
+/// Whose nominal links weigh a tenth of a kilogram a metre.
+Plan heavy_bench() {
+  Plan plan = a_bench();
+  plan.nominal.gravity = {9.81 * plan.down[0], 9.81 * plan.down[1]};
+  for (const double length : plan.nominal.length) plan.nominal.mass.push_back(0.1 * length);
+  return plan;
 }
 
 /// The nominal chain with what these effects change of it.
@@ -44,13 +51,10 @@ TEST_CASE("what changes the nominal numbers is the nominal statics of the change
   CHECK(against_nominal_statics(bench, "length_scale", {0.01}, [](Plan& plan, const Values& v) {
           for (double& length : plan.nominal.length) length *= 1 + v[0];
         }) < 0.01);
-  Bench heavy = bench;
-  heavy.plan.nominal.gravity = {0, -9.81};
-  heavy.plan.nominal.mass = heavy.plan.nominal.length;  // a tenth of a kilogram a metre
-  for (double& mass : heavy.plan.nominal.mass) mass *= 0.1;
-  CHECK(against_nominal_statics(heavy, "mass_scale", {-0.2}, [](Plan& plan, const Values& v) {
-          for (double& mass : plan.nominal.mass) mass *= 1 + v[0];
-        }) < 0.01);
+  CHECK(
+      against_nominal_statics(working(heavy_bench()), "mass_scale", {-0.2}, [](Plan& plan, const Values& v) {
+        for (double& mass : plan.nominal.mass) mass *= 1 + v[0];
+      }) < 0.01);
   CHECK(against_nominal_statics(bench, "rest_offset", {0.02}, [](Plan& plan, const Values& v) {
           for (PlannedRun& run : plan.runs)
             for (double& q : run.rest) q += v[0];
@@ -83,8 +87,7 @@ TEST_CASE("what changes the nominal numbers is the nominal statics of the change
 
 TEST_CASE("every kind shows at the size that labs meet, and nothing of it is nothing" *
           doctest::test_suite("long")) {
-  const Bench bench = working();
-  const Scene scene = scene_of(bench);
+  const Bench light = working(), heavy = working(heavy_bench());
   std::vector<const Kind*> all;
   for (const Kind& one : catalogue()) all.push_back(&one);
   for (const Kind& one : outside()) all.push_back(&one);
@@ -92,7 +95,8 @@ TEST_CASE("every kind shows at the size that labs meet, and nothing of it is not
     CAPTURE(all[i]->id);
     CAPTURE(all[i]->description);
     Random random(9, i);
-    const Effect effect = draw_effect(*all[i], scene, random);
+    const Bench& bench = all[i]->id == "mass_scale" ? heavy : light;
+    const Effect effect = draw_effect(*all[i], scene_of(bench), random);
     REQUIRE(effect.kind != nullptr);
     CHECK(rms(outcome_of(bench, {effect}).gap) > 0.3);
     // what is left is the way in which the carriage is moved, and contacts that hardly rub
