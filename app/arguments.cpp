@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "files/printable.hpp"
+#include "support/files/printable.hpp"
 
 namespace plumbline::app {
 namespace {

@@ -6,9 +6,9 @@
 #include <set>
 #include <sstream>
 
-#include "files/csv_file.hpp"
-#include "files/printable.hpp"
-#include "files/toml_file.hpp"
+#include "support/files/csv_file.hpp"
+#include "support/files/printable.hpp"
+#include "support/files/toml_file.hpp"
 #include "proofs/decimal.hpp"
 
 namespace plumbline::app {

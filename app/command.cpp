@@ -11,7 +11,7 @@
 #include "app/arguments.hpp"
 #include "app/commit.hpp"
 #include "app/complaints.hpp"
-#include "files/printable.hpp"
+#include "support/files/printable.hpp"
 
 namespace plumbline::app {
 namespace {

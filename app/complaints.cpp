@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "files/printable.hpp"
+#include "support/files/printable.hpp"
 
 namespace plumbline::app {
 

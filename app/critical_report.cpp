@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "files/csv_file.hpp"
+#include "support/files/csv_file.hpp"
 #include "proofs/decimal.hpp"
 
 namespace plumbline::app {

@@ -13,8 +13,8 @@
 #include "app/results_folder.hpp"
 #include "campaign/report.hpp"
 #include "diagnose/bench/read_date.hpp"
-#include "files/experiment_files.hpp"
-#include "files/output_file.hpp"
+#include "support/files/experiment_files.hpp"
+#include "support/files/output_file.hpp"
 
 namespace plumbline::app {
 namespace {

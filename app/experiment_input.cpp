@@ -8,7 +8,7 @@
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/stated/read_effects.hpp"
 #include "exchange/read_model.hpp"
-#include "files/experiment_files.hpp"
+#include "support/files/experiment_files.hpp"
 
 namespace plumbline::app {
 namespace {

@@ -10,8 +10,8 @@
 #include "app/command.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "files/output_file.hpp"
-#include "page/provenance.hpp"
+#include "support/files/output_file.hpp"
+#include "support/page/provenance.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/figures/figures.hpp"
 

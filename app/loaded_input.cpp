@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "app/chain_file.hpp"
-#include "files/printable.hpp"
-#include "files/text_file.hpp"
+#include "support/files/printable.hpp"
+#include "support/files/text_file.hpp"
 
 namespace plumbline::app {
 

@@ -1,6 +1,6 @@
 #include "app/command.hpp"
 #include "app/tasks.hpp"
-#include "work/ranks.hpp"
+#include "support/work/ranks.hpp"
 
 int main(int argc, char** argv) {
   using namespace plumbline;

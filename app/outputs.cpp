@@ -7,8 +7,8 @@
 #include "app/arguments.hpp"
 #include "app/command.hpp"
 #include "app/terminal.hpp"
-#include "files/sha256.hpp"
-#include "files/text_file.hpp"
+#include "support/files/sha256.hpp"
+#include "support/files/text_file.hpp"
 
 namespace plumbline::app {
 namespace {

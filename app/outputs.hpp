@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "files/file_identity.hpp"
-#include "files/output_file.hpp"
-#include "page/provenance.hpp"
+#include "support/files/file_identity.hpp"
+#include "support/files/output_file.hpp"
+#include "support/page/provenance.hpp"
 
 namespace plumbline::app {
 

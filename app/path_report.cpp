@@ -6,7 +6,7 @@
 #include <cmath>
 #include <plumbline/branch/straight_start.hpp>
 
-#include "files/csv_file.hpp"
+#include "support/files/csv_file.hpp"
 
 namespace plumbline::app {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
 #include "verify/reference/work.hpp"
-#include "work/journal.hpp"
+#include "support/work/journal.hpp"
 
 namespace plumbline::app {
 namespace {

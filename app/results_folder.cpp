@@ -2,8 +2,8 @@
 
 #include <plumbline/base/error.hpp>
 
-#include "files/output_file.hpp"
-#include "work/ranks.hpp"
+#include "support/files/output_file.hpp"
+#include "support/work/ranks.hpp"
 
 namespace plumbline::app {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "files/temporary_folder.hpp"
-#include "work/journal.hpp"
+#include "support/files/temporary_folder.hpp"
+#include "support/work/journal.hpp"
 
 namespace plumbline::app {
 

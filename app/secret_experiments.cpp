@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <plumbline/base/error.hpp>
 
-#include "files/output_file.hpp"
-#include "files/printable.hpp"
+#include "support/files/output_file.hpp"
+#include "support/files/printable.hpp"
 #ifdef PLUMBLINE_SIMULATOR
 #include "simulator/write_experiment.hpp"
 #endif

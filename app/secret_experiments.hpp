@@ -8,7 +8,7 @@
 #include <map>
 
 #include "trial/seal.hpp"
-#include "work/work_list.hpp"
+#include "support/work/work_list.hpp"
 
 namespace plumbline::app {
 

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <set>
 
-#include "files/csv_file.hpp"
-#include "files/printable.hpp"
+#include "support/files/csv_file.hpp"
+#include "support/files/printable.hpp"
 #include "proofs/decimal.hpp"
 
 namespace plumbline::app {

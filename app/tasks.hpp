@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "work/work_list.hpp"
+#include "support/work/work_list.hpp"
 
 namespace plumbline::app {
 

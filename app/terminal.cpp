@@ -5,7 +5,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "work/ranks.hpp"
+#include "support/work/ranks.hpp"
 
 namespace plumbline::app {
 namespace {

@@ -13,8 +13,8 @@
 #include "app/secret_experiments.hpp"
 #include "app/verbs.hpp"
 #include "diagnose/model/effect.hpp"
-#include "files/experiment_files.hpp"
-#include "files/output_file.hpp"
+#include "support/files/experiment_files.hpp"
+#include "support/files/output_file.hpp"
 #include "trial/report.hpp"
 #include "trial/run_trial.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "bench/race.hpp"
 #include "diagnose/inference/fit.hpp"
-#include "files/temporary_folder.hpp"
+#include "support/files/temporary_folder.hpp"
 
 namespace plumbline::bench {
 using namespace diagnose;

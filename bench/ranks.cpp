@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "work/ranks.hpp"
+#include "support/work/ranks.hpp"
 
 namespace {
 

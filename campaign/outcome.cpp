@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "files/json_file.hpp"
-#include "files/text_file.hpp"
+#include "support/files/json_file.hpp"
+#include "support/files/text_file.hpp"
 #include "trial/diagnoses.hpp"
 
 namespace plumbline::campaign {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "trial/answer.hpp"
-#include "work/journal.hpp"
+#include "support/work/journal.hpp"
 
 namespace plumbline::campaign {
 

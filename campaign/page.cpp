@@ -2,8 +2,8 @@
 
 #include "campaign/page_texts.hpp"
 #include "campaign/report.hpp"
-#include "page/chart.hpp"
-#include "page/markup.hpp"
+#include "support/page/chart.hpp"
+#include "support/page/markup.hpp"
 
 namespace plumbline::campaign {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "page/markup.hpp"
+#include "support/page/markup.hpp"
 #include "trial/table.hpp"
 
 namespace plumbline::campaign {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <plumbline/base/error.hpp>
 
-#include "files/printable.hpp"
+#include "support/files/printable.hpp"
 
 namespace plumbline::exchange {
 namespace {

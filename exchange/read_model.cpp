@@ -6,7 +6,7 @@
 #include "diagnose/bench/read_nominal.hpp"
 #include "exchange/read_mujoco.hpp"
 #include "exchange/read_sdf.hpp"
-#include "files/text_file.hpp"
+#include "support/files/text_file.hpp"
 
 namespace plumbline::exchange {
 namespace {

@@ -6,8 +6,8 @@
 #include <sdf/sdf.hh>
 
 #include "exchange/urdf_end.hpp"
-#include "files/printable.hpp"
-#include "files/text_file.hpp"
+#include "support/files/printable.hpp"
+#include "support/files/text_file.hpp"
 
 namespace plumbline::exchange {
 namespace {

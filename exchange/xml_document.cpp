@@ -4,7 +4,7 @@
 #include <plumbline/base/error.hpp>
 #include <sstream>
 
-#include "files/text_file.hpp"
+#include "support/files/text_file.hpp"
 
 namespace plumbline::exchange {
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "files/sha256.hpp"
+#include "support/files/sha256.hpp"
 #include "proofs/decimal.hpp"
 #include "proofs/exact_chain.hpp"
 #include "proofs/exact_list.hpp"

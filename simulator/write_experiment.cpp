@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "files/output_file.hpp"
+#include "support/files/output_file.hpp"
 
 namespace plumbline::simulator {
 namespace {

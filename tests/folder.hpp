@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "files/temporary_folder.hpp"
+#include "support/files/temporary_folder.hpp"
 
 class Folder : public plumbline::files::TemporaryFolder {
  public:

@@ -3,10 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <plumbline/base/parallel.hpp>
 
-#include "files/experiment_files.hpp"
-#include "files/json_file.hpp"
-#include "files/printable.hpp"
-#include "files/sha256.hpp"
+#include "support/files/experiment_files.hpp"
+#include "support/files/json_file.hpp"
+#include "support/files/printable.hpp"
+#include "support/files/sha256.hpp"
 
 namespace plumbline::trial {
 namespace {

@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "trial/diagnosis_process.hpp"
-#include "work/journal.hpp"
-#include "work/work_list.hpp"
+#include "support/work/journal.hpp"
+#include "support/work/work_list.hpp"
 
 namespace plumbline::trial {
 

@@ -1,9 +1,9 @@
 #include "trial/diagnosis_process.hpp"
 
-#include "files/child_process.hpp"
-#include "files/experiment_files.hpp"
-#include "files/printable.hpp"
-#include "files/temporary_folder.hpp"
+#include "support/files/child_process.hpp"
+#include "support/files/experiment_files.hpp"
+#include "support/files/printable.hpp"
+#include "support/files/temporary_folder.hpp"
 
 namespace plumbline::trial {
 namespace {

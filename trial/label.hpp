@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "files/json_file.hpp"
+#include "support/files/json_file.hpp"
 
 namespace plumbline::trial {
 

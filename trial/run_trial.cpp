@@ -1,7 +1,7 @@
 #include "trial/run_trial.hpp"
 
-#include "files/json_file.hpp"
-#include "files/text_file.hpp"
+#include "support/files/json_file.hpp"
+#include "support/files/text_file.hpp"
 
 namespace plumbline::trial {
 namespace {

@@ -1,7 +1,7 @@
 #include "trial/seal.hpp"
 
-#include "files/json_file.hpp"
-#include "files/sha256.hpp"
+#include "support/files/json_file.hpp"
+#include "support/files/sha256.hpp"
 
 namespace plumbline::trial {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
-#include "files/json_file.hpp"
-#include "files/printable.hpp"
-#include "files/sha256.hpp"
-#include "files/text_file.hpp"
+#include "support/files/json_file.hpp"
+#include "support/files/printable.hpp"
+#include "support/files/sha256.hpp"
+#include "support/files/text_file.hpp"
 
 namespace plumbline::trial {
 namespace {

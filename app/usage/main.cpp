@@ -4,7 +4,7 @@
 
 #include "app/command.hpp"
 #include "app/usage/usage.hpp"
-#include "files/output_file.hpp"
+#include "support/files/output_file.hpp"
 
 int main(int argc, char** argv) {
   using namespace plumbline;

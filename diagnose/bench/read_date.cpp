@@ -2,7 +2,7 @@
 
 #include <plumbline/base/error.hpp>
 
-#include "files/text_file.hpp"
+#include "support/files/text_file.hpp"
 
 namespace plumbline::diagnose {
 namespace {

@@ -14,8 +14,8 @@
 #include "diagnose/bench/read_samples.hpp"
 #include "diagnose/bench/sample_format.hpp"
 #include "diagnose/bench/unmeasured.hpp"
-#include "files/printable.hpp"
-#include "files/text_file.hpp"
+#include "support/files/printable.hpp"
+#include "support/files/text_file.hpp"
 
 namespace plumbline::diagnose {
 namespace {

@@ -9,7 +9,7 @@
 #include <system_error>
 
 #include "diagnose/bench/sample_columns.hpp"
-#include "files/printable.hpp"
+#include "support/files/printable.hpp"
 
 namespace plumbline::diagnose {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <plumbline/base/error.hpp>
 
-#include "files/printable.hpp"
+#include "support/files/printable.hpp"
 
 namespace plumbline::diagnose {
 namespace {

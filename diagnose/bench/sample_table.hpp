@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "diagnose/bench/sample_format.hpp"
-#include "files/csv_file.hpp"
+#include "support/files/csv_file.hpp"
 
 namespace plumbline::diagnose {
 

@@ -6,7 +6,7 @@
 #include <plumbline/base/error.hpp>
 #include <sstream>
 
-#include "files/printable.hpp"
+#include "support/files/printable.hpp"
 
 namespace plumbline::diagnose {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "files/toml_file.hpp"
+#include "support/files/toml_file.hpp"
 
 namespace plumbline::diagnose {
 

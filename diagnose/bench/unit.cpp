@@ -10,7 +10,7 @@
 #include <optional>
 #include <plumbline/base/error.hpp>
 
-#include "files/printable.hpp"
+#include "support/files/printable.hpp"
 
 namespace plumbline::diagnose {
 namespace quantity {

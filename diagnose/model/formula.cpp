@@ -9,7 +9,7 @@
 #include <numbers>
 #include <plumbline/base/error.hpp>
 
-#include "files/printable.hpp"
+#include "support/files/printable.hpp"
 
 namespace plumbline::diagnose {
 namespace {

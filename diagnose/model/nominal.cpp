@@ -6,7 +6,7 @@
 
 #include "diagnose/model/effect.hpp"
 #include "diagnose/model/run_rig.hpp"
-#include "files/printable.hpp"
+#include "support/files/printable.hpp"
 
 namespace plumbline::diagnose {
 namespace {

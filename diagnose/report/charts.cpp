@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "diagnose/model/regime.hpp"
-#include "page/chart.hpp"
+#include "support/page/chart.hpp"
 
 namespace plumbline::diagnose {
 namespace {

@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "diagnose/beliefs.hpp"
-#include "page/chart.hpp"
+#include "support/page/chart.hpp"
 
 namespace plumbline::diagnose {
 namespace {

@@ -7,7 +7,7 @@
 #include "diagnose/answers/torque_balance.hpp"
 #include "diagnose/model/regime.hpp"
 #include "diagnose/report/charts.hpp"
-#include "page/chart.hpp"
+#include "support/page/chart.hpp"
 
 namespace plumbline::diagnose {
 namespace {

@@ -6,7 +6,7 @@
 #include "diagnose/report/law.hpp"
 #include "diagnose/report/page_texts.hpp"
 #include "diagnose/report/report.hpp"
-#include "page/markup.hpp"
+#include "support/page/markup.hpp"
 
 namespace plumbline::diagnose {
 namespace {

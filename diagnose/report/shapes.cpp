@@ -7,7 +7,7 @@
 
 #include "diagnose/model/effects/rows.hpp"
 #include "diagnose/report/charts.hpp"
-#include "page/chart.hpp"
+#include "support/page/chart.hpp"
 
 namespace plumbline::diagnose {
 namespace {

@@ -6,7 +6,7 @@
 #include "diagnose/report/law.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/report/sketch.hpp"
-#include "page/markup.hpp"
+#include "support/page/markup.hpp"
 
 namespace plumbline::diagnose {
 namespace {

@@ -8,8 +8,8 @@
 #include <regex>
 
 #include "diagnose/bench/section.hpp"
-#include "files/printable.hpp"
-#include "files/text_file.hpp"
+#include "support/files/printable.hpp"
+#include "support/files/text_file.hpp"
 
 namespace plumbline::diagnose {
 namespace {

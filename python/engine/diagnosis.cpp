@@ -11,9 +11,9 @@
 #include "diagnose/report/view.hpp"
 #include "diagnose/stated/read_effects.hpp"
 #include "exchange/read_model.hpp"
-#include "files/experiment_files.hpp"
-#include "files/sha256.hpp"
-#include "page/provenance.hpp"
+#include "support/files/experiment_files.hpp"
+#include "support/files/sha256.hpp"
+#include "support/page/provenance.hpp"
 #include "python/engine/engine.hpp"
 
 namespace plumbline::python {

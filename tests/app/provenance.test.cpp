@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "files/sha256.hpp"
+#include "support/files/sha256.hpp"
 #include "tests/app/process.hpp"
 
 namespace {

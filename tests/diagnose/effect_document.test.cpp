@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "diagnose/model/study.hpp"
-#include "files/text_file.hpp"
+#include "support/files/text_file.hpp"
 
 #include "tests/close_to.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "exchange/mjcf_parts.hpp"
 #include "exchange/urdf_end.hpp"
-#include "files/text_file.hpp"
+#include "support/files/text_file.hpp"
 
 namespace plumbline::exchange::test {
 namespace {

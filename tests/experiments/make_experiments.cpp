@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "files/output_file.hpp"
+#include "support/files/output_file.hpp"
 #include "simulator/write_experiment.hpp"
 
 namespace {

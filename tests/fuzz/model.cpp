@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "exchange/read_model.hpp"
-#include "files/output_file.hpp"
+#include "support/files/output_file.hpp"
 #include "tests/fuzz/target.hpp"
 
 namespace {

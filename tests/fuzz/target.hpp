@@ -9,8 +9,8 @@
 #include <plumbline/base/error.hpp>
 #include <string>
 
-#include "files/printable.hpp"
-#include "files/text_file.hpp"
+#include "support/files/printable.hpp"
+#include "support/files/text_file.hpp"
 
 /// \param read  of the text of a file "f", as read_text gives it
 template <class Read>

@@ -17,7 +17,8 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # in the order in which they are run, until the time is over: those first that take least
-SUITES = ("page", "campaign", "trial", "core", "exchange", "diagnose", "simulator", "app", "proofs", "verify")
+SUITES = {"page": "support/page", "campaign": "campaign", "trial": "trial", "core": "core", "exchange": "exchange",
+          "diagnose": "diagnose", "simulator": "simulator", "app": "app", "proofs": "proofs", "verify": "verify"}
 NOT_COMPILED = {".md", ".py", ".v"}
 
 
@@ -34,12 +35,14 @@ def commit_before(hours):
 
 def changed_suites(commit):
     """The suites of the folders in which what is compiled differs from a commit."""
-    folders = set()
+    found = set()
     for name in git("diff", "--name-only", "--no-renames", commit).splitlines():
         path = pathlib.PurePosixPath(name.removeprefix("tests/"))
         if path.suffix not in NOT_COMPILED:
-            folders.add(path.parts[0])
-    return [suite for suite in SUITES if suite in folders]
+            # the suite of the innermost folder, where one that has a suite lies in another
+            inside = [suite for suite, folder in SUITES.items() if path.is_relative_to(folder)]
+            found |= set(sorted(inside, key=lambda suite: len(SUITES[suite]))[-1:])
+    return [suite for suite in SUITES if suite in found]
 
 
 def run(words, end):

@@ -72,7 +72,7 @@ class ChangedSuites(unittest.TestCase):
 
     def test_several_commits_are_one_change(self):
         self.commit(1, "core/a.hpp")
-        self.commit(8, "page/a.cpp")
+        self.commit(8, "support/page/a.cpp")
         self.commit(9, "tests/app/a.test.cpp")
         self.assertEqual(self.listed(), "page app")
 
@@ -82,9 +82,9 @@ class ChangedSuites(unittest.TestCase):
         self.assertEqual(self.listed(), "nothing that a suite here compiles")
 
     def test_what_is_not_committed_yet_counts(self):
-        self.commit(1, "core/a.hpp", "page/a.cpp")
+        self.commit(1, "core/a.hpp", "support/page/a.cpp")
         self.commit(8, "core/a.hpp")
-        self.write("page/a.cpp", "another\n")
+        self.write("support/page/a.cpp", "another\n")
         self.assertEqual(self.listed(), "page core")
 
     def test_where_nothing_is_older_all_folders_count(self):
@@ -101,7 +101,7 @@ class ChangedSuites(unittest.TestCase):
 
     def test_what_fails_and_what_does_not_build_fail_and_the_rest_is_run(self):
         self.commit(1, "README.md")
-        self.commit(8, "core/a.hpp", "page/a.cpp")
+        self.commit(8, "core/a.hpp", "support/page/a.cpp")
         status, text = self.run_tool(1)
         self.assertEqual(status, 1, text)
         self.assertRegex(text, r"page: built in \d+ s, ran for \d+ s: passed\n")

@@ -10,7 +10,7 @@ import sys
 
 root = pathlib.Path(sys.argv[1])
 # Errors, threads and files know nothing of chains; the label is what the simulator gives away.
-INFRASTRUCTURE = re.compile(r"core/plumbline/base/(error|parallel)\.hpp|files/[a-z0-9_]+\.hpp")
+INFRASTRUCTURE = re.compile(r"core/plumbline/base/(error|parallel)\.hpp|support/files/[a-z0-9_]+\.hpp")
 COMPARES = "simulator/nominal_error.cpp"
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 

@@ -1,4 +1,4 @@
-#include "files/experiment_files.hpp"
+#include "support/files/experiment_files.hpp"
 
 #include <doctest/doctest.h>
 #include <sys/stat.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
-#include "files/text_file.hpp"
+#include "support/files/text_file.hpp"
 #include "tests/folder.hpp"
 #include "trial/diagnosis_process.hpp"
 #include "trial/label.hpp"

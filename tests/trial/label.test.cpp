@@ -3,8 +3,8 @@
 #include <plumbline/base/error.hpp>
 #include <set>
 
-#include "files/json_file.hpp"
-#include "files/text_file.hpp"
+#include "support/files/json_file.hpp"
+#include "support/files/text_file.hpp"
 #include "trial/label.hpp"
 
 using namespace plumbline;

@@ -4,7 +4,7 @@
 
 #include <plumbline/base/error.hpp>
 
-#include "files/sha256.hpp"
+#include "support/files/sha256.hpp"
 #include "tests/folder.hpp"
 
 using namespace plumbline::trial;

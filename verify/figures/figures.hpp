@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "page/plot.hpp"
+#include "support/page/plot.hpp"
 #include "verify/judging/judge.hpp"
 
 namespace plumbline::verify {

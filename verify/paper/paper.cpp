@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
-#include "files/toml_file.hpp"
+#include "support/files/toml_file.hpp"
 #include "verify/judging/notation.hpp"
 #include "verify/paper/texts.hpp"
 

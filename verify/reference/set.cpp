@@ -4,7 +4,7 @@
 
 #include <plumbline/straight/buckling_mode.hpp>
 
-#include "files/sha256.hpp"
+#include "support/files/sha256.hpp"
 #include "proofs/decimal.hpp"
 #include "proofs/equilibria_certificate.hpp"
 #include "proofs/exactly.hpp"

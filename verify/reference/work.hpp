@@ -4,7 +4,7 @@
 
 #include "verify/reference/loaded.hpp"
 #include "verify/reference/set.hpp"
-#include "work/work_list.hpp"
+#include "support/work/work_list.hpp"
 
 namespace plumbline::verify {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "page/formula.hpp"
-#include "page/markup.hpp"
+#include "support/page/formula.hpp"
+#include "support/page/markup.hpp"
 #include "verify/paper/paper.hpp"
 #include "verify/report/errata.hpp"
 #include "verify/report/page_texts.hpp"

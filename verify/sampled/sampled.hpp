@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "work/journal.hpp"
-#include "work/work_list.hpp"
+#include "support/work/journal.hpp"
+#include "support/work/work_list.hpp"
 
 namespace plumbline::verify {
 
