@@ -8,7 +8,7 @@
 #include "support/files/output_file.hpp"
 #include "support/files/printable.hpp"
 #ifdef PLUMBLINE_SIMULATOR
-#include "simulator/write_experiment.hpp"
+#include "trial/simulator/write_experiment.hpp"
 #endif
 
 namespace plumbline::app {

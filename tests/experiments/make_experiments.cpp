@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "support/files/output_file.hpp"
-#include "simulator/write_experiment.hpp"
+#include "trial/simulator/write_experiment.hpp"
 
 namespace {
 

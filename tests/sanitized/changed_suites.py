@@ -18,7 +18,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # in the order in which they are run, until the time is over: those first that take least
 SUITES = {"page": "support/page", "campaign": "campaign", "trial": "trial", "core": "core", "exchange": "exchange",
-          "diagnose": "diagnose", "simulator": "simulator", "app": "app", "proofs": "proofs", "verify": "verify"}
+          "diagnose": "diagnose", "simulator": "trial/simulator", "app": "app", "proofs": "proofs", "verify": "verify"}
 NOT_COMPILED = {".md", ".py", ".v"}
 
 

@@ -1,0 +1,58 @@
+#pragma once
+/// \file
+/// What the lab writes down of what is true: load cell, encoders, camera; their errors, noise and resolution.
+
+#include <string>
+
+#include "trial/simulator/random.hpp"
+#include "trial/simulator/simulation.hpp"
+
+namespace plumbline::simulator {
+
+/// One line of a sample file; a value is NaN where the field stays empty.
+struct Reading {
+  double t;
+  Pair end_point, force;
+  std::vector<double> q;  ///< empty where joint angles are not measured
+};
+using Readings = std::vector<Reading>;
+
+/// Of a force, a position and an angle.
+struct Sigma {
+  double force = 0, position = 0, angle = 0;
+};
+
+/// How the readings scatter.
+struct Scatter {
+  /// or misdeclared, outliers, ar1, ar1 of one sensor, proportional, hum, one channel
+  std::string kind = "declared";
+  Sigma sigma;  ///< true standard deviations
+  Sigma declared;
+  Sigma correlation;               ///< of successive readings, by sensor
+  double outliers = 0;             ///< share of wild readings
+  Sigma proportional;              ///< shares of the readings that scatter beside sigma
+  double hum = 0, hum_period = 1;  ///< amplitude of a sine in sigmas; s
+  std::string bad_channel = {};    ///< whose sigma is
+  double bad_factor = 1;           ///< times the others'
+  double missing = 0;              ///< share of empty fields
+  double resolution = 0;           ///< of the instruments, in sigmas
+};
+
+/// What instruments without scatter show.
+Readings show(const Plan& plan, const Physics& physics, const PlannedRun& run,
+              const std::vector<State>& states);
+
+/// The same with scatter.
+Readings scattered(const PlannedRun& run, Readings readings, const Scatter& scatter, Random& random);
+
+/// What one measured value shows beyond a reference, in sigmas.
+struct Excess {
+  std::string channel;
+  double value;
+};
+
+/// Every measured value of `readings` beside that of `reference`.
+std::vector<Excess> gap(const Plan& plan, const std::vector<Readings>& readings,
+                        const std::vector<Readings>& reference, const Sigma& sigma);
+
+}  // namespace plumbline::simulator

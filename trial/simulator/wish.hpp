@@ -1,0 +1,30 @@
+#pragma once
+/// \file
+/// What an experiment is to be about, drawn before the bench is.
+
+#include "trial/simulator/effect.hpp"
+
+namespace plumbline::simulator {
+
+/// Which effects, and how strong each alone should be, in sigmas; where and on which bench is left to chance.
+struct Wish {
+  std::vector<const Kind*> kinds;
+  std::vector<double> strengths;
+  bool tolerances = false;  ///< every joint's stiffness, length and rest angle off a little beside it
+  bool rough = false;       ///< noise beyond what is declared
+};
+
+/// What every chain has beside its effect: each stiffness within 5 %, each length within 0.5 %, each rest
+/// angle within 0.5 degrees of nominal.
+std::vector<Effect> draw_tolerances(const Scene& scene, Random& random);
+
+/// The first trial. Of a hundred, 15 have no effect, 60 have one of the first catalogue, 13 two, and 12 one
+/// that is in no catalogue.
+Wish draw_wish(Random& random);
+
+/// The second trial, all with rough noise. A third is in no catalogue; a third has groups (values of its own
+/// at each joint, or one common to all) or tolerances beside an effect, or tolerances alone; the last has no
+/// effect, one, or two.
+Wish draw_second_wish(Random& random);
+
+}  // namespace plumbline::simulator
