@@ -4,8 +4,8 @@
 
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "exchange/read_model.hpp"
-#include "exchange/toml.hpp"
+#include "diagnose/exchange/read_model.hpp"
+#include "diagnose/exchange/toml.hpp"
 
 namespace plumbline::app {
 namespace {

@@ -3,7 +3,7 @@
 /// The files of `diagnose --corrected`.
 
 #include "app/outputs.hpp"
-#include "exchange/corrected.hpp"
+#include "diagnose/exchange/corrected.hpp"
 
 namespace plumbline::app {
 

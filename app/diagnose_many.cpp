@@ -11,7 +11,7 @@
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/results_folder.hpp"
-#include "campaign/report.hpp"
+#include "diagnose/campaign/report.hpp"
 #include "diagnose/bench/read_date.hpp"
 #include "support/files/experiment_files.hpp"
 #include "support/files/output_file.hpp"

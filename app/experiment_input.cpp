@@ -7,7 +7,7 @@
 #include "diagnose/bench/condense.hpp"
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/stated/read_effects.hpp"
-#include "exchange/read_model.hpp"
+#include "diagnose/exchange/read_model.hpp"
 #include "support/files/experiment_files.hpp"
 
 namespace plumbline::app {

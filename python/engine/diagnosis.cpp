@@ -10,7 +10,7 @@
 #include "diagnose/report/report.hpp"
 #include "diagnose/report/view.hpp"
 #include "diagnose/stated/read_effects.hpp"
-#include "exchange/read_model.hpp"
+#include "diagnose/exchange/read_model.hpp"
 #include "support/files/experiment_files.hpp"
 #include "support/files/sha256.hpp"
 #include "support/page/provenance.hpp"

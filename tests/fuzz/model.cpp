@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "exchange/read_model.hpp"
+#include "diagnose/exchange/read_model.hpp"
 #include "support/files/output_file.hpp"
 #include "tests/fuzz/target.hpp"
 

@@ -12,6 +12,7 @@ root = pathlib.Path(sys.argv[1])
 # Errors, threads and files know nothing of chains; the label is what the simulator gives away.
 INFRASTRUCTURE = re.compile(r"core/plumbline/base/(error|parallel)\.hpp|support/files/[a-z0-9_]+\.hpp")
 COMPARES = "trial/simulator/nominal_error.cpp"
+NO_ENGINE = "diagnose/exchange", "diagnose/campaign"  # what comes after a diagnosis
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -26,7 +27,7 @@ def find(name, includer):
 def reached(folder):
     """Every file of the project that the sources of a folder include, themselves among them."""
     todo = [p.resolve() for p in sorted((root / folder).rglob("*"))
-            if p.suffix in (".cpp", ".hpp") and p != root / COMPARES]
+            if p.suffix in (".cpp", ".hpp") and p != root / COMPARES and p.parent not in [root / room for room in NO_ENGINE]]
     assert todo, f"no source in {folder}"
     seen = set(todo)
     while todo:

@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// What many diagnoses say together, for people and for machines.
+
+#include <string>
+
+#include "diagnose/campaign/comparison.hpp"
+
+namespace plumbline::campaign {
+
+std::string as_text(const std::vector<Outcome>& outcomes, const Comparison& comparison);
+/// Format "gap-campaign/1": docs/report-format.md.
+nlohmann::ordered_json as_json(const std::vector<Outcome>& outcomes, const Comparison& comparison);
+/// A page: the answer, a table, each parameter over its experiments.
+std::string as_html(const std::vector<Outcome>& outcomes, const Comparison& comparison);
+
+/// "Yes: joint_friction in all 5", in the words of text and page.
+std::string same_cause(const std::vector<Outcome>& outcomes, const Comparison& comparison);
+/// "identified joint_friction", "ambiguous a | b", or what went wrong.
+std::string said(const Outcome& outcome);
+/// What a parameter does: "0.035 N m (95 %: …); from session to session ± 0.002 …; drift …".
+std::string words(const Parameter& parameter, bool by_date);
+std::string date_text(const Outcome& outcome);
+
+}  // namespace plumbline::campaign

@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// What of a model goes into a file of some format.
+
+#include "diagnose/exchange/format.hpp"
+#include "diagnose/exchange/model.hpp"
+#include "diagnose/exchange/tree.hpp"
+
+namespace plumbline::exchange {
+
+/// Whether it is an effect of the catalogue, not one that the user stated.
+bool of_catalogue(const diagnose::NominalEffect& effect);
+
+/// Of every effect of the model, whether the format carries it and as what, or why not; then of its law.
+std::vector<Carried> what_is_carried(const Model& model, Format format);
+
+/// The tree of the model with what is carried alone.
+Tree carried_tree(const Model& model, const std::vector<Carried>& effects, const Means& means);
+
+}  // namespace plumbline::exchange

@@ -1,0 +1,171 @@
+#include "diagnose/exchange/corrected.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <plumbline/base/error.hpp>
+
+#include "diagnose/exchange/edit_mjcf.hpp"
+#include "diagnose/exchange/edit_sdf.hpp"
+#include "diagnose/exchange/edit_urdf.hpp"
+#include "diagnose/exchange/mjcf.hpp"
+#include "diagnose/exchange/sdf.hpp"
+#include "diagnose/exchange/toml.hpp"
+#include "diagnose/exchange/urdf.hpp"
+
+namespace plumbline::exchange {
+namespace {
+
+using diagnose::Candidate, diagnose::CauseVerdict, diagnose::Diagnosis, diagnose::NominalEffect,
+    diagnose::Study;
+
+/// \param values  in catalogue units, by effect and parameter
+std::vector<NominalEffect> effects_of(const Study& study, const Candidate& candidate,
+                                      const std::vector<double>& values) {
+  std::vector<NominalEffect> all;
+  std::size_t next = 0;
+  for (const diagnose::EffectAt& at : candidate.effects) {
+    NominalEffect& one = all.emplace_back(NominalEffect{std::string(at.effect->id), at.joint, {}});
+    for (const diagnose::ParameterRange& range : study.ranges(at))
+      one.parameters[std::string(range.name)] = values.at(next++);
+  }
+  return all;
+}
+
+std::vector<double> in_catalogue_units(const Study& study, const Candidate& candidate,
+                                       std::vector<double> parameters) {
+  std::size_t next = 0;
+  for (const diagnose::ParameterRange& range : study.ranges(candidate)) {
+    parameters[next] = catalogue_value(range.coordinate, parameters[next]);
+    ++next;
+  }
+  return parameters;
+}
+
+/// The values that the report gives for the best explanation.
+std::vector<double> reported(const Diagnosis& diagnosis) {
+  std::vector<double> values;
+  for (const auto& effect : diagnosis.estimates)
+    for (const diagnose::Estimate& one : effect) values.push_back(one.value);
+  return values;
+}
+
+/// "backlash-2-gravity"; "user-cogging", for some systems allow no colon in the names of files
+std::string file_word(const Candidate& candidate) {
+  std::string word;
+  for (const diagnose::EffectAt& at : candidate.effects) {
+    word += (word.empty() ? "" : "-") + std::string(at.effect->id);
+    if (at.joint > 0) word += "-" + std::to_string(at.joint);
+  }
+  std::replace(word.begin(), word.end(), ':', '-');
+  return word;
+}
+
+class Models {
+ public:
+  explicit Models(const Study& study) : study_(study) {}
+
+  void add(const std::string& cause, const std::string& with, const std::vector<NominalEffect>& effects,
+           const std::vector<diagnose::FreeLaw>& laws = {}) {
+    const diagnose::Experiment& nominal = study_.experiment();
+    Model model{fmt::format("Corrected model of \"{}\": the nominal model {}.", nominal.name, with), nominal,
+                nominal.rest.empty() ? nominal.runs.front().rest : nominal.rest};
+    model.experiment.effects.insert(model.experiment.effects.end(), effects.begin(), effects.end());
+    model.experiment.laws.insert(model.experiment.laws.end(), laws.begin(), laws.end());
+    all_.push_back({cause, std::move(model)});
+  }
+  void add(const Candidate& candidate, const std::vector<double>& values, bool alone) {
+    add(alone ? "" : file_word(candidate), "with " + candidate.label(),
+        effects_of(study_, candidate, values));
+  }
+  void add_law(const diagnose::OfferedLaw& law, bool alone) {
+    const Candidate& base = law.law.base.candidate;
+    add(alone ? "" : "torque_law",
+        "with a free torque law" + (base.effects.empty() ? "" : " and " + base.label()),
+        effects_of(study_, base, in_catalogue_units(study_, base, law.law.base.parameters)),
+        free_laws(study_, law.law));
+  }
+
+  std::vector<Corrected> result() { return std::move(all_); }
+
+ private:
+  const Study& study_;
+  std::vector<Corrected> all_;
+};
+
+}  // namespace
+
+std::vector<Corrected> corrected_models(const Study& study, const Diagnosis& diagnosis,
+                                        const std::filesystem::path& source) {
+  const diagnose::Cause& cause = diagnosis.cause;
+  Models models(study);
+  if (cause.verdict == CauseVerdict::none) {
+    models.add("", "as it is, for there is no gap", {});
+  } else if (cause.verdict == CauseVerdict::unknown) {
+    if (diagnosis.law) {
+      models.add_law(*diagnosis.law, true);
+    } else {
+      models.add("", "as it is, for the cause is unknown and no torque law closes the gap", {});
+    }
+  } else {
+    const bool alone =
+        cause.equivalent.empty() && !(cause.reservation != diagnose::Reservation::none && diagnosis.law);
+    models.add(cause.ranking[cause.best].hypothesis.fit.candidate, reported(diagnosis), alone);
+    for (const std::size_t place : cause.equivalent) {
+      const diagnose::Fit& fit = cause.ranking[place].hypothesis.fit;
+      models.add(fit.candidate, in_catalogue_units(study, fit.candidate, fit.parameters), false);
+    }
+    if (cause.reservation != diagnose::Reservation::none && diagnosis.law)
+      models.add_law(*diagnosis.law, false);
+  }
+  std::vector<Corrected> all = models.result();
+  for (Corrected& one : all) one.model.source = source;
+  return all;
+}
+
+namespace {
+
+using Writer = Written (*)(const Model&);
+
+/// What writes the user's own file with the correction in it; none of a format that this program cannot read.
+Writer editor([[maybe_unused]] Format format) {
+#ifdef PLUMBLINE_MUJOCO
+  if (format == Format::mjcf) return edit_mjcf;
+#endif
+#ifdef PLUMBLINE_SDFORMAT
+  if (format == Format::sdf) return edit_sdf;
+  if (format == Format::urdf) return edit_urdf;
+#endif
+  return nullptr;
+}
+
+Writer writer(Format format) {
+  switch (format) {
+    case Format::mjcf:
+      return to_mjcf;
+    case Format::urdf:
+      return to_urdf;
+    case Format::sdf:
+      return to_sdf;
+    case Format::toml:
+      break;
+  }
+  return to_toml;
+}
+
+}  // namespace
+
+Written written(const Model& model, Format format) {
+  const bool from_such = !model.source.empty() && format_of(model.source) == format;
+  const Writer edit = from_such ? editor(format) : nullptr;
+  if (edit == nullptr) return writer(format)(model);
+  try {
+    return edit(model);
+  } catch (const Error& error) {
+    Written file = writer(format)(model);
+    file.note = std::string("a chain of its own, for the model's file cannot be edited: ") + error.what();
+    return file;
+  }
+}
+
+}  // namespace plumbline::exchange

@@ -1,0 +1,126 @@
+#include "diagnose/exchange/ways.hpp"
+
+#include <map>
+#include <plumbline/base/error.hpp>
+#include <set>
+
+namespace plumbline::exchange {
+namespace {
+
+constexpr Way stiffness{true, "as the stiffness of the joints"};
+constexpr Way springref{true, "as the angles at which the springs are at ease"};
+constexpr Way rest_shape{true,
+                         "as the angles at which the springs are at ease, in the rest shape of the file"};
+constexpr Way body_places{true, "as the places of the bodies"};
+constexpr Way masses{true, "as masses and gravity"};
+constexpr Way base_slides{true, "as slides on springs under the base"};
+constexpr Way base_slide{true, "as a slide on a spring under the base, which answers the same"};
+constexpr Way two_hinges{true, "as two hinges in series, one of them with a range"};
+constexpr Way frictionloss{true, "as the dry friction of the joints"};
+constexpr Way stop{true, "as a hinge with a range and a spring between it and the joint"};
+constexpr Way range{true, "as the range of the joint, which yields by the stop's stiffness"};
+constexpr Way side{true, "as a hinge held on one side and a spring between it and the joint"};
+constexpr Way maxwell{true, "as a damped hinge and a spring between it and the joint"};
+constexpr Way jenkins{true, "as a hinge with dry friction and a spring between it and the joint"};
+constexpr Way quartic{true,
+                      "as a slide under a constant force that follows the fourth power of the deflection"};
+constexpr Way ramps{true, "as forces that go with the joint's angle from knot to knot"};
+constexpr Way shared{true, "as springs on sums of joint angles"};
+constexpr Way stretch{true, "as a slide on a spring in every link"};
+constexpr Way beam{true, "as three hinges on springs in every link, at the points of Gauss"};
+constexpr Way load_site{true, "as the site load, where forces act"};
+constexpr Way offset{true, "as the place of the base"};
+
+constexpr Way cell_scale{true, "as a load cell on the drive: the coefficients of the tendons that read it"};
+constexpr Way cell_zero{true, "as a load cell on the drive: where its slides are at ease"};
+constexpr Way cell_drift{true, "as a load cell on the drive, one joint of whose tendons goes with time"};
+constexpr Way cell_limit{true, "as a load cell on the drive: the cutoff of its sensors"};
+constexpr Way cell_lag{true, "as a load cell on the drive, read where damped slides follow it"};
+constexpr Way rail{true, "as the frame of the drive's slides"};
+constexpr Way guide{true, "as dry friction on the way of the drive and its load cell"};
+constexpr Way no_bench{false,
+                       "of the bench, for which this format has no sensors or drives that could carry it"};
+constexpr Way runs{false, "differs from run to run"};
+constexpr Way linear{false, "springs of this format are linear"};
+constexpr Way constant{false, "dry friction of this format is a constant"};
+constexpr Way no_curve{false, "sensors of this format show in proportion"};
+constexpr Way no_set{false, "rest angles of this format do not move"};
+constexpr Way no_coupling{false, "joints of this format are not coupled"};
+constexpr Way no_point{false, "this format has no place for where a force acts"};
+
+/// Rows that any simulator of bodies carries, or none.
+const std::map<std::string_view, Way>& everywhere() {
+  static const std::map<std::string_view, Way> all{{"joint_stiffness", stiffness},
+                                                   {"stiffness_scale", stiffness},
+                                                   {"stiffness_spread", stiffness},
+                                                   {"rest_angle", springref},
+                                                   {"rest_offset", springref},
+                                                   {"rest_spread", springref},
+                                                   {"tendon_friction", rest_shape},
+                                                   {"link_length", body_places},
+                                                   {"length_scale", body_places},
+                                                   {"length_spread", body_places},
+                                                   {"gravity", masses},
+                                                   {"mass_scale", masses},
+                                                   {"tip_payload", masses},
+                                                   {"base_compliance", base_slides},
+                                                   {"train_compliance", base_slide},
+                                                   {"backlash", two_hinges},
+                                                   {"play", two_hinges},
+                                                   {"joint_friction", frictionloss},
+                                                   {"friction_spread", frictionloss},
+                                                   {"axial_compliance", stretch},
+                                                   {"link_bending", beam},
+                                                   {"position_offset", offset},
+                                                   {"run_rest", runs},
+                                                   {"run_tare", runs},
+                                                   {"load_friction", constant},
+                                                   {"direction_friction", constant},
+                                                   {"speed_friction", constant},
+                                                   {"cell_curvature", no_curve},
+                                                   {"plastic_set", no_set}};
+  return all;
+}
+
+/// What takes a format that couples joints, and drives and reads them.
+const std::map<std::string_view, Way>& coupled() {
+  static const std::map<std::string_view, Way> all{
+      {"nonlinear_spring", quartic}, {"hardening_spread", quartic}, {"joint_stop", stop},
+      {"joint_stops", stop},         {"joint_coupling", shared},    {"tip_stiffness", shared},
+      {"viscoelasticity", maxwell},  {"asymmetric_spring", side},   {"relaxation_spectrum", maxwell},
+      {"hysteresis", jenkins},       {"eccentric_load", load_site}, {"force_bias", cell_zero},
+      {"force_gain", cell_scale},    {"cross_talk", cell_scale},    {"sensor_drift", cell_drift},
+      {"saturation", cell_limit},    {"sensor_lag", cell_lag},      {"rail_misalignment", rail},
+      {"guide_friction", guide},     {"piecewise_spring", ramps}};
+  return all;
+}
+
+/// Effects of the bench, not of the chain.
+const std::set<std::string_view>& of_the_bench() {
+  static const std::set<std::string_view> all{"force_bias",        "force_gain",    "cross_talk",
+                                              "sensor_drift",      "saturation",    "sensor_lag",
+                                              "rail_misalignment", "guide_friction"};
+  return all;
+}
+
+Way without_coupling(Format format, std::string_view effect) {
+  if (effect == "joint_stop" || effect == "joint_stops")
+    return format == Format::sdf ? range : Way{false, "a range of this format has no stiffness"};
+  static const std::set<std::string_view> springs{"nonlinear_spring", "hardening_spread", "asymmetric_spring",
+                                                  "piecewise_spring"};
+  if (springs.contains(effect)) return linear;
+  if (of_the_bench().contains(effect)) return no_bench;
+  return effect == "eccentric_load" ? no_point : no_coupling;
+}
+
+}  // namespace
+
+Way way_of(Format format, std::string_view effect) {
+  if (format == Format::toml) return {true, "as [[nominal.effect]]"};
+  if (const auto found = everywhere().find(effect); found != everywhere().end()) return found->second;
+  const auto found = coupled().find(effect);
+  if (found == coupled().end()) throw Error("effect", std::string(effect), "an id of the effect catalogue");
+  return format == Format::mjcf ? found->second : without_coupling(format, effect);
+}
+
+}  // namespace plumbline::exchange
