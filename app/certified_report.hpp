@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "proofs/joined_branches.hpp"
+#include "proofs/paths/joined_branches.hpp"
 
 namespace plumbline::app {
 

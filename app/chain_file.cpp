@@ -9,7 +9,7 @@
 #include "support/files/csv_file.hpp"
 #include "support/files/printable.hpp"
 #include "support/files/toml_file.hpp"
-#include "proofs/decimal.hpp"
+#include "proofs/exact/decimal.hpp"
 
 namespace plumbline::app {
 namespace {

@@ -12,9 +12,9 @@
 #include "app/verbs.hpp"
 #include "support/files/json_file.hpp"
 #include "support/files/text_file.hpp"
-#include "proofs/certificate.hpp"
-#include "proofs/equilibria_certificate.hpp"
-#include "proofs/path_certificate.hpp"
+#include "proofs/certificates/certificate.hpp"
+#include "proofs/certificates/equilibria_certificate.hpp"
+#include "proofs/certificates/path_certificate.hpp"
 #include "verify/reference/agreement.hpp"
 #include "verify/reference/chains.hpp"
 
@@ -42,7 +42,7 @@ void refuse_certificates(const std::string& text, const std::string& path) {
     if (format == document.end() || *format != name) continue;
     throw Error(
         path, "certificates",
-        fmt::format("values as CSV; certificates are checked without this program: python3 proofs/{} {}",
+        fmt::format("values as CSV; certificates are checked without this program: python3 proofs/certificates/{} {}",
                     checker, path));
   }
   throw Error(path, "JSON", "values as CSV, with the columns chain,mode,force");
@@ -163,7 +163,7 @@ void add_check(CLI::App& app) {
                      "Write everything as JSON (without FILE: to standard output)");
   verb->footer(
       "Exit status 1 when a value agrees to fewer digits than double precision permits. Certificates are "
-      "checked without this program: proofs/check_*.py need Python alone.");
+      "checked without this program: proofs/certificates/check_*.py need Python alone.");
   verb->callback([options, verb] { run(*options, *verb); });
 }
 

@@ -17,7 +17,7 @@
 #include "app/verbs.hpp"
 #include "support/files/printable.hpp"
 #include "support/files/text_file.hpp"
-#include "proofs/certificate.hpp"
+#include "proofs/certificates/certificate.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -191,7 +191,7 @@ void add_critical(CLI::App& app) {
   add_printed_output(*verb, "--csv", options->csv, "Write chain,mode,force, a row a mode, ascending");
   add_printed_output(*verb, "--json", options->json, "Write forces, shapes and joint angles as JSON");
   add_output(*verb, "--certify", options->certify,
-             "Write certificates that proofs/check_certificates.py\nchecks with integers alone");
+             "Write certificates that proofs/certificates/check_certificates.py\nchecks with integers alone");
   verb->footer(
       "Without FILE, or with -, --csv and --json write to standard output.\n"
       "A wrong chain in a table (a repeated name is wrong too) is one line on standard\n"

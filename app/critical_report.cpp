@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "support/files/csv_file.hpp"
-#include "proofs/decimal.hpp"
+#include "proofs/exact/decimal.hpp"
 
 namespace plumbline::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/critical_modes.hpp"
+#include "proofs/exact/critical_modes.hpp"
 
 namespace plumbline::app {
 

@@ -10,13 +10,13 @@
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "proofs/census_task.hpp"
-#include "proofs/certain_digits.hpp"
-#include "proofs/certificate.hpp"
-#include "proofs/decimal.hpp"
-#include "proofs/equilibria_certificate.hpp"
-#include "proofs/found_equilibria.hpp"
-#include "proofs/span.hpp"
+#include "proofs/census/census_task.hpp"
+#include "proofs/exact/certain_digits.hpp"
+#include "proofs/certificates/certificate.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/certificates/equilibria_certificate.hpp"
+#include "proofs/census/found_equilibria.hpp"
+#include "proofs/exact/span.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -274,7 +274,7 @@ void add_equilibria(CLI::App& app) {
                  "end point held among those in the window that is printed. Exit status 1 where something "
                  "stays undecided");
   add_output(*verb, "--certificate", options->certificate,
-             "Write that proof so that proofs/check_equilibria.py checks it with integers alone");
+             "Write that proof so that proofs/certificates/check_equilibria.py checks it with integers alone");
   verb->add_option(
           "--turns", options->turns,
           "With the end point held: count also shapes whose joints are wound up by so many full turns "

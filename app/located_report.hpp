@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "proofs/followed_path.hpp"
-#include "proofs/located_event.hpp"
+#include "proofs/paths/followed_path.hpp"
+#include "proofs/paths/located_event.hpp"
 
 namespace plumbline::app {
 

@@ -11,9 +11,9 @@
 #include "app/path_report.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "proofs/certificate.hpp"
-#include "proofs/path_certificate.hpp"
-#include "proofs/path_load.hpp"
+#include "proofs/certificates/certificate.hpp"
+#include "proofs/certificates/path_certificate.hpp"
+#include "proofs/paths/path_load.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -140,7 +140,7 @@ void add_path(CLI::App& app) {
       "equilibria are not regular, a small gap is left out and listed (text and JSON). Exit status 1 where "
       "anything else stays open");
   add_output(*verb, "--certificate", options->certificate,
-             "Write that proof so that proofs/check_paths.py checks it with integers alone");
+             "Write that proof so that proofs/certificates/check_paths.py checks it with integers alone");
   add_printed_output(*verb, "--csv", options->csv,
                      "Write every point as CSV (without FILE: to standard output)");
   add_printed_output(*verb, "--json", options->json,

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "proofs/followed_path.hpp"
+#include "proofs/paths/followed_path.hpp"
 #include "verify/figures/branch_curves.hpp"
 
 namespace plumbline::app {

@@ -15,8 +15,8 @@
 
 #include "bench/race.hpp"
 #include "bench/results.hpp"
-#include "proofs/census_task.hpp"
-#include "proofs/found_equilibria.hpp"
+#include "proofs/census/census_task.hpp"
+#include "proofs/census/found_equilibria.hpp"
 
 namespace plumbline::bench {
 namespace {

@@ -14,7 +14,7 @@
 #include "bench/peers.hpp"
 #include "bench/race.hpp"
 #include "bench/results.hpp"
-#include "proofs/enclosure.hpp"
+#include "proofs/exact/enclosure.hpp"
 
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 

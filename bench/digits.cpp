@@ -12,7 +12,7 @@
 #include "bench/race.hpp"
 #include "bench/random_chain.hpp"
 #include "bench/results.hpp"
-#include "proofs/critical_modes.hpp"
+#include "proofs/exact/critical_modes.hpp"
 
 namespace plumbline::bench {
 namespace {

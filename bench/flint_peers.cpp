@@ -82,7 +82,7 @@ struct IntegerChain {
   }
 };
 
-/// D(F), up to a factor, by the recursion of proofs/exact_count.hpp.
+/// D(F), up to a factor, by the recursion of proofs/exact/exact_count.hpp.
 void characteristic(IntegerPolynomial& result, const Chain<Rational>& given) {
   const IntegerChain chain(given);
   IntegerPolynomial h, M, t, part;

@@ -24,8 +24,8 @@
 #include "bench/results.hpp"
 #include "diagnose/answers/diagnosis.hpp"
 #include "diagnose/bench/condense.hpp"
-#include "proofs/census.hpp"
-#include "proofs/critical_modes.hpp"
+#include "proofs/census/census.hpp"
+#include "proofs/exact/critical_modes.hpp"
 
 namespace plumbline::bench {
 namespace {

@@ -8,9 +8,9 @@
 #include <plumbline/straight/critical_force.hpp>
 #include <random>
 
-#include "proofs/exact_chain.hpp"
-#include "proofs/exact_count.hpp"
-#include "proofs/exact_matrix.hpp"
+#include "proofs/exact/exact_chain.hpp"
+#include "proofs/exact/exact_count.hpp"
+#include "proofs/exact/exact_matrix.hpp"
 
 using namespace plumbline;
 using namespace plumbline::proofs;

@@ -1,4 +1,4 @@
-(* Checks certificates of critical forces (proofs/certificate-format.md) in integers. This file is extracted to OCaml;
+(* Checks certificates of critical forces (proofs/certificates/certificate-format.md) in integers. This file is extracted to OCaml;
    what it accepts is true of the real chain by sound.v. Plain integers and lists: no other library is in it. *)
 From Coq Require Import ZArith List Bool.
 Import ListNotations.

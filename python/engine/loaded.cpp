@@ -1,12 +1,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "proofs/certain_digits.hpp"
-#include "proofs/decimal.hpp"
-#include "proofs/equilibria_certificate.hpp"
-#include "proofs/found_equilibria.hpp"
-#include "proofs/path_certificate.hpp"
-#include "proofs/path_load.hpp"
+#include "proofs/exact/certain_digits.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/certificates/equilibria_certificate.hpp"
+#include "proofs/census/found_equilibria.hpp"
+#include "proofs/certificates/path_certificate.hpp"
+#include "proofs/paths/path_load.hpp"
 #include "python/engine/engine.hpp"
 
 namespace plumbline::python {

@@ -1,8 +1,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "proofs/certificate.hpp"
-#include "proofs/decimal.hpp"
+#include "proofs/certificates/certificate.hpp"
+#include "proofs/exact/decimal.hpp"
 #include "python/engine/engine.hpp"
 
 namespace plumbline::python {

@@ -2,8 +2,8 @@
 #include <plumbline/straight/buckling_mode.hpp>
 #include <plumbline/straight/critical_force_batch.hpp>
 
-#include "proofs/certificate.hpp"
-#include "proofs/critical_modes.hpp"
+#include "proofs/certificates/certificate.hpp"
+#include "proofs/exact/critical_modes.hpp"
 #include "python/engine/engine.hpp"
 
 namespace plumbline::python {

@@ -135,7 +135,7 @@ def path(lengths: Numbers, stiffness: Numbers, rest: Numbers, *, to: float | Non
 def path_certificate(lengths: Numbers, stiffness: Numbers, rest: Numbers, *, to: float | None = None, dy: float = 0.0,
                      force: tuple[float, float] | None = None, branches: Literal["stable", "all"] = "stable",
                      side: int = 1, step: float = 0.005) -> str:
-    """A file of certificates (JSON) of what `path` follows, which `proofs/check_paths.py` checks with integers alone.
+    """A file of certificates (JSON) of what `path` follows, which `proofs/certificates/check_paths.py` checks with integers alone.
 
     :raises Error: as `path`, and where something is not proved
     """
@@ -248,7 +248,7 @@ def equilibria(lengths: Numbers, stiffness: Numbers, rest: Numbers, *, at: Pair 
 
 def equilibria_certificate(lengths: Numbers, stiffness: Numbers, rest: Numbers, *, at: Pair | None = None,
                            end_point: Pair | None = None, force: Pair | None = None, turns: int = 0) -> str:
-    """A file of certificates (JSON) that the list of equilibria is complete, which `proofs/check_equilibria.py` checks
+    """A file of certificates (JSON) that the list of equilibria is complete, which `proofs/certificates/check_equilibria.py` checks
     with integers alone.
 
     :raises Error: as `equilibria`, and where something stays undecided

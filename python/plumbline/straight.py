@@ -91,7 +91,7 @@ def lowest_critical_forces(lengths: npt.ArrayLike, stiffness: npt.ArrayLike, *, 
 def critical_certificate(lengths: Numbers, stiffness: Numbers, *, digits: int = 15, lowest: int | None = None,
                          name: str = "chain") -> str:
     """A file of certificates (JSON) of critical forces and mode shapes to so many digits, which
-    `proofs/check_certificates.py` checks with integers alone.
+    `proofs/certificates/check_certificates.py` checks with integers alone.
 
     :raises Error: as critical_forces
     """

@@ -20,7 +20,7 @@ def end_points(lengths, q):
 def checked(script, text, tmp_path):
     file = tmp_path / "certificate.json"
     file.write_text(text, encoding="utf-8")
-    return subprocess.run([sys.executable, "-B", str(ROOT / "proofs" / script), str(file)], capture_output=True,
+    return subprocess.run([sys.executable, "-B", str(ROOT / "proofs/certificates" / script), str(file)], capture_output=True,
                           check=False).returncode
 
 

@@ -127,7 +127,7 @@ def test_the_stand_alone_checker_accepts_a_certificate(tmp_path):
     text = plumbline.critical_certificate([1, 0.5, 2], [0, 1, 3], digits=30, name="mine")
     file.write_text(text, encoding="utf-8")
     assert json.loads(text)["provenance"]["command"].startswith("plumbline.critical_certificate(['1', '0.5', '2'], ")
-    checker = [sys.executable, "-B", str(ROOT / "proofs/check_certificates.py"), str(file)]
+    checker = [sys.executable, "-B", str(ROOT / "proofs/certificates/check_certificates.py"), str(file)]
     assert subprocess.run(checker, capture_output=True, check=False).returncode == 0
     file.write_text(text.replace('"0.5"', '"0.6"'), encoding="utf-8")
     assert subprocess.run(checker, capture_output=True, check=False).returncode != 0

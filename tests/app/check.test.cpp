@@ -89,8 +89,8 @@ TEST_CASE("whoever hands certificates to check is told which program checks them
     const std::string path = sources + "/reference/" + file;
     const Outcome outcome = here.plumbline("check " + path);
     CHECK(outcome.status == 2);
-    CHECK(contains(outcome.err, std::string("python3 proofs/") + checker + " " + path));
-    CHECK(std::filesystem::exists(sources + "/proofs/" + checker));
+    CHECK(contains(outcome.err, std::string("python3 proofs/certificates/") + checker + " " + path));
+    CHECK(std::filesystem::exists(sources + "/proofs/certificates/" + checker));
   }
   CHECK(contains(here.plumbline("check " + sources + "/reference/events.json").err, "found JSON"));
 }

@@ -206,7 +206,7 @@ TEST_CASE("the certificates pass the stand-alone checker") {
              "chain,lengths,stiffness\nelastic,0.1;0.2;1e8,1e-8;3;1e8\npassive,1;2;3;4,0;1;1;1\n"
              "tie,1;1;1;1,1;1;0;1\n");
   CHECK(here.plumbline("critical c.csv --all --digits 40 --certify proof.json --csv values.csv").status == 0);
-  const std::string check = "python3 '" PLUMBLINE_SOURCE_DIR "/proofs/check_certificates.py' '";
+  const std::string check = "python3 '" PLUMBLINE_SOURCE_DIR "/proofs/certificates/check_certificates.py' '";
   CHECK(std::system((check + (here.path() / "proof.json").string() + "' >/dev/null").c_str()) == 0);
 }
 

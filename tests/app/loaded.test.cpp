@@ -158,7 +158,7 @@ TEST_CASE("path: what is proved of it, and the exit status") {
   CHECK(text.status == 0);
   CHECK(contains(text.out, "one smooth branch"));
   CHECK(contains(text.out, "load from 0 to 1.5: stable"));
-  // by hand its critical force is 1/2, see tests/proofs/census.test.cpp
+  // by hand its critical force is 1/2, see tests/proofs/census/census.test.cpp
   here.write("straight.toml", "lengths = [1, 1]\nstiffness = [1.5, 1]\n");
   const Outcome all = here.plumbline("path straight.toml --force -1,0 --branches all --certify --json");
   CHECK(all.status == 0);

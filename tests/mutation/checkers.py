@@ -17,7 +17,7 @@ def try_checker(fault, folder):
     """What catches it: the true certificates refused, or a false one let through."""
     with tempfile.TemporaryDirectory(dir=folder) as copy:
         proofs = pathlib.Path(copy)
-        for path in (ROOT / "proofs").glob("*.py"):
+        for path in (ROOT / "proofs/certificates").glob("*.py"):
             shutil.copy(path, proofs)
         name = pathlib.Path(fault.path).name
         text = (ROOT / fault.path).read_text()
@@ -25,7 +25,7 @@ def try_checker(fault, folder):
         kinds = [kind for kind in KINDS if kind[0] == name] or KINDS
         for checker, tampering, published in kinds:
             for words in ([proofs / checker, PUBLISHED / published],
-                          [ROOT / "tests/proofs" / tampering, proofs, PUBLISHED / published]):
+                          [ROOT / "tests/proofs/certificates" / tampering, proofs, PUBLISHED / published]):
                 try:
                     done = subprocess.run([sys.executable, "-B", *map(str, words)], capture_output=True, timeout=300)
                 except subprocess.TimeoutExpired:

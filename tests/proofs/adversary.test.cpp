@@ -10,13 +10,13 @@
 #include <random>
 #include <set>
 
-#include "proofs/as_double.hpp"
-#include "proofs/critical_modes.hpp"
-#include "proofs/decimal.hpp"
-#include "proofs/equilibria_certificate.hpp"
-#include "proofs/span.hpp"
+#include "proofs/exact/as_double.hpp"
+#include "proofs/exact/critical_modes.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/certificates/equilibria_certificate.hpp"
+#include "proofs/exact/span.hpp"
 #include "tests/close_to.hpp"
-#include "tests/proofs/stand_alone.hpp"
+#include "tests/proofs/certificates/stand_alone.hpp"
 
 using namespace plumbline;
 using namespace plumbline::proofs;

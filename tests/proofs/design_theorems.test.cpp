@@ -9,7 +9,7 @@
 #include <plumbline/straight/buckling_mode.hpp>
 #include <random>
 
-#include "proofs/census.hpp"
+#include "proofs/census/census.hpp"
 
 #include "tests/close_to.hpp"
 

@@ -8,8 +8,8 @@
 #include <plumbline/loaded/nominal_model.hpp>
 #include <random>
 
-#include "proofs/as_double.hpp"
-#include "proofs/certified_path.hpp"
+#include "proofs/exact/as_double.hpp"
+#include "proofs/paths/certified_path.hpp"
 
 namespace plumbline::proofs::test {
 

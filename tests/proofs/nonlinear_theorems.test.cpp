@@ -5,7 +5,7 @@
 
 #include <plumbline/straight/buckling_mode.hpp>
 
-#include "proofs/symbolic_chain.hpp"
+#include "proofs/exact/symbolic_chain.hpp"
 
 #include "tests/close_to.hpp"
 

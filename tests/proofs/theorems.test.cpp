@@ -5,7 +5,7 @@
 
 #include <plumbline/straight/critical_force.hpp>
 
-#include "proofs/exact_chain.hpp"
+#include "proofs/exact/exact_chain.hpp"
 #include "tests/proofs/random_chain.hpp"
 
 using namespace plumbline;

@@ -2,8 +2,8 @@
 
 #include <plumbline/straight/buckling_mode.hpp>
 
-#include "proofs/decimal.hpp"
-#include "proofs/enclosure.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/exact/enclosure.hpp"
 #include "tests/close_to.hpp"
 #include "tests/property.hpp"
 #include "verify/reference/condition.hpp"

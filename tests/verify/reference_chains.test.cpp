@@ -4,9 +4,9 @@
 #include <boost/math/constants/constants.hpp>
 #include <map>
 
-#include "proofs/certified_modes.hpp"
-#include "proofs/exactly.hpp"
-#include "proofs/working_precision.hpp"
+#include "proofs/exact/certified_modes.hpp"
+#include "proofs/exact/exactly.hpp"
+#include "proofs/exact/working_precision.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;

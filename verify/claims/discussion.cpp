@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <plumbline/straight/critical_force.hpp>
 
-#include "proofs/expression.hpp"
+#include "proofs/exact/expression.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"

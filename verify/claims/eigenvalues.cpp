@@ -7,9 +7,9 @@
 #include <plumbline/chain/strain_energy.hpp>
 #include <plumbline/straight/critical_force.hpp>
 
-#include "proofs/decimal.hpp"
-#include "proofs/exact_chain.hpp"
-#include "proofs/symbolic_chain.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/exact/exact_chain.hpp"
+#include "proofs/exact/symbolic_chain.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/post_buckling.hpp"
 #include "verify/claims/straight_chains.hpp"

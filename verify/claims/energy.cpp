@@ -7,8 +7,8 @@
 #include <map>
 #include <plumbline/straight/critical_force.hpp>
 
-#include "proofs/exact_chain.hpp"
-#include "proofs/symbolic_chain.hpp"
+#include "proofs/exact/exact_chain.hpp"
+#include "proofs/exact/symbolic_chain.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/straight_chains.hpp"
 #include "verify/judging/comparison.hpp"

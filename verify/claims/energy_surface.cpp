@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "proofs/census.hpp"
+#include "proofs/census/census.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"

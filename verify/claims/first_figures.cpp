@@ -7,8 +7,8 @@
 #include <plumbline/chain/linearised.hpp>
 #include <set>
 
-#include "proofs/census.hpp"
-#include "proofs/symbolic_statics.hpp"
+#include "proofs/census/census.hpp"
+#include "proofs/exact/symbolic_statics.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/loaded_chains.hpp"
 #include "verify/claims/post_buckling.hpp"

@@ -8,10 +8,10 @@
 #include <plumbline/straight/critical_force.hpp>
 #include <set>
 
-#include "proofs/certified_modes.hpp"
-#include "proofs/decimal.hpp"
-#include "proofs/exact_chain.hpp"
-#include "proofs/exactly.hpp"
+#include "proofs/exact/certified_modes.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/exact/exact_chain.hpp"
+#include "proofs/exact/exactly.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/post_buckling.hpp"
 #include "verify/claims/straight_chains.hpp"

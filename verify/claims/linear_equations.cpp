@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "proofs/symbolic_statics.hpp"
+#include "proofs/exact/symbolic_statics.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/sign_of_force.hpp"
 #include "verify/judging/comparison.hpp"

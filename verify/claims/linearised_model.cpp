@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "proofs/symbolic_statics.hpp"
+#include "proofs/exact/symbolic_statics.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/judging/comparison.hpp"
 

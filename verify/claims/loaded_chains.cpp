@@ -10,8 +10,8 @@
 #include <plumbline/branch/slow_loading.hpp>
 #include <plumbline/loaded/nominal_model.hpp>
 
-#include "proofs/decimal.hpp"
-#include "proofs/exactly.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/exact/exactly.hpp"
 #include "verify/judging/sign.hpp"
 #include "verify/paper/paper.hpp"
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "proofs/census.hpp"
-#include "proofs/certified_path.hpp"
-#include "proofs/located_event.hpp"
+#include "proofs/census/census.hpp"
+#include "proofs/paths/certified_path.hpp"
+#include "proofs/paths/located_event.hpp"
 #include "verify/judging/claim.hpp"
 
 namespace plumbline::verify {

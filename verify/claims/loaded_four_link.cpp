@@ -7,10 +7,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "proofs/census.hpp"
-#include "proofs/decimal.hpp"
-#include "proofs/exactly.hpp"
-#include "proofs/symbolic_statics.hpp"
+#include "proofs/census/census.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/exact/exactly.hpp"
+#include "proofs/exact/symbolic_statics.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"

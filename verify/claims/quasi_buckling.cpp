@@ -8,8 +8,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "proofs/census.hpp"
-#include "proofs/exactly.hpp"
+#include "proofs/census/census.hpp"
+#include "proofs/exact/exactly.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"

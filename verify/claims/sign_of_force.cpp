@@ -9,9 +9,9 @@
 #include <plumbline/straight/critical_force.hpp>
 #include <regex>
 
-#include "proofs/enclosure.hpp"
-#include "proofs/exact_matrix.hpp"
-#include "proofs/expression.hpp"
+#include "proofs/exact/enclosure.hpp"
+#include "proofs/exact/exact_matrix.hpp"
+#include "proofs/exact/expression.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/straight_chains.hpp"
 #include "verify/judging/comparison.hpp"

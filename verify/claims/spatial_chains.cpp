@@ -7,8 +7,8 @@
 #include <functional>
 #include <plumbline/straight/critical_force.hpp>
 
-#include "proofs/decimal.hpp"
-#include "proofs/enclosure.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/exact/enclosure.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/sign.hpp"

@@ -7,8 +7,8 @@
 #include <plumbline/straight/critical_force.hpp>
 #include <sstream>
 
-#include "proofs/decimal.hpp"
-#include "proofs/symbolic_statics.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/exact/symbolic_statics.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/loaded_chains.hpp"
 #include "verify/claims/straight_chains.hpp"

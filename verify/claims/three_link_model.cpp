@@ -9,8 +9,8 @@
 #include <iterator>
 #include <set>
 
-#include "proofs/census.hpp"
-#include "proofs/symbolic_statics.hpp"
+#include "proofs/census/census.hpp"
+#include "proofs/exact/symbolic_statics.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"

@@ -7,8 +7,8 @@
 #include <functional>
 #include <utility>
 
-#include "proofs/census.hpp"
-#include "proofs/exactly.hpp"
+#include "proofs/census/census.hpp"
+#include "proofs/exact/exactly.hpp"
 #include "verify/claims/claims.hpp"
 #include "verify/claims/loaded_chains.hpp"
 #include "verify/claims/three_link_plane.hpp"

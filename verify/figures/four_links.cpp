@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "proofs/census.hpp"
-#include "proofs/followed_path.hpp"
+#include "proofs/census/census.hpp"
+#include "proofs/paths/followed_path.hpp"
 #include "verify/figures/branch_curves.hpp"
 #include "verify/figures/figures.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "proofs/followed_path.hpp"
+#include "proofs/paths/followed_path.hpp"
 #include "verify/figures/branch_curves.hpp"
 #include "verify/figures/figures.hpp"
 

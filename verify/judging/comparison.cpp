@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
-#include "proofs/decimal.hpp"
-#include "proofs/exactly.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/exact/exactly.hpp"
 
 namespace plumbline::verify {
 namespace {

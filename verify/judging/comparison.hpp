@@ -2,7 +2,7 @@
 /// \file
 /// How a printed formula, decimal or word is compared with what was computed.
 
-#include "proofs/expression.hpp"
+#include "proofs/exact/expression.hpp"
 #include "verify/judging/claim.hpp"
 
 #include <plumbline/base/interval.hpp>

@@ -7,8 +7,8 @@
 #include <map>
 #include <plumbline/straight/buckling_mode.hpp>
 
-#include "proofs/decimal.hpp"
-#include "proofs/enclosure.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/exact/enclosure.hpp"
 #include "verify/reference/condition.hpp"
 
 namespace plumbline::verify {

@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "proofs/decimal.hpp"
+#include "proofs/exact/decimal.hpp"
 
 namespace plumbline::verify {
 

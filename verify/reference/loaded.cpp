@@ -4,11 +4,11 @@
 #include <plumbline/branch/trace.hpp>
 #include <plumbline/loaded/nominal_model.hpp>
 
-#include "proofs/census.hpp"
-#include "proofs/certain_digits.hpp"
-#include "proofs/equilibria_certificate.hpp"
-#include "proofs/followed_path.hpp"
-#include "proofs/path_certificate.hpp"
+#include "proofs/census/census.hpp"
+#include "proofs/exact/certain_digits.hpp"
+#include "proofs/certificates/equilibria_certificate.hpp"
+#include "proofs/paths/followed_path.hpp"
+#include "proofs/certificates/path_certificate.hpp"
 #include "verify/reference/draw.hpp"
 #include "verify/reference/set.hpp"
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "proofs/census_task.hpp"
+#include "proofs/census/census_task.hpp"
 #include "verify/reference/chains.hpp"
 
 namespace plumbline::verify {
@@ -26,7 +26,7 @@ std::vector<LoadedCase> loaded_cases(ReferenceSize size, std::uint64_t seed);
 
 struct CertifiedEntry {
   nlohmann::json entry;
-  nlohmann::json certificate;  ///< in the format of proofs/equilibria-certificate-format.md
+  nlohmann::json certificate;  ///< in the format of proofs/certificates/equilibria-certificate-format.md
 };
 
 /// All equilibria under the given load, by energy, each number to the digits that interval arithmetic proves,
@@ -40,7 +40,7 @@ std::optional<CertifiedEntry> equilibria_entry(const LoadedCase& loaded);
 std::optional<nlohmann::json> events_entry(const LoadedCase& loaded);
 
 /// A certificate of what the chain does while it is loaded slowly up to `window`, jumps included, in the
-/// format of proofs/path-certificate-format.md. Nothing for a passive base, and where a part is not proved.
+/// format of proofs/certificates/path-certificate-format.md. Nothing for a passive base, and where a part is not proved.
 std::optional<nlohmann::json> path_entry(const LoadedCase& loaded);
 
 /// The entries as a table: a row for each equilibrium or event, the lists in it joined by semicolons.

@@ -5,11 +5,11 @@
 #include <plumbline/straight/buckling_mode.hpp>
 
 #include "support/files/sha256.hpp"
-#include "proofs/decimal.hpp"
-#include "proofs/equilibria_certificate.hpp"
-#include "proofs/exactly.hpp"
-#include "proofs/path_certificate.hpp"
-#include "proofs/working_precision.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/certificates/equilibria_certificate.hpp"
+#include "proofs/exact/exactly.hpp"
+#include "proofs/certificates/path_certificate.hpp"
+#include "proofs/exact/working_precision.hpp"
 #include "verify/reference/loaded.hpp"
 #include "verify/reference/texts.hpp"
 

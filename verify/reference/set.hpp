@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "proofs/certificate.hpp"
+#include "proofs/certificates/certificate.hpp"
 #include "verify/reference/chains.hpp"
 
 namespace plumbline::verify {

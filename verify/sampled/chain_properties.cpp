@@ -7,9 +7,9 @@
 #include <numeric>
 #include <plumbline/straight/critical_force.hpp>
 
-#include "proofs/exact_chain.hpp"
-#include "proofs/exact_matrix.hpp"
-#include "proofs/exactly.hpp"
+#include "proofs/exact/exact_chain.hpp"
+#include "proofs/exact/exact_matrix.hpp"
+#include "proofs/exact/exactly.hpp"
 #include "verify/sampled/algorithm1_instances.hpp"
 
 namespace plumbline::verify {
