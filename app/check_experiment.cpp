@@ -10,8 +10,8 @@
 #include "app/experiment_input.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "diagnose/bench/oddities.hpp"
-#include "diagnose/inference/conventions.hpp"
+#include "diagnose/screening/oddities.hpp"
+#include "diagnose/screening/conventions.hpp"
 
 namespace plumbline::app {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "diagnose/inference/conventions.hpp"
+#include "diagnose/screening/conventions.hpp"
 #include "diagnose/report/plan.hpp"
 #include "diagnose/report/report.hpp"
 

@@ -6,7 +6,7 @@
 #include "app/example_files.hpp"
 #include "diagnose/bench/condense.hpp"
 #include "diagnose/bench/read_experiment.hpp"
-#include "diagnose/stated/read_effects.hpp"
+#include "diagnose/rig/user_effects/read_effects.hpp"
 #include "diagnose/exchange/read_model.hpp"
 #include "support/files/experiment_files.hpp"
 

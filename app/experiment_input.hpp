@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/model/study.hpp"
+#include "diagnose/inference/study.hpp"
 
 namespace plumbline::app {
 

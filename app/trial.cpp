@@ -12,7 +12,7 @@
 #include "app/results_folder.hpp"
 #include "app/secret_experiments.hpp"
 #include "app/verbs.hpp"
-#include "diagnose/model/effect.hpp"
+#include "diagnose/rig/effect.hpp"
 #include "support/files/experiment_files.hpp"
 #include "support/files/output_file.hpp"
 #include "trial/report.hpp"

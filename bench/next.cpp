@@ -16,10 +16,10 @@
 #include <random>
 #include <string>
 
-#include "diagnose/answers/candidate_runs.hpp"
+#include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/answers/diagnosis.hpp"
 #include "diagnose/beliefs.hpp"
-#include "diagnose/inference/gap.hpp"
+#include "diagnose/noise/gap.hpp"
 
 namespace plumbline::bench {
 using namespace diagnose;

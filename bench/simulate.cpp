@@ -16,9 +16,9 @@
 #include <random>
 
 #include "bench/write_labelled.hpp"
-#include "diagnose/model/measurement.hpp"
-#include "diagnose/model/nominal.hpp"
-#include "diagnose/model/study.hpp"
+#include "diagnose/noise/measurement.hpp"
+#include "diagnose/rig/nominal.hpp"
+#include "diagnose/inference/study.hpp"
 
 namespace plumbline::bench {
 using namespace diagnose;

@@ -4,13 +4,13 @@
 #include <limits>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/answers/acceptance.hpp"
-#include "diagnose/answers/implied_shares.hpp"
-#include "diagnose/answers/rotation.hpp"
-#include "diagnose/answers/single_joint.hpp"
+#include "diagnose/decision/acceptance.hpp"
+#include "diagnose/discrepancy/implied_shares.hpp"
+#include "diagnose/decision/rotation.hpp"
+#include "diagnose/discrepancy/single_joint.hpp"
 #include "diagnose/beliefs.hpp"
-#include "diagnose/inference/hum.hpp"
-#include "diagnose/inference/outliers.hpp"
+#include "diagnose/noise/hum.hpp"
+#include "diagnose/noise/outliers.hpp"
 
 namespace plumbline::diagnose {
 namespace {

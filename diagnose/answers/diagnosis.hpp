@@ -7,11 +7,11 @@
 
 #include "diagnose/answers/estimates.hpp"
 #include "diagnose/answers/gap_answer.hpp"
-#include "diagnose/answers/next_run.hpp"
-#include "diagnose/answers/offered_law.hpp"
-#include "diagnose/answers/shrink.hpp"
-#include "diagnose/answers/unexplained.hpp"
-#include "diagnose/inference/verdict.hpp"
+#include "diagnose/design/next_run.hpp"
+#include "diagnose/discrepancy/offered_law.hpp"
+#include "diagnose/decision/shrink.hpp"
+#include "diagnose/discrepancy/unexplained.hpp"
+#include "diagnose/decision/verdict.hpp"
 
 namespace plumbline::diagnose {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "diagnose/beliefs.hpp"
-#include "diagnose/inference/outliers.hpp"
+#include "diagnose/noise/outliers.hpp"
 
 namespace plumbline::diagnose {
 namespace {

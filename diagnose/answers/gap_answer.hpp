@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/inference/gap.hpp"
-#include "diagnose/model/study.hpp"
+#include "diagnose/noise/gap.hpp"
+#include "diagnose/inference/study.hpp"
 
 namespace plumbline::diagnose {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/answers/torque_balance.hpp"
-#include "diagnose/inference/outliers.hpp"
+#include "diagnose/discrepancy/torque_balance.hpp"
+#include "diagnose/noise/outliers.hpp"
 
 namespace plumbline::diagnose {
 namespace {

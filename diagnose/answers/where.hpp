@@ -2,10 +2,10 @@
 /// \file
 /// Where a gap lies: shares of the squared, noise-weighted residual of the nominal model beyond noise.
 
-#include "diagnose/answers/joint_share.hpp"
-#include "diagnose/inference/gap.hpp"
-#include "diagnose/model/regime.hpp"
-#include "diagnose/model/study.hpp"
+#include "diagnose/discrepancy/joint_share.hpp"
+#include "diagnose/noise/gap.hpp"
+#include "diagnose/rig/regime.hpp"
+#include "diagnose/inference/study.hpp"
 
 namespace plumbline::diagnose {
 

@@ -8,7 +8,7 @@
 #include <plumbline/base/error.hpp>
 #include <set>
 
-#include "diagnose/bench/plausible.hpp"
+#include "diagnose/screening/plausible.hpp"
 #include "diagnose/bench/read_date.hpp"
 #include "diagnose/bench/read_nominal.hpp"
 #include "diagnose/bench/read_samples.hpp"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "diagnose/model/effect.hpp"
-#include "diagnose/model/nominal.hpp"
+#include "diagnose/rig/effect.hpp"
+#include "diagnose/rig/nominal.hpp"
 #include "diagnose/exchange/ways.hpp"
 
 namespace plumbline::exchange {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "diagnose/model/rig.hpp"
+#include "diagnose/rig/rig.hpp"
 
 namespace plumbline::exchange {
 

@@ -4,7 +4,7 @@
 /// it for its freedom.
 
 #include "diagnose/inference/fit.hpp"
-#include "diagnose/inference/noise.hpp"
+#include "diagnose/noise/noise.hpp"
 
 namespace plumbline::diagnose {
 

@@ -1,5 +1,5 @@
 #include "diagnose/inference/fit.hpp"
-#include "diagnose/inference/outliers.hpp"
+#include "diagnose/noise/outliers.hpp"
 
 #include <ceres/ceres.h>
 #include <glog/logging.h>

@@ -5,10 +5,10 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "diagnose/inference/noise.hpp"
+#include "diagnose/noise/noise.hpp"
 #include "diagnose/inference/start.hpp"
-#include "diagnose/model/measurement.hpp"
-#include "diagnose/model/study.hpp"
+#include "diagnose/noise/measurement.hpp"
+#include "diagnose/inference/study.hpp"
 
 namespace plumbline::diagnose {
 

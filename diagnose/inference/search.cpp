@@ -9,8 +9,8 @@
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/inference/elements.hpp"
-#include "diagnose/inference/outliers.hpp"
-#include "diagnose/inference/rival.hpp"
+#include "diagnose/noise/outliers.hpp"
+#include "diagnose/decision/rival.hpp"
 #include "diagnose/inference/screen.hpp"
 
 namespace plumbline::diagnose {

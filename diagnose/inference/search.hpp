@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "diagnose/inference/evidence.hpp"
-#include "diagnose/inference/gap.hpp"
+#include "diagnose/noise/gap.hpp"
 
 namespace plumbline::diagnose {
 

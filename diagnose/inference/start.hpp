@@ -2,7 +2,7 @@
 /// \file
 /// Where fits start: several places where the derivative by a parameter vanishes at the nominal model.
 
-#include "diagnose/model/study.hpp"
+#include "diagnose/inference/study.hpp"
 
 namespace plumbline::diagnose {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/model/regime.hpp"
+#include "diagnose/rig/regime.hpp"
 #include "support/page/chart.hpp"
 
 namespace plumbline::diagnose {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "diagnose/answers/torque_balance.hpp"
-#include "diagnose/model/regime.hpp"
+#include "diagnose/discrepancy/torque_balance.hpp"
+#include "diagnose/rig/regime.hpp"
 #include "diagnose/report/charts.hpp"
 #include "support/page/chart.hpp"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "diagnose/answers/plan.hpp"
+#include "diagnose/design/plan.hpp"
 
 namespace plumbline::diagnose {
 

@@ -5,7 +5,7 @@
 #include <plumbline/chain/kinematics.hpp>
 #include <set>
 
-#include "diagnose/model/effects/rows.hpp"
+#include "diagnose/rig/effects/rows.hpp"
 #include "diagnose/report/charts.hpp"
 #include "support/page/chart.hpp"
 

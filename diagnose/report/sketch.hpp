@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "diagnose/answers/unexplained.hpp"
+#include "diagnose/discrepancy/unexplained.hpp"
 
 namespace plumbline::diagnose {
 

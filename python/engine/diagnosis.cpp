@@ -6,10 +6,10 @@
 
 #include "diagnose/bench/condense.hpp"
 #include "diagnose/bench/read_experiment.hpp"
-#include "diagnose/inference/conventions.hpp"
+#include "diagnose/screening/conventions.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/report/view.hpp"
-#include "diagnose/stated/read_effects.hpp"
+#include "diagnose/rig/user_effects/read_effects.hpp"
 #include "diagnose/exchange/read_model.hpp"
 #include "support/files/experiment_files.hpp"
 #include "support/files/sha256.hpp"

@@ -1,4 +1,4 @@
-#include "diagnose/answers/acceptance.hpp"
+#include "diagnose/decision/acceptance.hpp"
 
 #include <doctest/doctest.h>
 

@@ -11,7 +11,7 @@
 #include <random>
 #include <vector>
 
-#include "diagnose/model/study.hpp"
+#include "diagnose/inference/study.hpp"
 
 namespace plumbline::diagnose::test {
 

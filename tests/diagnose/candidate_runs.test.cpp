@@ -1,11 +1,11 @@
-#include "diagnose/answers/candidate_runs.hpp"
+#include "diagnose/design/candidate_runs.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/model/study.hpp"
+#include "diagnose/inference/study.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

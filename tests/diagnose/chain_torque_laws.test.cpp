@@ -5,9 +5,9 @@
 #include <functional>
 #include <random>
 
-#include "diagnose/answers/law_terms.hpp"
-#include "diagnose/answers/torque_balance.hpp"
-#include "diagnose/answers/torque_law.hpp"
+#include "diagnose/discrepancy/law_terms.hpp"
+#include "diagnose/discrepancy/torque_balance.hpp"
+#include "diagnose/discrepancy/torque_law.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

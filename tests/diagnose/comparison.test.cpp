@@ -1,4 +1,4 @@
-#include "diagnose/answers/comparison.hpp"
+#include "diagnose/design/comparison.hpp"
 
 #include <doctest/doctest.h>
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "diagnose/inference/gap.hpp"
-#include "diagnose/model/study.hpp"
+#include "diagnose/noise/gap.hpp"
+#include "diagnose/inference/study.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

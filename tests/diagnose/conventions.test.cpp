@@ -1,4 +1,4 @@
-#include "diagnose/inference/conventions.hpp"
+#include "diagnose/screening/conventions.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "diagnose/bench/conversion.hpp"
-#include "diagnose/bench/plausible.hpp"
+#include "diagnose/screening/plausible.hpp"
 #include "diagnose/bench/read_experiment.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"

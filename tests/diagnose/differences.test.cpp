@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "diagnose/beliefs.hpp"
-#include "diagnose/model/proportional_noise.hpp"
-#include "diagnose/model/uneven_noise.hpp"
+#include "diagnose/noise/proportional_noise.hpp"
+#include "diagnose/noise/uneven_noise.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 

@@ -1,4 +1,4 @@
-#include "diagnose/model/effect.hpp"
+#include "diagnose/rig/effect.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <map>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/model/nominal.hpp"
+#include "diagnose/rig/nominal.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

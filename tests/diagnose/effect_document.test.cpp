@@ -8,7 +8,7 @@
 #include <regex>
 #include <sstream>
 
-#include "diagnose/model/study.hpp"
+#include "diagnose/inference/study.hpp"
 #include "support/files/text_file.hpp"
 
 #include "tests/close_to.hpp"

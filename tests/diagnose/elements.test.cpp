@@ -7,7 +7,7 @@
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/inference/search.hpp"
-#include "diagnose/model/nominal.hpp"
+#include "diagnose/rig/nominal.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

@@ -1,4 +1,4 @@
-#include "diagnose/answers/expected_information.hpp"
+#include "diagnose/design/expected_information.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnose/answers/fewest_runs.hpp"
+#include "diagnose/design/fewest_runs.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "diagnose/answers/heldout.hpp"
+#include "diagnose/decision/heldout.hpp"
 #include "diagnose/inference/start.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"

@@ -1,4 +1,4 @@
-#include "diagnose/inference/gap.hpp"
+#include "diagnose/noise/gap.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnose/answers/heldout.hpp"
+#include "diagnose/decision/heldout.hpp"
 
 #include <doctest/doctest.h>
 

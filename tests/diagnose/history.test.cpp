@@ -1,4 +1,4 @@
-#include "diagnose/model/study.hpp"
+#include "diagnose/inference/study.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnose/inference/hum.hpp"
+#include "diagnose/noise/hum.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "diagnose/beliefs.hpp"
-#include "diagnose/inference/gap.hpp"
+#include "diagnose/noise/gap.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 
 using namespace plumbline;

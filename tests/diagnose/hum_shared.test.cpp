@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "diagnose/beliefs.hpp"
-#include "diagnose/inference/gap.hpp"
-#include "diagnose/inference/hum.hpp"
+#include "diagnose/noise/gap.hpp"
+#include "diagnose/noise/hum.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 
 using namespace plumbline;

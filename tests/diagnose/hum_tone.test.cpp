@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "diagnose/beliefs.hpp"
-#include "diagnose/inference/hum.hpp"
+#include "diagnose/noise/hum.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 

@@ -1,8 +1,8 @@
-#include "diagnose/answers/implied_shares.hpp"
+#include "diagnose/discrepancy/implied_shares.hpp"
 
 #include <doctest/doctest.h>
 
-#include "diagnose/answers/torque_balance.hpp"
+#include "diagnose/discrepancy/torque_balance.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

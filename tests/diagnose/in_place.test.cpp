@@ -4,8 +4,8 @@
 #include <numbers>
 #include <random>
 
-#include "diagnose/inference/hum.hpp"
-#include "diagnose/model/proportional_noise.hpp"
+#include "diagnose/noise/hum.hpp"
+#include "diagnose/noise/proportional_noise.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "diagnose/answers/diagnosis.hpp"
-#include "diagnose/model/study.hpp"
+#include "diagnose/inference/study.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

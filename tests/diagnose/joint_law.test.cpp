@@ -1,4 +1,4 @@
-#include "diagnose/model/joint_law.hpp"
+#include "diagnose/rig/joint_law.hpp"
 
 #include <doctest/doctest.h>
 

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "diagnose/answers/diagnosis.hpp"
-#include "diagnose/model/study.hpp"
+#include "diagnose/inference/study.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

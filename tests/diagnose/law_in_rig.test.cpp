@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnose/answers/torque_law.hpp"
-#include "diagnose/inference/outliers.hpp"
+#include "diagnose/discrepancy/torque_law.hpp"
+#include "diagnose/noise/outliers.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

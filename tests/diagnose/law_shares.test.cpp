@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "diagnose/answers/implied_shares.hpp"
-#include "diagnose/inference/outliers.hpp"
+#include "diagnose/discrepancy/implied_shares.hpp"
+#include "diagnose/noise/outliers.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

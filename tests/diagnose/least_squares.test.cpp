@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "diagnose/inference/rival.hpp"
-#include "diagnose/inference/separation.hpp"
+#include "diagnose/decision/rival.hpp"
+#include "diagnose/design/separation.hpp"
 #include "diagnose/inference/start.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"

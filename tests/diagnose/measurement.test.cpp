@@ -1,4 +1,4 @@
-#include "diagnose/model/measurement.hpp"
+#include "diagnose/noise/measurement.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnose/answers/next_run.hpp"
+#include "diagnose/design/next_run.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "diagnose/answers/candidate_runs.hpp"
-#include "diagnose/inference/separation.hpp"
+#include "diagnose/design/candidate_runs.hpp"
+#include "diagnose/design/separation.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

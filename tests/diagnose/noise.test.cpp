@@ -1,5 +1,5 @@
-#include "diagnose/inference/noise.hpp"
-#include "diagnose/inference/outliers.hpp"
+#include "diagnose/noise/noise.hpp"
+#include "diagnose/noise/outliers.hpp"
 
 #include <doctest/doctest.h>
 

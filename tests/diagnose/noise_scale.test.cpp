@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "diagnose/beliefs.hpp"
-#include "diagnose/inference/noise.hpp"
-#include "diagnose/inference/noise_steps.hpp"
+#include "diagnose/noise/noise.hpp"
+#include "diagnose/noise/noise_steps.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 

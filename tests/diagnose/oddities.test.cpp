@@ -1,4 +1,4 @@
-#include "diagnose/bench/oddities.hpp"
+#include "diagnose/screening/oddities.hpp"
 
 #include <algorithm>
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <random>
 
-#include "diagnose/inference/gathered.hpp"
-#include "diagnose/inference/noise.hpp"
-#include "diagnose/inference/outliers.hpp"
+#include "diagnose/noise/gathered.hpp"
+#include "diagnose/noise/noise.hpp"
+#include "diagnose/noise/outliers.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "diagnose/beliefs.hpp"
-#include "diagnose/inference/gap.hpp"
-#include "diagnose/inference/noise_steps.hpp"
+#include "diagnose/noise/gap.hpp"
+#include "diagnose/noise/noise_steps.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 

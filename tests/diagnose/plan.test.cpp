@@ -1,11 +1,11 @@
-#include "diagnose/answers/plan.hpp"
+#include "diagnose/design/plan.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/answers/rehearsal.hpp"
+#include "diagnose/design/rehearsal.hpp"
 #include "diagnose/bench/unmeasured.hpp"
 #include "diagnose/report/plan.hpp"
 #include "tests/diagnose/bench.hpp"

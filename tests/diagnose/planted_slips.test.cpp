@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/bench/plausible.hpp"
+#include "diagnose/screening/plausible.hpp"
 #include "diagnose/bench/read_experiment.hpp"
-#include "diagnose/inference/conventions.hpp"
+#include "diagnose/screening/conventions.hpp"
 #include "tests/diagnose/slips.hpp"
 
 using namespace plumbline;

@@ -1,4 +1,4 @@
-#include "diagnose/bench/plausible.hpp"
+#include "diagnose/screening/plausible.hpp"
 
 #include <doctest/doctest.h>
 

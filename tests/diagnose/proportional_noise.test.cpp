@@ -1,11 +1,11 @@
-#include "diagnose/model/proportional_noise.hpp"
+#include "diagnose/noise/proportional_noise.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "diagnose/bench/median.hpp"
-#include "diagnose/inference/gap.hpp"
+#include "diagnose/noise/gap.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/simulated_noise.hpp"
 

@@ -1,4 +1,4 @@
-#include "diagnose/model/regime.hpp"
+#include "diagnose/rig/regime.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "diagnose/answers/rehearsal.hpp"
+#include "diagnose/design/rehearsal.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/answers/candidate_runs.hpp"
+#include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/bench/unmeasured.hpp"
 #include "diagnose/inference/start.hpp"
 #include "tests/close_to.hpp"

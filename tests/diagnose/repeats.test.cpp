@@ -1,4 +1,4 @@
-#include "diagnose/model/repeats.hpp"
+#include "diagnose/noise/repeats.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include <set>
 
 #include "diagnose/beliefs.hpp"
-#include "diagnose/inference/gap.hpp"
+#include "diagnose/noise/gap.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

@@ -1,7 +1,7 @@
 /// \file
 /// What a torque law looks like: laws that are drawn as an effect of the catalogue says, and those that none
 /// draws.
-#include "diagnose/answers/resemblance.hpp"
+#include "diagnose/discrepancy/resemblance.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <functional>
 
-#include "diagnose/model/effect.hpp"
+#include "diagnose/rig/effect.hpp"
 #include "tests/property.hpp"
 
 using namespace plumbline;

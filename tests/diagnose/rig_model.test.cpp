@@ -1,10 +1,10 @@
-#include "diagnose/model/rig_model.hpp"
+#include "diagnose/rig/rig_model.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "diagnose/model/nominal.hpp"
+#include "diagnose/rig/nominal.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

@@ -1,10 +1,10 @@
-#include "diagnose/model/rig_solver.hpp"
+#include "diagnose/rig/rig_solver.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "diagnose/model/nominal.hpp"
+#include "diagnose/rig/nominal.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;

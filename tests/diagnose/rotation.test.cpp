@@ -1,4 +1,4 @@
-#include "diagnose/answers/rotation.hpp"
+#include "diagnose/decision/rotation.hpp"
 
 #include <doctest/doctest.h>
 

@@ -9,11 +9,11 @@
 #include <random>
 #include <string>
 
-#include "diagnose/answers/heldout.hpp"
+#include "diagnose/decision/heldout.hpp"
 #include "diagnose/bench/condense.hpp"
 #include "diagnose/bench/read_experiment.hpp"
-#include "diagnose/inference/outliers.hpp"
-#include "diagnose/inference/rival.hpp"
+#include "diagnose/noise/outliers.hpp"
+#include "diagnose/decision/rival.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "diagnose/beliefs.hpp"
-#include "diagnose/inference/alike.hpp"
-#include "diagnose/inference/verdict.hpp"
+#include "diagnose/decision/alike.hpp"
+#include "diagnose/decision/verdict.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 #include "tests/diagnose/simulated_noise.hpp"

@@ -1,4 +1,4 @@
-#include "diagnose/answers/shrink.hpp"
+#include "diagnose/decision/shrink.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,11 +1,11 @@
-#include "diagnose/model/sides.hpp"
+#include "diagnose/rig/sides.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "diagnose/answers/diagnosis.hpp"
-#include "diagnose/inference/gap.hpp"
+#include "diagnose/noise/gap.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;

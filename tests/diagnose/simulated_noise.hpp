@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "diagnose/inference/noise.hpp"
+#include "diagnose/noise/noise.hpp"
 
 /// Place of the load cell among the sensors.
 inline constexpr auto at_force = plumbline::diagnose::place_of(plumbline::diagnose::Sensor::force);

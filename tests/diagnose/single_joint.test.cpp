@@ -1,11 +1,11 @@
-#include "diagnose/answers/single_joint.hpp"
+#include "diagnose/discrepancy/single_joint.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "diagnose/inference/gap.hpp"
-#include "diagnose/inference/verdict.hpp"
+#include "diagnose/noise/gap.hpp"
+#include "diagnose/decision/verdict.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;

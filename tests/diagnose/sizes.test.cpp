@@ -1,10 +1,10 @@
-#include "diagnose/model/sizes.hpp"
+#include "diagnose/rig/sizes.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "diagnose/model/study.hpp"
+#include "diagnose/inference/study.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

@@ -1,4 +1,4 @@
-#include "diagnose/inference/slow.hpp"
+#include "diagnose/noise/slow.hpp"
 
 #include <doctest/doctest.h>
 

@@ -8,7 +8,7 @@
 
 #include "diagnose/answers/diagnosis.hpp"
 #include "diagnose/inference/screen.hpp"
-#include "diagnose/stated/read_effects.hpp"
+#include "diagnose/rig/user_effects/read_effects.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

@@ -1,11 +1,11 @@
-#include "diagnose/stated/stated_effect.hpp"
+#include "diagnose/rig/user_effects/stated_effect.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/stated/read_effects.hpp"
+#include "diagnose/rig/user_effects/read_effects.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

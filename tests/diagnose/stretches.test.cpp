@@ -1,12 +1,12 @@
-#include "diagnose/model/stretches.hpp"
+#include "diagnose/noise/stretches.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <random>
 
-#include "diagnose/inference/gap.hpp"
-#include "diagnose/inference/local_noise.hpp"
+#include "diagnose/noise/gap.hpp"
+#include "diagnose/noise/local_noise.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

@@ -1,10 +1,10 @@
-#include "diagnose/model/torque.hpp"
+#include "diagnose/rig/torque.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "diagnose/model/joint_law.hpp"
+#include "diagnose/rig/joint_law.hpp"
 #include "tests/close_to.hpp"
 
 using namespace plumbline;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <functional>
 
-#include "diagnose/answers/law_choice.hpp"
-#include "diagnose/answers/torque_balance.hpp"
-#include "diagnose/inference/outliers.hpp"
+#include "diagnose/discrepancy/law_choice.hpp"
+#include "diagnose/discrepancy/torque_balance.hpp"
+#include "diagnose/noise/outliers.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

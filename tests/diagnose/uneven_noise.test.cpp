@@ -1,11 +1,11 @@
-#include "diagnose/model/uneven_noise.hpp"
+#include "diagnose/noise/uneven_noise.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <random>
 
-#include "diagnose/model/measurement.hpp"
+#include "diagnose/noise/measurement.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

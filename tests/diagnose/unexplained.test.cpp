@@ -1,4 +1,4 @@
-#include "diagnose/answers/unexplained.hpp"
+#include "diagnose/discrepancy/unexplained.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,10 +1,10 @@
-#include "diagnose/inference/unmoved.hpp"
+#include "diagnose/screening/unmoved.hpp"
 
 #include <doctest/doctest.h>
 
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/inference/conventions.hpp"
+#include "diagnose/screening/conventions.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 #include "tests/diagnose/slips.hpp"

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "diagnose/model/history.hpp"
-#include "diagnose/model/study.hpp"
+#include "diagnose/rig/history.hpp"
+#include "diagnose/inference/study.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

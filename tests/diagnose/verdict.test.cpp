@@ -1,4 +1,4 @@
-#include "diagnose/inference/verdict.hpp"
+#include "diagnose/decision/verdict.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "diagnose/inference/genuine.hpp"
+#include "diagnose/decision/genuine.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 #include "tests/diagnose/simulated_noise.hpp"

@@ -1,4 +1,4 @@
-#include "diagnose/stated/read_effects.hpp"
+#include "diagnose/rig/user_effects/read_effects.hpp"
 #include "tests/fuzz/target.hpp"
 
 /// Effects that a user states.

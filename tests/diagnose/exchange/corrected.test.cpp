@@ -5,7 +5,7 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/read_nominal.hpp"
-#include "diagnose/model/nominal.hpp"
+#include "diagnose/rig/nominal.hpp"
 #include "tests/diagnose/exchange/found.hpp"
 
 namespace plumbline::exchange {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/model/history.hpp"
+#include "diagnose/rig/history.hpp"
 
 namespace plumbline::exchange::test {
 

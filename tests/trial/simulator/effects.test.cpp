@@ -5,8 +5,8 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/read_experiment.hpp"
-#include "diagnose/model/measurement.hpp"
-#include "diagnose/model/study.hpp"
+#include "diagnose/noise/measurement.hpp"
+#include "diagnose/inference/study.hpp"
 #include "trial/simulator/write_experiment.hpp"
 #include "tests/folder.hpp"
 

@@ -1,0 +1,213 @@
+#include "diagnose/design/next_run.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "diagnose/design/candidate_runs.hpp"
+#include "diagnose/design/expected_information.hpp"
+#include "diagnose/inference/evidence.hpp"
+#include "diagnose/design/separation.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+constexpr double usual_angle_sigma = 1e-3;  // rad: a common encoder, where the lab has not declared one
+
+/// The bench with the proposed run alone on it.
+Experiment bench_for(const Experiment& experiment, const Run& run, bool out_of_gravity) {
+  Experiment bench = experiment;
+  bench.runs = {run};
+  bench.runs.front().number = bench.run_count;  // what differs from run to run says nothing of it
+  if (out_of_gravity) {
+    bench.gravity = {0, 0};
+    bench.bench = {Bench::Plane::vertical, {0, 0}, true};
+  }
+  return bench;
+}
+
+/// What the rivals would measure in the run; nothing where one cannot follow, or the nominal
+/// chain, or it asks too much of the rig.
+std::optional<std::vector<Prediction>> predictions(const Study& bench, const std::vector<Fit>& rivals,
+                                                   const Extent& so_far) {
+  std::vector<Prediction> all;
+  if (!bench.nominal().reached) return std::nullopt;  // the run could not be diagnosed
+  for (const Fit& rival : rivals) {
+    all.push_back(predict(bench, rival.candidate, rival.parameters, true));
+    const Prediction& one = all.back();
+    if (!one.reached || one.snapped || !so_far.allows(one.runs[0], bench.experiment().runs[0].rest))
+      return std::nullopt;
+  }
+  return all;
+}
+
+/// What a run measures, and joint angles where they are to be: channels that have a noise.
+std::vector<Channel> channels_of(const Run& run, const Noise& sigma, bool angles) {
+  using Name = Channel::Name;
+  std::vector<Channel> channels;
+  for (const Name name :
+       run.holds_end_point() ? std::array{Name::Fx, Name::Fy} : std::array{Name::x, Name::y})
+    channels.push_back({name});
+  for (std::size_t j = 0; angles && j < run.rest.size(); ++j) channels.push_back({Name::q, j});
+  std::erase_if(channels, [&](const Channel& one) { return !(one.sigma(sigma) > 0); });
+  return channels;
+}
+
+/// What a rival makes of the run, in the noise as it is.
+Forecast forecast(const Prediction& predicted, const std::vector<Channel>& channels, const Noise& sigma,
+                  const NoiseModel& noise, const Eigen::MatrixXd& covariance) {
+  const Trace& trace = predicted.runs[0];
+  const Eigen::Index rows = trace.rows();
+  Forecast result;
+  result.covariance = covariance;
+  result.read.resize(rows * static_cast<Eigen::Index>(channels.size()));
+  result.slope.resize(result.read.size(), static_cast<Eigen::Index>(predicted.sensitivity.size()));
+  Eigen::Index at = 0;
+  for (const Channel& channel : channels) {
+    const Eigen::Index c = column_of(channel);
+    const double real = channel.sigma(sigma) * noise.of(channel), correlation = noise.correlation_of(channel);
+    result.read.segment(at, rows) = whitened(trace.col(c).matrix(), real, correlation);
+    for (std::size_t p = 0; p < predicted.sensitivity.size(); ++p)
+      result.slope.col(static_cast<Eigen::Index>(p)).segment(at, rows) =
+          whitened(predicted.sensitivity[p][0].col(c).matrix(), real, correlation);
+    at += rows;
+  }
+  return result;
+}
+
+/// Root mean square of what one expects to read and another does not.
+double apart(const Forecast& one, const Forecast& other) {
+  return (one.read - other.read).norm() / std::sqrt(static_cast<double>(one.read.size()));
+}
+
+/// Rows of the run for an imitation.
+Imitation rows_of(const Forecast& truth, const Forecast& imitator) {
+  return {truth.read - imitator.read, -imitator.slope};
+}
+
+/// Expected lead of the right rival over its best imitator, averaged over which is right.
+template <class Rows>
+double expected_log_odds(std::size_t rivals, Rows rows) {
+  double sum = 0;
+  for (std::size_t a = 0; a < rivals; ++a) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t b = 0; b < rivals; ++b)
+      if (a != b) nearest = std::min(nearest, separation(rows(a, b)));
+    sum += nearest / 2;
+  }
+  return sum / static_cast<double>(rivals);
+}
+
+Noise with_angles(Noise sigma) {
+  if (sigma.q <= 0) sigma.q = usual_angle_sigma;
+  return sigma;
+}
+
+/// Weighs one run after the other.
+class Planner {
+ public:
+  Planner(const Study& study, const std::vector<Fit>& rivals, const NoiseModel& noise)
+      : experiment_(study.experiment()),
+        noise_(noise),
+        so_far_(extent(study)),
+        reads_angles_(study.sizes().measures(Channel::Name::q)) {
+    FitSettings settings;
+    settings.noise = noise;
+    for (const Fit& rival : rivals) {
+      Fit again = fit_from(study, rival.candidate, settings, rival.parameters);
+      rivals_.push_back(again.converged ? std::move(again) : rival);
+    }
+    for (const Fit& rival : rivals_) open_.push_back(posterior_covariance(study, rival));
+    for (const Fit& truth : rivals_)
+      for (const Fit& imitator : rivals_) known_.push_back(condensed(imitation(truth, imitator)));
+    before_ = expected_log_odds(rivals_.size(), [&](std::size_t a, std::size_t b) { return known(a, b); });
+  }
+
+  void add_runs_from(const Shape& shape) {
+    for (const CandidateRun& one : runs_from(experiment_, shape, so_far_)) add(one.description, one.run);
+  }
+
+  [[nodiscard]] std::vector<Proposal> best(std::size_t count, Aim aim) {
+    constexpr double clear = 2;
+    // Of runs that promise the same to a few percent the one that asks least stands first.
+    const auto grade = [&](const Proposal& one) {
+      const double shown = aim == Aim::to_show ? std::min(one.gap, clear) : clear;
+      return std::pair(std::lround(4 * std::log(shown + 1e-4)),
+                       std::lround(16 * std::log(one.information + 1e-4)));
+    };
+    std::stable_sort(proposals_.begin(), proposals_.end(),
+                     [&](const Proposal& a, const Proposal& b) { return grade(a) > grade(b); });
+    std::vector<Proposal> chosen;
+    for (const Proposal& one : proposals_) {
+      const bool alike = std::any_of(chosen.begin(), chosen.end(), [&](const Proposal& other) {
+        return other.run.control == one.run.control && other.run.rest == one.run.rest &&
+               other.angles == one.angles && other.out_of_gravity == one.out_of_gravity;
+      });
+      if (!alike && chosen.size() < count) chosen.push_back(one);
+    }
+    return chosen;
+  }
+
+ private:
+  [[nodiscard]] const Imitation& known(std::size_t a, std::size_t b) const {
+    return known_[a * rivals_.size() + b];
+  }
+
+  void add(const std::string& what, const Run& run) {
+    const bool weighs = experiment_.bench.plane != Bench::Plane::horizontal;
+    for (const bool out_of_gravity : {false, true}) {
+      if (out_of_gravity && !weighs) continue;
+      const Study bench(bench_for(experiment_, run, out_of_gravity));
+      const auto all = predictions(bench, rivals_, so_far_);
+      if (!all) continue;
+      for (const bool angles : {false, true}) {
+        if (reads_angles_ && !angles) continue;
+        const std::vector<Forecast> rivals = forecasts(*all, run, angles);
+        const Forecast nominal = forecasts({bench.nominal()}, run, angles).front();
+        if (rivals.front().read.size() == 0) continue;
+        const double after = expected_log_odds(rivals.size(), [&](std::size_t a, std::size_t b) {
+          return stacked(known(a, b), rows_of(rivals[a], rivals[b]));
+        });
+        proposals_.push_back({what + (out_of_gravity ? ", the rig turned out of gravity" : "") +
+                                  (angles && !reads_angles_ ? ", joint angles measured" : ""),
+                              run, angles, out_of_gravity, expected_information(rivals), after, before_,
+                              apart(rivals.front(), nominal)});
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<Forecast> forecasts(const std::vector<Prediction>& predicted, const Run& run,
+                                                bool angles) const {
+    const Noise sigma = with_angles(experiment_.noise);
+    const std::vector<Channel> channels = channels_of(run, sigma, angles);
+    std::vector<Forecast> all;
+    for (std::size_t r = 0; r < predicted.size(); ++r)
+      all.push_back(forecast(predicted[r], channels, sigma, noise_, open_[r]));
+    return all;
+  }
+
+  const Experiment& experiment_;
+  const NoiseModel& noise_;
+  Extent so_far_;
+  bool reads_angles_;  ///< as it is
+  std::vector<Fit> rivals_;
+  std::vector<Eigen::MatrixXd> open_;  ///< covariance of their parameters
+  std::vector<Imitation> known_;       ///< [truth][imitator]
+  double before_ = 0;
+  std::vector<Proposal> proposals_;
+};
+
+}  // namespace
+
+std::vector<Proposal> next_runs(const Study& study, const std::vector<Fit>& rivals, const NoiseModel& noise,
+                                std::size_t count, Aim aim) {
+  constexpr std::size_t most_shapes = 12;
+  Planner planner(study, rivals, noise);
+  for (const Shape& shape : shapes(study.experiment(), most_shapes)) planner.add_runs_from(shape);
+  return planner.best(count, aim);
+}
+
+}  // namespace plumbline::diagnose

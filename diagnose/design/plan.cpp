@@ -1,0 +1,111 @@
+#include "diagnose/design/plan.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "diagnose/design/comparison.hpp"
+#include "diagnose/beliefs.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+using Places = std::vector<std::size_t>;
+
+/// Readings that differ by less than rounding and the tolerance of fits leave a lead of less.
+constexpr double same_effect = 1e-3;
+
+/// What runs show: which effects, and which two of these apart.
+struct Shown {
+  Places seen;
+  std::vector<std::vector<bool>> apart;
+};
+
+/// \param suffice  whether the runs bring some contrasts far enough
+Shown shown_by(const Comparison& effects, const std::function<bool(const std::vector<Contrast>&)>& suffice) {
+  Shown result{{}, {effects.size(), std::vector<bool>(effects.size(), false)}};
+  for (std::size_t i = 0; i < effects.size(); ++i)
+    if (suffice({effects.gap(i)})) result.seen.push_back(i);
+  for (const std::size_t i : result.seen)
+    for (const std::size_t j : result.seen)
+      if (j > i) result.apart[i][j] = result.apart[j][i] = suffice(effects.between(i, j));
+  return result;
+}
+
+/// Effects with the same set of effects that they are not told apart from, each counting itself.
+std::vector<Alike> alike(const Comparison& effects, const Shown& told, const Places& all) {
+  std::vector<Places> near(effects.size());
+  for (const std::size_t i : told.seen)
+    for (const std::size_t j : told.seen)
+      if (!told.apart[i][j]) near[i].push_back(j);
+  std::vector<Alike> result;
+  std::vector<bool> taken(effects.size(), false);
+  for (const std::size_t i : told.seen) {
+    if (taken[i] || near[i].size() < 2) continue;
+    Alike one;
+    Places members;
+    for (const std::size_t j : near[i]) {
+      const bool same = near[j] == near[i];
+      (same ? one.effects : one.others).push_back(effects.effect(j));
+      taken[j] = taken[j] || same;
+      if (same) members.push_back(j);
+    }
+    one.exactly = members.size() > 1 && std::all_of(members.begin() + 1, members.end(), [&](std::size_t j) {
+                    return effects.apart(members.front(), j, all) < same_effect;
+                  });
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+Blindness blindness(const Comparison& effects, const Shown& told, const Places& runs) {
+  Blindness left;
+  for (std::size_t i = 0; i < effects.size(); ++i)
+    if (std::find(told.seen.begin(), told.seen.end(), i) == told.seen.end())
+      left.unseen.push_back(effects.effect(i));
+  left.alike = alike(effects, told, runs);
+  return left;
+}
+
+Places first(std::size_t count) {
+  Places runs(count);
+  std::iota(runs.begin(), runs.end(), std::size_t{0});
+  return runs;
+}
+
+}  // namespace
+
+Plan plan(const Experiment& bench, const std::function<void(double)>& progress) {
+  const Rehearsal rehearsal = rehearse(bench);
+  const Comparison effects(rehearsal, progress);
+  const std::size_t count = rehearsal.descriptions.size();
+  const Shown told = shown_by(effects, [&](const std::vector<Contrast>& contrasts) {
+    return few_suffice(contrasts, count, beliefs::told_apart, few_runs);
+  });
+  Plan result;
+  result.experiment = bench.name;
+  result.impossible = rehearsal.impossible;
+  result.candidates = count;
+  result.never = blindness(effects, told, first(count));
+  if (const Places planned = first(rehearsal.planned); !planned.empty()) {
+    const auto suffice = [&](const std::vector<Contrast>& contrasts) {
+      return std::all_of(contrasts.begin(), contrasts.end(),
+                         [&](const Contrast& one) { return lead(one, planned) > beliefs::told_apart; });
+    };
+    result.planned = blindness(effects, shown_by(effects, suffice), planned);
+  }
+  std::vector<Contrast> to_be_shown;
+  for (const std::size_t i : told.seen) {
+    to_be_shown.push_back(effects.gap(i));
+    for (const std::size_t j : told.seen) {
+      if (j <= i || !told.apart[i][j]) continue;
+      ++result.separated;
+      for (Contrast& one : effects.between(i, j)) to_be_shown.push_back(std::move(one));
+    }
+  }
+  const FewestRuns fewest = fewest_runs(to_be_shown, count, beliefs::told_apart);
+  for (const std::size_t run : fewest.runs) result.fewest.push_back(rehearsal.descriptions[run]);
+  result.fewest_proved = fewest.proved;
+  return result;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,174 @@
+#include "diagnose/design/rehearsal.hpp"
+
+#include <algorithm>
+#include <plumbline/base/error.hpp>
+
+#include "diagnose/design/candidate_runs.hpp"
+#include "diagnose/bench/unmeasured.hpp"
+#include "diagnose/inference/start.hpp"
+#include "diagnose/rig/nominal.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// So many rest shapes are tried beside what is planned: each adds sixteen runs.
+constexpr std::size_t most_shapes = 4;
+
+Experiment with_runs(const Experiment& bench, const std::vector<CandidateRun>& candidates) {
+  Experiment all = bench;
+  all.runs.clear();
+  for (const CandidateRun& one : candidates) {
+    all.runs.push_back(one.run);
+    all.runs.back().number = 0;
+  }
+  all.run_count = 1;
+  return unmeasured(std::move(all));
+}
+
+bool follows(const Experiment& bench, const CandidateRun& candidate, const Rig& rig) {
+  const Prediction predicted = simulate(with_runs(bench, {candidate}), rig, {});
+  return predicted.reached && !predicted.snapped;
+}
+
+std::vector<CandidateRun> planned_runs(const Experiment& bench) {
+  std::vector<CandidateRun> all;
+  for (const Run& run : bench.runs)
+    if (!run.readings.empty()) all.push_back({run.id + " as planned", run});
+  return all;
+}
+
+/// Presses and loads, there and back, that the nominal chain follows within what the plan asks of the rig.
+std::vector<CandidateRun> further_runs(const Experiment& bench, const Extent& so_far) {
+  std::vector<CandidateRun> all;
+  for (const Shape& shape : shapes(bench, most_shapes))
+    for (CandidateRun& one : runs_from(bench, shape, so_far))
+      if (one.run.turns_back()) all.push_back(std::move(one));
+  return all;
+}
+
+/// An effect of the size that a lab calls sizeable. Of values one a joint every other is less, or of the
+/// other sign: alike they would be another effect. What has no natural zero stands where fits start.
+std::vector<double> sizeable(const Study& study, const EffectAt& at) {
+  const std::vector<ParameterRange> ranges = study.ranges(at);
+  const Starts known = starts(study, at);
+  std::vector<double> values = known.from[known.from.size() / 2];
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    const ParameterRange& range = ranges[p];
+    const bool odd = p % 2 == 1, one_sided = range.low == 0;
+    if (range.coordinate == Coordinate::reciprocal) values[p] = std::max(values[p], range.scale);
+    if (!range.may_be_nothing()) continue;
+    if (range.tolerance > 0) {
+      values[p] = range.tolerance * (one_sided ? (odd ? 0.5 : 1.5) : (odd ? -1.0 : 1.0));
+    } else {
+      values[p] = range.scale;
+    }
+  }
+  return values;
+}
+
+/// Half as much of an effect: what can grow from nothing is halved.
+void halve(const Study& study, Instance& effect) {
+  const std::vector<ParameterRange> ranges = study.ranges(effect.candidate);
+  for (std::size_t p = 0; p < ranges.size(); ++p)
+    if (ranges[p].may_be_nothing()) effect.parameters[p] /= 2;
+}
+
+/// By candidate, whether the rig with the effect follows it.
+std::vector<bool> followed(const Study& study, const std::vector<CandidateRun>& candidates,
+                           const Instance& effect) {
+  const Rig rig = rig_with(study, effect.candidate, effect.parameters);
+  std::vector<bool> result;
+  for (const CandidateRun& one : candidates) result.push_back(follows(study.experiment(), one, rig));
+  return result;
+}
+
+/// The effects, so large that each can follow all that is planned and most of what else could be done.
+/// \param candidates  those that some effect cannot follow are taken out
+std::vector<Instance> followable(const Study& study, std::vector<CandidateRun>& candidates,
+                                 std::size_t& planned) {
+  std::vector<bool> kept(candidates.size(), true);
+  std::vector<Instance> all;
+  for (const EffectAt& at : possible_effects(study)) {
+    Instance effect{{{at}}, sizeable(study, at)};
+    std::vector<bool> can = followed(study, candidates, effect);
+    const auto enough = [&] {
+      const auto middle = can.begin() + static_cast<std::ptrdiff_t>(planned);
+      return std::find(can.begin(), middle, false) == middle &&
+             2 * std::count(middle, can.end(), false) <= can.end() - middle;
+    };
+    for (int halved = 0; halved < 6 && !enough(); ++halved) {
+      halve(study, effect);
+      can = followed(study, candidates, effect);
+    }
+    for (std::size_t r = 0; r < kept.size(); ++r) kept[r] = kept[r] && can[r];
+    all.push_back(std::move(effect));
+  }
+  std::vector<CandidateRun> left;
+  std::size_t planned_left = 0;
+  for (std::size_t r = 0; r < kept.size(); ++r) {
+    if (!kept[r]) continue;
+    planned_left += r < planned;
+    left.push_back(std::move(candidates[r]));
+  }
+  candidates = std::move(left);
+  planned = planned_left;
+  return all;
+}
+
+/// What cannot act or show here, however many runs are made.
+std::vector<EffectAt> impossible_effects(const Study& study) {
+  Sizes again = study.sizes();  // as if a run were made twice
+  again.runs = 2;
+  std::vector<EffectAt> all;
+  for (const Effect* row : study.effects()) {
+    const std::size_t first = row->at_joint ? 1 : 0, last = row->at_joint ? again.link_length.size() : 0;
+    for (std::size_t joint = first; joint <= last; ++joint)
+      if (!row->possible({again, joint > 0 ? joint - 1 : 0})) all.emplace_back(*row, joint);
+  }
+  return all;
+}
+
+}  // namespace
+
+Experiment measured_as(Experiment experiment, const Prediction& predicted) {
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    Run& run = experiment.runs[r];
+    for (const Channel& channel : run.measured()) {
+      if (!(channel.sigma(experiment.noise) > 0)) continue;
+      for (std::size_t i = 0; i < run.readings.size(); ++i)
+        channel.in(run.readings[i]) = predicted.runs[r](static_cast<Eigen::Index>(i), column_of(channel));
+    }
+  }
+  return experiment;
+}
+
+Rehearsal rehearse(const Experiment& bench) {
+  const Study described(bench);
+  if (!described.nominal().reached)
+    throw Error("experiment \"" + bench.name + "\"", "runs that the nominal chain cannot follow",
+                "end points within reach and a stable posture at every reading");
+  Rehearsal rehearsal;
+  std::vector<CandidateRun> candidates = planned_runs(bench);
+  rehearsal.planned = candidates.size();
+  for (CandidateRun& one : further_runs(bench, extent(described))) candidates.push_back(std::move(one));
+  const auto measured = [&] {
+    const Experiment all = with_runs(bench, candidates);
+    return measured_as(all, simulate(all, nominal_rig(all), {}));
+  };
+  const auto require_any = [&] {
+    if (candidates.empty())
+      throw Error("experiment \"" + bench.name + "\"",
+                  "no press or load that its chain and every effect can follow",
+                  "rest shapes that leave room to move, or runs with commands");
+  };
+  require_any();
+  const Study study(measured());
+  rehearsal.effects = followable(study, candidates, rehearsal.planned);
+  require_any();
+  rehearsal.impossible = impossible_effects(study);
+  rehearsal.bench = measured();
+  for (const CandidateRun& one : candidates) rehearsal.descriptions.push_back(one.description);
+  return rehearsal;
+}
+
+}  // namespace plumbline::diagnose

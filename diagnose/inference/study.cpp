@@ -1,0 +1,151 @@
+#include "diagnose/inference/study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <plumbline/base/parallel.hpp>
+
+#include "diagnose/rig/nominal.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+std::size_t index_of(const EffectAt& at) {
+  return at.joint > 0 ? at.joint - 1 : 0;
+}
+
+Exercise exercise_of(const Experiment& experiment, const Prediction& nominal) {
+  Exercise use{std::vector<double>(experiment.link_length.size(), 0.0), 0, 0};
+  for (std::size_t i = 0; i < use.deflection.size(); ++i) {
+    double& most = use.deflection[i];
+    for (std::size_t r = 0; r < nominal.runs.size(); ++r)
+      for (const double q : nominal.runs[r].col(column_q + static_cast<Eigen::Index>(i)))
+        if (std::isfinite(q)) most = std::max(most, std::abs(q - experiment.runs[r].rest[i]));
+    use.largest = std::max(use.largest, most);
+    use.torque = std::max(use.torque, experiment.joint_stiffness[i] * most);
+  }
+  return use;
+}
+
+/// With its runs numbered, unless they were before some were left out.
+Experiment numbered(Experiment experiment) {
+  if (experiment.run_count > 0) return experiment;
+  for (Run& run : experiment.runs) run.number = experiment.run_count++;
+  return experiment;
+}
+
+Experiment with_rows(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated) {
+  experiment.stated = std::move(stated);
+  return experiment;
+}
+
+std::vector<const Effect*> all_rows(const std::vector<Effect>* stated) {
+  std::vector<const Effect*> rows;
+  for (const Effect& row : catalogue()) rows.push_back(&row);
+  if (stated == nullptr) return rows;
+  for (const Effect& row : *stated) rows.push_back(&row);
+  return rows;
+}
+
+}  // namespace
+
+Study::Study(Experiment experiment)
+    : experiment_(numbered(std::move(experiment))),
+      effects_(all_rows(experiment_.stated.get())),
+      measurements_(experiment_),
+      sizes_(sizes_of(experiment_)),
+      nominal_rig_(diagnose::nominal_rig(experiment_)) {}
+
+Study::Study(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated)
+    : Study(with_rows(std::move(experiment), std::move(stated))) {}
+
+Study Study::of(Experiment other) const {
+  return Study(std::move(other), experiment_.stated);
+}
+
+unsigned Study::threads() const {
+  return experiment_.stated && !experiment_.stated->empty() ? 1 : available_threads();
+}
+
+const Prediction& Study::nominal() const {
+  std::call_once(late_->predicted, [&] { late_->nominal = simulate(experiment_, nominal_rig_, {}); });
+  return late_->nominal;
+}
+
+std::vector<double> Study::residual(const Prediction& predicted) const {
+  return measurements_.residual(experiment_, predicted);
+}
+
+std::vector<double> Study::nominal_residual() const {
+  return residual(nominal());
+}
+
+const Exercise& Study::exercise() const {
+  std::call_once(late_->exercised, [&] { late_->exercise = exercise_of(experiment_, nominal()); });
+  return late_->exercise;
+}
+
+std::vector<ParameterRange> Study::ranges(const EffectAt& at) const {
+  return at.effect->parameters({sizes_, index_of(at)});
+}
+
+std::vector<ParameterRange> Study::ranges(const Candidate& candidate) const {
+  std::vector<ParameterRange> all;
+  for (const EffectAt& at : candidate.effects)
+    for (const ParameterRange& range : ranges(at)) all.push_back(range);
+  return all;
+}
+
+std::vector<EffectAt> possible_effects(const Study& study) {
+  std::vector<EffectAt> all;
+  for (const Effect* row : study.effects()) {
+    const std::size_t first = row->at_joint ? 1 : 0;
+    const std::size_t last = row->at_joint ? study.sizes().link_length.size() : 0;
+    for (std::size_t joint = first; joint <= last; ++joint)
+      if (const EffectAt at(*row, joint); row->possible({study.sizes(), index_of(at)})) all.push_back(at);
+  }
+  return all;
+}
+
+Instance part(const Study& study, const Candidate& candidate, const std::vector<double>& parameters,
+              const std::function<bool(const EffectAt&)>& stays) {
+  Instance left;
+  auto value = parameters.begin();
+  for (const EffectAt& at : candidate.effects) {
+    const auto next = value + static_cast<std::ptrdiff_t>(study.ranges(at).size());
+    if (stays(at)) {
+      left.candidate.effects.push_back(at);
+      left.parameters.insert(left.parameters.end(), value, next);
+    }
+    value = next;
+  }
+  return left;
+}
+
+Rig rig_with(const Study& study, const Candidate& candidate, const std::vector<double>& parameters) {
+  Rig rig = study.nominal_rig();
+  const Vector2 down = study.experiment().bench.down();
+  std::size_t next = 0;
+  for (const EffectAt& at : candidate.effects) {
+    std::vector<double> values;
+    for (const ParameterRange& range : study.ranges(at))
+      values.push_back(catalogue_value(range.coordinate, parameters.at(next++)));
+    at.effect->add({rig, index_of(at), study.sizes(), down, values.data()});
+  }
+  return rig;
+}
+
+Prediction predict(const Study& study, const Candidate& candidate, const std::vector<double>& parameters,
+                   bool with_sensitivity) {
+  std::vector<RigVariation> variations;
+  if (with_sensitivity) {
+    for (const ParameterRange& range : study.ranges(candidate)) {
+      std::vector<double> other = parameters;
+      const double step = variation_share * range.scale;
+      other[variations.size()] += step;
+      variations.push_back({rig_with(study, candidate, other), step});
+    }
+  }
+  return simulate(study.experiment(), rig_with(study, candidate, parameters), variations);
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,84 @@
+#pragma once
+/// \file
+/// An experiment under study: what was measured, and what follows from it once and for all.
+
+#include <memory>
+#include <mutex>
+
+#include "diagnose/rig/effect.hpp"
+#include "diagnose/rig/history.hpp"
+#include "diagnose/noise/measurement.hpp"
+
+namespace plumbline::diagnose {
+
+class Study {
+ public:
+  /// The effects that the experiment's nominal chain knows of the user's are looked for beside the
+  /// catalogue's. \throws Error where the nominal model has an effect that is none
+  explicit Study(Experiment experiment);
+  /// The same, with these effects of the user's.
+  Study(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated);
+  /// Other readings of the same bench, in which the same effects are looked for.
+  [[nodiscard]] Study of(Experiment other) const;
+
+  [[nodiscard]] const Experiment& experiment() const { return experiment_; }
+  [[nodiscard]] const Measurements& measurements() const { return measurements_; }
+  [[nodiscard]] const Sizes& sizes() const { return sizes_; }
+  /// The rows that are looked at: the catalogue's, and behind them those that the user states.
+  [[nodiscard]] const std::vector<const Effect*>& effects() const { return effects_; }
+
+  /// So many predictions may be made at once: as many as there are cores, but the user's expressions are
+  /// evaluated one at a time.
+  [[nodiscard]] unsigned threads() const;
+
+  /// The rig that the nominal model believes in.
+  [[nodiscard]] const Rig& nominal_rig() const { return nominal_rig_; }
+  /// What the nominal model predicts; computed when it is first asked for.
+  [[nodiscard]] const Prediction& nominal() const;
+  /// (measured - predicted) / declared sigma, flat; of the nominal model.
+  [[nodiscard]] std::vector<double> residual(const Prediction& predicted) const;
+  [[nodiscard]] std::vector<double> nominal_residual() const;
+  /// What the runs ask of the nominal joints; computed when it is first asked for.
+  [[nodiscard]] const Exercise& exercise() const;
+
+  /// The parameters of one effect and of a candidate.
+  [[nodiscard]] std::vector<ParameterRange> ranges(const EffectAt& at) const;
+  [[nodiscard]] std::vector<ParameterRange> ranges(const Candidate& candidate) const;
+
+ private:
+  Experiment experiment_;
+  std::vector<const Effect*> effects_;
+  Measurements measurements_;
+  Sizes sizes_;
+  Rig nominal_rig_;
+  /// What is computed when it is first asked for, by whichever thread.
+  struct Late {
+    std::once_flag predicted, exercised;
+    Prediction nominal;
+    Exercise exercise;
+  };
+  std::shared_ptr<Late> late_ = std::make_shared<Late>();
+};
+
+/// Every effect at every place of this chain where it can change anything at all: no stiffness error at a
+/// passive joint, no gravity in a horizontal plane, no load-cell effect where no force is measured.
+std::vector<EffectAt> possible_effects(const Study& study);
+
+/// What is left of a candidate of which only some effects stay.
+Instance part(const Study& study, const Candidate& candidate, const std::vector<double>& parameters,
+              const std::function<bool(const EffectAt&)>& stays);
+
+/// The nominal rig with the candidate's effects added. `parameters` are fitted coordinates.
+Rig rig_with(const Study& study, const Candidate& candidate, const std::vector<double>& parameters);
+
+/// The share of a parameter's scale by which sensitivities vary it.
+inline constexpr double variation_share = 1e-6;
+
+/// Predicts every channel of every reading.
+/// \param parameters         fitted coordinates, in the order of the candidate's effects
+/// \param with_sensitivity   also the derivatives by each parameter: one chord step and one back substitution
+///                           each, so about a third of the cost of the prediction itself
+Prediction predict(const Study& study, const Candidate& candidate, const std::vector<double>& parameters,
+                   bool with_sensitivity = false);
+
+}  // namespace plumbline::diagnose

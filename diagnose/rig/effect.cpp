@@ -1,0 +1,127 @@
+#include "diagnose/rig/effect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <plumbline/base/error.hpp>
+
+#include "diagnose/rig/effects/rows.hpp"
+
+namespace plumbline::diagnose {
+
+double catalogue_value(Coordinate coordinate, double fitted) {
+  switch (coordinate) {
+    case Coordinate::logarithm:
+      return std::exp(fitted);
+    case Coordinate::reciprocal:
+      return 1 / fitted;
+    case Coordinate::plain:
+      break;
+  }
+  return fitted;
+}
+
+double fitted_value(Coordinate coordinate, double catalogue_units) {
+  switch (coordinate) {
+    case Coordinate::logarithm:
+      return std::log(catalogue_units);
+    case Coordinate::reciprocal:
+      return 1 / catalogue_units;
+    case Coordinate::plain:
+      break;
+  }
+  return catalogue_units;
+}
+
+ParameterRange both_ways(std::string_view name, std::string_view unit, double scale, double low,
+                         double high) {
+  return {name, unit, Coordinate::plain, scale, low, high, 0};
+}
+
+ParameterRange one_way(std::string_view name, std::string_view unit, double scale, double high) {
+  return {name, unit, Coordinate::plain, scale, 0, high, 0};
+}
+
+const std::vector<Effect>& catalogue() {
+  static const std::vector<Effect> all = [] {
+    std::vector<Effect> rows;
+    for (const auto& group : {joint_effects, link_effects, bench_effects, load_cell_effects, common_effects,
+                              joint_law_effects, friction_effects, instrument_effects})
+      for (Effect& row : group()) rows.push_back(std::move(row));
+    return rows;
+  }();
+  return all;
+}
+
+const Effect& effect(std::string_view id, std::size_t joint) {
+  const Effect* named = nullptr;
+  for (const Effect& row : catalogue())
+    if (row.id == id &&
+        (named == nullptr || (row.at_joint == (joint > 0) && row.at_joint != named->at_joint)))
+      named = &row;
+  if (named != nullptr) return *named;
+  throw Error("effect", std::string(id), "an id of the effect catalogue");
+}
+
+std::string EffectAt::label() const {
+  std::string text(effect->id);
+  return joint > 0 ? text + "(" + std::to_string(joint) + ")" : text;
+}
+
+std::string EffectAt::name() const {
+  const std::vector<std::string_view>& special = effect->special;
+  const bool has_form_for_all = std::find(special.begin(), special.end(), effect->id) != special.end();
+  return has_form_for_all ? label() + " (each its own)" : label();
+}
+
+std::string EffectAt::in_words() const {
+  return fmt::format(fmt::runtime(effect->words), joint);
+}
+
+std::string Candidate::label() const {
+  std::string text;
+  for (const EffectAt& at : effects) text += (text.empty() ? "" : " + ") + at.label();
+  return text;
+}
+
+std::string Candidate::name() const {
+  std::string text;
+  for (const EffectAt& at : effects) text += (text.empty() ? "" : " + ") + at.name();
+  return text;
+}
+
+bool Candidate::has(const EffectAt& at) const {
+  return std::find(effects.begin(), effects.end(), at) != effects.end();
+}
+
+bool Candidate::is_form_of(const Candidate& other) const {
+  return std::is_permutation(effects.begin(), effects.end(), other.effects.begin(), other.effects.end(),
+                             [](const EffectAt& a, const EffectAt& b) {
+                               return a.effect->id == b.effect->id && a.joint == b.joint;
+                             });
+}
+
+bool Candidate::is_part_of(const Candidate& other) const {
+  return effects.size() < other.effects.size() &&
+         std::all_of(effects.begin(), effects.end(), [&](const EffectAt& at) { return other.has(at); });
+}
+
+bool Candidate::machined() const {
+  const auto rows = [](const auto& all, auto row) { return std::count_if(all.begin(), all.end(), row); };
+  return rows(effects, [](const EffectAt& at) { return at.effect->of_machining; }) ==
+         rows(catalogue(), [](const Effect& row) { return row.of_machining; });
+}
+
+bool Candidate::has_as_machining(const EffectAt& at) const {
+  return at.effect->of_machining && machined();
+}
+
+std::size_t Candidate::count() const {
+  if (!machined()) return effects.size();
+  return 1 + static_cast<std::size_t>(std::count_if(effects.begin(), effects.end(), [](const EffectAt& at) {
+           return !at.effect->of_machining;
+         }));
+}
+
+}  // namespace plumbline::diagnose

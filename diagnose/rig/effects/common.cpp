@@ -1,0 +1,153 @@
+/// \file
+/// Effects that all joints or links share: one factor or offset for all, or a value of each within its
+/// tolerance.
+
+#include "diagnose/beliefs.hpp"
+#include "diagnose/rig/effects/each_joint.hpp"
+#include "diagnose/rig/effects/hardening.hpp"
+#include "diagnose/rig/effects/rows.hpp"
+
+namespace plumbline::diagnose {
+
+using beliefs::stiffness_tolerance, beliefs::length_tolerance, beliefs::angle_tolerance;
+
+std::vector<Effect> common_effects() {
+  return {
+      {.id = "stiffness_scale",
+       .words = "all stiffnesses wrong by one factor",
+       .parameters = [](const Place&) { return std::vector{both_ways("a", "ratio", 0.1, -0.95, 9)}; },
+       .add =
+           [](const Addition& to) {
+             for (double& k : to.rig.stiffness) k *= 1 + to.value[0];
+           },
+       .possible = several_elastic},
+      {.id = "length_scale",
+       .words = "all lengths wrong by one factor",
+       .parameters = [](const Place&) { return std::vector{both_ways("a", "ratio", 0.01, -0.3, 0.3)}; },
+       .add =
+           [](const Addition& to) {
+             for (double& L : to.rig.length) L *= 1 + to.value[0];
+           },
+       .possible = several_links},
+      {.id = "rest_offset",
+       .words = "all rest angles off by the same angle",
+       .parameters = [](const Place&) { return std::vector{both_ways("a", "rad", 0.03, -0.6, 0.6)}; },
+       .add =
+           [](const Addition& to) {
+             for (double& error : to.rig.rest_error) error += to.value[0];
+           },
+       .possible = several_elastic},
+      {.id = "stiffness_spread",
+       .words = "stiffnesses that differ from joint to joint within their tolerance",
+       .parameters =
+           [](const Place& at) {
+             return each(at, {"a", "ratio", stiffness_tolerance, -0.8, 2});
+           },
+       .add =
+           [](const Addition& to) {
+             for_each_elastic(to, [&](std::size_t i, double a) { to.rig.stiffness[i] *= 1 + a; });
+           },
+       .possible = several_elastic,
+       .within_values = {"stiffness_scale", "joint_stiffness", "force_gain"},
+       .of_machining = true},
+      {.id = "length_spread",
+       .words = "lengths that differ from link to link within their tolerance",
+       .parameters =
+           [](const Place& at) {
+             return each(at, {"a", "ratio", length_tolerance, -0.2, 0.2, false});
+           },
+       .add =
+           [](const Addition& to) {
+             for (std::size_t j = 0; j < to.rig.length.size(); ++j) to.rig.length[j] *= 1 + to.value[j];
+           },
+       .possible = several_links,
+       .within_values = {"length_scale", "link_length"},
+       .of_machining = true},
+      {.id = "rest_spread",
+       .words = "rest angles that differ from joint to joint within their tolerance",
+       .parameters =
+           [](const Place& at) {
+             return each(at, {"a", "rad", angle_tolerance, -0.3, 0.3});
+           },
+       .add =
+           [](const Addition& to) {
+             for_each_elastic(to, [&](std::size_t i, double a) { to.rig.rest_error[i] += a; });
+           },
+       .possible = several_elastic,
+       .within_values = {"rest_offset", "rest_angle"},
+       .of_machining = true},
+      {.id = "play",
+       .words = "play in every joint",
+       .parameters =
+           [](const Place& at) {
+             return each(at, {"b", "rad", angle_tolerance, 0, 0.4});
+           },
+       .add =
+           [](const Addition& to) {
+             for_each_elastic(to, [&](std::size_t i, double b) { to.rig.backlash[i] += b; });
+           },
+       .possible = several_elastic,
+       .starts =
+           [](const Place& at, const Exercise& nominal) {
+             Starts starts{{}, 2};
+             for (const double share : {0.05, 0.2}) {
+               starts.from.emplace_back();
+               for (std::size_t i = 0; i < at.sizes.joint_stiffness.size(); ++i)
+                 if (at.sizes.joint_stiffness[i] > 0)
+                   starts.from.back().push_back(share * nominal.deflection[i]);
+             }
+             return starts;
+           },
+       .at_least = 2},
+      {.id = "friction_spread",
+       .words = "dry friction that differs from joint to joint",
+       .dissipates = true,
+       .parameters =
+           [](const Place& at) {
+             const double slip = at.sizes.stiffness * at.sizes.deflection;
+             return each(at, {"tau", "N m", beliefs::friction_tolerance * slip, 0, 10 * slip});
+           },
+       .add =
+           [](const Addition& to) {
+             for_each_elastic(to, [&](std::size_t i, double torque) { to.rig.friction[i] += torque; });
+           },
+       .possible = several_elastic,
+       .special = {"joint_friction"},
+       .within_values = {"joint_friction"},
+       .starts =
+           [](const Place& at, const Exercise& nominal) {
+             Starts starts{{}, 1};
+             for (const double share : {0.005, 0.03})
+               starts.from.emplace_back(each(at, {}).size(), share * nominal.torque);
+             return starts;
+           },
+       .probing = {.large_step = true}},
+      {.id = "hardening_spread",
+       .words = "springs that harden or soften, each on its own",
+       .parameters =
+           [](const Place& at) {
+             const double scale = 1 / (at.sizes.deflection * at.sizes.deflection);
+             // A joint that bends a third of what is typical softens as fully with nine times as much.
+             const ParameterRange alike = hardening(at.sizes);
+             return each(at,
+                         {"c", "1/rad²", beliefs::hardening_tolerance * scale, 9 * alike.low, alike.high});
+           },
+       .add =
+           [](const Addition& to) {
+             for_each_elastic(to, [&](std::size_t i, double c) { to.rig.hardening[i] += c; });
+           },
+       .possible = several_elastic,
+       .special = {"nonlinear_spring"},
+       .within_values = {"nonlinear_spring"},
+       .starts =
+           [](const Place& at, const Exercise&) {
+             const double scale = 1 / (at.sizes.deflection * at.sizes.deflection);
+             Starts starts{{}, 1};
+             for (const double share : {0.0, 0.3, -0.1})
+               starts.from.emplace_back(each(at, {}).size(), share * scale);
+             return starts;
+           }},
+  };
+}
+
+}  // namespace plumbline::diagnose

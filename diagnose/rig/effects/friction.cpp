@@ -1,0 +1,113 @@
+/// \file
+/// Dry friction whose slip torque is no constant.
+
+#include <cmath>
+
+#include "diagnose/rig/effects/rows.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// Pairs of a slip torque and a rate at which it changes: small shares of what the joints carry, and both
+/// signs of the rate if it may have both.
+Starts friction_starts(double torque, const std::vector<std::vector<double>>& laws) {
+  Starts starts{{}, 1};
+  for (const double share : {0.003, 0.015}) {
+    for (const std::vector<double>& law : laws) {
+      starts.from.push_back({share * torque});
+      starts.from.back().insert(starts.from.back().end(), law.begin(), law.end());
+    }
+  }
+  return starts;
+}
+
+ParameterRange slip_torque(const Place& at) {
+  const double torque = at.sizes.stiffness * at.sizes.deflection;
+  return one_way("tau_c", "N m", 0.05 * torque, 10 * torque);
+}
+
+void add_dry(const Addition& to) {
+  for (double& torque : to.rig.friction) torque += to.value[0];
+}
+
+/// At which a joint typically turns: to its deflection and back in the longest run, rad/s.
+double typical_speed(const Sizes& sizes) {
+  return 2 * sizes.deflection / sizes.duration;
+}
+
+}  // namespace
+
+std::vector<Effect> friction_effects() {
+  const Probing probing{.growing = {0}, .large_step = true};
+  return {
+      {.id = "load_friction",
+       .words = "dry friction in the joints that grows with their deflection",
+       .dissipates = true,
+       .parameters =
+           [](const Place& at) {
+             const double rate = 1 / at.sizes.deflection;
+             return std::vector{slip_torque(at), one_way("growth", "1/rad", 2 * rate, 100 * rate)};
+           },
+       .add =
+           [](const Addition& to) {
+             add_dry(to);
+             to.rig.friction_law.growth += to.value[0] * to.value[1];
+           },
+       .possible = [](const Place& at) { return at.sizes.turns_back; },
+       .special = {"joint_friction"},
+       .starts =
+           [](const Place&, const Exercise& nominal) {
+             return friction_starts(nominal.torque, {{3 / std::max(nominal.largest, 1e-3)}});
+           },
+       .probing = probing,
+       .at_least = 2},
+      {.id = "direction_friction",
+       .words = "dry friction in the joints that is larger in one direction than in the other",
+       .dissipates = true,
+       .parameters =
+           [](const Place& at) {
+             return std::vector{slip_torque(at), both_ways("uneven", "ratio", 0.3, -1, 1)};
+           },
+       .add =
+           [](const Addition& to) {
+             add_dry(to);
+             to.rig.friction_law.uneven += to.value[1];
+           },
+       .possible = [](const Place& at) { return at.sizes.turns_back; },
+       .special = {"joint_friction"},
+       .starts =
+           [](const Place&, const Exercise& nominal) {
+             return friction_starts(nominal.torque, {{0.5}, {-0.5}});
+           },
+       .probing = probing,
+       .at_least = 2},
+      {.id = "speed_friction",
+       .words = "dry friction in the joints that changes with their speed",
+       .dissipates = true,
+       .parameters =
+           [](const Place& at) {
+             const double speed = typical_speed(at.sizes);
+             return std::vector<ParameterRange>{
+                 slip_torque(at),
+                 both_ways("fall", "ratio", 0.5, -0.95, 10),
+                 {"speed", "rad/s", Coordinate::logarithm, 1, std::log(0.01 * speed), std::log(100 * speed)}};
+           },
+       .add =
+           [](const Addition& to) {
+             add_dry(to);
+             to.rig.friction_law.fall += to.value[1];
+             to.rig.friction_law.speed = to.value[2];
+           },
+       .possible = [](const Place& at) { return at.sizes.clock && at.sizes.turns_back; },
+       .special = {"joint_friction"},
+       .starts =
+           [](const Place& at, const Exercise& nominal) {
+             const double slow = std::log(0.3 * typical_speed(at.sizes)), fast = slow + std::log(10.0);
+             return friction_starts(nominal.torque, {{1, slow}, {1, fast}, {-0.5, slow}, {-0.5, fast}});
+           },
+       .probing = probing,
+       .at_least = 2},
+  };
+}
+
+}  // namespace plumbline::diagnose

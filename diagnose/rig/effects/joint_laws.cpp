@@ -1,0 +1,324 @@
+/// \file
+/// Torque laws of the joints beyond a single number: springs of two slopes, stops, hysteresis, set, spectra
+/// of relaxation.
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "diagnose/beliefs.hpp"
+#include "diagnose/rig/effects/each_joint.hpp"
+#include "diagnose/rig/effects/onsets.hpp"
+#include "diagnose/rig/effects/rows.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// The torque of a mean spring at a typical deflection.
+double typical_torque(const Place& at) {
+  return at.sizes.stiffness * at.sizes.deflection;
+}
+
+// ------------------------------------------------------------------------------------------- hysteresis
+
+/// Elements yield one after the other. A search begins with three, and goes on to fewer or more from there.
+constexpr std::size_t fewest_elements = 1, first_elements = 3, most_elements = 5;
+/// A stiffer element yields within less than a reading: it is dry friction.
+constexpr double stiffest = 4;
+
+/// Fitted by the turn at which an element yields, not by its torque: what it carries is then in proportion to
+/// r. \param deflection  that a joint typically has
+std::vector<ParameterRange> element_ranges(std::size_t elements, double deflection) {
+  std::vector<ParameterRange> all;
+  for (std::size_t e = 0; e < elements; ++e) {
+    all.push_back(one_way(numbered("r", e), "ratio", 0.2, stiffest));
+    all.push_back(
+        {numbered("d", e), "rad", Coordinate::plain, 0.1 * deflection, 1e-3 * deflection, 4 * deflection, 0});
+  }
+  return all;
+}
+
+/// Turns in geometric progression, from where few readings see an element to where it hardly yields.
+Starts element_starts(std::size_t elements, double deflection) {
+  Starts starts{{}, 2};
+  for (const auto& [least, most] : {std::pair{0.02, 0.5}, {0.05, 1.0}}) {
+    std::vector<double> start;
+    for (std::size_t e = 0; e < elements; ++e) {
+      const double way = elements > 1 ? static_cast<double>(e) / static_cast<double>(elements - 1) : 0.5;
+      start.push_back(0.3 / static_cast<double>(elements));
+      start.push_back(least * std::pow(most / least, way) * deflection);
+    }
+    starts.from.push_back(std::move(start));
+  }
+  return starts;
+}
+
+/// \param stiffness  of the joint that yields at the turn of the parameters
+void add_elements(std::vector<Slider>& sliders, std::size_t elements, double stiffness, const double* value) {
+  for (std::size_t e = 0; e < elements; ++e) {
+    const double ratio = value[2 * e], turn = value[2 * e + 1];
+    sliders.push_back({ratio, ratio * stiffness * turn});
+  }
+}
+
+bool turns_back(const Place& at) {
+  return at.sizes.turns_back;
+}
+
+std::vector<const Effect*> hystereses(bool at_joint);
+
+/// What both rows of hysteresis share.
+Effect hysteresis_of(std::size_t elements, bool at_joint) {
+  Effect row;
+  row.id = "hysteresis";
+  row.at_joint = at_joint;
+  row.dissipates = true;
+  row.parameters = [=](const Place& at) { return element_ranges(elements, at.sizes.deflection); };
+  for (std::size_t e = 0; e < elements; ++e) row.probing.growing.push_back(2 * e);
+  row.probing.large_step = true;
+  row.element = 2;
+  row.numbers = [=] { return hystereses(at_joint); };
+  return row;
+}
+
+Effect hysteresis_at_all(std::size_t elements) {
+  Effect row = hysteresis_of(elements, false);
+  row.words = "joints that give way little by little and remember where they turned";
+  row.add = [=](const Addition& to) {
+    for (auto& sliders : to.rig.sliders) add_elements(sliders, elements, to.sizes.stiffness, to.value);
+  };
+  row.possible = [](const Place& at) { return turns_back(at) && several_elastic(at); };
+  row.starts = [=](const Place&, const Exercise& nominal) {
+    return element_starts(elements, nominal.largest);
+  };
+  return row;
+}
+
+Effect hysteresis_at_one(std::size_t elements) {
+  Effect row = hysteresis_of(elements, true);
+  row.words = "joint {} giving way little by little and remembering where it turned";
+  row.add = [=](const Addition& to) {
+    add_elements(to.rig.sliders[to.joint], elements, to.sizes.stiffness_at(to.joint), to.value);
+  };
+  row.possible = [](const Place& at) { return turns_back(at) && at.sizes.joint_stiffness[at.joint] > 0; };
+  row.starts = [=](const Place& at, const Exercise& nominal) {
+    return element_starts(elements, nominal.deflection[at.joint]);
+  };
+  return row;
+}
+
+/// Of one element, of two and so on; that of `first_elements` is in the catalogue.
+std::vector<const Effect*> hystereses(bool at_joint) {
+  static const auto rows = [] {
+    std::array<std::vector<Effect>, 2> all;
+    for (std::size_t elements = fewest_elements; elements <= most_elements; ++elements) {
+      all[0].push_back(hysteresis_at_all(elements));
+      all[1].push_back(hysteresis_at_one(elements));
+    }
+    return all;
+  }();
+  std::vector<const Effect*> numbers;
+  for (const Effect& row : rows[at_joint ? 1 : 0]) numbers.push_back(&row);
+  numbers[first_elements - fewest_elements] = &effect("hysteresis", at_joint ? 1 : 0);
+  return numbers;
+}
+
+std::vector<Effect> hysteresis() {
+  return {hysteresis_at_all(first_elements), hysteresis_at_one(first_elements)};
+}
+
+// ---------------------------------------------------------------------------------------------- springs
+
+std::vector<Effect> springs() {
+  return {
+      {.id = "asymmetric_spring",
+       .words = "springs that are stiffer to one side",
+       .parameters = [](const Place&) { return std::vector{both_ways("e", "ratio", 0.05, -0.9, 0.9)}; },
+       .add =
+           [](const Addition& to) {
+             for (double& e : to.rig.asymmetry) e += to.value[0];
+           }},
+      {.id = "asymmetric_spring",
+       .words = "springs that are stiffer to one side, each on its own",
+       .parameters =
+           [](const Place& at) {
+             return each(at, {"e", "ratio", beliefs::asymmetry_tolerance, -0.9, 0.9});
+           },
+       .add =
+           [](const Addition& to) {
+             for_each_elastic(to, [&](std::size_t i, double e) { to.rig.asymmetry[i] += e; });
+           },
+       .possible = several_elastic,
+       .special = {"asymmetric_spring"},
+       .within_values = {"asymmetric_spring"}},
+  };
+}
+
+/// How much softer than its beginning a spring may be where it gives way: some of it is left.
+constexpr double most_give = 0.95;
+
+std::vector<ParameterRange> piecewise_ranges() {
+  return {onset_angle("s"), one_way("a", "ratio", 0.2, most_give)};
+}
+
+Starts piecewise_starts(double reach) {
+  return onset_starts({0.2, 0.6}, [&](double share, double give) {
+    return std::vector{share * reach, give};
+  });
+}
+
+/// Of all joints alike, and of one.
+std::vector<Effect> piecewise_springs() {
+  return {
+      {.id = "piecewise_spring",
+       .words = "springs that give way beyond an angle",
+       .parameters = [](const Place&) { return piecewise_ranges(); },
+       .add =
+           [](const Addition& to) {
+             to.rig.knee.assign(to.rig.knee.size(), to.value[0]);
+             to.rig.give.assign(to.rig.give.size(), to.value[1]);
+           },
+       .possible = several_elastic,
+       .starts = [](const Place&, const Exercise& nominal) { return piecewise_starts(nominal.largest); },
+       .probing = {.growing = {1}},
+       .of_shape = true},
+      {.id = "piecewise_spring",
+       .words = "the spring of joint {} giving way beyond an angle",
+       .at_joint = true,
+       .parameters = [](const Place&) { return piecewise_ranges(); },
+       .add =
+           [](const Addition& to) {
+             to.rig.knee[to.joint] = to.value[0];
+             to.rig.give[to.joint] = to.value[1];
+           },
+       .possible = [](const Place& at) { return at.sizes.joint_stiffness[at.joint] > 0; },
+       .starts = [](const Place& at,
+                    const Exercise& nominal) { return piecewise_starts(nominal.deflection[at.joint]); },
+       .probing = {.growing = {1}},
+       .of_shape = true},
+  };
+}
+
+/// Of all joints alike, and with an angle of its own at each.
+std::vector<Effect> stops() {
+  return {
+      {.id = "joint_stops",
+       .words = "stops at every joint",
+       .parameters =
+           [](const Place& at) {
+             return std::vector{onset_angle("s"), stop_stiffness(at.sizes.stiffness)};
+           },
+       .add =
+           [](const Addition& to) {
+             to.rig.stop.assign(to.rig.stop.size(), to.value[0]);
+             to.rig.stop_stiffness.assign(to.rig.stop.size(), to.value[1]);
+           },
+       .possible = several_links,
+       .starts =
+           [](const Place& at, const Exercise& nominal) {
+             return stop_starts([&](double share, double stiff) {
+               return std::vector{share * nominal.largest, stiff * at.sizes.stiffness};
+             });
+           },
+       .probing = {.growing = {1}}},
+      {.id = "joint_stops",
+       .words = "stops at every joint, each at its own angle",
+       .parameters =
+           [](const Place& at) {
+             std::vector<ParameterRange> all{stop_stiffness(at.sizes.stiffness)};
+             for (std::size_t i = 0; i < at.sizes.link_length.size(); ++i)
+               all.push_back(onset_angle(numbered("s", i)));
+             return all;
+           },
+       .add =
+           [](const Addition& to) {
+             to.rig.stop_stiffness.assign(to.rig.stop.size(), to.value[0]);
+             for (std::size_t i = 0; i < to.rig.stop.size(); ++i) to.rig.stop[i] = to.value[1 + i];
+           },
+       .possible = several_links,
+       .special = {"joint_stops", "joint_stop"},
+       .starts =
+           [](const Place& at, const Exercise& nominal) {
+             return stop_starts([&](double share, double stiff) {
+               std::vector<double> start{stiff * at.sizes.stiffness};
+               for (const double reach : nominal.deflection) start.push_back(share * reach);
+               return start;
+             });
+           },
+       .probing = {.growing = {0}}},
+  };
+}
+
+// ----------------------------------------------------------------------------------------- time and set
+
+std::vector<Effect> memory() {
+  return {
+      {.id = "relaxation_spectrum",
+       .words = "springs that relax in two times",
+       .dissipates = true,
+       .parameters =
+           [](const Place& at) {
+             const double low = std::log(0.1 * at.sizes.pause), high = std::log(20 * at.sizes.duration);
+             return std::vector<ParameterRange>{one_way("m_1", "ratio", 0.2, 20),
+                                                {"tau_1", "s", Coordinate::logarithm, 1, low, high},
+                                                one_way("m_2", "ratio", 0.2, 20),
+                                                {"tau_2", "s", Coordinate::logarithm, 1, low, high}};
+           },
+       .add =
+           [](const Addition& to) {
+             to.rig.arms.push_back({to.value[0], to.value[1]});
+             to.rig.arms.push_back({to.value[2], to.value[3]});
+           },
+       // Two times are told apart where readings are much closer than both.
+       .possible = [](const Place& at) { return at.sizes.clock && at.sizes.duration > 20 * at.sizes.pause; },
+       .special = {"viscoelasticity"},
+       .starts =
+           [](const Place& at, const Exercise&) {
+             const double low = std::log(2 * at.sizes.pause), high = std::log(0.4 * at.sizes.duration);
+             return Starts{{{0.1, low, 0.1, high}}, 1};
+           },
+       .probing = {.growing = {0, 2}},
+       .at_least = 2,
+       .element = 2},
+      {.id = "plastic_set",
+       .words = "rest angles that stay moved after a torque that was too large",
+       .dissipates = true,
+       .parameters =
+           [](const Place& at) {
+             const double torque = typical_torque(at);
+             return std::vector<ParameterRange>{
+                 {"tau_y", "N m", Coordinate::plain, 0.3 * torque, 1e-3 * torque, 10 * torque},
+                 one_way("slope", "ratio", 0.1, 20)};
+           },
+       .add =
+           [](const Addition& to) {
+             to.rig.yield = to.value[0];
+             to.rig.flow = to.value[1];
+           },
+       .possible = turns_back,
+       .starts =
+           [](const Place&, const Exercise& nominal) {
+             Starts starts{{}, 1};
+             for (const double share : {0.2, 0.4, 0.6, 0.8})
+               starts.from.push_back({share * nominal.torque, 0.1});
+             return starts;
+           },
+       .probing = {.growing = {1}}},
+      {.id = "tendon_friction",
+       .words = "a tendon that loses tension from joint to joint",
+       .parameters = [](const Place&) { return std::vector{one_way("mu", "ratio", 0.02, 1)}; },
+       .add = [](const Addition& to) { to.rig.capstan += to.value[0]; },
+       .possible = [](const Place& at) { return at.sizes.bent_at_rest; }},
+  };
+}
+
+}  // namespace
+
+std::vector<Effect> joint_law_effects() {
+  std::vector<Effect> rows;
+  for (const auto& group : {springs, piecewise_springs, stops, hysteresis, memory})
+    for (Effect& row : group()) rows.push_back(std::move(row));
+  return rows;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,62 @@
+/// \file
+/// Effects of the links.
+
+#include "diagnose/rig/effects/rows.hpp"
+
+namespace plumbline::diagnose {
+
+std::vector<Effect> link_effects() {
+  return {
+      {.id = "link_length",
+       .words = "a wrong length of link {}",
+       .at_joint = true,
+       .parameters = [](const Place&) { return std::vector{both_ways("a", "ratio", 0.02, -0.3, 0.3)}; },
+       .add = [](const Addition& to) { to.rig.length[to.joint] *= 1 + to.value[0]; }},
+      {.id = "gravity",
+       .words = "the weight of the links",
+       .parameters =
+           [](const Place& at) {
+             const double density =
+                 at.sizes.stiffness / (standard_gravity * at.sizes.length * at.sizes.length);
+             return std::vector{one_way("rho", "kg/m", 0.1 * density, 20 * density)};
+           },
+       .add =
+           [](const Addition& to) {
+             for (std::size_t j = 0; j < to.rig.length.size(); ++j)
+               to.rig.weight[j] += to.value[0] * to.rig.length[j] * standard_gravity * to.down;
+           },
+       .possible = [](const Place& at) { return at.sizes.weighs; }},
+      {.id = "mass_scale",
+       .words = "all masses wrong by one factor",
+       .parameters = [](const Place&) { return std::vector{both_ways("a", "ratio", 0.1, -0.95, 3)}; },
+       .add =
+           [](const Addition& to) {
+             for (Vector2& weight : to.rig.weight) weight *= 1 + to.value[0];
+           },
+       .possible = [](const Place& at) { return at.sizes.nominal_weight; }},
+      {.id = "axial_compliance",
+       .words = "links that stretch and shorten",
+       .parameters =
+           [](const Place& at) {
+             return std::vector{one_way("c_a", "1/N", 0.01 / at.sizes.force, 0.3 / at.sizes.force)};
+           },
+       .add = [](const Addition& to) { to.rig.axial += to.value[0]; }},
+      {.id = "link_bending",
+       .words = "links that bend",
+       .parameters =
+           [](const Place& at) {
+             const double soft = 1 / (at.sizes.stiffness * at.sizes.link);
+             return std::vector<ParameterRange>{
+                 {"EI", "N m²", Coordinate::reciprocal, 0.1 * soft, 1e-6 * soft, 10 * soft}};
+           },
+       .add = [](const Addition& to) { to.rig.flexibility += 1 / to.value[0]; },
+       .starts =
+           [](const Place& at, const Exercise&) {
+             const double scale = 0.1 * (1 / (at.sizes.stiffness * at.sizes.link));
+             return Starts{{{0.01 * scale}, {0.3 * scale}, {2.0 * scale}}, 1};
+           },
+       .probing = {.large_step = true, .starts = 1}},
+  };
+}
+
+}  // namespace plumbline::diagnose

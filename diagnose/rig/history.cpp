@@ -1,0 +1,464 @@
+#include "diagnose/rig/history.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <plumbline/chain/kinematics.hpp>
+
+#include "diagnose/rig/rig_solver.hpp"
+#include "diagnose/rig/way_between.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+Vector2 turned(const Vector2& v, double angle) {
+  if (angle == 0) return v;
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+}
+
+Eigen::Matrix2d cross_talk(const Rig& rig) {
+  Eigen::Matrix2d mixed;
+  mixed << 1, rig.cross_talk.x(), rig.cross_talk.y(), 1;
+  return mixed;
+}
+
+/// What a load cell without a zero of its own shows of a force in its axes: (1 + g) m (1 + c m) of each
+/// component of m = (1 + C) F.
+Vector2 shown_by_cell(const Rig& rig, const Vector2& force) {
+  const Vector2 mixed = cross_talk(rig) * force;
+  return (1 + rig.force_gain) * (mixed + rig.cell_curvature.cwiseProduct(mixed.cwiseAbs2()));
+}
+
+/// The force of which it shows this: the smaller, and where there is none the one that comes nearest.
+Vector2 force_on_cell(const Rig& rig, const Vector2& shown) {
+  const Vector2 bent = shown / (1 + rig.force_gain);
+  const Vector2 root = (1 + 4 * rig.cell_curvature.array() * bent.array()).max(0).sqrt();
+  const Vector2 mixed = 2 * bent.array() / (1 + root.array());
+  return cross_talk(rig).inverse() * mixed;
+}
+
+/// One rig on its way through one run: posture and memory.
+struct Traveller {
+  Traveller(const Rig& rig, const Run& run) : on(rig, run.rest), memory(run.rest.size()) {
+    for (std::size_t i = 0; i < memory.size(); ++i) memory[i].angle = on.joint[i].rest;
+  }
+
+  /// Commanded to true: the end point (position offset, rail) or the force (load cell, rail).
+  [[nodiscard]] Imposed imposed(const Run& run, const Reading& reading) const {
+    const Rig& rig = on.rig;
+    const Reading& first = run.readings.front();
+    if (run.holds_end_point()) {
+      const Vector2 start = run.command(first);
+      return {run.control,
+              start + turned(run.command(reading) - start, rig.misalignment) + rig.position_offset};
+    }
+    if (run.by_weights) return {run.control, turned(run.command(reading), rig.misalignment)};
+    const Vector2 read = run.command(reading) - rig.force_bias - rig.force_drift * reading.t;
+    return {run.control, turned(force_on_cell(rig, read), rig.misalignment)};
+  }
+
+  /// True to measured force, in the axes of the rail.
+  /// \param dt  since the last reading; 0 at the first
+  Vector2 measure_force(double t, double dt, double direction) {
+    const Rig& rig = on.rig;
+    const Vector2 force(posture.force.x, posture.force.y);
+    Vector2 read =
+        shown_by_cell(rig, turned(force, -rig.misalignment)) + rig.force_bias + rig.force_drift * t;
+    read.x() += rig.guide_friction * direction;
+    return lagging(read, dt).cwiseMin(rig.force_limit).cwiseMax(-rig.force_limit);
+  }
+
+  [[nodiscard]] TimeStep interval(double dt) const {
+    TimeStep result;
+    result.relaxed = false;
+    for (std::size_t a = 0; a < on.arm_time.size() && dt > 0; ++a) {
+      const double ratio = dt / on.arm_time[a];
+      result.decay.at(a) = std::exp(-ratio);
+      result.gain.at(a) = -std::expm1(-ratio) / ratio;
+    }
+    return result;
+  }
+
+  /// Its joints will turn as fast as they turned last, if they go on as the drive does.
+  /// \param share  of the step to come in the last one
+  void expect(double share, double dt) {
+    for (JointMemory& joint : memory) joint.speed = dt > 0 ? share * joint.turn / dt : 0;
+  }
+
+  void remember(const Layout& layout, const TimeStep& during) {
+    for (std::size_t i = 0; i < memory.size(); ++i) {
+      const JointLaw& law = on.joint[i];
+      const double q = layout.joint_angle(posture.angle, i);
+      JointMemory& own = memory[i];
+      // Sliders and arms look at the angle before, which is overwritten last.
+      for (std::size_t s = 0; s < law.slider.size(); ++s)
+        if (law.slider[s].acts() && (law.slider[s].from_rest || !during.relaxed))
+          own.slider.at(s) =
+              law.along(law.slider[s], own.slider[s], q, own, posture.contact[layout.contact(i, s)]).value;
+      if (!during.relaxed)
+        for (std::size_t a = 0; a < on.arm_time.size(); ++a)
+          own.arm[a] = law.viscous(a, q, own, during.decay[a], during.gain[a]).value;
+      law.flow_to(q, own);
+      // Of the way to the first reading no speed is known.
+      own.turn = std::abs(during.relaxed ? q : q - own.angle);
+      own.angle = q;
+    }
+  }
+
+  RunRig on;
+  Posture posture;
+  std::vector<JointMemory> memory;
+
+ private:
+  /// What a cell with a time constant shows of a force that goes steadily from one reading to the next.
+  Vector2 lagging(const Vector2& now, double dt) {
+    const double lag = on.rig.force_lag;
+    if (lag > 0 && dt > 0) {
+      const Vector2 behind = (now - felt_) / dt * lag;
+      shown_ = now - behind + std::exp(-dt / lag) * (shown_ - felt_ + behind);
+    } else {
+      shown_ = now;
+    }
+    felt_ = now;
+    return shown_;
+  }
+
+  Vector2 felt_ = Vector2::Zero(), shown_ = Vector2::Zero();  ///< at the last reading
+};
+
+/// Where a joint turned to last, and which way, 1 or -1; 0 until it has turned from rest. While it turns by
+/// less than JointLaw::turning it stands.
+struct Turning {
+  double place, way;
+};
+
+/// A run of the rig and, beside it, of the rigs whose parameters differ by a small step each.
+template <int Bandwidth>
+class RunWalk {
+ public:
+  RunWalk(const Experiment& experiment, const Run& run, const Layout& layout, const Rig& rig,
+          const std::vector<Rig>& variations)
+      : run_(run),
+        experiment_(experiment),
+        layout_(layout),
+        parts_(parts_of_ways(run, layout, rig)),
+        solver_(layout, std::accumulate(parts_.begin(), parts_.end(), std::size_t{0})),
+        main_(rig, run) {
+    beside_.reserve(variations.size());
+    for (const Rig& other : variations) beside_.emplace_back(other, run);
+    start();
+  }
+
+  [[nodiscard]] bool snapped() const { return snapped_; }
+
+  /// Fills the rows of the run; `sensitivity` holds, per varied rig, its difference from the rig.
+  bool walk(Trace& trace, const std::vector<Trace*>& sensitivity) {
+    for (std::size_t r = 0; r < run_.readings.size(); ++r) {
+      const auto row = static_cast<Eigen::Index>(r);
+      if (!imposed_is_known(run_.readings[r])) {
+        trace.row(row) = std::numeric_limits<double>::quiet_NaN();
+        for (Trace* other : sensitivity) other->row(row) = 0;
+        continue;
+      }
+      if (!move_to(r)) return false;
+      write(main_, r, trace);
+      if (!main_.on.rig.stated_corrections.empty() && !trace.row(row).isFinite().all()) return false;
+      for (std::size_t p = 0; p < beside_.size(); ++p) {
+        write(beside_[p], r, *sensitivity[p]);
+        sensitivity[p]->row(row) -= trace.row(row);
+      }
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] bool imposed_is_known(const Reading& reading) const {
+    return run_.command(reading).allFinite();
+  }
+
+  void start() {
+    double theta = 0;
+    main_.posture.contact.assign(layout_.links * layout_.sliders, Contact::sticks);
+    main_.posture.angle.resize(static_cast<Eigen::Index>(layout_.nodes()));
+    for (std::size_t j = 0; j < layout_.links; ++j) {
+      theta += main_.on.joint[j].rest;
+      turning_.push_back({main_.on.joint[j].rest, 0});
+      const auto nodes = static_cast<Eigen::Index>(layout_.nodes_per_link());
+      main_.posture.angle.segment(static_cast<Eigen::Index>(layout_.first(j)), nodes).setConstant(theta);
+    }
+    at_ = {run_.control, Vector2(0, 0)};
+    if (run_.readings.empty()) return;
+    if (run_.holds_end_point()) at_.value = solver_.end_point(main_.on, main_.posture);
+    approach();
+  }
+
+  /// A run whose first line is not that of the unloaded chain was brought there: it has moved already.
+  void approach() {
+    const Vector2 first = run_.command(run_.readings.front());
+    if (run_.holds_end_point()) {
+      head(first - unloaded_end(experiment_, run_.rest), 1e-4 * reach(experiment_.link_length).largest);
+    } else {
+      head(first, 0);
+    }
+  }
+
+  /// Whether the chain is on the side that it did not go to: of the way from between the sides to that one it
+  /// is a tenth at least. What friction holds between them is on neither.
+  [[nodiscard]] bool is_on_other_side(std::size_t r) const {
+    constexpr double clearly = 0.1;
+    const auto row = static_cast<Eigen::Index>(r);
+    double along = 0, whole = 0;
+    for (std::size_t i = 0; i < layout_.links; ++i) {
+      const auto joint = static_cast<Eigen::Index>(i);
+      const double there = run_.side->there(row, joint), other = run_.side->other(row, joint);
+      const double way = (other - there) / 2;
+      along += (layout_.joint_angle(main_.posture.angle, i) - (there + other) / 2) * way;
+      whole += way * way;
+    }
+    return along > clearly * whole;
+  }
+
+  /// Looks for the chain on the side that it went to, where it arrived on the other one or nowhere: a softer
+  /// one loses its stiffness before the sides are apart. \returns whether it is there; if not, it stays
+  bool crosses_over(const RigStep& step, const Imposed& target, std::size_t r, bool arrived) {
+    if (arrived && !(run_.side->apart[r] && is_on_other_side(r))) return false;
+    const Posture stays = main_.posture;
+    main_.posture = last_posture_;
+    const std::size_t apart = std::max(r, run_.side->first());
+    const auto row = static_cast<Eigen::Index>(apart);
+    double theta = 0;
+    for (std::size_t j = 0; j < layout_.links; ++j) {
+      theta += run_.side->there(row, static_cast<Eigen::Index>(j));
+      const auto nodes = static_cast<Eigen::Index>(layout_.nodes_per_link());
+      main_.posture.angle.segment(static_cast<Eigen::Index>(layout_.first(j)), nodes).setConstant(theta);
+    }
+    main_.posture.force = {run_.side->force(row, 0), run_.side->force(row, 1)};
+    guess_ = main_.posture;
+    if (solver_.follow(step, target, target, guess_, main_.posture) && !is_on_other_side(apart)) return true;
+    main_.posture = stays;
+    return false;
+  }
+
+  /// Looks first where the last step leads if it goes on as it went, if the load does.
+  void extrapolate(const Imposed& target) {
+    guess_ = main_.posture;
+    const Vector2 step = target.value - at_.value;
+    if (!moved_ || step.dot(last_step_) <= 0.5 * step.norm() * last_step_.norm()) return;
+    const double share = step.norm() / last_step_.norm();
+    guess_.angle += share * (guess_.angle - last_posture_.angle);
+    guess_.force.x += share * (guess_.force.x - last_posture_.force.x);
+    guess_.force.y += share * (guess_.force.y - last_posture_.force.y);
+  }
+
+  /// By as many parts as the way to it has; where the rig cannot follow one of them it goes all at once.
+  bool move_to(std::size_t r) {
+    const Reading& reading = run_.readings[r];
+    interval_ = last_ ? reading.t - last_->t : 0;
+    if (last_) head(run_.command(reading) - run_.command(*last_), 0);
+    const std::size_t count = last_ ? parts_[r] : 1;
+    for (std::size_t part = 1; part < count; ++part) {
+      const double share = static_cast<double>(part) / static_cast<double>(count);
+      if (!go_to(on_the_way(*last_, reading, share), std::nullopt)) break;
+    }
+    if (!go_to(reading, r)) return false;
+    notice_turns();
+    last_ = &reading;
+    return true;
+  }
+
+  /// What is imposed goes this way. \param still  by no more it stands
+  void head(const Vector2& way, double still) {
+    for (const Eigen::Index axis : {0, 1})
+      if (std::abs(way(axis)) > still) direction_(axis) = way(axis) > 0 ? 1 : -1;
+  }
+
+  void notice_turns() {
+    for (std::size_t i = 0; i < turning_.size(); ++i) {
+      const double q = layout_.joint_angle(main_.posture.angle, i), turn = q - turning_[i].place;
+      if (std::abs(turn) > JointLaw::turning) turning_[i] = {q, turn > 0 ? 1.0 : -1.0};
+    }
+  }
+
+  /// \param r  its number where it is a reading
+  bool go_to(const Reading& reading, std::optional<std::size_t> r) {
+    const double dt = moved_ ? reading.t - last_time_ : 0;
+    const Imposed target = main_.imposed(run_, reading);
+    const double last_way = last_step_.norm(),
+                 share = last_way > 0 ? (target.value - at_.value).norm() / last_way : 0;
+    const auto step_of = [&](Traveller& rig) {
+      rig.expect(share, dt);
+      RigStep step{rig.on, moved_ ? rig.interval(dt) : TimeStep{}, rig.memory};
+      step.interval.end = reading.t;
+      return step;
+    };
+    const RigStep step = step_of(main_);
+    extrapolate(target);
+    last_posture_ = main_.posture;
+    const bool arrives = solver_.follow(step, at_, target, guess_, main_.posture);
+    const bool crosses = r && run_.side && crosses_over(step, target, *r, arrives);
+    if (!arrives && !crosses) return false;
+    snapped_ = snapped_ || (!crosses && solver_.snapped());
+    if (!beside_.empty()) solver_.prepare(step, target, main_.posture);
+    for (Traveller& other : beside_) {
+      const RigStep its = step_of(other);
+      solver_.neighbour(its, other.imposed(run_, reading), main_.posture, other.posture);
+      other.remember(layout_, its.interval);
+    }
+    main_.remember(layout_, step.interval);
+    last_step_ = target.value - at_.value;
+    at_ = target;
+    last_time_ = reading.t;
+    moved_ = true;
+    return true;
+  }
+
+  void write(Traveller& rig, std::size_t r, Trace& trace) {
+    const Reading& reading = run_.readings[r];
+    auto row = trace.row(static_cast<Eigen::Index>(r));
+    Vector2 end(reading.x, reading.y), force(reading.Fx, reading.Fy);
+    if (run_.holds_end_point()) {
+      force = rig.measure_force(reading.t, interval_, direction_.x());
+    } else {
+      end = solver_.end_point(rig.on, rig.posture) - rig.on.rig.position_offset;
+    }
+    row(column_x) = end.x();
+    row(column_y) = end.y();
+    row(column_Fx) = force.x();
+    row(column_Fy) = force.y();
+    for (std::size_t i = 0; i < layout_.links; ++i)
+      row(column_q + static_cast<Eigen::Index>(i)) = layout_.joint_angle(rig.posture.angle, i);
+    correct(rig.on, reading.t, row);
+  }
+
+  /// Adds what the user states of the readings that are measured.
+  template <class Row>
+  void correct(const RunRig& on, double t, Row& row) const {
+    if (on.rig.stated_corrections.empty()) return;
+    Eigen::ArrayXd added = Eigen::ArrayXd::Zero(row.size());
+    for (const StatedCorrection& one : on.rig.stated_corrections) {
+      for (const Channel& channel : run_.measured()) {
+        if (!one.applies_to(channel)) continue;
+        const Moment moment{t, run_.number, direction_of(channel), on.joint[channel.joint].rest};
+        added(column_of(channel)) += one.value(reading_values(row.transpose(), moment, channel));
+      }
+    }
+    row += added.transpose();
+  }
+
+  /// The way that goes with a channel: 1, or -1; 1 before the first motion. Rigs beside share it: one that
+  /// turns back at another reading would make a slope of a jump.
+  [[nodiscard]] double direction_of(const Channel& channel) const {
+    const bool along_x = channel.name == Channel::Name::x || channel.name == Channel::Name::Fx;
+    const double way =
+        channel.name == Channel::Name::q ? turning_[channel.joint].way : direction_(along_x ? 0 : 1);
+    return way < 0 ? -1 : 1;
+  }
+
+  const Run& run_;
+  const Experiment& experiment_;
+  Layout layout_;
+  std::vector<std::size_t> parts_;  ///< of the way to each reading
+  RigSolver<Bandwidth> solver_;
+  Traveller main_;
+  std::vector<Traveller> beside_;
+  Posture last_posture_, guess_;
+  Vector2 last_step_ = Vector2::Zero();
+  Imposed at_{Control::end_point, Vector2::Zero()};
+  const Reading* last_ = nullptr;  ///< with a known command
+  double last_time_ = 0;
+  double interval_ = 0;                  ///< before the last reading; 0 at the first
+  Vector2 direction_ = Vector2::Zero();  ///< of what is imposed, along x and y; 0 until it has moved
+  std::vector<Turning> turning_;         ///< of each joint
+  bool moved_ = false, snapped_ = false;
+};
+
+bool walk(const Experiment& experiment, const Run& run, const Layout& layout, const Rig& rig,
+          const std::vector<Rig>& variations, Trace& trace, const std::vector<Trace*>& sensitivity,
+          bool& snapped) {
+  const auto with = [&]<int Bandwidth>() {
+    RunWalk<Bandwidth> one(experiment, run, layout, rig, variations);
+    const bool reached = one.walk(trace, sensitivity);
+    snapped = snapped || (reached && one.snapped());
+    return reached;
+  };
+  switch (layout.bandwidth()) {
+    case 1:
+      return with.template operator()<1>();
+    case 2:
+      return with.template operator()<2>();
+    default:
+      return with.template operator()<4>();
+  }
+}
+
+/// Sliders of each joint, the dry friction and the direction of motion among them; 0 where nothing slides.
+std::size_t contact_count(const Rig& rig) {
+  const bool directed =
+      std::any_of(rig.stated_torques.begin(), rig.stated_torques.end(), std::mem_fn(&StatedTorque::directed));
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < rig.length.size(); ++i) most = std::max(most, slider_count(rig, i));
+  const bool dry = rig.friction_law.growth > 0 || std::any_of(rig.friction.begin(), rig.friction.end(),
+                                                              [](double torque) { return torque > 0; });
+  return (most > 0 || dry || directed ? 1 + most : 0) + (directed ? 1 : 0);
+}
+
+Layout layout_of(const Rig& rig, const std::vector<RigVariation>& variations) {
+  Layout layout{rig.length.size(), rig.flexibility > 0, rig.coupling != 0, contact_count(rig)};
+  for (const RigVariation& other : variations) {
+    layout.coupled = layout.coupled || other.rig.coupling != 0;
+    layout.sliders = std::max(layout.sliders, contact_count(other.rig));
+  }
+  return layout;
+}
+
+}  // namespace
+
+std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, const Moment& moment,
+                                   const Channel& channel) {
+  const double run = static_cast<double>(moment.run + 1);
+  std::vector<double> values{row(column_x), row(column_y), row(column_Fx),  row(column_Fy),
+                             moment.t,      run,           moment.direction};
+  if (channel.name != Channel::Name::q) return values;
+  const double q = row(column_of(channel));
+  values.insert(values.end(), {q, q - moment.rest});
+  return values;
+}
+
+Prediction simulate(const Experiment& experiment, const Rig& rig,
+                    const std::vector<RigVariation>& variations) {
+  const Layout layout = layout_of(rig, variations);
+  Prediction result;
+  for (const Run& run : experiment.runs) {
+    const auto rows = static_cast<Eigen::Index>(run.readings.size());
+    const auto columns = column_q + static_cast<Eigen::Index>(layout.links);
+    result.runs.push_back(Trace::Constant(rows, columns, std::numeric_limits<double>::quiet_NaN()));
+  }
+  result.sensitivity.assign(variations.size(), result.runs);
+  for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
+    const Rig here = in_run(rig, experiment.runs[r].number);
+    std::vector<Rig> differ;
+    std::vector<Trace*> beside;
+    for (std::size_t p = 0; p < variations.size(); ++p) {
+      Trace& trace = result.sensitivity[p][r];
+      if (Rig other = in_run(variations[p].rig, experiment.runs[r].number); other == here) {
+        trace.setZero();
+      } else {
+        differ.push_back(std::move(other));
+        beside.push_back(&trace);
+      }
+    }
+    if (!walk(experiment, experiment.runs[r], layout, here, differ, result.runs[r], beside, result.snapped)) {
+      result.reached = false;
+      return result;
+    }
+    for (std::size_t p = 0; p < variations.size(); ++p) result.sensitivity[p][r] /= variations[p].step;
+  }
+  return result;
+}
+
+}  // namespace plumbline::diagnose

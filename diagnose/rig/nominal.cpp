@@ -1,0 +1,157 @@
+#include "diagnose/rig/nominal.hpp"
+
+#include <fmt/format.h>
+
+#include <plumbline/base/error.hpp>
+
+#include "diagnose/rig/effect.hpp"
+#include "diagnose/rig/run_rig.hpp"
+#include "support/files/printable.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// Weight of each link.
+std::vector<Point<double>> weights(const Experiment& experiment) {
+  std::vector<Point<double>> weight;
+  for (const double mass : experiment.link_mass)
+    weight.push_back({mass * experiment.gravity[0], mass * experiment.gravity[1]});
+  return weight;
+}
+
+Rig without_effects(const Experiment& experiment) {
+  const std::size_t n = experiment.link_length.size();
+  Rig rig;
+  rig.length = experiment.link_length;
+  rig.stiffness = experiment.joint_stiffness;
+  rig.rest_error.assign(n, 0);
+  rig.backlash.assign(n, 0);
+  rig.stop.assign(n, std::numeric_limits<double>::infinity());
+  rig.stop_stiffness.assign(n, 0);
+  rig.hardening.assign(n, 0);
+  rig.asymmetry.assign(n, 0);
+  rig.knee.assign(n, std::numeric_limits<double>::infinity());
+  rig.give.assign(n, 0);
+  rig.friction.assign(n, 0);
+  rig.sliders.resize(n);
+  for (const Point<double>& weight : weights(experiment)) rig.weight.emplace_back(weight.x, weight.y);
+  rig.weight.resize(n, Vector2::Zero());
+  return rig;
+}
+
+/// The words that an error about the effect begins with.
+std::string place_of(const Experiment& experiment, std::size_t number, const std::string& key) {
+  return fmt::format("experiment \"{}\": nominal.effect[{}].{}", experiment.name, number + 1, key);
+}
+
+/// The rows that a nominal model may have: the catalogue's, with any number of elements, and those that the
+/// user states.
+std::vector<const Effect*> rows_of(const Experiment& experiment) {
+  std::vector<const Effect*> rows;
+  for (const Effect& row : catalogue()) {
+    rows.push_back(&row);
+    if (!row.numbers) continue;
+    for (const Effect* other : row.numbers())
+      if (other != &row) rows.push_back(other);
+  }
+  if (experiment.stated)
+    for (const Effect& row : *experiment.stated) rows.push_back(&row);
+  return rows;
+}
+
+/// Whether a row has these parameters, no more and no fewer, in a chain.
+bool has_parameters(const Effect& row, const NominalEffect& own, const Sizes& sizes) {
+  const std::vector<ParameterRange> ranges = row.parameters({sizes, own.joint > 0 ? own.joint - 1 : 0});
+  return ranges.size() == own.parameters.size() &&
+         std::all_of(ranges.begin(), ranges.end(), [&](const ParameterRange& one) {
+           return own.parameters.contains(std::string(one.name));
+         });
+}
+
+/// The row that the effect names, of two the one that has its parameters. \throws Error for a word or joint
+/// that no row has
+const Effect& row_of(const Experiment& experiment, const Sizes& sizes, std::size_t number) {
+  const NominalEffect& own = experiment.effects[number];
+  const std::size_t n = experiment.link_length.size();
+  bool known = false;
+  const Effect* named = nullptr;
+  for (const Effect* row : rows_of(experiment)) {
+    if (row->id != own.id) continue;
+    known = true;
+    if (row->at_joint != (own.joint > 0) || own.joint > n) continue;
+    if (named == nullptr || has_parameters(*row, own, sizes)) named = row;
+  }
+  if (named != nullptr) return *named;
+  if (!known)
+    throw Error(place_of(experiment, number, "id"), files::shown(own.id),
+                "an id of the effect catalogue, or user:NAME of the file that --effects names");
+  throw Error(place_of(experiment, number, "joint"), own.joint > 0 ? std::to_string(own.joint) : "none",
+              own.joint > n   ? fmt::format("a joint or link from 1 to {}", n)
+              : own.joint > 0 ? "none: " + own.id + " is not at one joint"
+                              : "the joint or link that has it, from 1");
+}
+
+/// The effect's parameters in the order of its row. One that the row seeks from zero on, or above it, is not
+/// negative, or positive. \throws Error for one too few or too many, or of a wrong sign
+std::vector<double> values_of(const Experiment& experiment, std::size_t number, const Effect& row,
+                              const Place& at) {
+  const NominalEffect& own = experiment.effects[number];
+  std::vector<double> values;
+  std::string names;
+  for (const ParameterRange& range : row.parameters(at)) {
+    names += (names.empty() ? "" : ", ") + std::string(range.name);
+    const auto found = own.parameters.find(std::string(range.name));
+    const std::string place = place_of(experiment, number, "parameters." + std::string(range.name));
+    if (found == own.parameters.end()) throw Error(place, "no such key", "a number");
+    const bool above = range.coordinate != Coordinate::plain;
+    if (above ? !(found->second > 0) : found->second < 0 && range.low >= 0)
+      throw Error(place, fmt::format("{}", found->second), above ? "a positive number" : "zero or more");
+    values.push_back(found->second);
+  }
+  if (values.size() != own.parameters.size())
+    throw Error(place_of(experiment, number, "parameters"), "further keys", names + " alone");
+  return values;
+}
+
+/// What no rig can be. \throws Error
+void require_physical(const Experiment& experiment, const Rig& rig) {
+  const auto refuse = [&](const std::string& found, const std::string& expected) {
+    throw Error("experiment \"" + experiment.name + "\": nominal.effect", found, expected);
+  };
+  for (std::size_t i = 0; i < rig.length.size(); ++i) {
+    if (!(rig.length[i] > 0))
+      refuse(fmt::format("a link {} of length {:.4g}", i + 1, rig.length[i]), "positive lengths");
+    if (!(rig.stiffness[i] >= 0))
+      refuse(fmt::format("a joint {} of stiffness {:.4g}", i + 1, rig.stiffness[i]),
+             "stiffnesses that are not negative");
+    if (slider_count(rig, i) > most_nominal_sliders)
+      refuse(fmt::format("{} sliders at joint {}", slider_count(rig, i), i + 1),
+             fmt::format("{} at most", most_nominal_sliders));
+  }
+  if (const std::size_t arms = arm_times(rig).size(); arms > most_nominal_arms)
+    refuse(fmt::format("{} Maxwell arms", arms), fmt::format("{} at most", most_nominal_arms));
+}
+
+}  // namespace
+
+NominalModel<double> nominal_model(const Experiment& experiment, const std::vector<double>& rest) {
+  return NominalModel<double>(Chain<double>(experiment.link_length, experiment.joint_stiffness, rest),
+                              weights(experiment));
+}
+
+Rig nominal_rig(const Experiment& experiment) {
+  Rig rig = without_effects(experiment);
+  if (experiment.plain()) return rig;
+  rig.laws = experiment.laws;
+  const Sizes sizes = sizes_of(experiment);
+  for (std::size_t e = 0; e < experiment.effects.size(); ++e) {
+    const Effect& row = row_of(experiment, sizes, e);
+    const std::size_t joint = row.at_joint ? experiment.effects[e].joint - 1 : 0;
+    const std::vector<double> values = values_of(experiment, e, row, {sizes, joint});
+    row.add({rig, joint, sizes, experiment.bench.down(), values.data()});
+  }
+  require_physical(experiment, rig);
+  return rig;
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,19 @@
+#pragma once
+/// \file
+/// In which regime each reading of a run was taken, by the nominal model.
+
+#include "diagnose/rig/history.hpp"
+
+namespace plumbline::diagnose {
+
+enum class Regime { pre_buckling, near_loss_of_stiffness, post_buckling, unloading };
+
+std::string regime_word(Regime regime);
+
+/// One regime per reading. The stiffness along the path is the change of the nominal force along the motion
+/// over the motion. Pre-buckling: at least half of its value at the start of the loading; near the loss of
+/// stiffness: between half and a tenth of it; post-buckling: below, or after the force has passed its
+/// maximum. Unloading: the commanded point moves back towards the unloaded shape.
+std::vector<Regime> regimes(const Run& run, const Trace& nominal);
+
+}  // namespace plumbline::diagnose

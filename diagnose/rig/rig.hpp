@@ -1,0 +1,109 @@
+#pragma once
+/// \file
+/// The rig as it is: the nominal chain and bench, and beside them everything that the effects of the
+/// catalogue can add. A rig whose additions are all zero is the nominal model, so any set of effects can be
+/// active together.
+
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+#include "diagnose/bench/experiment.hpp"
+#include "diagnose/bench/free_law.hpp"
+#include "diagnose/rig/stated.hpp"
+
+namespace plumbline::diagnose {
+
+using Vector2 = Eigen::Vector2d;
+
+/// Standard gravity as the catalogue counts it, m/s^2.
+inline constexpr double standard_gravity = 9.81;
+
+/// A Maxwell arm beside every spring: stiffness over that of the spring, and time constant, s.
+struct Arm {
+  double ratio, time;
+  friend bool operator==(const Arm&, const Arm&) = default;
+};
+
+/// A Jenkins element beside a spring: stiffness over that of the spring, and the torque at which it yields, N
+/// m.
+struct Slider {
+  double ratio, yield;
+  friend bool operator==(const Slider&, const Slider&) = default;
+};
+
+/// What the slip torque of the dry contacts depends on:
+/// (tau_c + growth |d|) (1 + uneven side) (1 + fall exp(-speed of turning / speed)).
+struct FrictionLaw {
+  double growth = 0;           ///< N m/rad
+  double uneven = 0;           ///< of the side to which they slip, 1 or -1
+  double fall = 0, speed = 1;  ///< from rest to fast, and over how many rad/s
+  friend bool operator==(const FrictionLaw&, const FrictionLaw&) = default;
+};
+
+struct Rig {
+  // The chain, per joint or link.
+  std::vector<double> length;      ///< L_j
+  std::vector<double> stiffness;   ///< k_i
+  std::vector<double> rest_error;  ///< added to the commanded rest angle
+  std::vector<double> backlash;    ///< half the play, b
+  std::vector<double> stop;        ///< deflection at which the stop is reached, s; infinite without a stop
+  std::vector<double> stop_stiffness;        ///< k_s
+  std::vector<double> hardening;             ///< c of k d (1 + c d^2), 1/rad^2
+  std::vector<double> asymmetry;             ///< e: stiffer by it where d > 0, softer where d < 0
+  std::vector<double> knee;                  ///< deflection beyond which the spring gives way; or infinite
+  std::vector<double> give;                  ///< a: by how much it is softer there, over its stiffness
+  std::vector<double> friction;              ///< tau_c, N m; acts at elastic joints
+  std::vector<std::vector<Slider>> sliders;  ///< at elastic joints
+  std::vector<Vector2> weight;               ///< dead weight of each link, at its middle, N
+
+  // The chain as a whole.
+  FrictionLaw friction_law;                                ///< of the dry friction of all joints
+  double yield = std::numeric_limits<double>::infinity();  ///< tau_y beyond which rest angles move, N m
+  double flow = 0;                                         ///< how far they move, over (torque - tau_y) / k
+  double capstan = 0;        ///< mu: a rest angle falls by exp(-mu) from joint to joint
+  double coupling = 0;       ///< kappa between neighbouring joints, N m/rad
+  double axial = 0;          ///< c_a, strain per newton
+  double flexibility = 0;    ///< 1/EI of every link, 1/(N m^2)
+  std::vector<Arm> arms;     ///< beside every spring
+  double tip_stiffness = 0;  ///< k_t, N m/rad
+  double eccentricity = 0;   ///< e, m
+
+  // The bench.
+  Vector2 payload = Vector2::Zero();          ///< weight at the end point, N
+  Vector2 base_compliance = Vector2::Zero();  ///< c_x, c_y, m/N
+  double train_compliance = 0;                ///< c_t, m/N
+  double misalignment = 0;                    ///< eps, rad
+  Vector2 position_offset = Vector2::Zero();  ///< d_x, d_y, m
+
+  // The load cell and the drive.
+  double guide_friction = 0;                                     ///< f_c, N
+  double force_gain = 0;                                         ///< g
+  Vector2 force_bias = Vector2::Zero();                          ///< b_x, b_y, N
+  Vector2 force_drift = Vector2::Zero();                         ///< r_x, r_y, N/s
+  Vector2 cross_talk = Vector2::Zero();                          ///< c_xy, c_yx
+  Vector2 cell_curvature = Vector2::Zero();                      ///< c_x, c_y, 1/N
+  double force_limit = std::numeric_limits<double>::infinity();  ///< largest |Fx|, |Fy| that it shows, N
+  double force_lag = 0;                                          ///< its time constant, s
+
+  // Single runs, by their number; runs beyond do not differ.
+  std::vector<std::vector<double>> run_rest;  ///< [run][joint], beside rest_error
+  std::vector<Vector2> run_tare;              ///< [run], beside force_bias
+
+  // What no known effect says.
+  std::vector<FreeLaw> laws;
+
+  // What the user states.
+  std::vector<StatedTorque> stated_torques;
+  std::vector<StatedCorrection> stated_corrections;
+
+  friend bool operator==(const Rig&, const Rig&) = default;
+};
+
+/// The rig as it stands in the run of that number.
+Rig in_run(const Rig& rig, std::size_t run);
+
+/// Where the end point of the nominal chain lies at rest.
+Vector2 unloaded_end(const Experiment& experiment, const std::vector<double>& rest);
+
+}  // namespace plumbline::diagnose

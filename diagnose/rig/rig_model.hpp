@@ -1,0 +1,78 @@
+#pragma once
+/// \file
+/// The rig as a model that can be loaded, in absolute angles.
+///
+/// With T_j the force that link j passes on (the end force and the weights beyond), the mixed potential
+///   Phi(theta, F) = U(theta) - sum_j L_j ((u_j . T_j) + c_a (u_j . T_j)^2 / 2) - F . C F / 2
+/// is stationary in theta at equilibrium, and -dPhi/dF is the end point: axial, base and train compliance
+/// enter by their complementary energy and add no unknown. The stored energy is Phi + F . p; of dry contacts
+/// and Maxwell arms it counts the work since the last reading. An eccentric load alone has no potential. Only
+/// neighbours couple, so the stiffness is a band. A link that bends is one quadratic finite element of its
+/// tangent angle with three nodes (start, middle, end): exact for end loads in the linear theory, and
+/// integrated with three Gauss points in the nonlinear one.
+
+#include <plumbline/loaded/loaded_model.hpp>
+
+#include "diagnose/rig/run_rig.hpp"
+
+namespace plumbline::diagnose {
+
+/// \tparam Bandwidth  that of the layout: 1, or 2 with coupling or bending, or 4 with both
+template <int Bandwidth>
+class RigModel {
+ public:
+  using Real = double;
+  static constexpr int bandwidth = Bandwidth;
+  using At = Expansion<double, Bandwidth>;
+
+  explicit RigModel(const Layout& layout) : layout_(layout) {}
+
+  /// Which rig on which step it is, and the state of its contacts; both are looked at, not copied.
+  void become(const RigStep& step, const std::vector<Contact>& contact) {
+    step_ = &step;
+    contact_ = &contact;
+  }
+
+  [[nodiscard]] const Layout& layout() const { return layout_; }
+  [[nodiscard]] std::size_t size() const { return layout_.nodes(); }
+  /// The end point is the place of the drive: the train yields between it and the chain.
+  void expand(const Vector<double>& angle, const Point<double>& force, At& at) const;
+  /// Residual and end point alone.
+  void balance(const Vector<double>& angle, const Point<double>& force, At& at) const;
+
+ private:
+  template <bool derivatives>
+  void assemble(const Vector<double>& angle, const Point<double>& force, At& at) const;
+  /// What a joint's sliders and Maxwell arms carry.
+  [[nodiscard]] Torque history(std::size_t joint, double q) const;
+  template <bool derivatives>
+  void add_joints(const Vector<double>& angle, At& at) const;
+  /// What a torque of a joint turns: the node behind it and, reversed, the node before it.
+  template <bool derivatives>
+  void add_torque(std::size_t joint, double value, double slope, At& at) const;
+  /// What the user states. It depends on the force, which leaves the equations without symmetry, and is not
+  /// counted in the stored energy.
+  template <bool derivatives>
+  void add_stated(std::size_t joint, double q, const Vector2& force, At& at) const;
+  template <bool derivatives>
+  void add_coupling(const Vector<double>& angle, At& at) const;
+  template <bool derivatives>
+  void add_rigid_links(const Vector<double>& angle, const Vector2& force, At& at) const;
+  template <bool derivatives>
+  void add_bending_link(std::size_t link, const Vector<double>& angle, const Vector2& force, At& at) const;
+  template <bool derivatives>
+  void add_end(const Vector<double>& angle, const Vector2& force, At& at) const;
+
+  Layout layout_;
+  const RigStep* step_ = nullptr;
+  const std::vector<Contact>* contact_ = nullptr;
+  /// Unit vectors along rigid links at the shape that was looked at last: rigs side by side look at one.
+  mutable std::vector<Vector2> along_;
+  mutable Vector<double> along_at_;
+};
+
+extern template class RigModel<1>;
+extern template class RigModel<2>;
+extern template class RigModel<4>;
+
+}  // namespace plumbline::diagnose

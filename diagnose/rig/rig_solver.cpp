@@ -1,0 +1,205 @@
+#include "diagnose/rig/rig_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <plumbline/loaded/settle.hpp>
+
+namespace plumbline::diagnose {
+namespace {
+
+constexpr double largest_turn = 0.3;     // rad: longest Newton step
+constexpr double nearby = 0.6;           // rad: a joint that turned further between readings has snapped
+constexpr double angle_accuracy = 1e-7;  // rad: a Newton step this short leaves an error of its square
+// Along one branch each Newton step is at most half as long as the last; a step that is not has left it, or
+// stands at a kink of a joint law, which spoils the ratio of short steps only.
+constexpr double contraction = 0.5;
+constexpr double felt_turn = 1e-3;        // rad
+constexpr double shortest_stride = 1e-3;  // share of the way between two readings
+constexpr int newton_limit = 40;
+constexpr int joint_changes = 8;  // iterations that may change all contacts at once
+constexpr long descent_limit = 400;
+constexpr double first_push = 0.01;  // of what turns a joint by a radian: which way a force is to grow
+// A run takes a few steps a reading, 16,000 for 31 readings at most among the fits of 84 experiments. Rigs
+// that a fit tries and that snap at every reading take millions.
+constexpr long steps_per_reading = 50, spare_steps = 20000;
+// Joints in their play, and passive ones, may leave the stiffness singular. Dampers this weak, as a share of
+// the largest joint stiffness, keep such joints where they are; the residual knows nothing of them.
+constexpr double hold = 1e-8;
+// Beside a joint that sticks (JointLaw::sticking) one that slips leaves a pivot of a 1e-5th of its row.
+constexpr double smallest_pivot = 1e-6;
+
+Imposed between(const Imposed& from, const Imposed& to, double share) {
+  return {to.control, from.value + share * (to.value - from.value)};
+}
+
+Point<double> point(const Vector2& v) {
+  return {v.x(), v.y()};
+}
+
+}  // namespace
+
+template <int Bandwidth>
+RigSolver<Bandwidth>::RigSolver(const Layout& layout, std::size_t readings)
+    : model_(layout),
+      system_(model_, smallest_pivot),
+      steps_left_(spare_steps + steps_per_reading * static_cast<long>(readings)) {}
+
+template <int Bandwidth>
+bool RigSolver<Bandwidth>::settle_contacts(const RigStep& step, bool all, Posture& posture) const {
+  const Layout& layout = model_.layout();
+  if (layout.sliders == 0) return false;
+  bool changed = false;
+  for (std::size_t i = 0; i < step.run.joint.size(); ++i) {
+    const JointLaw& joint = step.run.joint[i];
+    const JointMemory& last = step.memory[i];
+    const double q = layout.joint_angle(posture.angle, i);
+    for (std::size_t s = 0; s < joint.slider.size(); ++s) {
+      if (step.interval.relaxed && !joint.slider[s].from_rest) continue;
+      Contact& contact = posture.contact[layout.contact(i, s)];
+      if (!joint.slider[s].acts()) {
+        // Nothing is carried, but what little friction would be is against the way that the joint goes.
+        contact = q < last.angle ? Contact::slips_down : Contact::slips_up;
+        continue;
+      }
+      const Contact next = joint.next(joint.slider[s], last.slider[s], q, last, contact);
+      if (next == contact) continue;
+      contact = next;
+      changed = true;
+      if (!all) return true;
+    }
+  }
+  return changed;
+}
+
+template <int Bandwidth>
+bool RigSolver<Bandwidth>::newton(const RigStep& step, const Imposed& imposed, Pace pace, Posture& posture) {
+  model_.become(step, posture.contact);
+  if (imposed.control == Control::force) posture.force = point(imposed.value);
+  double allowed = largest_turn;
+  const double scale = step.run.largest_stiffness / step.run.rig.length.front();
+  for (int i = 0; i < newton_limit && steps_left_ > 0; ++i) {
+    --steps_left_;
+    system_.expand(posture.angle, posture.force);
+    if (!system_.factor(imposed.control, hold * step.run.largest_stiffness)) return false;
+    const double turn = system_.step_to(point(imposed.value));
+    if (!std::isfinite(turn)) return false;
+    if (pace == Pace::careful && turn > std::max(allowed, felt_turn)) return false;
+    system_.move(std::min(1.0, largest_turn / turn), posture.angle, posture.force);
+    const bool settled = !settle_contacts(step, i < joint_changes, posture);
+    allowed = settled ? contraction * turn : largest_turn;
+    if (settled && turn < angle_accuracy &&
+        std::hypot(system_.push().x, system_.push().y) <
+            1e-7 * (scale + std::hypot(posture.force.x, posture.force.y)))
+      return system_.negative_directions() == 0;
+  }
+  return false;
+}
+
+template <int Bandwidth>
+bool RigSolver<Bandwidth>::descend(const RigStep& step, const Imposed& imposed, Posture& posture) {
+  snapped_ = true;
+  model_.become(step, posture.contact);
+  const auto contacts = [&] {
+    --steps_left_;
+    settle_contacts(step, false, posture);
+  };
+  const auto at_rest = [&] {
+    // Where the tangent is not that of a minimum yet, Newton's method would go uphill.
+    system_.expand(posture.angle, posture.force);
+    if (!system_.factor(imposed.control, hold * step.run.largest_stiffness)) return false;
+    if (system_.negative_directions() > 0) return false;
+    trial_ = posture;
+    const bool found = newton(step, imposed, Pace::careful, trial_);
+    if (found) posture = trial_;
+    model_.become(step, posture.contact);
+    return found;
+  };
+  const auto comes_to_rest = [&] {
+    const FlowLimits<double> limits{largest_turn, static_cast<int>(std::min(descent_limit, steps_left_))};
+    return flow(system_, imposed.control, point(imposed.value), step.run.largest_stiffness, limits,
+                posture.angle, posture.force, contacts, at_rest);
+  };
+  system_.expand(posture.angle, posture.force);
+  if (imposed.control == Control::force || system_.symmetric()) return comes_to_rest();
+  // A force that acts beside the point that is held may grow either way, and from a shape that it leaves, but
+  // is at rest in, neither: it is pressed on towards the base, or, where that ends nowhere, away from it.
+  const Posture from = posture;
+  const Vector2 end(system_.at().end_point.x, system_.at().end_point.y);
+  const Vector2 push =
+      first_push * step.run.largest_stiffness / step.run.rig.length.front() * end.normalized();
+  for (const Vector2& first : {Vector2(-push), push}) {
+    posture = from;
+    posture.force = {from.force.x + first.x(), from.force.y + first.y()};
+    if (comes_to_rest()) return true;
+  }
+  return false;
+}
+
+template <int Bandwidth>
+bool RigSolver<Bandwidth>::follow(const RigStep& step, const Imposed& before, const Imposed& imposed,
+                                  const Posture& guess, Posture& posture) {
+  snapped_ = false;
+  const auto arrives = [&](const Imposed& at, Pace pace, const Posture& from) {
+    trial_ = from;
+    if (!newton(step, at, pace, trial_)) return false;
+    if ((trial_.angle - posture.angle).cwiseAbs().maxCoeff() > nearby) return false;
+    std::swap(posture, trial_);
+    return true;
+  };
+  if (arrives(imposed, Pace::careful, guess)) return true;
+  double done = 0, stride = 1;
+  while (done < 1) {
+    const Imposed next = between(before, imposed, std::min(1.0, done + stride));
+    const Pace pace = stride > shortest_stride ? Pace::careful : Pace::free;
+    if (arrives(next, pace, posture)) {
+      done = std::min(1.0, done + stride);
+      stride *= 2;
+    } else if (stride > shortest_stride) {
+      stride /= 4;
+    } else {
+      if (!descend(step, next, posture)) return false;
+      done = std::min(1.0, done + stride);
+    }
+  }
+  return true;
+}
+
+template <int Bandwidth>
+void RigSolver<Bandwidth>::balance(const RigStep& step, const Imposed& imposed, const Posture& posture) {
+  model_.become(step, posture.contact);
+  system_.balance(posture.angle, posture.force);
+  system_.step_to(point(imposed.value));
+}
+
+template <int Bandwidth>
+void RigSolver<Bandwidth>::prepare(const RigStep& step, const Imposed& imposed, const Posture& posture) {
+  balance(step, imposed, posture);
+  prepared_turn_ = system_.turn();
+  prepared_push_ = system_.push();
+}
+
+template <int Bandwidth>
+void RigSolver<Bandwidth>::neighbour(const RigStep& step, const Imposed& imposed, const Posture& posture,
+                                     Posture& result) {
+  result = posture;
+  if (imposed.control == Control::force) result.force = point(imposed.value);
+  balance(step, imposed, result);
+  result.angle += system_.turn() - prepared_turn_;
+  result.force.x += system_.push().x - prepared_push_.x;
+  result.force.y += system_.push().y - prepared_push_.y;
+}
+
+template <int Bandwidth>
+Vector2 RigSolver<Bandwidth>::end_point(const RunRig& run, const Posture& posture) {
+  nothing_remembered_.resize(run.joint.size());
+  const RigStep step{run, {}, nothing_remembered_};
+  model_.become(step, posture.contact);
+  system_.balance(posture.angle, posture.force);
+  return {system_.at().end_point.x, system_.at().end_point.y};
+}
+
+template class RigSolver<1>;
+template class RigSolver<2>;
+template class RigSolver<4>;
+
+}  // namespace plumbline::diagnose

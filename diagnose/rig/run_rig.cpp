@@ -1,0 +1,92 @@
+#include "diagnose/rig/run_rig.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace plumbline::diagnose {
+namespace {
+
+/// Puts a free law beside the spring of its joint.
+void add(const FreeLaw& own, const std::vector<double>& times, JointLaw& law) {
+  if (!own.knots.empty()) law.table.emplace_back(own.knots);
+  for (const FreeLaw::Slider& one : own.sliders) {
+    const double turn = one.slips_at;
+    if (one.torque > 0) law.slider.push_back({one.torque / turn, one.torque, {}, false, true});
+    if (!one.profile.empty()) law.slider.push_back({1 / turn, 1, {}, false, true, TorqueTable(one.profile)});
+    if (one.growth > 0) law.slider.push_back({2 * one.growth / (turn * turn), one.growth, {}, true, true});
+  }
+  for (const FreeLaw::Arm& arm : own.arms) {
+    const auto place = std::find(times.begin(), times.end(), arm.time_constant) - times.begin();
+    law.arm_stiffness.at(static_cast<std::size_t>(place)) += arm.stiffness;
+  }
+}
+
+JointLaw joint_law(const Rig& rig, const std::vector<double>& times, std::size_t i, double rest) {
+  JointLaw law;
+  law.stiffness = rig.stiffness[i];
+  law.rest = rest * std::exp(-rig.capstan * static_cast<double>(i)) + rig.rest_error[i];
+  law.backlash = rig.backlash[i];
+  law.stop = rig.stop[i];
+  law.stop_stiffness = rig.stop_stiffness[i];
+  law.hardening = rig.hardening[i];
+  law.asymmetry = rig.asymmetry[i];
+  law.knee = rig.knee[i];
+  law.give = rig.give[i];
+  law.yield = rig.yield;
+  law.flow = rig.flow;
+  for (std::size_t a = 0; a < rig.arms.size(); ++a)
+    law.arm_stiffness.at(a) = rig.arms[a].ratio * law.stiffness;
+  if (law.stiffness > 0) {
+    law.slider.push_back({JointLaw::sticking * law.stiffness, rig.friction[i], rig.friction_law});
+    for (const Slider& one : rig.sliders[i]) law.slider.push_back({one.ratio * law.stiffness, one.yield});
+  }
+  for (const FreeLaw& one : rig.laws)
+    if (one.joint == i + 1) add(one, times, law);
+  for (const StatedTorque& one : rig.stated_torques)
+    if (one.joint == i) law.stated.push_back(one);
+  if (std::any_of(law.stated.begin(), law.stated.end(), std::mem_fn(&StatedTorque::directed))) {
+    law.direction = law.slider.size();
+    law.slider.push_back({1 / JointLaw::turning, 1});
+  }
+  return law;
+}
+
+}  // namespace
+
+std::vector<double> arm_times(const Rig& rig) {
+  std::vector<double> times;
+  for (const Arm& arm : rig.arms) times.push_back(arm.time);
+  for (const FreeLaw& law : rig.laws)
+    for (const FreeLaw::Arm& arm : law.arms)
+      if (std::find(times.begin(), times.end(), arm.time_constant) == times.end())
+        times.push_back(arm.time_constant);
+  return times;
+}
+
+std::size_t slider_count(const Rig& rig, std::size_t joint) {
+  std::size_t count = rig.sliders[joint].size();
+  for (const FreeLaw& law : rig.laws)
+    if (law.joint == joint + 1) count += law.sliders.size();
+  return count;
+}
+
+RunRig::RunRig(Rig own, const std::vector<double>& commanded_rest)
+    : rig(std::move(own)),
+      arm_time(arm_times(rig)),
+      rest_orientation(0),
+      largest_stiffness(*std::max_element(rig.stiffness.begin(), rig.stiffness.end())),
+      beyond(rig.length.size()) {
+  const std::size_t n = rig.length.size();
+  Vector2 carried = rig.payload;
+  for (std::size_t j = n; j-- > 0;) {
+    beyond[j] = carried;
+    carried += rig.weight[j];
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    joint.push_back(joint_law(rig, arm_time, i, commanded_rest[i]));
+    rest_orientation += joint.back().rest;
+  }
+}
+
+}  // namespace plumbline::diagnose

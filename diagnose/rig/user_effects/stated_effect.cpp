@@ -1,0 +1,114 @@
+#include "diagnose/rig/user_effects/stated_effect.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::diagnose {
+namespace {
+
+std::vector<ParameterRange> ranges(const StatedEffect& stated) {
+  std::vector<ParameterRange> all;
+  for (const StatedParameter& one : stated.parameters)
+    all.push_back({one.name, one.unit, Coordinate::plain, one.scale, one.low, one.high, one.tolerance});
+  return all;
+}
+
+std::vector<std::size_t> growing(const StatedEffect& stated) {
+  std::vector<std::size_t> places;
+  for (std::size_t p = 0; p < stated.parameters.size(); ++p)
+    if (stated.parameters[p].grows()) places.push_back(p);
+  return places;
+}
+
+/// At a share of the way between its bounds, by ratios.
+double between(const StatedParameter& shape, double share) {
+  return shape.low * std::pow(shape.high / shape.low, share);
+}
+
+/// Combinations of what shapes the effect; what grows is zero. Of three shapes and more one combination: a
+/// grid of them is longer than patience.
+std::vector<std::vector<double>> shapes(const StatedEffect& stated) {
+  const bool few = stated.parameters.size() - growing(stated).size() <= 2;
+  const std::vector<double> shares =
+      few ? std::vector<double>{0.1, 0.3, 0.5, 0.7, 0.9} : std::vector<double>{0.5};
+  std::vector<std::vector<double>> all{{}};
+  for (const StatedParameter& one : stated.parameters) {
+    std::vector<std::vector<double>> longer;
+    for (const std::vector<double>& head : all) {
+      for (const double share : one.grows() ? std::vector<double>{0} : shares) {
+        longer.push_back(head);
+        longer.back().push_back(one.grows() ? 0 : between(one, share));
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+/// Whether joints stick under it: they do not where there is little of it, which then acts otherwise.
+bool sticks(const StatedEffect& stated) {
+  return stated.torque && stated.uses("s");
+}
+
+/// From a scale to either side of every combination; from nothing too, where little of it acts as much does.
+Starts starts_of(const StatedEffect& stated) {
+  Starts starts{{}, 2};
+  for (const std::vector<double>& shape : shapes(stated)) {
+    if (growing(stated).size() == shape.size() && !sticks(stated)) starts.from.push_back(shape);
+    for (const double side : {1.0, -1.0}) {
+      std::vector<double> one = shape;
+      for (const std::size_t p : growing(stated)) {
+        const StatedParameter& range = stated.parameters[p];
+        one[p] = std::clamp(side * range.scale, range.low, range.high);
+      }
+      if (one != shape) starts.from.push_back(std::move(one));
+    }
+  }
+  return starts;
+}
+
+/// What shapes it keeps the value of a start.
+Probing probing_of(const StatedEffect& stated) {
+  Probing probing;
+  if (growing(stated).size() < stated.parameters.size()) probing.growing = growing(stated);
+  probing.large_step = sticks(stated);
+  return probing;
+}
+
+bool possible(const StatedEffect& stated, const Place& at) {
+  if (stated.uses("t") && !at.sizes.clock) return false;
+  if (stated.torque) return !stated.at_joint || !stated.uses("k") || at.sizes.joint_stiffness[at.joint] > 0;
+  return std::any_of(stated.readings.begin(), stated.readings.end(),
+                     [&](const StatedReading& one) { return at.sizes.measures(one.channel); });
+}
+
+void add(const StatedEffect& stated, const Addition& to) {
+  const std::vector<double> values(to.value, to.value + stated.parameters.size());
+  for (const StatedReading& one : stated.readings)
+    to.rig.stated_corrections.push_back({one.channel, one.joint, one.formula, values});
+  if (!stated.torque) return;
+  for (std::size_t i = 0; i < to.rig.length.size(); ++i)
+    if (!stated.at_joint || i == to.joint) to.rig.stated_torques.push_back({i, stated.torque, values});
+}
+
+}  // namespace
+
+bool StatedEffect::uses(std::string_view variable) const {
+  return (torque && torque->uses(variable)) ||
+         std::any_of(readings.begin(), readings.end(),
+                     [&](const StatedReading& one) { return one.formula->uses(variable); });
+}
+
+Effect row_of(std::shared_ptr<const StatedEffect> stated) {
+  return {.id = "user:" + stated->id,
+          .words = stated->words,
+          .at_joint = stated->at_joint,
+          .dissipates = stated->uses("s") || (stated->torque && stated->uses("t")),
+          .parameters = [stated](const Place&) { return ranges(*stated); },
+          .add = [stated](const Addition& to) { plumbline::diagnose::add(*stated, to); },
+          .possible = [stated](const Place& at) { return plumbline::diagnose::possible(*stated, at); },
+          .starts = [stated](const Place&, const Exercise&) { return starts_of(*stated); },
+          .probing = probing_of(*stated)};
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,419 @@
+#include "diagnose/screening/conventions.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <plumbline/base/error.hpp>
+#include <utility>
+
+#include "diagnose/bench/conversion.hpp"
+#include "diagnose/screening/unmoved.hpp"
+#include "diagnose/rig/nominal.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+/// Columns whose misfit is below this share of what it could be are not worth a question, nor are starts so
+/// near the unloaded end points, in lengths of the chain.
+constexpr double misfit_in_doubt = 0.05, start_in_doubt = 0.01;
+/// A gap beside the slip may leave as much in a run that the slip does not touch.
+constexpr double misfit_of_a_gap = 0.25;
+/// Starts so far off tell of axes and angles as well: what leaves a tenth of it is no chance, and what leaves
+/// a fiftieth of a far one needs no other evidence.
+constexpr double start_off = 0.03, start_far_off = 0.1, mostly_placed = 0.1, wholly_placed = 0.02;
+/// What a conversion may leave: of the misfit, and of the readings themselves.
+struct Allowance {
+  double misfit, readings;
+};
+/// A bench with a large gap beside the slip still follows the model. No gap makes numbers look turned or
+/// reversed, still less a thousand times too large; but a chain that buckles to its other side looks
+/// mirrored, and one whose first joint is softer than it was believed looks as if its list began at the other
+/// end. What other runs refute is believed of the rest where it mends them nearly whole.
+constexpr Allowance usual{0.2, 0.6}, of_a_mirror{0.1, 0.5}, of_an_order{0.04, 0.2},
+    of_a_large_factor{0.6, 0.9}, refuted_elsewhere{0.03, 0.15};
+
+bool is_large(double factor) {
+  return factor != 0 && std::abs(std::log(factor)) > std::log(20);
+}
+
+bool is_of_an_order(const Conversion& conversion) {
+  return conversion.chain && conversion.factor == 0;
+}
+
+const Allowance& allowance(const Conversion& conversion) {
+  if (conversion.mirror) return of_a_mirror;
+  if (is_of_an_order(conversion)) return of_an_order;
+  return is_large(conversion.factor) ? of_a_large_factor : usual;
+}
+
+/// Sums of squares of a measured column of one run, from the unloaded state on, against the prediction.
+struct Column {
+  Channel channel{};
+  double measured = 0, predicted = 0, product = 0;
+  std::size_t count = 0;
+
+  [[nodiscard]] double energy() const { return measured + predicted; }
+  [[nodiscard]] double difference() const { return std::max(0.0, energy() - 2 * product); }
+};
+
+using Columns = std::vector<Column>;  ///< of one run
+
+/// What is missing in the prediction counts as unloaded; what a conversion could not read is left out.
+Column compare(const Channel& channel, const Run& run, const Trace& predicted, double unloaded) {
+  Column column{channel};
+  for (std::size_t i = 0; i < run.readings.size(); ++i) {
+    const double m = channel.of(run.readings[i]) - unloaded;
+    if (!std::isfinite(m)) continue;
+    ++column.count;
+    const double value = predicted(static_cast<Eigen::Index>(i), column_of(channel));
+    const double p = std::isfinite(value) ? value - unloaded : 0;
+    column.measured += m * m;
+    column.predicted += p * p;
+    column.product += m * p;
+  }
+  return column;
+}
+
+double unloaded_value(const Channel& channel, const Vector2& end, const std::vector<double>& rest) {
+  switch (channel.name) {
+    case Channel::Name::x:
+      return end.x();
+    case Channel::Name::y:
+      return end.y();
+    case Channel::Name::q:
+      return rest[channel.joint];
+    default:
+      return 0;
+  }
+}
+
+/// Of the columns that hold readings.
+std::vector<Columns> compare(const Experiment& experiment, const Prediction& prediction) {
+  std::vector<Columns> runs(experiment.runs.size());
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const Run& run = experiment.runs[r];
+    for (const Channel& channel : run.measured()) {
+      const double unloaded = unloaded_value(channel, unloaded_end(experiment, run.rest), run.rest);
+      const Column column = compare(channel, run, prediction.runs[r], unloaded);
+      if (column.count > 0) runs[r].push_back(column);
+    }
+  }
+  return runs;
+}
+
+double energy_of_sensor(const Columns& columns, const Column& one) {
+  double sum = 0;
+  for (const Column& other : columns)
+    if (other.channel.sensor() == one.channel.sensor()) sum += other.energy();
+  return sum;
+}
+
+/// 0 where a column agrees, 1 where it has nothing to do with the prediction, 2 where it is its mirror image;
+/// whatever the unit. A column that is small beside the others of its sensor counts less.
+double misfit(const Columns& columns, const Column& one) {
+  constexpr double beside = 0.05;
+  const double sensor = energy_of_sensor(columns, one);
+  return sensor > 0 ? one.difference() / (one.energy() + beside * sensor) : 0;
+}
+
+double worst(const Columns& columns) {
+  double most = 0;
+  for (const Column& one : columns) most = std::max(most, misfit(columns, one));
+  return most;
+}
+
+/// Whether the nominal model predicts the same for both: then it need not be asked again.
+bool same_command(const Experiment& a, const Experiment& b) {
+  const auto same_run = [](const Run& one, const Run& other) {
+    const auto same_reading = [&](const Reading& r, const Reading& s) {
+      return one.command(r) == other.command(s);
+    };
+    return one.rest == other.rest &&
+           std::equal(one.readings.begin(), one.readings.end(), other.readings.begin(), same_reading);
+  };
+  return a.link_length == b.link_length && a.joint_stiffness == b.joint_stiffness &&
+         a.link_mass == b.link_mass &&
+         std::equal(a.runs.begin(), a.runs.end(), b.runs.begin(), b.runs.end(), same_run);
+}
+
+/// How far the runs start from their unloaded end points, in lengths of the chain.
+double distance_at_start(const Experiment& experiment) {
+  double sum = 0;
+  const double whole = std::accumulate(experiment.link_length.begin(), experiment.link_length.end(), 0.0);
+  for (const Run& run : experiment.runs) {
+    if (!run.holds_end_point() || run.readings.empty()) continue;
+    sum += (run.command(run.readings.front()) - unloaded_end(experiment, run.rest)).norm() / whole;
+  }
+  return sum;
+}
+
+/// What a conversion does to the columns that it changes: their misfits, and their sums by sensor, as shares
+/// of what the sensor saw in the run.
+struct Change {
+  double before = 0, after = 0;
+  std::array<Column, 3> was, is;
+  bool readable = true;  ///< the converted columns hold most of their readings
+
+  Change& operator+=(const Change& other) {
+    before += other.before, after += other.after;
+    for (std::size_t s = 0; s < was.size(); ++s) add(was[s], other.was[s], 1), add(is[s], other.is[s], 1);
+    return *this;
+  }
+  static void add(Column& sum, const Column& one, double unit) {
+    sum.measured += one.measured / unit;
+    sum.predicted += one.predicted / unit;
+    sum.product += one.product / unit;
+  }
+};
+
+Change compare_run(const Columns& before, const Columns& after) {
+  Change change;
+  change.readable = after.size() == before.size();
+  for (std::size_t c = 0; change.readable && c < after.size(); ++c) {
+    change.readable = 2 * after[c].count >= before[c].count;
+    const double b = misfit(before, before[c]), a = misfit(after, after[c]);
+    if (std::abs(a - b) < 1e-9) continue;
+    const auto sensor = place_of(after[c].channel.sensor());
+    change.before += b, change.after += a;
+    Change::add(change.was[sensor], before[c], energy_of_sensor(before, before[c]));
+    Change::add(change.is[sensor], after[c], energy_of_sensor(after, after[c]));
+  }
+  return change;
+}
+
+/// How far the best common factor that remains may be from 1, as a logarithm. Nothing errs by a factor of
+/// twenty, and no bench by about ten at all its joints; about four it may. What shape the prediction misses
+/// moves the best factor by as much.
+double tolerance(double factor, double shape) {
+  if (is_large(factor)) return std::log(2);
+  return (std::abs(std::log(factor)) > std::log(7) ? 0.2 : 0.05) + std::min(shape, 0.35);
+}
+
+/// Of a unit: whether the best common factor that remains is one.
+bool centred(const Column& sensor, double factor) {
+  if (factor == 0 || sensor.predicted == 0 || sensor.measured == 0) return true;
+  const double best = sensor.product / sensor.predicted;
+  const double shape =
+      std::sqrt(std::max(0.0, 1 - sensor.product * sensor.product / (sensor.predicted * sensor.measured)));
+  return best > 0 && std::abs(std::log(best)) < tolerance(factor, shape);
+}
+
+double relative_rms(const std::array<Column, 3>& sensors) {
+  double left = 0, measured = 0;
+  for (const Column& one : sensors) left += one.difference(), measured += one.measured;
+  return std::sqrt(left / measured);
+}
+
+/// Decades by which a number lies outside of what benches have.
+double decades_beyond(double value, double low, double high) {
+  return value > 0 ? std::max({0.0, std::log10(low / value), std::log10(value / high)}) : 0;
+}
+
+/// How far the size of the forces and of the chain are from those of a bench on a table: what tells readings
+/// in kN from stiffnesses in N mm/rad, of which the nominal model predicts the same but for the unit.
+double unusual(const Experiment& experiment) {
+  double force = 0;
+  for (const Run& run : experiment.runs)
+    for (const Reading& r : run.readings) force = std::fmax(force, std::fmax(std::abs(r.Fx), std::abs(r.Fy)));
+  const double length = std::accumulate(experiment.link_length.begin(), experiment.link_length.end(), 0.0);
+  return decades_beyond(force, 0.1, 100) + decades_beyond(length, 0.05, 5);
+}
+
+/// A conversion that was tried.
+struct Trial {
+  Conversion conversion;
+  std::vector<std::size_t> runs = {};  ///< that it mends
+  double misfit = 0;                   ///< left in all runs
+  double unusual = 0;                  ///< how far from the usual sizes it leaves the bench
+  double left_as_is = 0, left = 0;
+  bool wholly_placed = false;
+  double start = 0;  ///< distance at start that it leaves
+};
+
+/// Whether a conversion puts the unloaded end points where the runs start.
+enum class Placed { no, mostly, wholly };
+
+class Check {
+ public:
+  explicit Check(const Study& study)
+      : study_(study),
+        as_is_(compare(study.experiment(), study.nominal())),
+        start_(distance_at_start(study.experiment())),
+        conversions_(conversions(study.experiment())) {}
+
+  [[nodiscard]] bool in_doubt() const {
+    const auto misfits = [](const Columns& run) { return worst(run) > misfit_in_doubt; };
+    return !study_.nominal().reached || start_ > start_in_doubt ||
+           std::any_of(as_is_.begin(), as_is_.end(), misfits);
+  }
+
+  [[nodiscard]] double start_as_is() const { return start_; }
+
+  [[nodiscard]] std::vector<Trial> suspected() const {
+    std::vector<Trial> found;
+    for (const Conversion& conversion : conversions_)
+      if (const std::optional<Trial> trial = attempt(conversion)) found.push_back(*trial);
+    return found;
+  }
+
+ private:
+  [[nodiscard]] std::optional<Trial> attempt(const Conversion& conversion) const {
+    const Experiment experiment = converted(study_.experiment(), conversion);
+    constexpr double rounding = 1e-3;
+    const double start = distance_at_start(experiment);
+    if (start > start_ + rounding) return {};
+    Prediction predicted;
+    if (same_command(experiment, study_.experiment())) {
+      predicted = study_.nominal();
+    } else {
+      predicted = simulate(experiment, nominal_rig(experiment), {});
+    }
+    if (!predicted.reached) return {};
+    std::optional<Trial> trial = judge(conversion, compare(experiment, predicted), placed(conversion, start));
+    if (!trial) return {};
+    trial->unusual = unusual(experiment);
+    trial->start = start;
+    return trial;
+  }
+
+  /// No spring, load or sensor of force moves unloaded end points, so that an order is no more likely to be a
+  /// gap than a unit is where it places them.
+  [[nodiscard]] Placed placed(const Conversion& conversion, double start) const {
+    if (start_ > start_far_off && start < wholly_placed * start_) return Placed::wholly;
+    const double off = is_of_an_order(conversion) ? start_in_doubt : start_off;
+    return start_ > off && start < mostly_placed * start_ ? Placed::mostly : Placed::no;
+  }
+
+  /// \param now  the columns as converted
+  [[nodiscard]] std::optional<Trial> judge(const Conversion& conversion, const std::vector<Columns>& now,
+                                           Placed placed) const {
+    return placed == Placed::wholly ? judge_placed(conversion, now) : judge_mended(conversion, now, placed);
+  }
+
+  /// Where it places the starts of all runs nothing else may be worse; how much is mended depends on the gap.
+  [[nodiscard]] std::optional<Trial> judge_placed(const Conversion& conversion,
+                                                  const std::vector<Columns>& now) const {
+    Trial trial{conversion};
+    Change whole;
+    for (std::size_t r = 0; r < now.size(); ++r) {
+      const Change change = compare_run(as_is_[r], now[r]);
+      if (!change.readable) return {};
+      for (const Column& column : now[r]) trial.misfit += misfit(now[r], column);
+      trial.runs.push_back(r);
+      whole += change;
+    }
+    if (whole.after > whole.before + misfit_in_doubt) return {};
+    trial.wholly_placed = true;
+    return trial;
+  }
+
+  /// The columns that the conversion changes, in the runs that it mends, must agree.
+  [[nodiscard]] std::optional<Trial> judge_mended(const Conversion& conversion,
+                                                  const std::vector<Columns>& now, Placed placed) const {
+    Trial trial{conversion};
+    Change whole;
+    bool refuted = false;
+    for (std::size_t r = 0; r < now.size(); ++r) {
+      const Change change = compare_run(as_is_[r], now[r]);
+      if (!change.readable) return {};
+      const bool mended = change.after < change.before;
+      const bool worse = change.before < change.after;
+      if (!mended && worst(as_is_[r]) > misfit_of_a_gap) return {};
+      if (change.after > change.before + misfit_in_doubt && (conversion.chain || conversion.mirror))
+        return {};
+      refuted = refuted || worse;
+      for (const Column& column : mended ? now[r] : as_is_[r])
+        trial.misfit += misfit(mended ? now[r] : as_is_[r], column);
+      if (!mended) continue;
+      trial.runs.push_back(r);
+      whole += change;
+    }
+    const bool mostly = placed == Placed::mostly;
+    const Allowance& allowed = refuted ? refuted_elsewhere : mostly ? usual : allowance(conversion);
+    const bool in_doubt = mostly || whole.before >= misfit_in_doubt;
+    if (trial.runs.empty() || !in_doubt || whole.after > allowed.misfit * whole.before) return {};
+    for (const Column& sensor : whole.is)
+      if (!centred(sensor, conversion.factor)) return {};
+    trial.left_as_is = relative_rms(whole.was);
+    trial.left = relative_rms(whole.is);
+    if (trial.left > allowed.readings || trial.left > allowed.readings * trial.left_as_is) return {};
+    return trial;
+  }
+
+  const Study& study_;
+  std::vector<Columns> as_is_;
+  double start_;
+  std::vector<Conversion> conversions_;
+};
+
+}  // namespace
+
+std::optional<Doubt> doubtful_convention(const Study& study) {
+  const Check check(study);
+  if (!check.in_doubt()) return {};
+  std::vector<Trial> found = check.suspected();
+  if (found.empty()) return {};
+  if (std::ranges::any_of(found, &Trial::wholly_placed))
+    std::erase_if(found, [](const Trial& one) { return !one.wholly_placed; });
+  // Squares of residuals: what leaves half as much again, or differs by a thousandth, cannot be told apart;
+  // nor can two units, whose factors a gap may bring nearer or farther: of those that leave up to twice as
+  // much, the more common is asked about first.
+  constexpr double alike = 2.25, alike_units = 10, as_well_units = 4, anyway = 1e-3;
+  const auto less = [](const Trial& a, const Trial& b) { return a.misfit < b.misfit; };
+  const Trial least = *std::min_element(found.begin(), found.end(), less);
+  std::erase_if(found, [&](const Trial& one) {
+    const bool units = one.conversion.factor != 0 && least.conversion.factor != 0;
+    return one.misfit > std::max((units ? alike_units : alike) * least.misfit, least.misfit + anyway);
+  });
+  // What mends best is asked first; of what mends alike, what leaves the sizes that benches have; of these,
+  // what is the most common.
+  const double as_well =
+      std::max((least.conversion.factor != 0 ? as_well_units : alike) * least.misfit, least.misfit + anyway);
+  const auto order = [&](const Trial& one) {
+    return std::pair(one.misfit > as_well ? one.misfit : 0.0, one.unusual);
+  };
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const Trial& a, const Trial& b) { return order(a) < order(b); });
+  const Trial& best = found.front();
+  const Conversion& conversion = best.conversion;
+  Doubt doubt{{},
+              conversion.what,
+              conversion.looks_like,
+              conversion.expected,
+              conversion.remedy,
+              {},
+              best.left_as_is,
+              best.left,
+              best.wholly_placed ? check.start_as_is() : 0,
+              best.start};
+  if (best.runs.size() < study.experiment().runs.size())
+    for (const std::size_t r : best.runs) doubt.runs.push_back(study.experiment().runs[r].id);
+  for (std::size_t i = 1; i < found.size(); ++i)
+    doubt.or_else.push_back(found[i].conversion.what + " like " + found[i].conversion.looks_like);
+  return doubt;
+}
+
+void require_conventions(const Study& study) {
+  require_moved(study);
+  const std::optional<Doubt> doubt = doubtful_convention(study);
+  if (!doubt) return;
+  std::string where = study.experiment().name + ", ";
+  if (!doubt->runs.empty())
+    where += fmt::format("run{} {}, ", doubt->runs.size() > 1 ? "s" : "", fmt::join(doubt->runs, ", "));
+  std::string found = "what looks like " + doubt->looks_like;
+  for (const std::string& other : doubt->or_else) found += ", or " + other;
+  if (doubt->start_as_is > 0)
+    found += fmt::format(" (the runs then start {:.2g} instead of {:.2g} lengths of the chain off, together)",
+                         doubt->start, doubt->start_as_is);
+  else
+    found += fmt::format(" (the nominal model then misses {:.2g} % instead of {:.2g} %)", 100 * doubt->left,
+                         100 * doubt->left_as_is);
+  throw Error(where + doubt->what, found,
+              doubt->expected + ": if it is so, write " + doubt->remedy + "; if not, pass --as-is");
+}
+
+}  // namespace plumbline::diagnose
