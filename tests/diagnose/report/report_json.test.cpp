@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "tests/diagnose/made_up.hpp"
+#include "tests/diagnose/report/made_up.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;

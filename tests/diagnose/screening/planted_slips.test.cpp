@@ -8,7 +8,7 @@
 #include "diagnose/screening/plausible.hpp"
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/screening/conventions.hpp"
-#include "tests/diagnose/slips.hpp"
+#include "tests/diagnose/screening/slips.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;

@@ -16,7 +16,7 @@
 #include "diagnose/bench/read_experiment.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
-#include "tests/diagnose/slips.hpp"
+#include "tests/diagnose/screening/slips.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;

@@ -5,7 +5,7 @@
 #include <regex>
 
 #include "diagnose/report/charts.hpp"
-#include "tests/diagnose/made_up.hpp"
+#include "tests/diagnose/report/made_up.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
