@@ -1,4 +1,4 @@
-"""The data of this package are the files in the folder reference/ of the project, as they are."""
+"""The data of this package are the files in the folder verify/reference/values/ of the project, as they are."""
 import json
 import pathlib
 import shutil
@@ -6,7 +6,7 @@ import shutil
 from setuptools import setup
 from setuptools.command.build_py import build_py
 
-VALUES = pathlib.Path(__file__).resolve().parents[2] / "reference"
+VALUES = pathlib.Path(__file__).resolve().parents[2] / "verify/reference/values"
 
 
 class WithValues(build_py):

@@ -17,17 +17,17 @@ ROOT = pathlib.Path(__file__).parents[2]
 
 def reference():
     """Every chain of the set with its critical forces as texts."""
-    with open(ROOT / "reference/chains.csv", encoding="utf-8") as file:
+    with open(ROOT / "verify/reference/values/chains.csv", encoding="utf-8") as file:
         chains = {row["chain"]: (row["lengths"].split(";"), row["stiffness"].split(";")) for row in csv.DictReader(file)}
     forces = {}
-    with open(ROOT / "reference/forces.csv", encoding="utf-8") as file:
+    with open(ROOT / "verify/reference/values/forces.csv", encoding="utf-8") as file:
         for row in csv.DictReader(file):
             forces.setdefault(row["chain"], []).append(row["force"])
     return [(*chains[name], forces[name]) for name in chains]
 
 
 def test_doubles_agree_with_every_reference_value():
-    # Rounding the inputs moves a force by six times that at most (reference/README.md), and the result is rounded.
+    # Rounding the inputs moves a force by six times that at most (verify/reference/values/README.md), and the result is rounded.
     for lengths, stiffness, forces in reference():
         found = plumbline.critical_forces(np.array(lengths, dtype=float), np.array(stiffness, dtype=float),
                                           lowest=len(forces))

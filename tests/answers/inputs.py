@@ -99,7 +99,7 @@ def short_chain_tables():
 
 def long_chain_tables():
     """Tables of chains of up to a thousand links: the lowest mode takes no time, all take minutes."""
-    return {"reference": (ROOT / "reference/chains.csv").read_bytes()}
+    return {"reference": (ROOT / "verify/reference/values/chains.csv").read_bytes()}
 
 
 PAPER_TWO = toml(["1", "1"], ["0", "1"])
@@ -155,7 +155,7 @@ def held_chains():
 
 def submitted_values():
     """Critical forces as another implementation would hand them in, right and wrong in several ways."""
-    rows = [line.split(",")[:3] for line in (ROOT / "reference/forces.csv").read_text().splitlines()[1:]]
+    rows = [line.split(",")[:3] for line in (ROOT / "verify/reference/values/forces.csv").read_text().splitlines()[1:]]
     draw = Draw(51)
 
     def table(change):

@@ -32,7 +32,7 @@ VERBS = {
     "figure": (["figure", "2", "--out", "."], ["figure-02.svg"]),
     "trial": (["trial", "--experiments", "T", "--json", "a", "--markdown", "b"], ["a", "b"]),
     "reference": (["reference", "--compact", "--out", "R"],
-                  [f"R/{path.name}" for path in sorted((SOURCE / "reference").iterdir())]),
+                  [f"R/{path.name}" for path in sorted((SOURCE / "verify/reference/values").iterdir())]),
 }
 # what a verb that was cut off leaves, so that the same command goes on there
 UNFINISHED = {"reference": {"R/unfinished.jsonl"}}

@@ -6,7 +6,7 @@
 
 namespace {
 
-const std::filesystem::path published = PLUMBLINE_SOURCE_DIR "/reference";
+const std::filesystem::path published = PLUMBLINE_SOURCE_DIR "/verify/reference/values";
 
 }  // namespace
 

@@ -7,7 +7,7 @@ import pathlib
 
 from workplace import ROOT
 
-PUBLISHED = ROOT / "reference"
+PUBLISHED = ROOT / "verify/reference/values"
 KINDS = (("check_certificates.py", "tampering.test.py", "certificates.json"),
          ("check_equilibria.py", "tampering_equilibria.test.py", "equilibria-certificates.json"),
          ("check_paths.py", "tampering_paths.test.py", "path-certificates.json"))

@@ -137,7 +137,7 @@ class Ranks(unittest.TestCase):
         done = self.run_in(folder, self.REFERENCE, 4)
         self.assertEqual(done.returncode, 0, done.stderr)
         for name, text in contents(folder).items():
-            self.assertEqual(text, (SOURCE / "reference" / name).read_bytes(), name)
+            self.assertEqual(text, (SOURCE / "verify/reference/values" / name).read_bytes(), name)
 
     def test_an_experiment_that_has_changed_since_is_diagnosed_again(self):
         folder = self.here("changed")
