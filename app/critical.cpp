@@ -31,7 +31,7 @@ struct CriticalOptions {
   bool table = false;  ///< what was read is a table of chains
 };
 
-constexpr const char* example_chain_name = "examples/four-link.toml";
+constexpr const char* example_chain_name = "docs/examples/four-link.toml";
 
 bool is_table(const std::string& path) {
   return fs::path(path).extension() == ".csv";

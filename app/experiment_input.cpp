@@ -19,7 +19,7 @@ std::string example_file(const std::string& name, const std::string&) {
   return files.at(name);
 }
 
-constexpr const char* example_folder = "examples/experiment";
+constexpr const char* example_folder = "docs/examples/experiment";
 
 std::optional<diagnose::NominalChain> model_of(const ExperimentInput& input) {
   if (input.model.empty()) return std::nullopt;

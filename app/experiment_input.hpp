@@ -11,7 +11,7 @@
 namespace plumbline::app {
 
 struct ExperimentInput {
-  std::string folder;   ///< without one: the experiment in examples/experiment
+  std::string folder;   ///< without one: the experiment in docs/examples/experiment
   std::string model;    ///< file that has the nominal model; or none: the experiment's own
   std::string effects;  ///< file with effects of the user's own; or none
 

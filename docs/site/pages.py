@@ -103,7 +103,7 @@ def draw_gallery():
     """Runs the sessions of the gallery, where the folders of the repository can be seen."""
     place = PLACE / "html" / "gallery"
     place.mkdir(parents=True, exist_ok=True)
-    seen = [place / folder for folder in ("examples", "proofs")]
+    seen = [place / folder for folder in ("docs", "proofs")]
     for link in seen:
         link.symlink_to(ROOT / link.name)
     text = (ROOT / "docs" / "gallery.md").read_text(encoding="utf-8")

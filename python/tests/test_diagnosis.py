@@ -9,7 +9,7 @@ import plumbline
 import pytest
 
 ROOT = pathlib.Path(__file__).parents[2]
-FOLDER = ROOT / "examples/experiment"
+FOLDER = ROOT / "docs/examples/experiment"
 RESTS = {"u-press": [-0.32, 0.06, 0.38, 0.35], "z-press": [-0.24, 0.68, -0.80, 0.52],
          "u-aside": [-0.30, 0.10, 0.30, 0.30], "u-again": [-0.36, 0.08, 0.36, 0.30]}
 NOMINAL = {"link_length": np.full(4, 0.25), "joint_stiffness": np.full(4, 2.0)}

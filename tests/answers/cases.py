@@ -132,7 +132,7 @@ def check():
 def diagnose(folders):
     yield case("diagnose/built-in", "diagnose --next --json report.json --html page.html")
     yield case("diagnose/built-in-json", "diagnose --json")
-    experiments = {"example": inputs.folder_files(ROOT / "examples/experiment", "")}
+    experiments = {"example": inputs.folder_files(ROOT / "docs/examples/experiment", "")}
     for folder in [inputs.SIMULATED, *folders]:
         experiments |= inputs.experiments_in(folder)
     for name, files in experiments.items():

@@ -53,7 +53,7 @@ def toml(lengths, stiffness, rest=None):
 
 def chain_files():
     """Straight chains of the examples, a file each, and some of ours."""
-    files = {path.stem: path.read_bytes() for path in sorted((ROOT / "examples").glob("*.toml"))}
+    files = {path.stem: path.read_bytes() for path in sorted((ROOT / "docs/examples").glob("*.toml"))}
     draw = Draw(11)
     for links in (2, 5, 9):
         files[f"random-{links}"] = toml([draw.between(0.1, 3) for _ in range(links)], [draw.between(0.1, 9) for _ in range(links)])
@@ -92,7 +92,7 @@ def short_chain_tables():
     """Tables of straight chains of which all modes are wanted: the example's, and several hundred drawn ones."""
     rows = [f"{name},{';'.join(lengths)},{';'.join(stiffness)}\n" for name, lengths, stiffness in drawn_chains()]
     return {
-        "examples": (ROOT / "examples/chains.csv").read_bytes(),
+        "examples": (ROOT / "docs/examples/chains.csv").read_bytes(),
         "drawn": ("chain,lengths,stiffness\n" + "".join(rows)).encode(),
     }
 
@@ -172,7 +172,7 @@ def submitted_values():
 
 def broken_experiments():
     """The bundled example, broken in one place each: name -> files."""
-    good = folder_files(ROOT / "examples/experiment", "bench/")
+    good = folder_files(ROOT / "docs/examples/experiment", "bench/")
 
     def altered(file, old, new):
         text = good[f"bench/{file}"].decode()

@@ -48,7 +48,7 @@ TEST_CASE("every JSON says by which program, what was asked for, and of which in
 
 TEST_CASE("an experiment's digest is of its settings and its samples") {
   const Workplace here;
-  const std::string source = PLUMBLINE_SOURCE_DIR "/examples/experiment";
+  const std::string source = PLUMBLINE_SOURCE_DIR "/docs/examples/experiment";
   std::filesystem::copy(source, here / "E");
   std::string all;
   for (const char* name : {"experiment.toml", "u-press.csv", "z-press.csv", "u-aside.csv", "u-again.csv"})

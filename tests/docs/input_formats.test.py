@@ -211,7 +211,7 @@ def user_effects(folder):
             for name, values in one.get("parameters", {}).items():
                 lines.append(f"[effect.parameters.{name}]\n" + toml_file(values))
         (folder / "effects.toml").write_text("".join(lines), encoding="utf-8")
-        return complaint("diagnose", str(ROOT / "examples" / "cogging"), "--effects", "effects.toml", folder=folder)
+        return complaint("diagnose", str(ROOT / "docs/examples" / "cogging"), "--effects", "effects.toml", folder=folder)
 
     for heading in tables_of:
         named, required = documented(USER_EFFECTS, heading)

@@ -155,7 +155,7 @@ def trial(folder):
 def many(folder):
     """Of one experiment on three days, one that is broken, and two whose causes differ."""
     for day in (1, 2, 3):
-        place = shutil.copytree(ROOT / "examples" / "experiment", folder / f"day-{day}")
+        place = shutil.copytree(ROOT / "docs/examples" / "experiment", folder / f"day-{day}")
         settings = (place / "experiment.toml").read_text(encoding="utf-8")
         (place / "experiment.toml").write_text(f"date = 2026-03-0{day}\n{settings}", encoding="utf-8")
     two_links.write(folder / "one-spring", lambda joint, d, k: 1.3 * k * d, stiffness=(0.0, 1.5))

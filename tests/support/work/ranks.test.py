@@ -166,7 +166,7 @@ class Ranks(unittest.TestCase):
 
     def test_every_other_verb_is_done_once(self):
         folder = self.here("once")
-        words = ["critical", str(SOURCE / "examples/four-link.toml")]
+        words = ["critical", str(SOURCE / "docs/examples/four-link.toml")]
         self.assertEqual(self.run_in(folder, words, 3).stdout, self.run_in(folder, words).stdout)
         self.assertEqual(self.run_in(folder, ["critical", "nowhere.toml"], 3).stderr.count("nowhere.toml: found"), 1)
 

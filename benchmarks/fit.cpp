@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "bench/race.hpp"
+#include "benchmarks/race.hpp"
 #include "diagnose/inference/fit.hpp"
 #include "support/files/temporary_folder.hpp"
 

@@ -1,6 +1,6 @@
 /// \file
 /// `bench-census`: all equilibria of a chain, beside PHCpack, which follows all complex roots of a polynomial
-/// system that is nearly the same. Prints a table and puts it between the markers in bench/RESULTS-census.md.
+/// system that is nearly the same. Prints a table and puts it between the markers in benchmarks/RESULTS-census.md.
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -13,8 +13,8 @@
 #include <plumbline/loaded/nominal_model.hpp>
 #include <random>
 
-#include "bench/race.hpp"
-#include "bench/results.hpp"
+#include "benchmarks/race.hpp"
+#include "benchmarks/results.hpp"
 #include "proofs/census/census_task.hpp"
 #include "proofs/census/found_equilibria.hpp"
 
@@ -279,7 +279,7 @@ std::string row(const fs::path& folder, const char* load, const Question& questi
 int main_program() {
   std::string pattern = fs::temp_directory_path() / "plumbline-bench-XXXXXX";
   if (mkdtemp(pattern.data()) == nullptr) throw Error(pattern, "no folder", "a place for the peer");
-  std::string table = fmt::format("Written by `build/bench/bench-census` on {}.\n\n", processor_name()) +
+  std::string table = fmt::format("Written by `build/benchmarks/bench-census` on {}.\n\n", processor_name()) +
                       "| load | n | equilibria, proved | census, ms | from random shapes, ms | degree | "
                       "complex roots | PHCpack "
                       "found | of the equilibria | PHCpack, ms | PHCpack / census |\n"
@@ -292,7 +292,7 @@ int main_program() {
   for (const std::size_t links : {2U, 3U, 4U}) add(row(pattern, "force", under_force(links)));
   for (const std::size_t links : {2U, 3U, 4U}) add(row(pattern, "end point held", at_end_point(links)));
   fs::remove_all(pattern);
-  put_into(PLUMBLINE_SOURCE_DIR "/bench/RESULTS-census.md", "bench-census", table);
+  put_into(PLUMBLINE_SOURCE_DIR "/benchmarks/RESULTS-census.md", "bench-census", table);
   return 0;
 }
 

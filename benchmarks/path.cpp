@@ -15,7 +15,7 @@
 #include <plumbline/branch/trace.hpp>
 #include <plumbline/loaded/nominal_model.hpp>
 
-#include "bench/race.hpp"
+#include "benchmarks/race.hpp"
 
 namespace plumbline::bench {
 namespace {
@@ -150,7 +150,7 @@ std::string reached(double ratio, double aim) {
 std::string report(const fs::path& folder) {
   std::string text = fmt::format(
       "# Following a path, beside peers\n\n"
-      "`build/bench/bench-path` writes this. The Z-chain of Table 1, end point held, from 0 to 1.5 L; "
+      "`build/benchmarks/bench-path` writes this. The Z-chain of Table 1, end point held, from 0 to 1.5 L; "
       "processor time, one\n"
       "thread; best of 15 runs for Plumbline, of 5 for the peers. The peers' last Newton increment is "
       "below "

@@ -1,4 +1,4 @@
-#include "bench/kernels.hpp"
+#include "benchmarks/kernels.hpp"
 
 #include <plumbline/branch/trace.hpp>
 #include <plumbline/loaded/nominal_model.hpp>

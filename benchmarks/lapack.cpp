@@ -3,7 +3,7 @@
 #include <plumbline/base/error.hpp>
 #include <plumbline/chain/linearised.hpp>
 
-#include "bench/peers.hpp"
+#include "benchmarks/peers.hpp"
 
 extern "C" {
 void dpttrf_(const int* n, double* d, double* e, int* info);

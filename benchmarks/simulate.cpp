@@ -15,7 +15,7 @@
 #include <optional>
 #include <random>
 
-#include "bench/write_labelled.hpp"
+#include "benchmarks/write_labelled.hpp"
 #include "diagnose/noise/measurement.hpp"
 #include "diagnose/rig/nominal.hpp"
 #include "diagnose/inference/study.hpp"

@@ -1,6 +1,6 @@
 /// \file
 /// `bench-critical`: critical forces, ours and other ways in turn in one process. Prints tables and puts them
-/// between the markers in bench/RESULTS.md.
+/// between the markers in benchmarks/RESULTS.md.
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include <random>
 #include <sstream>
 
-#include "bench/bars.hpp"
-#include "bench/peers.hpp"
-#include "bench/race.hpp"
-#include "bench/results.hpp"
+#include "benchmarks/bars.hpp"
+#include "benchmarks/peers.hpp"
+#include "benchmarks/race.hpp"
+#include "benchmarks/results.hpp"
 #include "proofs/exact/enclosure.hpp"
 
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
@@ -323,7 +323,7 @@ int main() {
     std::ostringstream out;
     Findings findings;
     const std::string by =
-        fmt::format("Written by `build/bench/bench-critical` on {}, {} lanes of {} bits.\n\n",
+        fmt::format("Written by `build/benchmarks/bench-critical` on {}, {} lanes of {} bits.\n\n",
                     processor_name(), plumbline::detail::lane_count, 64);
     for (const auto table :
          {lowest_table, all_table, small_table, memory_table, digits_table, accuracy_table}) {
@@ -333,7 +333,7 @@ int main() {
     }
     const std::string bars = table_of(findings.bars);
     std::cout << '\n' << bars;
-    put_into(PLUMBLINE_SOURCE_DIR "/bench/RESULTS.md", "bench-critical",
+    put_into(PLUMBLINE_SOURCE_DIR "/benchmarks/RESULTS.md", "bench-critical",
              by + "### Bars\n\n" + bars + '\n' + out.str());
   } catch (const std::exception& error) {
     std::cerr << "bench-critical: " << error.what() << '\n';

@@ -1,6 +1,6 @@
 /// \file
 /// `bench-growth`: what critical forces, modes, tables of chains, paths, censuses and diagnoses cost in time
-/// and memory as they grow. Prints a table, puts it between the markers in bench/RESULTS-growth.md and draws
+/// and memory as they grow. Prints a table, puts it between the markers in benchmarks/RESULTS-growth.md and draws
 /// it beside it. `bench-growth --check` writes nothing: it fails where a power has risen above the one in
 /// that table.
 
@@ -19,9 +19,9 @@
 #include <random>
 #include <sstream>
 
-#include "bench/race.hpp"
-#include "bench/random_chain.hpp"
-#include "bench/results.hpp"
+#include "benchmarks/race.hpp"
+#include "benchmarks/random_chain.hpp"
+#include "benchmarks/results.hpp"
 #include "diagnose/answers/diagnosis.hpp"
 #include "diagnose/bench/condense.hpp"
 #include "proofs/census/census.hpp"
@@ -30,8 +30,8 @@
 namespace plumbline::bench {
 namespace {
 
-const std::string document = PLUMBLINE_SOURCE_DIR "/bench/RESULTS-growth.md";
-const std::string drawing = PLUMBLINE_SOURCE_DIR "/bench/growth.svg";
+const std::string document = PLUMBLINE_SOURCE_DIR "/benchmarks/RESULTS-growth.md";
+const std::string drawing = PLUMBLINE_SOURCE_DIR "/benchmarks/growth.svg";
 
 /// The chains of this table, always the same.
 Chain<Rational> random_chain(std::size_t links) {
@@ -269,7 +269,7 @@ void draw(const std::vector<Work>& all, const std::vector<std::vector<Cost>>& fo
 }
 
 void write() {
-  std::string table = fmt::format("Written by `build/bench/bench-growth` on {}.\n\n", processor_name()) +
+  std::string table = fmt::format("Written by `build/benchmarks/bench-growth` on {}.\n\n", processor_name()) +
                       "| work | sizes | processor time, s | memory, MB | power, last step | expected |\n"
                       "|---|---|---|---|--:|--:|\n";
   std::cout << table << std::flush;

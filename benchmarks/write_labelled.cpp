@@ -1,4 +1,4 @@
-#include "bench/write_labelled.hpp"
+#include "benchmarks/write_labelled.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,6 +1,6 @@
 /// \file
 /// `bench-portable`: what a portable build costs beside one for this machine, in turn in one process. Prints
-/// a table and puts it between the markers in bench/RESULTS.md.
+/// a table and puts it between the markers in benchmarks/RESULTS.md.
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 #include <plumbline/base/widest.hpp>
 #include <random>
 
-#include "bench/kernels.hpp"
-#include "bench/race.hpp"
-#include "bench/results.hpp"
+#include "benchmarks/kernels.hpp"
+#include "benchmarks/race.hpp"
+#include "benchmarks/results.hpp"
 
 namespace plumbline::bench {
 namespace {
@@ -63,7 +63,7 @@ int main() {
         {"a path, n = 4", random_chains(1, 4), &Kernels::path},
         {"a path, n = 100", random_chains(1, 100), &Kernels::path}};
     std::string table =
-        fmt::format("Written by `build/bench/bench-portable` on {}; the portable build takes {}.\n\n",
+        fmt::format("Written by `build/benchmarks/bench-portable` on {}; the portable build takes {}.\n\n",
                     processor_name(),
                     plumbline::detail::widens() ? "registers of eight doubles where it has lanes"
                                                 : "the registers that it is compiled for") +
@@ -71,7 +71,7 @@ int main() {
     for (const Work& work : all)
       table += fmt::format("| {} | {:.2f} |\n", work.name, portable_over_native(work));
     std::cout << table;
-    put_into(PLUMBLINE_SOURCE_DIR "/bench/RESULTS.md", "bench-portable", table);
+    put_into(PLUMBLINE_SOURCE_DIR "/benchmarks/RESULTS.md", "bench-portable", table);
   } catch (const std::exception& error) {
     std::cerr << "bench-portable: " << error.what() << '\n';
     return 2;

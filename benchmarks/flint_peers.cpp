@@ -1,4 +1,4 @@
-#include "bench/flint_peers.hpp"
+#include "benchmarks/flint_peers.hpp"
 
 #include <acb_mat.h>
 #include <arb_fmpz_poly.h>

@@ -1,6 +1,6 @@
 # The header-only library, from the checkout that this port stands in:
 #
-#   vcpkg install plumbline --overlay-ports=packaging/vcpkg
+#   vcpkg install plumbline --overlay-ports=cmake/vcpkg
 #
 # vcpkg has no port of MPFI: it is the system's (Debian package libmpfi-dev).
 cmake_path(SET SOURCE_PATH NORMALIZE "${CMAKE_CURRENT_LIST_DIR}/../../..")

@@ -1,6 +1,6 @@
 /// \file
 /// `bench-digits`: all critical forces to 50 and to 1000 proved digits, as `critical --all --digits` computes
-/// them, beside FLINT and Arb. Prints a table and puts it between the markers in bench/RESULTS-digits.md.
+/// them, beside FLINT and Arb. Prints a table and puts it between the markers in benchmarks/RESULTS-digits.md.
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <iostream>
 #include <random>
 
-#include "bench/flint_peers.hpp"
-#include "bench/race.hpp"
-#include "bench/random_chain.hpp"
-#include "bench/results.hpp"
+#include "benchmarks/flint_peers.hpp"
+#include "benchmarks/race.hpp"
+#include "benchmarks/random_chain.hpp"
+#include "benchmarks/results.hpp"
 #include "proofs/exact/critical_modes.hpp"
 
 namespace plumbline::bench {
@@ -78,7 +78,7 @@ std::string row(std::size_t links, int digits) {
 }
 
 int main_program() {
-  std::string table = fmt::format("Written by `build/bench/bench-digits` on {}.\n\n", processor_name()) +
+  std::string table = fmt::format("Written by `build/benchmarks/bench-digits` on {}.\n\n", processor_name()) +
                       "| n | digits | ours |";
   std::string rule = "|--:|--:|--:|";
   for (const Way& way : ways) {
@@ -94,7 +94,7 @@ int main_program() {
       table += line;
     }
   }
-  put_into(PLUMBLINE_SOURCE_DIR "/bench/RESULTS-digits.md", "bench-digits", table);
+  put_into(PLUMBLINE_SOURCE_DIR "/benchmarks/RESULTS-digits.md", "bench-digits", table);
   return 0;
 }
 

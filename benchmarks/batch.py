@@ -1,7 +1,7 @@
 """The batch of 10^5 chains from NumPy against the same in C++, side by side: ratios of processor time, the fastest runs
 of each, in turns.
 
-usage: PYTHONPATH=build/python python3 bench/batch.py BATCH, the program that bench/batch.cpp makes
+usage: PYTHONPATH=build/python python3 benchmarks/batch.py BATCH, the program that benchmarks/batch.cpp makes
 """
 import pathlib
 import subprocess

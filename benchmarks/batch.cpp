@@ -1,5 +1,5 @@
 /// \file
-/// The batch of lowest critical forces on chains that bench/batch.py hands over, alone in C++: processor
+/// The batch of lowest critical forces on chains that benchmarks/batch.py hands over, alone in C++: processor
 /// seconds of the fastest of so many runs.
 ///
 /// usage: batch FILE LINKS RUNS, where FILE holds all lengths and then all stiffnesses as doubles
@@ -10,7 +10,7 @@
 #include <limits>
 #include <plumbline/straight/critical_force_batch.hpp>
 
-#include "bench/race.hpp"
+#include "benchmarks/race.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 4) return 2;

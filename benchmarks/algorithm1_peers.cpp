@@ -4,7 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <plumbline/straight/algorithm1.hpp>
 
-#include "bench/peers.hpp"
+#include "benchmarks/peers.hpp"
 
 namespace plumbline::bench {
 namespace {
