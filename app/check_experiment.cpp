@@ -10,7 +10,7 @@
 #include "app/experiment_input.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "diagnose/screening/oddities.hpp"
+#include "diagnose/screening/anomalies.hpp"
 #include "diagnose/screening/conventions.hpp"
 
 namespace plumbline::app {
@@ -107,7 +107,7 @@ struct Seen {
 Seen looked_at(const ExperimentInput& input) {
   const Progress progress("experiment", 0);
   Seen seen{experiment_of(input), {}, ""};
-  seen.odd = diagnose::oddities(seen.experiment);
+  seen.odd = diagnose::anomalies(seen.experiment);
   const diagnose::Study study = study_of(input, seen.experiment);
   try {
     diagnose::require_conventions(study);

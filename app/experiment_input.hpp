@@ -23,7 +23,7 @@ diagnose::Experiment experiment_of(const ExperimentInput& input);
 /// The bench, before anything was measured.
 diagnose::Experiment bench_of(const ExperimentInput& input);
 
-/// The experiment or bench, condensed, in which the user's effects are looked for too.
+/// The experiment or bench, decimated, in which the user's effects are looked for too.
 /// \throws Error where one of them has no value along the nominal model's runs
 diagnose::Study study_of(const ExperimentInput& input, const diagnose::Experiment& experiment);
 

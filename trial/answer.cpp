@@ -47,7 +47,7 @@ Names truth_of(const Label& label) {
   return truth;
 }
 
-const char* const expected = "a report in the format \"gap-diagnosis/1\"";
+const char* const expected = "a report in the format \"gap-diagnosis/2\"";
 
 JsonValue at(const JsonValue& object, const char* key) {
   return object.at(key, expected);
@@ -109,7 +109,7 @@ Answer answer_outside(const Report& report) {
   if (report.verdict == "unknown") return Answer::right;
   if (report.verdict == "none") return Answer::missed_gap;
   if (report.verdict == "identified") return Answer::wrong_sure;
-  return report.effects == Names{"unknown"} ? Answer::in_class : Answer::wrong_hedged;
+  return report.effects == Names{"unknown"} ? Answer::in_class : Answer::wrong_ambiguous;
 }
 
 Answer answer_in_catalogue(const Names& truth, const Report& report, const std::vector<Names>& listed,
@@ -122,7 +122,7 @@ Answer answer_in_catalogue(const Names& truth, const Report& report, const std::
                         return share_one(said, truth);
                       });
   if (partly) return Answer::part;
-  return sure ? Answer::wrong_sure : Answer::wrong_hedged;
+  return sure ? Answer::wrong_sure : Answer::wrong_ambiguous;
 }
 
 /// Nothing where the label does not say where.
@@ -198,8 +198,8 @@ const char* answer_word(Answer answer) {
       return "unknown";
     case Answer::missed_gap:
       return "missed gap";
-    case Answer::wrong_hedged:
-      return "wrong, hedged";
+    case Answer::wrong_ambiguous:
+      return "wrong, ambiguous";
     case Answer::wrong_sure:
       return "wrong, sure";
     case Answer::false_alarm:
@@ -236,7 +236,7 @@ Judgement judge(const Label& label, const Report& report) {
   const bool found = judgement.answer == Answer::right || judgement.answer == Answer::in_class;
   if (judgement.answer == Answer::right) judge_parameters(label, report, judgement);
   if (found && !outside_catalogue(label)) judgement.shrunk = report.shrunk;
-  judgement.over_hedged = found && listed.size() > 1 + label.equivalent.size();
+  judgement.oversized_class = found && listed.size() > 1 + label.equivalent.size();
   judge_probabilities(report, right, judgement);
   return judgement;
 }

@@ -55,7 +55,7 @@ std::string said_best(const Case& one) {
   const Judgement& judged = one.judgement;
   if (judged.answer == Answer::no_report) return answer_word(judged.answer);
   const bool misplaced = judged.best == truth_kind(one.label) &&
-                         (judged.answer == Answer::wrong_sure || judged.answer == Answer::wrong_hedged);
+                         (judged.answer == Answer::wrong_sure || judged.answer == Answer::wrong_ambiguous);
   return misplaced ? judged.best + " at another joint" : judged.best;
 }
 
@@ -145,7 +145,7 @@ void count_proportions(Score& total, const Case& one) {
   if (label.effects.size() > 1) total.pairs.add(found(one));
   for (const auto& [name, inside] : judged.covered) total.covered.add(inside);
   if (found(one) && !label.effects.empty() && !outside_catalogue(label))
-    total.over_hedged.add(judged.over_hedged);
+    total.oversized_class.add(judged.oversized_class);
   total.no_report += judged.answer == Answer::no_report;
   total.broken_seals += !one.seal_holds;
 }

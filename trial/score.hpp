@@ -61,15 +61,15 @@ struct Score {
   std::vector<Row> by_noise;
   std::vector<Row> by_family;  ///< of labels that name one; the most often wrong and sure first
   Confusion confusion;
-  Proportion strong;       ///< one effect, 5 sigma or more: found
-  Proportion weak;         ///< one effect, 2.5 to 5 sigma: found
-  Proportion wrong_sure;   ///< identified and wrong, of all that were identified
-  Proportion false_alarm;  ///< of the experiments without an effect
-  Proportion outside;      ///< effects outside the catalogue: called unknown
-  Proportion place;        ///< of those: the joint, or else the channel, named first
-  Proportion pairs;        ///< two effects: both found
-  Proportion covered;      ///< true parameters inside their 95 % bounds
-  Proportion over_hedged;  ///< found, but in a class larger than the experiment's own
+  Proportion strong;           ///< one effect, 5 sigma or more: found
+  Proportion weak;             ///< one effect, 2.5 to 5 sigma: found
+  Proportion wrong_sure;       ///< identified and wrong, of all that were identified
+  Proportion false_alarm;      ///< of the experiments without an effect
+  Proportion outside;          ///< effects outside the catalogue: called unknown
+  Proportion place;            ///< of those: the joint, or else the channel, named first
+  Proportion pairs;            ///< two effects: both found
+  Proportion covered;          ///< true parameters inside their 95 % bounds
+  Proportion oversized_class;  ///< found, but in a class larger than the experiment's own
   std::size_t no_report = 0, broken_seals = 0;
   std::vector<Reliability> reliability;
   double brier = 0;  ///< mean, 0 is best, 2 worst

@@ -38,9 +38,9 @@ struct Groups {
 
 /// Where a chain may go to either of two sides: the joint angles on the one to which it went, and on the
 /// other; a row a reading, a column a joint.
-struct Side {
-  std::vector<bool> apart;  ///< whether they are apart there
-  Eigen::ArrayXXd there, other;
+struct Branch {
+  std::vector<bool> differs;  ///< by reading, whether the branches differ
+  Eigen::ArrayXXd angles, other_angles;
   Eigen::ArrayX2d force;  ///< on the end point, there, N
   /// The first reading at which they are apart.
   [[nodiscard]] std::size_t first() const;
@@ -57,7 +57,7 @@ struct Run {
   std::vector<Origin> origins = {};  ///< of t, x, y, Fx, Fy and the joint angles; empty where it was not read
   bool by_weights = false;  ///< whether an imposed force is that of weights, not of a servo on the load cell
   bool weights_inferred = false;  ///< whether that is told by the forces, not by who took the readings
-  std::optional<Side> side = std::nullopt;  ///< what the readings say where the model leaves it open
+  std::optional<Branch> branch = std::nullopt;  ///< what the readings say where the model leaves it open
 
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
   /// What the rig imposes, along x and along y.
@@ -71,7 +71,7 @@ struct Run {
   /// that somebody made up.
   [[nodiscard]] bool counts_readings() const;
   /// From one reading to the next where time passes, the middle one, s; zero where none passes.
-  [[nodiscard]] double usual_pause() const;
+  [[nodiscard]] double sampling_interval() const;
   /// What answers: the other of force and end point, then the joint angles that the run has columns for.
   [[nodiscard]] std::vector<Channel> measured() const;
   /// First and last of the readings as they were taken, from 0, that a reading stands for.

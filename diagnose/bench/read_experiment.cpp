@@ -8,12 +8,12 @@
 #include <plumbline/base/error.hpp>
 #include <set>
 
-#include "diagnose/screening/plausible.hpp"
 #include "diagnose/bench/read_date.hpp"
 #include "diagnose/bench/read_nominal.hpp"
 #include "diagnose/bench/read_samples.hpp"
 #include "diagnose/bench/sample_format.hpp"
 #include "diagnose/bench/unmeasured.hpp"
+#include "diagnose/screening/physical.hpp"
 #include "support/files/printable.hpp"
 #include "support/files/text_file.hpp"
 

@@ -69,7 +69,7 @@ std::vector<double> mirrored(std::vector<double> rest) {
 }
 
 /// Whether the nominal chain can follow a run, and it asks no more than may be asked.
-bool follows(const Experiment& experiment, const Run& run, const Extent& so_far) {
+bool follows(const Experiment& experiment, const Run& run, const OperatingEnvelope& so_far) {
   Experiment bench = experiment;
   bench.runs = {run};
   const Prediction nominal = simulate(bench, nominal_rig(bench), {});
@@ -79,35 +79,38 @@ bool follows(const Experiment& experiment, const Run& run, const Extent& so_far)
 /// The two longest ways along a direction, one half as long again as the other, that the nominal chain
 /// follows.
 std::vector<double> ways(const Experiment& experiment, const Shape& shape, const Vector2& start,
-                         const Vector2& along, const Extent& so_far) {
+                         const Vector2& along, const OperatingEnvelope& so_far) {
   // Powers of one and a half. Without limits of force and deflection no farther than half as far again.
   const int longest = so_far.is_limit() ? 2 : 1;
   constexpr int shortest = -4;
   std::vector<double> all;
   for (int power = longest; power >= shortest && all.size() < 2; --power) {
     const double by = std::pow(1.5, power) * so_far.travel;
-    const Run there_and_back = gone(Control::end_point, shape.rest, start, by * along, true, so_far.pause);
+    const Run there_and_back =
+        gone(Control::end_point, shape.rest, start, by * along, true, so_far.sampling_interval);
     if (follows(experiment, there_and_back, so_far)) all.push_back(by);
   }
   std::reverse(all.begin(), all.end());
   return all;
 }
 
-std::vector<CandidateRun> presses(const Experiment& experiment, const Shape& shape, const Extent& so_far) {
+std::vector<CandidateRun> presses(const Experiment& experiment, const Shape& shape,
+                                  const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
   const Vector2 start = unloaded_end(experiment, shape.rest);
   for (const Direction& one : directions())
     for (const double by : ways(experiment, shape, start, one.along, so_far))
       for (const bool back : {false, true})
-        all.push_back({fmt::format("press {} by {:.3g} m from {}{}", one.name, by, shape.words,
-                                   back ? " and unload" : ""),
-                       gone(Control::end_point, shape.rest, start, by * one.along, back, so_far.pause)});
+        all.push_back(
+            {fmt::format("press {} by {:.3g} m from {}{}", one.name, by, shape.words,
+                         back ? " and unload" : ""),
+             gone(Control::end_point, shape.rest, start, by * one.along, back, so_far.sampling_interval)});
   return all;
 }
 
 /// The largest load along a direction that deflects the nominal chain no more than is wanted.
 std::optional<Vector2> bearable(const Experiment& experiment, const Shape& shape, const Vector2& along,
-                                const Extent& so_far) {
+                                const OperatingEnvelope& so_far) {
   constexpr double usual_deflection = 0.33;  // rad
   const double wanted = so_far.deflection > 0 ? so_far.deflection : usual_deflection;
   const double shortest = *std::min_element(experiment.link_length.begin(), experiment.link_length.end());
@@ -116,7 +119,7 @@ std::optional<Vector2> bearable(const Experiment& experiment, const Shape& shape
   double force = so_far.force > 0 ? so_far.force : 2 * wanted * stiffest / shortest;
   for (int halved = 0; halved < 12; ++halved, force /= 2) {
     Experiment bench = experiment;
-    bench.runs = {gone(Control::force, shape.rest, {0, 0}, force * along, true, so_far.pause)};
+    bench.runs = {gone(Control::force, shape.rest, {0, 0}, force * along, true, so_far.sampling_interval)};
     const Prediction nominal = simulate(bench, nominal_rig(bench), {});
     if (nominal.reached && !nominal.snapped && largest_deflection(nominal.runs[0], shape.rest) <= wanted)
       return force * along;
@@ -124,7 +127,8 @@ std::optional<Vector2> bearable(const Experiment& experiment, const Shape& shape
   return std::nullopt;
 }
 
-std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape, const Extent& so_far) {
+std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape,
+                                const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
   for (const Direction& one : directions()) {
     const std::optional<Vector2> load = bearable(experiment, shape, one.along, so_far);
@@ -132,24 +136,24 @@ std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape
     for (const bool back : {false, true})
       all.push_back({fmt::format("load with {:.3g} N {} from {}{}", load->norm(), one.name, shape.words,
                                  back ? " and unload" : ""),
-                     gone(Control::force, shape.rest, {0, 0}, *load, back, so_far.pause)});
+                     gone(Control::force, shape.rest, {0, 0}, *load, back, so_far.sampling_interval)});
   }
   return all;
 }
 
 }  // namespace
 
-bool Extent::is_limit() const {
+bool OperatingEnvelope::is_limit() const {
   return force > 0 || deflection > 0;
 }
 
-bool Extent::allows(const Trace& trace, const std::vector<double>& rest) const {
+bool OperatingEnvelope::allows(const Trace& trace, const std::vector<double>& rest) const {
   return (force == 0 || largest_force(trace) <= 2 * force) &&
          (deflection == 0 || largest_deflection(trace, rest) <= 1.5 * deflection);
 }
 
-Extent extent(const Study& study) {
-  Extent so_far;
+OperatingEnvelope operating_envelope(const Study& study) {
+  OperatingEnvelope so_far;
   const Experiment& experiment = study.experiment();
   const Prediction& nominal = study.nominal();
   double pause = 0;
@@ -164,9 +168,9 @@ Extent extent(const Study& study) {
       const double way = (Vector2(trace(i, column_x), trace(i, column_y)) - start).norm();
       if (run.holds_end_point()) so_far.travel = std::max(so_far.travel, way);
     }
-    pause = std::max(pause, run.usual_pause());
+    pause = std::max(pause, run.sampling_interval());
   }
-  if (pause > 0) so_far.pause = pause;
+  if (pause > 0) so_far.sampling_interval = pause;
   if (so_far.travel == 0) {
     for (const double length : experiment.link_length) so_far.travel += 0.05 * length;
   }
@@ -190,7 +194,8 @@ std::vector<Shape> shapes(const Experiment& experiment, std::size_t most) {
   return all;
 }
 
-std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape, const Extent& so_far) {
+std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape,
+                                    const OperatingEnvelope& so_far) {
   return shape.control == Control::end_point ? presses(experiment, shape, so_far)
                                              : loads(experiment, shape, so_far);
 }

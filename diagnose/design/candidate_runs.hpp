@@ -11,11 +11,11 @@
 namespace plumbline::diagnose {
 
 /// The rig as it was in the runs so far: how far it went.
-struct Extent {
+struct OperatingEnvelope {
   double travel = 0;      ///< of a held end point, m; a twentieth of the chain where none was commanded
   double force = 0;       ///< on the end point, N
   double deflection = 0;  ///< of a joint, rad
-  double pause = 2;       ///< between readings, s: as slow as the slowest
+  double sampling_interval = 2;  ///< between readings, s: as slow as the slowest
 
   /// Whether they asked anything.
   [[nodiscard]] bool is_limit() const;
@@ -24,7 +24,7 @@ struct Extent {
   [[nodiscard]] bool allows(const Trace& trace, const std::vector<double>& rest) const;
 };
 
-Extent extent(const Study& study);
+OperatingEnvelope operating_envelope(const Study& study);
 
 struct CandidateRun {
   std::string description;
@@ -47,6 +47,7 @@ std::vector<Shape> shapes(const Experiment& experiment, std::size_t most);
 /// that: up to nine quarters as far as before, where they set none half as far again. Another is loaded with
 /// weights on a string: as much as in the runs so far, or as deflects the nominal chain as much as they did,
 /// a third of a radian where they asked nothing.
-std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape, const Extent& so_far);
+std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape,
+                                    const OperatingEnvelope& so_far);
 
 }  // namespace plumbline::diagnose

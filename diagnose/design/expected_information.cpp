@@ -24,13 +24,13 @@ double log_determinant(const Eigen::LLT<Eigen::MatrixXd>& factor) {
   return 2 * factor.matrixLLT().diagonal().array().log().sum();
 }
 
-Gaussian prediction(const Forecast& rival) {
+Gaussian prediction(const Forecast& hypothesis) {
   // Of a covariance that is singular to rounding too.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spread(rival.covariance);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spread(hypothesis.covariance);
   Eigen::MatrixXd half =
-      rival.slope * spread.eigenvectors() * spread.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+      hypothesis.slope * spread.eigenvectors() * spread.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
   const double determinant = log_determinant(small_factor(half));
-  return {rival.read, std::move(half), determinant};
+  return {hypothesis.read, std::move(half), determinant};
 }
 
 /// Bhattacharyya's distance; the inverse by Woodbury's identity.
@@ -46,9 +46,9 @@ double distance(const Gaussian& a, const Gaussian& b) {
 
 }  // namespace
 
-double expected_information(const std::vector<Forecast>& rivals) {
+double expected_information(const std::vector<Forecast>& hypotheses) {
   std::vector<Gaussian> all;
-  for (const Forecast& rival : rivals) all.push_back(prediction(rival));
+  for (const Forecast& hypothesis : hypotheses) all.push_back(prediction(hypothesis));
   const std::size_t count = all.size();
   Eigen::MatrixXd overlap =
       Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(count));

@@ -17,7 +17,7 @@ struct Forecast {
 /// Nats by which the run is expected to lower the entropy of the choice among explanations that were equally
 /// probable: at least so many, at most the logarithm of their number. What an explanation predicts is
 /// Gaussian, of the noise and of the spread of its parameters; the bound is that of Kolchinsky and Tracey
-/// (Entropy 19, 361, 2017) with Bhattacharyya's distance. \param rivals  one explanation or more
-double expected_information(const std::vector<Forecast>& rivals);
+/// (Entropy 19, 361, 2017) with Bhattacharyya's distance. \param hypotheses  one explanation or more
+double expected_information(const std::vector<Forecast>& hypotheses);
 
 }  // namespace plumbline::diagnose

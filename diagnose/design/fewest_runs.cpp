@@ -22,7 +22,7 @@ class Sufficiency {
   bool of(const Runs& runs) {
     for (std::size_t i = 0; i < order_.size(); ++i) {
       ++asked_;
-      if (lead(contrasts_[order_[i]], runs) > enough_) continue;
+      if (expected_log_likelihood_ratio(contrasts_[order_[i]], runs) > enough_) continue;
       std::rotate(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(i),
                   order_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
       return false;
@@ -60,13 +60,15 @@ Runs greedy(const std::vector<Contrast>& contrasts, const Runs& from, double eno
       if (std::find(chosen.begin(), chosen.end(), run) != chosen.end()) continue;
       const Runs more = with(chosen, run);
       double way = 0;
-      for (const Contrast* one : open) way += std::min(1.0, lead(*one, more) / enough);
+      for (const Contrast* one : open)
+        way += std::min(1.0, expected_log_likelihood_ratio(*one, more) / enough);
       if (way <= farthest) continue;
       farthest = way;
       best = run;
     }
     chosen.push_back(*best);
-    std::erase_if(open, [&](const Contrast* one) { return lead(*one, chosen) > enough; });
+    std::erase_if(open,
+                  [&](const Contrast* one) { return expected_log_likelihood_ratio(*one, chosen) > enough; });
   }
   return chosen;
 }
@@ -110,11 +112,11 @@ std::optional<Runs> one_fewer(const Runs& found, std::size_t count, Sufficiency&
 
 }  // namespace
 
-double lead(const Contrast& contrast, const std::vector<std::size_t>& runs) {
+double expected_log_likelihood_ratio(const Contrast& contrast, const std::vector<std::size_t>& runs) {
   if (runs.empty()) return 0;
   Eigen::Index count = 0;
   for (const std::size_t run : runs) count += contrast[run].difference.size();
-  Imitation all{Eigen::VectorXd(count), Eigen::MatrixXd(count, contrast.front().slope.cols())};
+  LinearisedAlternative all{Eigen::VectorXd(count), Eigen::MatrixXd(count, contrast.front().slope.cols())};
   Eigen::Index next = 0;
   for (const std::size_t run : runs) {
     const Eigen::Index rows = contrast[run].difference.size();

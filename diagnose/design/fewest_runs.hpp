@@ -9,11 +9,11 @@
 namespace plumbline::diagnose {
 
 /// One explanation that is true and one that imitates it: the rows of each run, under the same parameters.
-using Contrast = std::vector<Imitation>;
+using Contrast = std::vector<LinearisedAlternative>;
 
 /// Expected lead of the true explanation with some of the runs, in log-likelihood: half of what the other
 /// cannot imitate in all of them at once. Never less with more runs.
-double lead(const Contrast& contrast, const std::vector<std::size_t>& runs);
+double expected_log_likelihood_ratio(const Contrast& contrast, const std::vector<std::size_t>& runs);
 
 /// Whether so few of the runs, the most telling ones taken one after the other, let every contrast lead by
 /// more than `enough`.

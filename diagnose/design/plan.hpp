@@ -13,16 +13,16 @@
 namespace plumbline::diagnose {
 
 /// Effects of which no two are told apart, and which are mistaken for the same others.
-struct Alike {
+struct Indistinguishable {
   std::vector<EffectAt> effects;
   std::vector<EffectAt> others;  ///< that each of them may be mistaken for, or the other way round
   bool exactly = false;          ///< several effects, and no reading differs between them
 };
 
 /// What some runs leave open.
-struct Blindness {
-  std::vector<EffectAt> unseen;  ///< at a sizeable value below the noise
-  std::vector<Alike> alike;      ///< of those that are seen
+struct Unidentifiable {
+  std::vector<EffectAt> undetectable;                ///< at a sizeable value below the noise
+  std::vector<Indistinguishable> indistinguishable;  ///< of those that are seen
 };
 
 /// What takes more runs than this is never seen or told apart: a lab makes so many for one question.
@@ -30,13 +30,13 @@ inline constexpr std::size_t few_runs = 5;
 
 struct Plan {
   std::string experiment;
-  std::vector<EffectAt> impossible;  ///< what cannot act on the bench, or nothing shows
-  std::size_t candidates = 0;        ///< runs that the bench could make
-  Blindness never;                   ///< by any few of them
-  std::optional<Blindness> planned;  ///< by the runs that are planned, where their commands are given
-  std::size_t separated = 0;         ///< pairs of effects that some of the runs tell apart
-  std::vector<std::string> fewest;   ///< runs that do it, the most telling first
-  bool fewest_proved = false;        ///< no fewer of the candidates do
+  std::vector<EffectAt> impossible;       ///< what cannot act on the bench, or nothing shows
+  std::size_t candidates = 0;             ///< runs that the bench could make
+  Unidentifiable unidentifiable;          ///< by any few of them
+  std::optional<Unidentifiable> planned;  ///< by the runs that are planned, where their commands are given
+  std::size_t separated = 0;              ///< pairs of effects that some of the runs tell apart
+  std::vector<std::string> fewest;        ///< runs that do it, the most telling first
+  bool proved_minimal = false;            ///< no fewer of the candidates do
 };
 
 /// An effect is seen, and two are told apart, where the right explanation is expected to lead in

@@ -27,13 +27,13 @@ std::vector<page::ChartPoint> curve(const Trace& trace, const Channel& channel, 
 
 page::Strip strip_of(Regime regime, double from, double to) {
   switch (regime) {
-    case Regime::near_loss_of_stiffness:
+    case Regime::near_critical:
       return {from, to, "near", "near loss"};
-    case Regime::post_buckling:
+    case Regime::post_critical:
       return {from, to, "post", "post"};
     case Regime::unloading:
       return {from, to, "back", "unloading"};
-    case Regime::pre_buckling:
+    case Regime::pre_critical:
       break;
   }
   return {from, to, "pre", "pre"};

@@ -27,8 +27,9 @@ Json picture_as_json(const LawPicture& picture) {
                        {"profile", as_json(one.profile)}});
   for (const auto& one : picture.arms)
     arms.push_back({{"time_constant", one.time_constant}, {"stiffness", one.stiffness}});
-  return {{"joints", picture.joints}, {"knots", as_json(picture.knots)}, {"sliders", sliders},
-          {"relaxation", arms},       {"words", picture.words},          {"resembles", picture.resembles}};
+  return {{"joints", picture.joints},     {"knots", as_json(picture.knots)},
+          {"sliders", sliders},           {"relaxation", arms},
+          {"description", picture.words}, {"similar_effects", picture.resembles}};
 }
 
 std::vector<std::string> beside(const OfferedLaw& offered) {
@@ -88,7 +89,7 @@ nlohmann::ordered_json law_as_json(const OfferedLaw& offered) {
   Json laws = Json::array();
   for (const LawPicture& picture : offered.pictures) laws.push_back(picture_as_json(picture));
   Json result = {{"id", "torque_law"},
-                 {"beside", beside(offered)},
+                 {"with_effects", beside(offered)},
                  {"laws", laws},
                  {"cross_validated", offered.law.cross_validated}};
   if (!offered.shrink) return result;

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 /// By the place in the report.
 page::NumberStyle style_of(const std::string& pointer) {
   const std::string key = pointer.substr(pointer.rfind('/') + 1);
-  if (key == "share" || key == "remainder") return page::NumberStyle::share;
+  if (key == "share" || key == "discrepancy") return page::NumberStyle::share;
   if (key == "p_value") return page::NumberStyle::chance;
   if (key == "probability" || pointer.find("/explained/") != std::string::npos ||
       pointer.find("/proportional_noise/") != std::string::npos || key.find("ratio") != std::string::npos)
@@ -138,7 +138,7 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
     add("unknown", "a cause outside the catalogue keeps " + ranking.back()["probability"].get<std::string>());
   }
   std::vector<std::string> idle;
-  for (const EffectAt& at : explained.diagnosis.not_exercised) idle.push_back(at.name());
+  for (const EffectAt& at : explained.diagnosis.not_excited) idle.push_back(at.name());
   add(joined(idle, ", ", ", "), "never exercised: no reading of these runs depends on it");
   add(out_of_sight(explained.study),
       "not looked for: on this bench, with these channels, it could change nothing that was measured");
@@ -191,9 +191,9 @@ void add_where(Json& view, const Json& report, const Explained& explained) {
     view["most"]["joint"] = std::to_string(where.joints.front().joint);
   if (!explained.diagnosis.missing) return;
   const PageChart chart = missing_chart(*explained.diagnosis.missing);
-  view["missing"] = view["where"]["missing"];
-  view["missing"].erase("points");
-  view["missing"]["chart"] = {{"caption", chart.caption}, {"svg", chart.svg}};
+  view["unexplained"] = view["where"]["unexplained"];
+  view["unexplained"].erase("points");
+  view["unexplained"]["chart"] = {{"caption", chart.caption}, {"svg", chart.svg}};
 }
 
 void add_charts(Json& view, const Explained& explained) {
@@ -231,8 +231,8 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
   view["may_hide_ripple"] = diagnosis.may_hide_ripple();
   for (const auto& [sensor, share] : view["gap"]["proportional_noise"].items())
     view["proportional"].push_back({{"sensor", sensor}, {"share", share}});
-  for (const auto& [sensor, times] : view["gap"]["uneven_noise"].items())
-    view["uneven"].push_back({{"sensor", sensor}, {"times", times}});
+  for (const auto& [sensor, times] : view["gap"]["noisier_joints"].items())
+    view["uneven"].push_back({{"sensor", sensor}, {"factor", times}});
   if (const auto& runs = diagnosis.gap.taken_for_weights; !runs.empty())
     view["weights"] = fmt::format("{}", fmt::join(runs, ", "));
   view["channels_rms"] = gap_channels(diagnosis.gap, view["gap"]["rms"]);

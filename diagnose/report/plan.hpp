@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A plan as machines read it (format "experiment-plan/1") and as a person reads it in the terminal.
+/// A plan as machines read it (format "experiment-plan/2") and as a person reads it in the terminal.
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A diagnosis as machines read it (format "gap-diagnosis/1"), as a person reads it in the terminal, and as a
+/// A diagnosis as machines read it (format "gap-diagnosis/2"), as a person reads it in the terminal, and as a
 /// page.
 
 #include <nlohmann/json.hpp>

@@ -107,7 +107,7 @@ std::string gap(const Diagnosis& diagnosis) {
   if (!answer.taken_for_weights.empty())
     text += fmt::format("  the forces of {} point straight down and have no noise: taken for weights\n",
                         fmt::join(answer.taken_for_weights, ", "));
-  for (const OtherSide& one : answer.other_side)
+  for (const OtherBranch& one : answer.other_branch)
     text += fmt::format(
         "  from reading {} of {} on the chain is where its imperfections sent it, half a degree of a rest "
         "angle deciding: so is the model\n",
@@ -166,9 +166,9 @@ std::string parameters(const Diagnosis& diagnosis) {
   return text;
 }
 
-std::string never_exercised(const Diagnosis& diagnosis) {
+std::string not_excited(const Diagnosis& diagnosis) {
   std::string idle;
-  for (const EffectAt& at : diagnosis.not_exercised) idle += (idle.empty() ? "" : ", ") + at.name();
+  for (const EffectAt& at : diagnosis.not_excited) idle += (idle.empty() ? "" : ", ") + at.name();
   if (idle.empty()) return "";
   return "  neither excluded nor blamed, for the runs never exercise them: " + idle + "\n";
 }
@@ -188,7 +188,7 @@ std::string unexplained(const Diagnosis& diagnosis) {
                         partial.hypothesis.fit.candidate.name(), partial.chi2_per_dof);
   }
   if (diagnosis.law) text += law_as_text(*diagnosis.law);
-  return text + never_exercised(diagnosis);
+  return text + not_excited(diagnosis);
 }
 
 /// What cannot be told apart from the best: the most probable a line each, the rest together.
@@ -225,7 +225,7 @@ std::string what(const Diagnosis& diagnosis) {
   if (cause.reservation != Reservation::none)
     text += "  or a cause outside the catalogue: " + reservation_words(cause.reservation) + "\n";
   if (diagnosis.law) text += law_as_text(*diagnosis.law);
-  return text + never_exercised(diagnosis);
+  return text + not_excited(diagnosis);
 }
 
 /// What the shrink was measured with.

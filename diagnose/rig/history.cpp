@@ -10,7 +10,7 @@
 #include <plumbline/chain/kinematics.hpp>
 
 #include "diagnose/rig/rig_solver.hpp"
-#include "diagnose/rig/way_between.hpp"
+#include "diagnose/rig/substeps.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -146,7 +146,7 @@ class RunWalk {
       : run_(run),
         experiment_(experiment),
         layout_(layout),
-        parts_(parts_of_ways(run, layout, rig)),
+        parts_(substeps(run, layout, rig)),
         solver_(layout, std::accumulate(parts_.begin(), parts_.end(), std::size_t{0})),
         main_(rig, run) {
     beside_.reserve(variations.size());
@@ -209,13 +209,13 @@ class RunWalk {
 
   /// Whether the chain is on the side that it did not go to: of the way from between the sides to that one it
   /// is a tenth at least. What friction holds between them is on neither.
-  [[nodiscard]] bool is_on_other_side(std::size_t r) const {
+  [[nodiscard]] bool is_on_other_branch(std::size_t r) const {
     constexpr double clearly = 0.1;
     const auto row = static_cast<Eigen::Index>(r);
     double along = 0, whole = 0;
     for (std::size_t i = 0; i < layout_.links; ++i) {
       const auto joint = static_cast<Eigen::Index>(i);
-      const double there = run_.side->there(row, joint), other = run_.side->other(row, joint);
+      const double there = run_.branch->angles(row, joint), other = run_.branch->other_angles(row, joint);
       const double way = (other - there) / 2;
       along += (layout_.joint_angle(main_.posture.angle, i) - (there + other) / 2) * way;
       whole += way * way;
@@ -226,20 +226,21 @@ class RunWalk {
   /// Looks for the chain on the side that it went to, where it arrived on the other one or nowhere: a softer
   /// one loses its stiffness before the sides are apart. \returns whether it is there; if not, it stays
   bool crosses_over(const RigStep& step, const Imposed& target, std::size_t r, bool arrived) {
-    if (arrived && !(run_.side->apart[r] && is_on_other_side(r))) return false;
+    if (arrived && !(run_.branch->differs[r] && is_on_other_branch(r))) return false;
     const Posture stays = main_.posture;
     main_.posture = last_posture_;
-    const std::size_t apart = std::max(r, run_.side->first());
+    const std::size_t apart = std::max(r, run_.branch->first());
     const auto row = static_cast<Eigen::Index>(apart);
     double theta = 0;
     for (std::size_t j = 0; j < layout_.links; ++j) {
-      theta += run_.side->there(row, static_cast<Eigen::Index>(j));
+      theta += run_.branch->angles(row, static_cast<Eigen::Index>(j));
       const auto nodes = static_cast<Eigen::Index>(layout_.nodes_per_link());
       main_.posture.angle.segment(static_cast<Eigen::Index>(layout_.first(j)), nodes).setConstant(theta);
     }
-    main_.posture.force = {run_.side->force(row, 0), run_.side->force(row, 1)};
+    main_.posture.force = {run_.branch->force(row, 0), run_.branch->force(row, 1)};
     guess_ = main_.posture;
-    if (solver_.follow(step, target, target, guess_, main_.posture) && !is_on_other_side(apart)) return true;
+    if (solver_.follow(step, target, target, guess_, main_.posture) && !is_on_other_branch(apart))
+      return true;
     main_.posture = stays;
     return false;
   }
@@ -263,7 +264,7 @@ class RunWalk {
     const std::size_t count = last_ ? parts_[r] : 1;
     for (std::size_t part = 1; part < count; ++part) {
       const double share = static_cast<double>(part) / static_cast<double>(count);
-      if (!go_to(on_the_way(*last_, reading, share), std::nullopt)) break;
+      if (!go_to(interpolated(*last_, reading, share), std::nullopt)) break;
     }
     if (!go_to(reading, r)) return false;
     notice_turns();
@@ -300,7 +301,7 @@ class RunWalk {
     extrapolate(target);
     last_posture_ = main_.posture;
     const bool arrives = solver_.follow(step, at_, target, guess_, main_.posture);
-    const bool crosses = r && run_.side && crosses_over(step, target, *r, arrives);
+    const bool crosses = r && run_.branch && crosses_over(step, target, *r, arrives);
     if (!arrives && !crosses) return false;
     snapped_ = snapped_ || (!crosses && solver_.snapped());
     if (!beside_.empty()) solver_.prepare(step, target, main_.posture);

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "diagnose/bench/conversion.hpp"
-#include "diagnose/screening/unmoved.hpp"
 #include "diagnose/rig/nominal.hpp"
+#include "diagnose/screening/stuck_channel.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -229,7 +229,7 @@ struct Trial {
   std::vector<std::size_t> runs = {};  ///< that it mends
   double misfit = 0;                   ///< left in all runs
   double unusual = 0;                  ///< how far from the usual sizes it leaves the bench
-  double left_as_is = 0, left = 0;
+  double misfit_as_read = 0, left = 0;
   bool wholly_placed = false;
   double start = 0;  ///< distance at start that it leaves
 };
@@ -251,7 +251,7 @@ class Check {
            std::any_of(as_is_.begin(), as_is_.end(), misfits);
   }
 
-  [[nodiscard]] double start_as_is() const { return start_; }
+  [[nodiscard]] double start_error_as_read() const { return start_; }
 
   [[nodiscard]] std::vector<Trial> suspected() const {
     std::vector<Trial> found;
@@ -338,9 +338,9 @@ class Check {
     if (trial.runs.empty() || !in_doubt || whole.after > allowed.misfit * whole.before) return {};
     for (const Column& sensor : whole.is)
       if (!centred(sensor, conversion.factor)) return {};
-    trial.left_as_is = relative_rms(whole.was);
+    trial.misfit_as_read = relative_rms(whole.was);
     trial.left = relative_rms(whole.is);
-    if (trial.left > allowed.readings || trial.left > allowed.readings * trial.left_as_is) return {};
+    if (trial.left > allowed.readings || trial.left > allowed.readings * trial.misfit_as_read) return {};
     return trial;
   }
 
@@ -352,7 +352,7 @@ class Check {
 
 }  // namespace
 
-std::optional<Doubt> doubtful_convention(const Study& study) {
+std::optional<SuspectedConvention> suspected_convention(const Study& study) {
   const Check check(study);
   if (!check.in_doubt()) return {};
   std::vector<Trial> found = check.suspected();
@@ -380,38 +380,38 @@ std::optional<Doubt> doubtful_convention(const Study& study) {
                    [&](const Trial& a, const Trial& b) { return order(a) < order(b); });
   const Trial& best = found.front();
   const Conversion& conversion = best.conversion;
-  Doubt doubt{{},
-              conversion.what,
-              conversion.looks_like,
-              conversion.expected,
-              conversion.remedy,
-              {},
-              best.left_as_is,
-              best.left,
-              best.wholly_placed ? check.start_as_is() : 0,
-              best.start};
+  SuspectedConvention doubt{{},
+                            conversion.what,
+                            conversion.looks_like,
+                            conversion.expected,
+                            conversion.remedy,
+                            {},
+                            best.misfit_as_read,
+                            best.left,
+                            best.wholly_placed ? check.start_error_as_read() : 0,
+                            best.start};
   if (best.runs.size() < study.experiment().runs.size())
     for (const std::size_t r : best.runs) doubt.runs.push_back(study.experiment().runs[r].id);
   for (std::size_t i = 1; i < found.size(); ++i)
-    doubt.or_else.push_back(found[i].conversion.what + " like " + found[i].conversion.looks_like);
+    doubt.alternatives.push_back(found[i].conversion.what + " like " + found[i].conversion.looks_like);
   return doubt;
 }
 
 void require_conventions(const Study& study) {
-  require_moved(study);
-  const std::optional<Doubt> doubt = doubtful_convention(study);
+  require_no_stuck_channel(study);
+  const std::optional<SuspectedConvention> doubt = suspected_convention(study);
   if (!doubt) return;
   std::string where = study.experiment().name + ", ";
   if (!doubt->runs.empty())
     where += fmt::format("run{} {}, ", doubt->runs.size() > 1 ? "s" : "", fmt::join(doubt->runs, ", "));
   std::string found = "what looks like " + doubt->looks_like;
-  for (const std::string& other : doubt->or_else) found += ", or " + other;
-  if (doubt->start_as_is > 0)
+  for (const std::string& other : doubt->alternatives) found += ", or " + other;
+  if (doubt->start_error_as_read > 0)
     found += fmt::format(" (the runs then start {:.2g} instead of {:.2g} lengths of the chain off, together)",
-                         doubt->start, doubt->start_as_is);
+                         doubt->start, doubt->start_error_as_read);
   else
     found += fmt::format(" (the nominal model then misses {:.2g} % instead of {:.2g} %)", 100 * doubt->left,
-                         100 * doubt->left_as_is);
+                         100 * doubt->misfit_as_read);
   throw Error(where + doubt->what, found,
               doubt->expected + ": if it is so, write " + doubt->remedy + "; if not, pass --as-is");
 }

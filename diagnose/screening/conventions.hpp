@@ -13,17 +13,19 @@ namespace plumbline::diagnose {
 
 /// Numbers that look as if they were meant otherwise. A question, not a finding: the nominal model itself may
 /// be what is wrong.
-struct Doubt {
-  std::vector<std::string> runs;     ///< that look so; empty where all do
-  std::string what;                  ///< the columns or keys, "Fx, Fy"
-  std::string looks_like;            ///< "kgf"
-  std::string expected;              ///< "N"
-  std::string remedy;                ///< what to write in experiment.toml if they are
-  std::vector<std::string> or_else;  ///< other readings that fit as well: "joint_stiffness like N cm/rad"
-  double left_as_is, left;  ///< rms of what the nominal model leaves, over the readings' own: now and then
+struct SuspectedConvention {
+  std::vector<std::string> runs;  ///< that look so; empty where all do
+  std::string what;               ///< the columns or keys, "Fx, Fy"
+  std::string looks_like;         ///< "kgf"
+  std::string expected;           ///< "N"
+  std::string remedy;             ///< what to write in experiment.toml if they are
+  std::vector<std::string>
+      alternatives;  ///< other readings that fit as well: "joint_stiffness like N cm/rad"
+  double misfit_as_read,
+      left;  ///< rms of what the nominal model leaves, over the readings' own: now and then
   /// Distances of the runs' starts from the unloaded end points, lengths of the chain, together: now and
   /// then, where they are what betrays it; otherwise zero now.
-  double start_as_is, start;
+  double start_error_as_read, start;
 };
 
 /// Compares the readings with the nominal model as they stand and under each of the closed list of
@@ -33,7 +35,7 @@ struct Doubt {
 /// beside the slip does not hide it and a gap alone does not look like one. Of the order of a chain it is
 /// nearly all, but where only the other order stands unloaded where the runs start. Where a conversion alone
 /// places all starts, that is enough: no gap moves them.
-std::optional<Doubt> doubtful_convention(const Study& study);
+std::optional<SuspectedConvention> suspected_convention(const Study& study);
 
 /// A search among causes is wasted on numbers that were meant otherwise.
 /// \throws Error with the question, in one line, where a unit, sign, axis or order is in doubt, or where a

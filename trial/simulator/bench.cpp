@@ -40,7 +40,7 @@ Scene scene_of(const Bench& bench) {
         scene.deflection[j] = std::max(scene.deflection[j], std::abs(state.q[j] - run.rest[j]));
     }
     scene.duration = std::max(scene.duration, run.commands.back().t);
-    scene.pause = std::min(scene.pause, run.commands[1].t);
+    scene.sampling_interval = std::min(scene.sampling_interval, run.commands[1].t);
   }
   return scene;
 }

@@ -17,7 +17,7 @@ struct Scene {
   const std::vector<std::vector<State>>& states;  ///< without any effect
   std::vector<double> deflection;                 ///< the largest of each joint
   double force = 0;                               ///< the largest
-  double duration = 0, pause = 0;                 ///< of the longest run; the shortest time between readings
+  double duration = 0, sampling_interval = 0;     ///< of the longest run; the shortest time between readings
 };
 
 using Place = std::size_t;           ///< joint, from 0

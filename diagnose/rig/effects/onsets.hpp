@@ -24,17 +24,17 @@ inline ParameterRange stop_stiffness(double spring) {
 /// What begins at shares of the largest deflection, each with little and with much of it.
 /// \param at  parameters of one, from the share and how much
 template <class Parameters>
-Starts onset_starts(const std::array<double, 2>& sizes, Parameters at) {
-  Starts starts{{}, 2};
+InitialGuesses onset_guesses(const std::array<double, 2>& sizes, Parameters at) {
+  InitialGuesses guesses{{}, 2};
   for (const double share : {0.2, 0.4, 0.6, 0.8, 0.95})
-    for (const double size : sizes) starts.from.push_back(at(share, size));
-  return starts;
+    for (const double size : sizes) guesses.points.push_back(at(share, size));
+  return guesses;
 }
 
 /// Soft and hard stops: how much is their stiffness over that of the spring.
 template <class Parameters>
-Starts stop_starts(Parameters at) {
-  return onset_starts({0.3, 3.0}, at);
+InitialGuesses stop_guesses(Parameters at) {
+  return onset_guesses({0.3, 3.0}, at);
 }
 
 }  // namespace plumbline::diagnose

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/rig/sides.hpp"
+#include "diagnose/rig/branches.hpp"
 #include "diagnose/rig/user_effects/stated_effect.hpp"
 
 namespace plumbline::diagnose {
@@ -20,8 +20,9 @@ struct TriedValues {
 
 std::vector<TriedValues> trials(const StatedEffect& stated, const Study& study) {
   std::vector<TriedValues> all;
-  for (const std::vector<double>& start :
-       row_of(std::make_shared<StatedEffect>(stated)).starts({study.sizes(), 0}, study.exercise()).from) {
+  for (const std::vector<double>& start : row_of(std::make_shared<StatedEffect>(stated))
+                                              .initial_guesses({study.scales(), 0}, study.excitation())
+                                              .points) {
     all.push_back({start, false});
     for (std::size_t p = 0; p < start.size(); ++p)
       if (stated.parameters[p].grows()) all.back().parameters[p] = 0;
@@ -99,7 +100,7 @@ void require_readings(const StatedEffect& stated, const Study& study, const Trie
 }  // namespace
 
 void require_defined(const StatedEffect& stated, const Study& study) {
-  const std::size_t joints = study.sizes().link_length.size();
+  const std::size_t joints = study.scales().link_length.size();
   for (const StatedReading& one : stated.readings)
     if (one.joint && *one.joint >= joints)
       throw Error(stated.place + ": " + stated.id + ".reading", one.key,
@@ -115,7 +116,7 @@ Study study_with(Experiment experiment, const std::vector<StatedEffect>& stated)
   std::vector<Effect> rows;
   for (const StatedEffect& one : stated) rows.push_back(row_of(std::make_shared<StatedEffect>(one)));
   const Study read(std::move(experiment), std::make_shared<const std::vector<Effect>>(std::move(rows)));
-  Study study = read.of(on_their_sides(read));
+  Study study = read.of(on_observed_branches(read));
   for (const StatedEffect& one : stated) require_defined(one, study);
   return study;
 }

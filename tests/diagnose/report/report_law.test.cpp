@@ -19,12 +19,13 @@ TEST_CASE("a torque law in words and as JSON, by hand") {
                        "it hardens",
                        {{"nonlinear_spring", "joint_stop"}, {"hysteresis"}}}};
   ReportJson json = law_as_json(offered);
-  CHECK(json == ReportJson::parse(R"json({"id": "torque_law", "beside": ["gravity", "force_gain"], "laws": [
+  CHECK(json ==
+        ReportJson::parse(R"json({"id": "torque_law", "with_effects": ["gravity", "force_gain"], "laws": [
     {"joints": [1, 3], "knots": [[-0.1, -0.2], [0.1, 0.3]],
      "sliders": [{"slips_at": 0.02, "torque": 0.5, "growth": 0.0, "profile": []},
                  {"slips_at": 0.03, "torque": 0.0, "growth": 0.0, "profile": [[-0.1, 0.4], [0.1, -0.6]]}],
-     "relaxation": [{"time_constant": 9.0, "stiffness": 0.7}], "words": "it hardens",
-     "resembles": [["nonlinear_spring", "joint_stop"], ["hysteresis"]]}],
+     "relaxation": [{"time_constant": 9.0, "stiffness": 0.7}], "description": "it hardens",
+     "similar_effects": [["nonlinear_spring", "joint_stop"], ["hysteresis"]]}],
     "cross_validated": 0.34})json"));
   CHECK(
       law_as_text(offered) ==
@@ -47,7 +48,7 @@ TEST_CASE("a torque law in words and as JSON, by hand") {
         "    joint 2: it hardens\n"
         "    leaves 0.25 of the residual on the held-out readings (95 %: 0.2 to 0.3; noise floor 0.1)\n");
   json = law_as_json(offered);
-  CHECK(json["beside"] == ReportJson::array());
+  CHECK(json["with_effects"] == ReportJson::array());
   CHECK(json["heldout"] == ReportJson::parse(R"json(["press-1"])json"));
   CHECK(json["ratio"] == 0.25);
   CHECK(json["ratio_low"] == 0.2);

@@ -113,7 +113,7 @@ TEST_CASE("a page of an ambiguous cause, of an unknown one, and of none") {
   made.cause.equivalent = {1, 2};
   made.cause.remainder = 0.07;
   made.cause.reservation = Reservation::many_values;
-  made.not_exercised = {{"tip_payload"}, {"joint_stop", 1}};
+  made.not_excited = {{"tip_payload"}, {"joint_stop", 1}};
   made.proposals = {proposal("press farther", 5, 4)};
   std::string page = as_html(study, made);
   CHECK(has_words(page,

@@ -13,10 +13,10 @@ TEST_CASE("a plan in words and as JSON, by hand") {
   plan.experiment = "bench";
   plan.impossible = {{"gravity"}, {"tip_payload"}};
   plan.candidates = 5;
-  plan.never.unseen = {{"backlash", 2}};
-  plan.never.alike = {{{{"force_gain"}, {"stiffness_scale"}}, {}, true},
-                      {{{"rest_angle", 1}}, {{"joint_stiffness", 1}}, false},
-                      {{{"play"}, {"backlash", 1}}, {{"gravity"}}, false}};
+  plan.unidentifiable.undetectable = {{"backlash", 2}};
+  plan.unidentifiable.indistinguishable = {{{{"force_gain"}, {"stiffness_scale"}}, {}, true},
+                                           {{{"rest_angle", 1}}, {{"joint_stiffness", 1}}, false},
+                                           {{{"play"}, {"backlash", 1}}, {{"gravity"}}, false}};
   plan.separated = 31;
   CHECK(as_text(plan) ==
         "bench, before any data\n\n"
@@ -30,23 +30,23 @@ TEST_CASE("a plan in words and as JSON, by hand") {
         "Which runs separate the rest?  There is nothing to separate\n");
   plan.candidates = 6;
   plan.fewest = {"press", "load"};
-  plan.planned = Blindness{};
+  plan.planned = Unidentifiable{};
   CHECK(has_words(as_text(plan), "by any 5 of 6 runs\n"));
   CHECK(has_words(
       as_text(plan),
       "What do the runs leave open as they are planned?\n  below the noise: none\n  not told apart:\n"
       "    none\n\nWhich runs separate the rest?  2 of 6; fewer may do\n  press\n  load\n"));
-  plan.fewest_proved = true;
+  plan.proved_minimal = true;
   CHECK(has_words(as_text(plan), "2 of 6; no fewer do\n"));
   CHECK(as_json(plan) ==
-        ReportJson::parse(R"json({"format": "experiment-plan/1", "experiment": "bench", "candidates": 6,
-    "impossible": ["gravity", "tip_payload"], "never": {"unseen": ["backlash(2)"], "alike": [
+        ReportJson::parse(R"json({"format": "experiment-plan/2", "experiment": "bench", "candidates": 6,
+    "impossible": ["gravity", "tip_payload"], "unidentifiable": {"undetectable": ["backlash(2)"], "indistinguishable": [
       {"effects": ["force_gain", "stiffness_scale"], "exactly": true, "others": []},
       {"effects": ["rest_angle(1)"], "exactly": false, "others": ["joint_stiffness(1)"]},
       {"effects": ["play", "backlash(1)"], "exactly": false, "others": ["gravity"]}]
 }
-, "runs" : [ "press", "load" ], "fewest" : true, "separated" : 31, "planned" : {
-  "unseen" : [], "alike" : []
+, "runs" : [ "press", "load" ], "proved_minimal" : true, "separated" : 31, "planned" : {
+  "undetectable" : [], "indistinguishable" : []
 }
 })json"));
 }

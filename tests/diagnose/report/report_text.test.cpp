@@ -29,7 +29,7 @@ const std::string where_in_words =
     "\nWhere?  shares of the squared residual beyond noise\n"
     "  channels: Fx 75 %, q2 25 %\n"
     "  runs:     press-1 90 %, load-2 10 %\n"
-    "  path:     press-1 readings 3-6 (post-buckling) 60 %, press-1 readings 7-12 (unloading) 39 %\n"
+    "  path:     press-1 readings 3-6 (post-critical) 60 %, press-1 readings 7-12 (unloading) 39 %\n"
     "  joints:   2 80 %, 3 15 %, 1 5 % of the measured missing torque\n";
 
 const std::string cause_in_words =
@@ -71,7 +71,7 @@ TEST_CASE("what else the words may say: no gap, tones, remainders, rivals, what 
   made.gap.present = false;
   made.noise.scale = {1, 1, 1.5, 1, 1 / 1.5};
   made.gap.proportional.clear(), made.gap.uneven.clear(), made.gap.taken_for_weights.clear();
-  made.gap.rougher.clear(), made.gap.rougher_stretches.clear(), made.gap.other_side.clear();
+  made.gap.rougher.clear(), made.gap.rougher_stretches.clear(), made.gap.other_branch.clear();
   CHECK(
       as_text(made) ==
       "three links\n\nIs there a gap?  No, the nominal model explains the readings to the noise (p = 1e-05; "
@@ -93,7 +93,7 @@ TEST_CASE("what else the words may say: no gap, tones, remainders, rivals, what 
   made.cause.remainder = 0.07;
   made.cause.equivalent = {1};
   made.cause.reservation = Reservation::not_predicted;
-  made.not_exercised = {{"tip_payload"}, {"joint_stop", 1}};
+  made.not_excited = {{"tip_payload"}, {"joint_stop", 1}};
   made.estimates[0][0].low = made.estimates[0][0].high;
   made.estimates[1][0] = {"rho", "ratio", 0.81, 0.7, 0.9, true};
   std::string text = as_text(made);

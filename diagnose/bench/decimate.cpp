@@ -1,4 +1,4 @@
-#include "diagnose/bench/condense.hpp"
+#include "diagnose/bench/decimate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -77,11 +77,11 @@ std::vector<std::size_t> stops(const Run& run, double distance) {
 }
 
 /// Draws the readings of one run together, group by group.
-class Condenser {
+class Decimator {
  public:
   /// \param most  readings of a group
   /// \param still  what is no motion where it is commanded
-  Condenser(const Run& run, std::size_t most, double still)
+  Decimator(const Run& run, std::size_t most, double still)
       : run_(run), stops_(stops(run, std::max(unrest * extent(run), still))), result_(run) {
     result_.readings.clear();
     const double whole = extent(run_);
@@ -230,7 +230,7 @@ class Condenser {
 
 }  // namespace
 
-Experiment condensed(Experiment experiment) {
+Experiment decimated(Experiment experiment) {
   std::size_t total = 0;
   for (const Run& run : experiment.runs) total += run.readings.size();
   if (total <= short_enough) return experiment;
@@ -239,7 +239,7 @@ Experiment condensed(Experiment experiment) {
   for (Run& run : experiment.runs) {
     const std::size_t count = run.readings.size(), groups = std::max(least_readings(experiment.runs.size()),
                                                                      count * wanted_readings / total);
-    Condenser condenser(run, (count + groups - 1) / groups, unrest_at_rest * farthest[run.control]);
+    Decimator condenser(run, (count + groups - 1) / groups, unrest_at_rest * farthest[run.control]);
     if (condenser.gains()) run = condenser.result();
   }
   return experiment;

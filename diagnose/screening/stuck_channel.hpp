@@ -13,7 +13,7 @@ namespace plumbline::diagnose {
 
 /// A measured column that never leaves one value where the nominal model goes far: a sensor that is not
 /// connected, or a column of noughts for what was not measured.
-struct Unmoved {
+struct StuckChannel {
   std::vector<std::string> runs;  ///< in which it does not; empty where in all
   Channel channel;
   std::set<double> values;  ///< one for each run, SI
@@ -25,9 +25,9 @@ struct Unmoved {
 /// the last digit, where the nominal model goes through more than twenty times the noise and a fiftieth of
 /// what its sensor goes through. No effect holds readings so still: noise shows in their last digits, and
 /// where these are too coarse for it the chain moves by less than the twenty.
-std::optional<Unmoved> unmoved_channel(const Study& study);
+std::optional<StuckChannel> stuck_channel(const Study& study);
 
 /// \throws Error in one line, where a channel is unmoved
-void require_moved(const Study& study);
+void require_no_stuck_channel(const Study& study);
 
 }  // namespace plumbline::diagnose

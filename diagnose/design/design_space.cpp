@@ -1,10 +1,10 @@
-#include "diagnose/design/rehearsal.hpp"
+#include "diagnose/design/design_space.hpp"
 
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/bench/unmeasured.hpp"
+#include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/inference/start.hpp"
 #include "diagnose/rig/nominal.hpp"
 
@@ -38,7 +38,7 @@ std::vector<CandidateRun> planned_runs(const Experiment& bench) {
 }
 
 /// Presses and loads, there and back, that the nominal chain follows within what the plan asks of the rig.
-std::vector<CandidateRun> further_runs(const Experiment& bench, const Extent& so_far) {
+std::vector<CandidateRun> further_runs(const Experiment& bench, const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
   for (const Shape& shape : shapes(bench, most_shapes))
     for (CandidateRun& one : runs_from(bench, shape, so_far))
@@ -50,8 +50,8 @@ std::vector<CandidateRun> further_runs(const Experiment& bench, const Extent& so
 /// other sign: alike they would be another effect. What has no natural zero stands where fits start.
 std::vector<double> sizeable(const Study& study, const EffectAt& at) {
   const std::vector<ParameterRange> ranges = study.ranges(at);
-  const Starts known = starts(study, at);
-  std::vector<double> values = known.from[known.from.size() / 2];
+  const InitialGuesses known = initial_guesses(study, at);
+  std::vector<double> values = known.points[known.points.size() / 2];
   for (std::size_t p = 0; p < values.size(); ++p) {
     const ParameterRange& range = ranges[p];
     const bool odd = p % 2 == 1, one_sided = range.low == 0;
@@ -117,7 +117,7 @@ std::vector<Instance> followable(const Study& study, std::vector<CandidateRun>& 
 
 /// What cannot act or show here, however many runs are made.
 std::vector<EffectAt> impossible_effects(const Study& study) {
-  Sizes again = study.sizes();  // as if a run were made twice
+  CharacteristicScales again = study.scales();  // as if a run were made twice
   again.runs = 2;
   std::vector<EffectAt> all;
   for (const Effect* row : study.effects()) {
@@ -142,15 +142,16 @@ Experiment measured_as(Experiment experiment, const Prediction& predicted) {
   return experiment;
 }
 
-Rehearsal rehearse(const Experiment& bench) {
+DesignSpace design_space(const Experiment& bench) {
   const Study described(bench);
   if (!described.nominal().reached)
     throw Error("experiment \"" + bench.name + "\"", "runs that the nominal chain cannot follow",
                 "end points within reach and a stable posture at every reading");
-  Rehearsal rehearsal;
+  DesignSpace space;
   std::vector<CandidateRun> candidates = planned_runs(bench);
-  rehearsal.planned = candidates.size();
-  for (CandidateRun& one : further_runs(bench, extent(described))) candidates.push_back(std::move(one));
+  space.planned = candidates.size();
+  for (CandidateRun& one : further_runs(bench, operating_envelope(described)))
+    candidates.push_back(std::move(one));
   const auto measured = [&] {
     const Experiment all = with_runs(bench, candidates);
     return measured_as(all, simulate(all, nominal_rig(all), {}));
@@ -163,12 +164,12 @@ Rehearsal rehearse(const Experiment& bench) {
   };
   require_any();
   const Study study(measured());
-  rehearsal.effects = followable(study, candidates, rehearsal.planned);
+  space.effects = followable(study, candidates, space.planned);
   require_any();
-  rehearsal.impossible = impossible_effects(study);
-  rehearsal.bench = measured();
-  for (const CandidateRun& one : candidates) rehearsal.descriptions.push_back(one.description);
-  return rehearsal;
+  space.impossible = impossible_effects(study);
+  space.bench = measured();
+  for (const CandidateRun& one : candidates) space.descriptions.push_back(one.description);
+  return space;
 }
 
 }  // namespace plumbline::diagnose

@@ -1,4 +1,4 @@
-#include "diagnose/screening/oddities.hpp"
+#include "diagnose/screening/anomalies.hpp"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ using namespace plumbline::diagnose::test;
 namespace {
 
 bool remarks(const Experiment& experiment, const std::string& part) {
-  const std::vector<std::string> all = oddities(experiment);
+  const std::vector<std::string> all = anomalies(experiment);
   return std::any_of(all.begin(), all.end(),
                      [&](const std::string& one) { return one.find(part) != std::string::npos; });
 }
@@ -25,7 +25,7 @@ Experiment ordinary_bench() {
 }  // namespace
 
 TEST_CASE("ordinary readings are not odd") {
-  for (const std::string& one : oddities(ordinary_bench())) FAIL_CHECK(one);
+  for (const std::string& one : anomalies(ordinary_bench())) FAIL_CHECK(one);
 }
 
 TEST_CASE("each oddity is remarked on, with its run") {
@@ -85,7 +85,7 @@ template <class Change>
 std::vector<std::string> remarked(Change change) {
   Experiment experiment = quiet_run();
   change(experiment.runs[0].readings);
-  return oddities(experiment);
+  return anomalies(experiment);
 }
 
 using Readings = std::vector<Reading>;

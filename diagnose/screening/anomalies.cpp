@@ -1,4 +1,4 @@
-#include "diagnose/screening/oddities.hpp"
+#include "diagnose/screening/anomalies.hpp"
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ class Look {
       return;
     }
     constexpr double much = 20;
-    const double usual = run_->usual_pause();
+    const double usual = run_->sampling_interval();
     for (std::size_t i = 1; i < readings.size(); ++i)
       if (const double pause = readings[i].t - readings[i - 1].t; pause > much * usual)
         remark("a pause of {:.3g} s after reading {}, where {:.3g} s is usual", pause, i, usual);
@@ -125,7 +125,7 @@ bool same_readings(const Run& a, const Run& b) {
 
 }  // namespace
 
-std::vector<std::string> oddities(const Experiment& experiment) {
+std::vector<std::string> anomalies(const Experiment& experiment) {
   std::vector<std::string> remarks;
   Look look(experiment, remarks);
   const std::vector<Run>& runs = experiment.runs;

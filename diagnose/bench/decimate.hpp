@@ -13,6 +13,6 @@ namespace plumbline::diagnose {
 /// it: a run that goes often keeps more. What a chain remembers stays: the first and last command and every
 /// turning point, but for the unrest of a logged position, stand alone, without their measured values. An
 /// experiment that is short comes back as it is, and a run that turns all the time.
-Experiment condensed(Experiment experiment);
+Experiment decimated(Experiment experiment);
 
 }  // namespace plumbline::diagnose

@@ -10,7 +10,7 @@
 namespace plumbline::diagnose {
 
 /// Everything that a bench could measure.
-struct Rehearsal {
+struct DesignSpace {
   Experiment bench;  ///< every run that it could make, measured as the nominal chain would be
   std::vector<std::string> descriptions;  ///< of the runs
   std::size_t planned = 0;                ///< so many of the runs, the first, are those that the lab plans
@@ -23,7 +23,7 @@ struct Rehearsal {
 /// effect could not follow. What differs from run to run is not looked at: no run is made twice.
 /// \param bench  with its measured channels empty; its runs may have no readings
 /// \throws Error where the nominal chain cannot follow what is planned, or no run is left
-Rehearsal rehearse(const Experiment& bench);
+DesignSpace design_space(const Experiment& bench);
 
 /// The experiment measured without noise.
 /// \param predicted  what its channels show; those without a noise stay empty
