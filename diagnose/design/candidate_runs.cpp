@@ -46,7 +46,7 @@ double largest_force(const Trace& trace) {
   return std::sqrt((trace.col(column_Fx).square() + trace.col(column_Fy).square()).maxCoeff());
 }
 
-/// A run whose command goes from `start` by `by`, and back if asked.
+/// A run whose command moves from `start` by `by`, and back if asked.
 Run gone(Control control, const std::vector<double>& rest, const Vector2& start, const Vector2& by, bool back,
          double pause) {
   Run run{"proposed", control, rest, {}};
@@ -68,7 +68,7 @@ std::vector<double> mirrored(std::vector<double> rest) {
   return rest;
 }
 
-/// Whether the nominal chain can follow a run, and it asks no more than may be asked.
+/// Whether the nominal chain can follow a run within the operating envelope.
 bool follows(const Experiment& experiment, const Run& run, const OperatingEnvelope& so_far) {
   Experiment bench = experiment;
   bench.runs = {run};
@@ -76,11 +76,10 @@ bool follows(const Experiment& experiment, const Run& run, const OperatingEnvelo
   return nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], run.rest);
 }
 
-/// The two longest ways along a direction, one half as long again as the other, that the nominal chain
-/// follows.
+/// The two longest distances along a direction, in a ratio of 3/2, that the nominal chain can follow.
 std::vector<double> ways(const Experiment& experiment, const Shape& shape, const Vector2& start,
                          const Vector2& along, const OperatingEnvelope& so_far) {
-  // Powers of one and a half. Without limits of force and deflection no farther than half as far again.
+  // Powers of 3/2; without limits one power at most.
   const int longest = so_far.is_limit() ? 2 : 1;
   constexpr int shortest = -4;
   std::vector<double> all;

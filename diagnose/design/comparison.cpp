@@ -12,7 +12,7 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// An effect near one set of its parameters: what is read, in standard deviations, and its derivatives.
+/// The predicted readings of an effect at given parameters, in standard deviations, and their derivatives.
 struct Tangent {
   Eigen::VectorXd read;
   Eigen::MatrixXd slope;
@@ -39,7 +39,8 @@ std::vector<Tangent> tangents(const Study& study, const Instance& sizeable) {
   return all;
 }
 
-/// The tangent by which the alternative comes nearest. \param truth  what is read
+/// The nearest imitation by tangents.
+/// \param truth  true readings
 LinearisedAlternative nearest(const Eigen::VectorXd& truth, const std::vector<Tangent>& alternative) {
   LinearisedAlternative best;
   double least = std::numeric_limits<double>::infinity();
@@ -66,8 +67,7 @@ Contrast by_run(const Study& study, const LinearisedAlternative& all) {
   return contrast;
 }
 
-/// The same by a fit to what the truth gives without noise. Least squares, plainly: nothing there is an
-/// outlier.
+/// The same by a least-squares fit to the noise-free readings of the truth; there are no outliers.
 std::optional<LinearisedAlternative> fitted(const Study& truth, const EffectAt& alternative) {
   FitSettings settings;
   settings.outlier_bound = std::numeric_limits<double>::max();
@@ -82,7 +82,7 @@ std::optional<LinearisedAlternative> fitted(const Study& truth, const EffectAt& 
 
 Comparison::Comparison(const DesignSpace& space, const std::function<void(double)>& progress)
     : space_(space) {
-  // A tangent that leaves more than this share of the squared gap leads to no fit that leaves nothing.
+  // A tangent that leaves more than this share of the squared gap does not lead to an exact imitation.
   constexpr double may_come_near = 0.3;
   const Study study(space.bench);
   const std::size_t count = space.effects.size();
@@ -98,7 +98,7 @@ Comparison::Comparison(const DesignSpace& space, const std::function<void(double
     if (progress) progress(static_cast<double>(truth) / static_cast<double>(count));
     const Eigen::VectorXd& read = tangent[truth].front().read;
     const double whole = (read - nominal).squaredNorm();
-    if (whole / 2 <= beliefs::told_apart) continue;  // unseen
+    if (whole / 2 <= beliefs::told_apart) continue;  // undetectable
     const Instance& own = space.effects[truth];
     const Study asked(measured_as(space.bench, predict(study, own.candidate, own.parameters)));
     for (std::size_t other = 0; other < count; ++other) {

@@ -11,7 +11,7 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// So many rest shapes are tried beside what is planned: each adds sixteen runs.
+/// Largest number of rest shapes beside the planned runs; each adds sixteen runs.
 constexpr std::size_t most_shapes = 4;
 
 Experiment with_runs(const Experiment& bench, const std::vector<CandidateRun>& candidates) {
@@ -37,7 +37,7 @@ std::vector<CandidateRun> planned_runs(const Experiment& bench) {
   return all;
 }
 
-/// Presses and loads, there and back, that the nominal chain follows within what the plan asks of the rig.
+/// Presses and loads, there and back, that the nominal model can follow within the operating envelope.
 std::vector<CandidateRun> further_runs(const Experiment& bench, const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
   for (const Shape& shape : shapes(bench, most_shapes))
@@ -46,8 +46,8 @@ std::vector<CandidateRun> further_runs(const Experiment& bench, const OperatingE
   return all;
 }
 
-/// An effect of the size that a lab calls sizeable. Of values one a joint every other is less, or of the
-/// other sign: alike they would be another effect. What has no natural zero stands where fits start.
+/// An effect at its typical size. Values at each joint alternate in size or sign, for equal ones would be another
+/// effect. Parameters without a natural zero take an initial guess.
 std::vector<double> sizeable(const Study& study, const EffectAt& at) {
   const std::vector<ParameterRange> ranges = study.ranges(at);
   const InitialGuesses known = initial_guesses(study, at);
@@ -66,14 +66,14 @@ std::vector<double> sizeable(const Study& study, const EffectAt& at) {
   return values;
 }
 
-/// Half as much of an effect: what can grow from nothing is halved.
+/// Halves the parameters that can grow from zero.
 void halve(const Study& study, Instance& effect) {
   const std::vector<ParameterRange> ranges = study.ranges(effect.candidate);
   for (std::size_t p = 0; p < ranges.size(); ++p)
     if (ranges[p].may_be_nothing()) effect.parameters[p] /= 2;
 }
 
-/// By candidate, whether the rig with the effect follows it.
+/// By candidate run, whether the rig with the effect can follow it.
 std::vector<bool> followed(const Study& study, const std::vector<CandidateRun>& candidates,
                            const Instance& effect) {
   const Rig rig = rig_with(study, effect.candidate, effect.parameters);
@@ -82,8 +82,8 @@ std::vector<bool> followed(const Study& study, const std::vector<CandidateRun>& 
   return result;
 }
 
-/// The effects, so large that each can follow all that is planned and most of what else could be done.
-/// \param candidates  those that some effect cannot follow are taken out
+/// The effects at the largest sizes with which each can follow all planned and most other runs.
+/// \param candidates  runs; those that some effect cannot follow are removed
 std::vector<Instance> followable(const Study& study, std::vector<CandidateRun>& candidates,
                                  std::size_t& planned) {
   std::vector<bool> kept(candidates.size(), true);
@@ -115,9 +115,9 @@ std::vector<Instance> followable(const Study& study, std::vector<CandidateRun>& 
   return all;
 }
 
-/// What cannot act or show here, however many runs are made.
+/// Effects that cannot act on this bench, or that it cannot measure, with any number of runs.
 std::vector<EffectAt> impossible_effects(const Study& study) {
-  CharacteristicScales again = study.scales();  // as if a run were made twice
+  CharacteristicScales again = study.scales();  // a repetition of a run would distinguish them
   again.runs = 2;
   std::vector<EffectAt> all;
   for (const Effect* row : study.effects()) {

@@ -7,14 +7,14 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// A Gaussian prediction of the covariance I + half half^T.
+/// A Gaussian prediction with the covariance I + half half^T.
 struct Gaussian {
   Eigen::VectorXd mean;
   Eigen::MatrixXd half;
   double log_determinant;
 };
 
-/// Of I + half^T half, whose determinant is that of I + half half^T: parameters are fewer than readings.
+/// The factor of I + half^T half, whose determinant is that of I + half half^T: parameters are fewer than readings.
 Eigen::LLT<Eigen::MatrixXd> small_factor(const Eigen::MatrixXd& half) {
   const Eigen::Index columns = half.cols();
   return Eigen::LLT<Eigen::MatrixXd>(Eigen::MatrixXd::Identity(columns, columns) + half.transpose() * half);
@@ -25,7 +25,7 @@ double log_determinant(const Eigen::LLT<Eigen::MatrixXd>& factor) {
 }
 
 Gaussian prediction(const Forecast& hypothesis) {
-  // Of a covariance that is singular to rounding too.
+  // The covariance may be singular to rounding.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spread(hypothesis.covariance);
   Eigen::MatrixXd half =
       hypothesis.slope * spread.eigenvectors() * spread.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();

@@ -15,13 +15,13 @@
 namespace plumbline::diagnose {
 namespace {
 
-constexpr double usual_angle_sigma = 1e-3;  // rad: a common encoder, where the lab has not declared one
+constexpr double usual_angle_sigma = 1e-3;  // rad: a common encoder, where no noise is declared
 
-/// The bench with the proposed run alone on it.
+/// The bench with the proposed run alone.
 Experiment bench_for(const Experiment& experiment, const Run& run, bool out_of_gravity) {
   Experiment bench = experiment;
   bench.runs = {run};
-  bench.runs.front().number = bench.run_count;  // what differs from run to run says nothing of it
+  bench.runs.front().number = bench.run_count;  // a run number without run-to-run effects
   if (out_of_gravity) {
     bench.gravity = {0, 0};
     bench.bench = {Bench::Plane::vertical, {0, 0}, true};
@@ -29,8 +29,7 @@ Experiment bench_for(const Experiment& experiment, const Run& run, bool out_of_g
   return bench;
 }
 
-/// What the hypotheses would measure in the run; nothing where one cannot follow, or the nominal
-/// chain, or it asks too much of the rig.
+/// The predictions of a run; nothing where a hypothesis or the nominal model cannot follow it within the envelope.
 std::optional<std::vector<Prediction>> predictions(const Study& bench, const std::vector<Fit>& hypotheses,
                                                    const OperatingEnvelope& so_far) {
   std::vector<Prediction> all;
@@ -44,7 +43,7 @@ std::optional<std::vector<Prediction>> predictions(const Study& bench, const std
   return all;
 }
 
-/// What a run measures, and joint angles where they are to be: channels that have a noise.
+/// The measured channels of a run that have a noise, with joint angles where they are asked for.
 std::vector<Channel> channels_of(const Run& run, const Noise& sigma, bool angles) {
   using Name = Channel::Name;
   std::vector<Channel> channels;
@@ -56,7 +55,7 @@ std::vector<Channel> channels_of(const Run& run, const Noise& sigma, bool angles
   return channels;
 }
 
-/// What a hypothesis makes of the run, in the noise as it is.
+/// The prediction of a run by a hypothesis, whitened.
 Forecast forecast(const Prediction& predicted, const std::vector<Channel>& channels, const Noise& sigma,
                   const NoiseModel& noise, const Eigen::MatrixXd& covariance) {
   const Trace& trace = predicted.runs[0];
@@ -78,17 +77,17 @@ Forecast forecast(const Prediction& predicted, const std::vector<Channel>& chann
   return result;
 }
 
-/// Root mean square of what one expects to read and another does not.
+/// Root mean square difference of two predictions.
 double apart(const Forecast& one, const Forecast& other) {
   return (one.read - other.read).norm() / std::sqrt(static_cast<double>(one.read.size()));
 }
 
-/// Rows of the run for an imitation.
+/// The rows of the run for a linearised alternative.
 LinearisedAlternative rows_of(const Forecast& truth, const Forecast& alternative) {
   return {truth.read - alternative.read, -alternative.slope};
 }
 
-/// Expected lead of the right hypothesis over its best alternative, averaged over which is right.
+/// The expected log odds of the true hypothesis over its best alternative, averaged over the hypotheses.
 template <class Rows>
 double expected_log_odds(std::size_t hypotheses, Rows rows) {
   double sum = 0;
@@ -106,7 +105,7 @@ Noise with_angles(Noise sigma) {
   return sigma;
 }
 
-/// Weighs one run after the other.
+/// Evaluates one run after the other.
 class Planner {
  public:
   Planner(const Study& study, const std::vector<Fit>& hypotheses, const NoiseModel& noise)
@@ -134,7 +133,7 @@ class Planner {
 
   [[nodiscard]] std::vector<Proposal> best(std::size_t count, Aim aim) {
     constexpr double clear = 2;
-    // Of runs that promise the same to a few percent the one that asks least stands first.
+    // Among runs of equal benefit, to a few percent, the least demanding comes first.
     const auto grade = [&](const Proposal& one) {
       const double shown = aim == Aim::detect ? std::min(one.gap, clear) : clear;
       return std::pair(std::lround(4 * std::log(shown + 1e-4)),
@@ -194,7 +193,7 @@ class Planner {
   const Experiment& experiment_;
   const NoiseModel& noise_;
   OperatingEnvelope so_far_;
-  bool reads_angles_;  ///< as it is
+  bool reads_angles_;  ///< in the experiment so far
   std::vector<Fit> hypotheses_;
   std::vector<Eigen::MatrixXd> open_;         ///< covariance of their parameters
   std::vector<LinearisedAlternative> known_;  ///< [truth][alternative]

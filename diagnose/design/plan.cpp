@@ -11,16 +11,16 @@ namespace {
 
 using Places = std::vector<std::size_t>;
 
-/// Readings that differ by less than rounding and the tolerance of fits leave a lead of less.
+/// A log-likelihood ratio below rounding and the tolerance of fits.
 constexpr double same_effect = 1e-3;
 
-/// What runs show: which effects, and which two of these apart.
+/// The effects that runs detect, and the pairs that they distinguish.
 struct Shown {
   Places seen;
   std::vector<std::vector<bool>> apart;
 };
 
-/// \param suffice  whether the runs bring some contrasts far enough
+/// \param suffice  whether the runs suffice for some contrasts
 Shown shown_by(const Comparison& effects, const std::function<bool(const std::vector<Contrast>&)>& suffice) {
   Shown result{{}, {effects.size(), std::vector<bool>(effects.size(), false)}};
   for (std::size_t i = 0; i < effects.size(); ++i)
@@ -31,7 +31,7 @@ Shown shown_by(const Comparison& effects, const std::function<bool(const std::ve
   return result;
 }
 
-/// Effects with the same set of effects that they are not told apart from, each counting itself.
+/// Groups effects by their sets of indistinguishable effects, each of which contains the effect itself.
 std::vector<Indistinguishable> indistinguishable(const Comparison& effects, const Shown& told,
                                                  const Places& all) {
   std::vector<Places> near(effects.size());

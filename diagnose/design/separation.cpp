@@ -15,7 +15,7 @@ LinearisedAlternative linearised_alternative(const Fit& truth, const Fit& altern
     const auto k = static_cast<std::size_t>(i);
     rows.difference(i) = alternative.whitened[k] - truth.whitened[k];
   }
-  // A parameter at its bound has gone as far as it can.
+  // A parameter at its bound cannot move further.
   for (std::size_t p = 0; p < alternative.at_bound.size(); ++p)
     if (alternative.at_bound[p]) rows.slope.col(static_cast<Eigen::Index>(p)).setZero();
   return rows;
@@ -23,7 +23,7 @@ LinearisedAlternative linearised_alternative(const Fit& truth, const Fit& altern
 
 double separation(const LinearisedAlternative& rows) {
   if (rows.slope.cols() == 0) return rows.difference.squaredNorm();
-  // Columns of unit length: parameters of any unit weigh alike in the rank decision.
+  // Columns of unit length make the rank decision independent of units.
   const Eigen::VectorXd norm = rows.slope.colwise().norm().cwiseMax(1e-300);
   const Eigen::MatrixXd unit = rows.slope * norm.cwiseInverse().asDiagonal();
   const Eigen::VectorXd step = LeastSquares(unit).solve(rows.difference);

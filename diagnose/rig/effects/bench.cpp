@@ -31,18 +31,18 @@ std::vector<Effect> bench_effects() {
            },
        .add = [](const Addition& to) { to.rig.base_compliance += Vector2(to.value[0], to.value[1]); }},
       {.id = "rail_misalignment",
-       .words = "a rail that is turned from where it should point",
+       .words = "a misaligned rail",
        .parameters = [](const Place&) { return std::vector{both_ways("eps", "rad", 0.05, -0.6, 0.6)}; },
        .add = [](const Addition& to) { to.rig.misalignment += to.value[0]; }},
       {.id = "eccentric_load",
-       .words = "a load that acts beside the end point",
+       .words = "a load that acts off the end point",
        .parameters =
            [](const Place& at) {
              return std::vector{both_ways("e", "m", 0.03 * at.scales.link, -at.scales.link, at.scales.link)};
            },
        .add = [](const Addition& to) { to.rig.eccentricity += to.value[0]; }},
       {.id = "tip_stiffness",
-       .words = "an end pivot that is not free",
+       .words = "an end pivot with a rotational stiffness",
        .parameters =
            [](const Place& at) {
              return std::vector{
@@ -60,7 +60,7 @@ std::vector<Effect> bench_effects() {
        .add = [](const Addition& to) { to.rig.guide_friction += to.value[0]; },
        .possible = force_is_read},
       {.id = "position_offset",
-       .words = "an end point that is not where it was commanded",
+       .words = "an offset of the end point from its command",
        .parameters =
            [](const Place& at) {
              const double small = 0.005 * at.scales.length, far = 0.1 * at.scales.length;

@@ -1,6 +1,5 @@
 /// \file
-/// Effects that all joints or links share: one factor or offset for all, or a value of each within its
-/// tolerance.
+/// Effects of all joints or links: one factor or offset for all, or one value each within a tolerance.
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/rig/effects/each_joint.hpp"
@@ -127,7 +126,7 @@ std::vector<Effect> common_effects() {
        .parameters =
            [](const Place& at) {
              const double scale = 1 / (at.scales.deflection * at.scales.deflection);
-             // A joint that bends a third of what is typical softens as fully with nine times as much.
+             // A joint with a third of the typical deflection needs nine times the c for the same softening.
              const ParameterRange alike = hardening(at.scales);
              return each(at,
                          {"c", "1/rad²", beliefs::hardening_tolerance * scale, 9 * alike.low, alike.high});

@@ -1,5 +1,5 @@
 /// \file
-/// Dry friction whose slip torque is no constant.
+/// Dry friction with a variable slip torque.
 
 #include <cmath>
 
@@ -8,8 +8,7 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Pairs of a slip torque and a rate at which it changes: small shares of what the joints carry, and both
-/// signs of the rate if it may have both.
+/// Initial guesses: small fractions of the largest torque as slip torque, with each of the laws' parameters.
 InitialGuesses friction_guesses(double torque, const std::vector<std::vector<double>>& laws) {
   InitialGuesses guesses{{}, 1};
   for (const double share : {0.003, 0.015}) {
@@ -30,7 +29,7 @@ void add_dry(const Addition& to) {
   for (double& torque : to.rig.friction) torque += to.value[0];
 }
 
-/// At which a joint typically turns: to its deflection and back in the longest run, rad/s.
+/// Typical joint speed, rad/s: to the typical deflection and back in the longest run.
 double typical_speed(const CharacteristicScales& sizes) {
   return 2 * sizes.deflection / sizes.duration;
 }

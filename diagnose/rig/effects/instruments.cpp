@@ -1,5 +1,5 @@
 /// \file
-/// Effects of the instruments beyond a single error of zero or scale, and of runs that differ.
+/// Effects of the instruments beyond bias and scale, and differences between runs.
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ bool several_runs(const Place& at) {
   return at.scales.runs > 1;
 }
 
-/// Values for each joint in each run are looked for up to so many: more are no explanation.
+/// Largest number of values of one effect over all joints and runs.
 constexpr std::size_t most_values = 30;
 
 std::vector<Effect> single_runs() {
@@ -75,7 +75,7 @@ std::vector<Effect> single_runs() {
 std::vector<Effect> load_cells() {
   return {
       {.id = "cross_talk",
-       .words = "a load cell that shows some of each force component in the other",
+       .words = "a load cell with cross-talk between its components",
        .parameters =
            [](const Place&) {
              return std::vector{both_ways("c_xy", "ratio", 0.03, -0.8, 0.8),
@@ -94,7 +94,7 @@ std::vector<Effect> load_cells() {
        .add = [](const Addition& to) { to.rig.cell_curvature += Vector2(to.value[0], to.value[1]); },
        .possible = [](const Place& at) { return at.scales.load_cell; }},
       {.id = "saturation",
-       .words = "a load cell at the end of its range",
+       .words = "a load cell that saturates",
        .parameters =
            [](const Place& at) {
              const double f = at.scales.force;
@@ -102,7 +102,7 @@ std::vector<Effect> load_cells() {
                  {"limit", "N", Coordinate::reciprocal, 0.3 / f, 1e-3 / f, 10 / f}};
            },
        .add = [](const Addition& to) { to.rig.force_limit = std::min(to.rig.force_limit, to.value[0]); },
-       // Where it saturates several readings are the largest.
+       // A saturated cell repeats its largest reading.
        .possible = [](const Place& at) { return at.scales.at_largest > 3; },
        .initial_guesses =
            [](const Place& at, const Excitation&) {
@@ -111,7 +111,7 @@ std::vector<Effect> load_cells() {
            },
        .perturbation = {.large_step = true}},
       {.id = "sensor_lag",
-       .words = "a load cell that follows late",
+       .words = "a load cell that responds with a delay",
        .dissipates = true,
        .parameters =
            [](const Place& at) {

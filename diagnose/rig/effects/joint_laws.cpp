@@ -1,6 +1,6 @@
 /// \file
-/// Torque laws of the joints beyond a single number: springs of two slopes, stops, hysteresis, set, spectra
-/// of relaxation.
+/// Joint torque laws with several parameters: piecewise springs, stops, hysteresis, plastic set, relaxation
+/// spectra.
 
 #include <array>
 #include <cmath>
@@ -14,20 +14,21 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// The torque of a mean spring at a typical deflection.
+/// Torque of the mean spring at the typical deflection.
 double typical_torque(const Place& at) {
   return at.scales.stiffness * at.scales.deflection;
 }
 
 // ------------------------------------------------------------------------------------------- hysteresis
 
-/// Elements yield one after the other. A search begins with three, and goes on to fewer or more from there.
+/// The search begins with three elements and continues to lower and higher orders.
 constexpr std::size_t fewest_elements = 1, first_elements = 3, most_elements = 5;
-/// A stiffer element yields within less than a reading: it is dry friction.
+/// A stiffer element slips within one reading and is dry friction.
 constexpr double stiffest = 4;
 
-/// Fitted by the turn at which an element yields, not by its torque: what it carries is then in proportion to
-/// r. \param deflection  that a joint typically has
+/// An element is fitted by the deflection at which it slips instead of its slip torque, so that its torque is
+/// proportional to r.
+/// \param deflection  typical deflection of a joint
 std::vector<ParameterRange> element_ranges(std::size_t elements, double deflection) {
   std::vector<ParameterRange> all;
   for (std::size_t e = 0; e < elements; ++e) {
@@ -38,7 +39,7 @@ std::vector<ParameterRange> element_ranges(std::size_t elements, double deflecti
   return all;
 }
 
-/// Turns in geometric progression, from where few readings see an element to where it hardly yields.
+/// Slip deflections in geometric progression, from where few readings see an element to where it hardly slips.
 InitialGuesses element_guesses(std::size_t elements, double deflection) {
   InitialGuesses guesses{{}, 2};
   for (const auto& [least, most] : {std::pair{0.02, 0.5}, {0.05, 1.0}}) {
@@ -53,7 +54,7 @@ InitialGuesses element_guesses(std::size_t elements, double deflection) {
   return guesses;
 }
 
-/// \param stiffness  of the joint that yields at the turn of the parameters
+/// \param stiffness  of the joint's spring
 void add_elements(std::vector<Slider>& sliders, std::size_t elements, double stiffness, const double* value) {
   for (std::size_t e = 0; e < elements; ++e) {
     const double ratio = value[2 * e], turn = value[2 * e + 1];
@@ -67,7 +68,7 @@ bool turns_back(const Place& at) {
 
 std::vector<const Effect*> hystereses(bool at_joint);
 
-/// What both rows of hysteresis share.
+/// Common part of both hysteresis rows.
 Effect hysteresis_of(std::size_t elements, bool at_joint) {
   Effect row;
   row.id = "hysteresis";
@@ -83,7 +84,7 @@ Effect hysteresis_of(std::size_t elements, bool at_joint) {
 
 Effect hysteresis_at_all(std::size_t elements) {
   Effect row = hysteresis_of(elements, false);
-  row.words = "joints that give way little by little and remember where they turned";
+  row.words = "hysteresis in the joints";
   row.add = [=](const Addition& to) {
     for (auto& sliders : to.rig.sliders) add_elements(sliders, elements, to.scales.stiffness, to.value);
   };
@@ -96,7 +97,7 @@ Effect hysteresis_at_all(std::size_t elements) {
 
 Effect hysteresis_at_one(std::size_t elements) {
   Effect row = hysteresis_of(elements, true);
-  row.words = "joint {} giving way little by little and remembering where it turned";
+  row.words = "hysteresis in joint {}";
   row.add = [=](const Addition& to) {
     add_elements(to.rig.sliders[to.joint], elements, to.scales.stiffness_at(to.joint), to.value);
   };
@@ -107,7 +108,7 @@ Effect hysteresis_at_one(std::size_t elements) {
   return row;
 }
 
-/// Of one element, of two and so on; that of `first_elements` is in the catalogue.
+/// The rows of all orders, from one element on; the one with `first_elements` is in the catalogue.
 std::vector<const Effect*> hystereses(bool at_joint) {
   static const auto rows = [] {
     std::array<std::vector<Effect>, 2> all;
@@ -132,14 +133,14 @@ std::vector<Effect> hysteresis() {
 std::vector<Effect> springs() {
   return {
       {.id = "asymmetric_spring",
-       .words = "springs that are stiffer to one side",
+       .words = "springs that are stiffer in one direction",
        .parameters = [](const Place&) { return std::vector{both_ways("e", "ratio", 0.05, -0.9, 0.9)}; },
        .add =
            [](const Addition& to) {
              for (double& e : to.rig.asymmetry) e += to.value[0];
            }},
       {.id = "asymmetric_spring",
-       .words = "springs that are stiffer to one side, each on its own",
+       .words = "springs that are stiffer in one direction, each by its own amount",
        .parameters =
            [](const Place& at) {
              return each(at, {"e", "ratio", beliefs::asymmetry_tolerance, -0.9, 0.9});
@@ -154,7 +155,7 @@ std::vector<Effect> springs() {
   };
 }
 
-/// How much softer than its beginning a spring may be where it gives way: some of it is left.
+/// Largest relative loss of stiffness beyond the knee.
 constexpr double most_give = 0.95;
 
 std::vector<ParameterRange> piecewise_ranges() {
@@ -167,11 +168,11 @@ InitialGuesses piecewise_guesses(double reach) {
   });
 }
 
-/// Of all joints alike, and of one.
+/// Piecewise springs: all joints alike, one joint.
 std::vector<Effect> piecewise_springs() {
   return {
       {.id = "piecewise_spring",
-       .words = "springs that give way beyond an angle",
+       .words = "springs that soften beyond an angle",
        .parameters = [](const Place&) { return piecewise_ranges(); },
        .add =
            [](const Addition& to) {
@@ -184,7 +185,7 @@ std::vector<Effect> piecewise_springs() {
        .perturbation = {.growing = {1}},
        .of_shape = true},
       {.id = "piecewise_spring",
-       .words = "the spring of joint {} giving way beyond an angle",
+       .words = "a spring of joint {} that softens beyond an angle",
        .at_joint = true,
        .parameters = [](const Place&) { return piecewise_ranges(); },
        .add =
@@ -202,7 +203,7 @@ std::vector<Effect> piecewise_springs() {
   };
 }
 
-/// Of all joints alike, and with an angle of its own at each.
+/// Stops: all joints alike, one angle a joint.
 std::vector<Effect> stops() {
   return {
       {.id = "joint_stops",
@@ -257,7 +258,7 @@ std::vector<Effect> stops() {
 std::vector<Effect> memory() {
   return {
       {.id = "relaxation_spectrum",
-       .words = "springs that relax in two times",
+       .words = "springs that relax with two time constants",
        .dissipates = true,
        .parameters =
            [](const Place& at) {
@@ -273,7 +274,7 @@ std::vector<Effect> memory() {
              to.rig.arms.push_back({to.value[0], to.value[1]});
              to.rig.arms.push_back({to.value[2], to.value[3]});
            },
-       // Two times are told apart where readings are much closer than both.
+       // Time constants are distinguishable where the sampling interval is much shorter than both.
        .possible =
            [](const Place& at) {
              return at.scales.clock && at.scales.duration > 20 * at.scales.sampling_interval;
@@ -289,7 +290,7 @@ std::vector<Effect> memory() {
        .at_least = 2,
        .element_size = 2},
       {.id = "plastic_set",
-       .words = "rest angles that stay moved after a torque that was too large",
+       .words = "rest angles that shift plastically beyond a torque",
        .dissipates = true,
        .parameters =
            [](const Place& at) {
@@ -313,7 +314,7 @@ std::vector<Effect> memory() {
            },
        .perturbation = {.growing = {1}}},
       {.id = "tendon_friction",
-       .words = "a tendon that loses tension from joint to joint",
+       .words = "friction of the tendon that sets the rest angles",
        .parameters = [](const Place&) { return std::vector{one_way("mu", "ratio", 0.02, 1)}; },
        .add = [](const Addition& to) { to.rig.capstan += to.value[0]; },
        .possible = [](const Place& at) { return at.scales.bent_at_rest; }},

@@ -92,7 +92,7 @@ std::vector<Effect> joint_effects() {
            },
        .perturbation = {.growing = {1}}},
       {.id = "joint_coupling",
-       .words = "springs that neighbouring joints share",
+       .words = "springs that couple neighbouring joints",
        .parameters =
            [](const Place& at) {
              const double k = at.scales.stiffness;
@@ -101,7 +101,7 @@ std::vector<Effect> joint_effects() {
        .add = [](const Addition& to) { to.rig.coupling += to.value[0]; },
        .possible = [](const Place& at) { return at.scales.link_length.size() > 1; }},
       {.id = "viscoelasticity",
-       .words = "springs that relax in time",
+       .words = "springs that relax over time",
        .dissipates = true,
        .parameters =
            [](const Place& at) {

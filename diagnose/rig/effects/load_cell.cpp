@@ -30,7 +30,7 @@ std::vector<Effect> load_cell_effects() {
        .add = [](const Addition& to) { to.rig.force_gain += to.value[0]; },
        .possible = has_load_cell},
       {.id = "sensor_drift",
-       .words = "a load cell that drifts in time",
+       .words = "a load cell that drifts over time",
        .parameters =
            [](const Place& at) {
              const double rate = at.scales.force / at.scales.duration;
@@ -38,7 +38,7 @@ std::vector<Effect> load_cell_effects() {
                                 both_ways("r_y", "N/s", 0.05 * rate, -3 * rate, 3 * rate)};
            },
        .add = [](const Addition& to) { to.rig.force_drift += Vector2(to.value[0], to.value[1]); },
-       // A force that is imposed has nothing that could drift.
+       // An imposed force cannot drift.
        .possible = [](const Place& at) { return at.scales.measures_force && at.scales.clock; }},
   };
 }

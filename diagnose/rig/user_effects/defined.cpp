@@ -1,5 +1,5 @@
 /// \file
-/// Whether what a user states has a value wherever it is asked for first: along the nominal model's runs.
+/// Checks that a user's expressions are defined along the runs of the nominal model.
 
 #include <fmt/format.h>
 
@@ -12,10 +12,10 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Parameters with which an expression is tried.
+/// Parameters at which an expression is evaluated.
 struct TriedValues {
   std::vector<double> parameters;
-  bool nothing;  ///< all that grows is zero
+  bool nothing;  ///< all growing parameters are zero
 };
 
 std::vector<TriedValues> trials(const StatedEffect& stated, const Study& study) {
@@ -39,7 +39,7 @@ std::string spelled(const StatedEffect& stated, const std::vector<double>& value
   return text;
 }
 
-/// \throws Error unless the value is finite, and nothing where nothing is asked for
+/// \throws Error unless the value is finite, and zero where all growing parameters are
 void require(double value, const TriedValues& trial, const StatedEffect& stated, const std::string& key,
              const std::string& where) {
   if (std::isfinite(value) && (!trial.nothing || value == 0)) return;
@@ -72,7 +72,7 @@ void require_torque(const StatedEffect& stated, const Study& study, const TriedV
   }
 }
 
-/// In one run.
+/// Checks one run.
 void require_reading(const StatedEffect& stated, const StatedReading& one, const Run& run, const Trace& trace,
                      const TriedValues& trial) {
   const StatedCorrection correction{one.channel, one.joint, one.formula, trial.parameters};

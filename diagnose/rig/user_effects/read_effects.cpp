@@ -81,7 +81,7 @@ StatedReading read_reading(const Section& section, const std::string& key, const
   return {names[place - others.begin()], std::nullopt, key, read_formula(section, key, variables, effect)};
 }
 
-/// Reports put the joint where the braces are.
+/// Braces stand for the joint in reports.
 std::string read_words(const Section& section, bool at_joint) {
   const std::string words = section.text("words", "what can stand after \"caused by\"");
   const std::size_t braces = words.find("{}");

@@ -20,13 +20,13 @@ std::vector<std::size_t> growing(const StatedEffect& stated) {
   return places;
 }
 
-/// At a share of the way between its bounds, by ratios.
+/// A value between the bounds, geometrically.
 double between(const StatedParameter& shape, double share) {
   return shape.low * std::pow(shape.high / shape.low, share);
 }
 
-/// Combinations of what shapes the effect; what grows is zero. Of three shapes and more one combination: a
-/// grid of them is longer than patience.
+/// A grid over the shape parameters, with the growing ones zero; a single point for three shape parameters and
+/// more, whose grid would be too large.
 std::vector<std::vector<double>> shapes(const StatedEffect& stated) {
   const bool few = stated.parameters.size() - growing(stated).size() <= 2;
   const std::vector<double> shares =
@@ -45,12 +45,12 @@ std::vector<std::vector<double>> shapes(const StatedEffect& stated) {
   return all;
 }
 
-/// Whether joints stick under it: they do not where there is little of it, which then acts otherwise.
+/// Whether joints may stick: a small amount of the effect then acts otherwise than a large one.
 bool sticks(const StatedEffect& stated) {
   return stated.torque && stated.uses("s");
 }
 
-/// From a scale to either side of every combination; from nothing too, where little of it acts as much does.
+/// Initial guesses one scale to either side at every point of the grid, and zero where no joint sticks.
 InitialGuesses guesses_of(const StatedEffect& stated) {
   InitialGuesses guesses{{}, 2};
   for (const std::vector<double>& shape : shapes(stated)) {
@@ -67,7 +67,7 @@ InitialGuesses guesses_of(const StatedEffect& stated) {
   return guesses;
 }
 
-/// What shapes it keeps the value of a start.
+/// Shape parameters keep the value of the initial guess.
 Perturbation perturbation_of(const StatedEffect& stated) {
   Perturbation perturbation;
   if (growing(stated).size() < stated.parameters.size()) perturbation.growing = growing(stated);
