@@ -1,18 +1,18 @@
 #pragma once
 /// \file
-/// Long runs, drawn together: a logger takes thousands of readings where a curve has some hundred places.
+/// Decimation of long runs: a logger takes thousands of readings where a curve has a hundred distinct places.
 
 #include "diagnose/bench/experiment.hpp"
 
 namespace plumbline::diagnose {
 
-/// The experiment with the readings of long runs drawn together: each group of neighbours becomes one reading
-/// with the mean of what was commanded and the median of what was measured, off how it goes there: a median
-/// that few outliers move, and that scatters no more where a run goes fast. About five hundred readings
-/// remain, forty at least of each run (twenty where there are fifty), and ten of every way from end to end of
-/// it: a run that goes often keeps more. What a chain remembers stays: the first and last command and every
-/// turning point, but for the unrest of a logged position, stand alone, without their measured values. An
-/// experiment that is short comes back as it is, and a run that turns all the time.
+/// Replaces each group of neighbouring readings of a long run by one reading: the mean command and, for each
+/// channel, the median of its values after removal of a local trend. The median resists outliers, and the trend keeps
+/// its scatter independent of the speed of the run. About five hundred readings remain, at least forty of each run
+/// (twenty where there are fifty runs), and ten of every sweep: a run with many sweeps keeps more. The history of the
+/// chain is preserved: the first and last command and every turning point stay as readings without measured values;
+/// jitter of a logged position is no turning point. A short experiment, or a run that reverses continually, is
+/// returned unchanged.
 Experiment decimated(Experiment experiment);
 
 }  // namespace plumbline::diagnose

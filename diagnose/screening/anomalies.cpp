@@ -49,7 +49,7 @@ class Look {
       const double value = channel.of(run_->readings[i]);
       if (!std::isnan(value)) values.push_back(value), numbers.push_back(i + 1);
     }
-    if (values.empty()) return;  // never measured: no oddity
+    if (values.empty()) return;  // a channel that the run does not measure
     if (2 * values.size() < run_->readings.size())
       remark("{} is missing in {} of {} readings", channel.label(), run_->readings.size() - values.size(),
              run_->readings.size());
@@ -64,7 +64,7 @@ class Look {
     spikes(channel, values, numbers);
   }
 
-  /// Of white noise, second differences have sqrt(6) times its standard deviation; a curve adds to them.
+  /// Second differences of white noise have sqrt(6) times its standard deviation; curvature adds to that.
   void scatter(const Channel& channel, const std::vector<double>& values) {
     std::vector<double> bends;
     for (std::size_t i = 1; i + 1 < values.size(); ++i)
@@ -76,8 +76,8 @@ class Look {
              channel.unit(), sigma);
   }
 
-  /// A value far from both neighbours, which are near each other and theirs: at the turn of a run two are
-  /// near each other as well.
+  /// A value far from both neighbours, which are near each other and near theirs: the last condition excludes the
+  /// turning point of a run.
   void spikes(const Channel& channel, const std::vector<double>& values,
               const std::vector<std::size_t>& numbers) {
     constexpr double far = 20, near = 0.1;

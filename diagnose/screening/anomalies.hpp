@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What looks odd in readings, whatever the model: a remark to who took them, no reason to refuse them.
+/// Anomalies in readings that need no model: remarks to whoever took them, not errors.
 
 #include <string>
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace plumbline::diagnose {
 
-/// Sentences, each with the run: a sensor that stands still, a lone spike, readings missing, a noise that is
-/// not there, a pause, a start away from the unloaded end point, a force at rest, a run twice.
+/// Sentences, each with its run: a sensor that stays constant, a lone spike, missing readings, less noise than
+/// declared, a pause, a start away from the unloaded end point, a force at rest, a repeated run.
 std::vector<std::string> anomalies(const Experiment& experiment);
 
 }  // namespace plumbline::diagnose

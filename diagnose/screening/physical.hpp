@@ -1,19 +1,18 @@
 #pragma once
 /// \file
-/// What no reading of a real chain can show.
+/// Experiments that no real chain can produce.
 
 #include "diagnose/bench/experiment.hpp"
 
 namespace plumbline::diagnose {
 
-/// \throws Error, one line with run and reading, where the experiment cannot be physical or cannot be judged:
-///         a commanded or measured end point out of reach, a rest angle of thousands of turns, joint angles
-///         that put the end point elsewhere, a measured channel whose declared noise is zero, a mechanism,
-///         too few measured values
+/// \throws Error, one line with run and reading, where the experiment cannot be physical or cannot be judged: an end
+///         point out of reach, a rest angle of thousands of turns, joint angles that contradict the end point, a
+///         measured channel with a declared noise of zero, a mechanism, too few measured values
 void require_physical(const Experiment& experiment);
 
-/// The same of a bench before anything is measured: its chain, what its runs command, its noise.
-/// \throws Error as above, and where a run measures nothing: no channel of it has a noise
+/// The same for a bench before any measurement: its chain, its commands, its noise.
+/// \throws Error as above, and where a run measures nothing because no channel of it has a noise
 void require_bench(const Experiment& bench);
 
 }  // namespace plumbline::diagnose

@@ -23,7 +23,7 @@ struct Range {
   [[nodiscard]] double width() const { return count > 0 ? highest - lowest : 0; }
 };
 
-/// Of one channel in one run, in the readings that hold it.
+/// The ranges of one channel in one run, over its readings.
 struct Ranges {
   Range measured, predicted;
 };
@@ -39,7 +39,7 @@ Ranges ranges(const Run& run, const Trace& predicted, const Channel& channel) {
   return both;
 }
 
-/// The widest range that the nominal model gives a channel of the sensor.
+/// The largest range that the nominal model gives to a channel of the sensor.
 double widest(const Run& run, const Trace& predicted, const Channel& channel) {
   double most = 0;
   for (const Channel& other : run.measured())
@@ -57,7 +57,7 @@ bool is_stuck(const Run& run, const Trace& predicted, const Channel& channel, co
          both.predicted.width() > of_sensor * widest(run, predicted, channel);
 }
 
-/// Where one run shows that a channel is not alive, all runs in which it does not move belong to it.
+/// Where one run shows that a channel is stuck, all runs in which it is constant are listed.
 std::optional<StuckChannel> unmoved(const Study& study, const Channel& channel) {
   const Experiment& experiment = study.experiment();
   StuckChannel found{{}, channel, {}, 0, 0};

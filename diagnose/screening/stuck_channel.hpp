@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Before anything is fitted: a column that reads the same throughout, where the chain moves.
+/// Stuck channels: measured columns that stay constant while the chain moves.
 
 #include <optional>
 #include <set>
@@ -11,23 +11,22 @@
 
 namespace plumbline::diagnose {
 
-/// A measured column that never leaves one value where the nominal model goes far: a sensor that is not
-/// connected, or a column of noughts for what was not measured.
+/// A measured column that keeps one value where the nominal model moves far: a sensor that is not connected, or
+/// zeros for missing values.
 struct StuckChannel {
-  std::vector<std::string> runs;  ///< in which it does not; empty where in all
+  std::vector<std::string> runs;  ///< affected runs; empty for all
   Channel channel;
   std::set<double> values;  ///< one for each run, SI
-  std::size_t readings;     ///< that hold them
-  double predicted_range;   ///< of the nominal model in one of the runs, the widest: highest minus lowest, SI
+  std::size_t readings;     ///< number of readings with these values
+  double predicted_range;   ///< largest range of the nominal model in one of the runs, SI
 };
 
-/// The first channel of which some run shows that it does not move: eight readings or more, all the same to
-/// the last digit, where the nominal model goes through more than twenty times the noise and a fiftieth of
-/// what its sensor goes through. No effect holds readings so still: noise shows in their last digits, and
-/// where these are too coarse for it the chain moves by less than the twenty.
+/// The first channel that is stuck in some run: at least eight readings, all equal to the last digit, where the
+/// nominal model moves by more than twenty times the noise and a fiftieth of the range of the sensor. Noise shows in the
+/// last digits of a working sensor, and where these are too coarse the chain moves by less than twenty times the noise.
 std::optional<StuckChannel> stuck_channel(const Study& study);
 
-/// \throws Error in one line, where a channel is unmoved
+/// \throws Error, one line, for a stuck channel
 void require_no_stuck_channel(const Study& study);
 
 }  // namespace plumbline::diagnose
