@@ -5,8 +5,8 @@
 #include <map>
 
 #include "diagnose/discrepancy/torque_balance.hpp"
-#include "diagnose/rig/regime.hpp"
 #include "diagnose/report/charts.hpp"
+#include "diagnose/rig/regime.hpp"
 #include "support/page/chart.hpp"
 
 namespace plumbline::diagnose {

@@ -26,20 +26,6 @@ page::NumberStyle style_of(const std::string& pointer) {
   return key == "expected_log_odds" ? page::NumberStyle::odds : page::NumberStyle::figures;
 }
 
-std::string joined(const std::vector<std::string>& parts, const std::string& between,
-                   const std::string& last) {
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == parts.size() ? last : between) + parts[i];
-  return text;
-}
-
-std::string words(const Candidate& candidate) {
-  std::vector<std::string> parts;
-  for (const EffectAt& at : candidate.effects) parts.push_back(at.in_words());
-  return joined(parts, ", ", " and ");
-}
-
 Json section(Json list) {
   const bool any = !list.empty();
   return {{"any", any}, {"list", std::move(list)}};
@@ -122,7 +108,8 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
     if (!who.empty()) list.push_back({{"names", who}, {"why", why}});
   };
   for (const std::size_t place : cause.equivalent)
-    add(cause.ranking[place].hypothesis.fit.candidate.name(), "these readings do not tell it from the best");
+    add(cause.ranking[place].hypothesis.fit.candidate.name(),
+        "these readings do not distinguish it from the best");
   const std::vector<std::size_t> places = listed_places(cause);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::size_t place = places[i];
@@ -130,18 +117,19 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
         place == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), place) > 0;
     if (!named && cause.verdict != CauseVerdict::unknown && cause.ranking[place].probability >= 0.01)
       add(cause.ranking[place].hypothesis.fit.candidate.name(),
-          "less probable, yet keeps " + ranking[i]["probability"].get<std::string>());
+          "less probable, with " + ranking[i]["probability"].get<std::string>());
   }
   if (cause.reservation != Reservation::none) {
     add("unknown", reservation_words(cause.reservation));
   } else if (cause.verdict != CauseVerdict::unknown && cause.unknown >= 0.01) {
-    add("unknown", "a cause outside the catalogue keeps " + ranking.back()["probability"].get<std::string>());
+    add("unknown", "a cause outside the catalogue, with probability " +
+                       ranking.back()["probability"].get<std::string>());
   }
   std::vector<std::string> idle;
   for (const EffectAt& at : explained.diagnosis.not_excited) idle.push_back(at.name());
-  add(joined(idle, ", ", ", "), "never exercised: no reading of these runs depends on it");
+  add(joined(idle, ", ", ", "), "not excited: no reading of these runs depends on it");
   add(out_of_sight(explained.study),
-      "not looked for: on this bench, with these channels, it could change nothing that was measured");
+      "not considered: on this bench, with these channels, they change no measured value");
   return list;
 }
 
@@ -154,7 +142,7 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
     const Candidate& best = explained.best->candidate;
     view["best"] = {
         {"names", best.name()},
-        {"words", words(best)},
+        {"words", in_words(best)},
         {"model", explained.model},
         {"drawn", explained.diagnosis.offers_law() ? explained.model : explained.model + ": " + best.name()}};
     Json rows = parameters(view["cause"]["effects"], best, explained.diagnosis.estimates);
@@ -163,7 +151,7 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   }
   std::vector<std::string> alternatives;
   for (const std::size_t place : cause.equivalent)
-    alternatives.push_back(words(cause.ranking[place].hypothesis.fit.candidate));
+    alternatives.push_back(in_words(cause.ranking[place].hypothesis.fit.candidate));
   if (cause.reservation != Reservation::none) alternatives.emplace_back("a cause outside the catalogue");
   view["alternatives"] = joined(alternatives, ", ", " or ");
   Json& ranking = view["cause"]["ranking"];
@@ -213,6 +201,7 @@ void add_charts(Json& view, const Explained& explained) {
     const LawPicture& picture = explained.diagnosis.law->pictures[i];
     view["law"]["laws"][i]["whose"] = joint_words(picture.joints);
     view["law"]["laws"][i]["looks_like"] = resemblance_words(picture);
+    view["law"]["laws"][i]["has_similar"] = !picture.resembles.empty();
   }
 }
 

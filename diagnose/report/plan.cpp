@@ -39,9 +39,9 @@ std::string in_lines(const std::vector<Indistinguishable>& alike, const std::str
   std::string text;
   for (const Indistinguishable& one : alike) {
     text += indent + fmt::format("{}", fmt::join(names(one.effects), " | "));
-    if (one.exactly) text += " (exactly alike)";
+    if (one.exactly) text += " (identical readings)";
     if (!one.others.empty())
-      text += fmt::format("{} mistaken for {}", one.effects.size() > 1 ? ", each" : ":",
+      text += fmt::format("{} confused with {}", one.effects.size() > 1 ? ", each" : ":",
                           fmt::join(names(one.others), ", "));
     text += "\n";
   }
@@ -49,9 +49,10 @@ std::string in_lines(const std::vector<Indistinguishable>& alike, const std::str
 }
 
 std::string runs(const Plan& plan) {
-  if (plan.fewest.empty()) return "Which runs separate the rest?  There is nothing to separate\n";
-  std::string text = fmt::format("Which runs separate the rest?  {} of {}{}\n", plan.fewest.size(),
-                                 plan.candidates, plan.proved_minimal ? "; no fewer do" : "; fewer may do");
+  if (plan.fewest.empty()) return "Which runs distinguish the rest?  There is nothing to distinguish\n";
+  std::string text =
+      fmt::format("Which runs distinguish the rest?  {} of {}{}\n", plan.fewest.size(), plan.candidates,
+                  plan.proved_minimal ? "; no fewer suffice" : "; fewer may suffice");
   for (const std::string& run : plan.fewest) text += "  " + run + "\n";
   return text;
 }
@@ -74,18 +75,19 @@ Json as_json(const Plan& plan) {
 std::string as_text(const Plan& plan) {
   std::string text = fmt::format("{}, before any data\n\n", plan.experiment);
   const std::string by = plan.candidates > few_runs
-                             ? fmt::format("any {} of {} runs", few_runs, plan.candidates)
-                             : fmt::format("all runs that it could make, {}", plan.candidates);
+                             ? fmt::format("any {} of {} feasible runs", few_runs, plan.candidates)
+                             : fmt::format("all {} feasible runs", plan.candidates);
   text += fmt::format(
-      "What can it never see?  Of what a lab calls sizeable, by {}\n"
-      "  cannot act on this bench, or nothing shows it: {}\n"
+      "Which effects can it not detect?  At their typical size, with {}\n"
+      "  without effect on any channel of this bench: {}\n"
       "  below the noise: {}\n\n",
       by, list(plan.impossible), list(plan.unidentifiable.undetectable));
-  text += "What can it never tell apart?\n" + in_lines(plan.unidentifiable.indistinguishable, "  ") + "\n";
+  text += "Which effects can it not distinguish?\n" + in_lines(plan.unidentifiable.indistinguishable, "  ") +
+          "\n";
   if (plan.planned) {
-    text += "What do the runs leave open as they are planned?\n";
+    text += "What do the planned runs leave open?\n";
     text += "  below the noise: " + list(plan.planned->undetectable) + "\n";
-    text += "  not told apart:\n" + in_lines(plan.planned->indistinguishable, "    ") + "\n";
+    text += "  not distinguished:\n" + in_lines(plan.planned->indistinguishable, "    ") + "\n";
   }
   return text + runs(plan);
 }

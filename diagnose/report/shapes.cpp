@@ -5,8 +5,8 @@
 #include <plumbline/chain/kinematics.hpp>
 #include <set>
 
-#include "diagnose/rig/effects/rows.hpp"
 #include "diagnose/report/charts.hpp"
+#include "diagnose/rig/effects/rows.hpp"
 #include "support/page/chart.hpp"
 
 namespace plumbline::diagnose {

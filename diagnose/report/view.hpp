@@ -34,6 +34,13 @@ struct Command {
 };
 Command command_of(const Run& run);
 
+/// "a, b and c", for the separators ", " and " and ".
+std::string joined(const std::vector<std::string>& parts, const std::string& between,
+                   const std::string& last);
+
+/// "play in joint 2 and the weight of the links"
+std::string in_words(const Candidate& candidate);
+
 /// "Fx, N".
 std::string with_unit(const Channel& channel);
 

@@ -211,9 +211,9 @@ TEST_CASE("the joint whose torque is missing is told by measured angles alone, a
   const Study forces(experiment);
   CHECK(locate(forces, forces.nominal(), forces.nominal_residual(), {}).joints.empty());
 
-  CHECK(joint_evidence_words(JointEvidence::measured) == "of the measured missing torque");
+  CHECK(joint_evidence_words(JointEvidence::measured) == "of the measured torque residual");
   CHECK(joint_evidence_words(JointEvidence::implied_by_fits) ==
-        "of the missing torque that the explanation implies");
+        "of the torque that the explanation adds");
   CHECK(joint_evidence_words(JointEvidence::implied_by_law) ==
-        "chance to be the one place of an unknown torque");
+        "probability of being the only joint at fault");
 }

@@ -26,7 +26,7 @@ TEST_CASE("every number of a diagnosis stands in its JSON, by hand") {
       {"run": "press-1", "from": 0, "to": 2, "share": 0.006, "regime": "near-critical"},
       {"run": "press-1", "from": 7, "to": 12, "share": 0.39, "regime": "unloading"}],
     "joints": [{"joint": 2, "share": 0.8}, {"joint": 3, "share": 0.15}, {"joint": 1, "share": 0.05}],
-    "joint_evidence": "of the measured missing torque"})json"));
+    "joint_evidence": "of the measured torque residual"})json"));
   CHECK(json["cause"] == ReportJson::parse(R"json({"verdict": "identified", "effects": [
       {"id": "backlash", "joint": 2, "parameters":
         {"b": {"value": 0.0312, "low": 0.0301, "high": 0.0323, "at_bound": false, "unit": "rad"}}},
