@@ -23,7 +23,7 @@ std::vector<Effect> bench_effects() {
        .add = [](const Addition& to) { to.rig.payload += to.value[0] * to.down; },
        .possible = [](const Place& at) { return at.scales.weighs; }},
       {.id = "base_compliance",
-       .words = "a base that yields",
+       .words = "compliance of the base",
        .parameters =
            [](const Place& at) {
              const double c = at.scales.compliance();
@@ -70,7 +70,7 @@ std::vector<Effect> bench_effects() {
        .add = [](const Addition& to) { to.rig.position_offset += Vector2(to.value[0], to.value[1]); },
        .possible = force_is_read},
       {.id = "train_compliance",
-       .words = "a load train that yields",
+       .words = "compliance of the load train",
        .parameters =
            [](const Place& at) {
              const double c = at.scales.compliance();

@@ -122,7 +122,7 @@ std::vector<Effect> common_effects() {
            },
        .perturbation = {.large_step = true}},
       {.id = "hardening_spread",
-       .words = "springs that harden or soften, each on its own",
+       .words = "springs that harden or soften, each by its own amount",
        .parameters =
            [](const Place& at) {
              const double scale = 1 / (at.scales.deflection * at.scales.deflection);

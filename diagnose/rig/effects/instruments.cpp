@@ -47,7 +47,7 @@ std::vector<Effect> single_runs() {
            },
        .nested = {"rest_angle", "rest_offset", "rest_spread"}},
       {.id = "run_tare",
-       .words = "a load cell whose zero differs from run to run",
+       .words = "a load-cell zero that differs from run to run",
        .parameters =
            [](const Place& at) {
              const double small = 0.05 * at.scales.force, large = 3 * at.scales.force;

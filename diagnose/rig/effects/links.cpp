@@ -35,7 +35,7 @@ std::vector<Effect> link_effects() {
            },
        .possible = [](const Place& at) { return at.scales.nominal_weight; }},
       {.id = "axial_compliance",
-       .words = "links that stretch and shorten",
+       .words = "axial compliance of the links",
        .parameters =
            [](const Place& at) {
              return std::vector{one_way("c_a", "1/N", 0.01 / at.scales.force, 0.3 / at.scales.force)};
