@@ -234,23 +234,33 @@ std::string what_next(const Diagnosis& diagnosis) {
   return text;
 }
 
-/// The answer in one or two sentences.
+/// The values of the best explanation, where they are few.
+std::string few_values(const Diagnosis& diagnosis, const Candidate& best) {
+  constexpr std::size_t few = 4;
+  std::size_t count = 0;
+  std::string text;
+  for (std::size_t e = 0; e < diagnosis.estimates.size(); ++e)
+    for (const Estimate& one : diagnosis.estimates[e]) {
+      ++count;
+      text += "  " + (best.effects.size() > 1 ? best.effects[e].name() + ": " : "") + parameter(one) + "\n";
+    }
+  return count <= few ? text : "";
+}
+
+/// The answer in a few lines.
 std::string headline(const Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
-  if (!diagnosis.gap.present) return "No gap: the nominal model fits the readings to within their noise.\n";
-  std::string text = "Unknown: the catalogue has no explanation of the gap.\n";
+  if (!diagnosis.gap.present) return "No gap: the nominal model fits the readings to within their noise\n";
+  std::string text = "Unknown: the catalogue has no explanation of the gap\n";
   if (cause.verdict != CauseVerdict::unknown) {
     const Candidate& best = cause.ranking[cause.best].hypothesis.fit.candidate;
-    text = cause.verdict == CauseVerdict::identified ? "Identified: " : "Ambiguous: ";
-    text += in_words(best);
-    if (diagnosis.estimates.size() == 1 && diagnosis.estimates.front().size() == 1)
-      text += ", " + parameter(diagnosis.estimates.front().front());
     const std::size_t others = cause.equivalent.size() + (cause.reservation != Reservation::none ? 1 : 0);
-    if (others > 0) text += fmt::format("; or one of {} alternatives below", others);
-    text += "\n";
+    text = (cause.verdict == CauseVerdict::identified ? "Identified: " : "Ambiguous: ") + in_words(best);
+    if (others > 0) text += fmt::format(", or one of {} alternative{} below", others, others > 1 ? "s" : "");
+    text += "\n" + few_values(diagnosis, best);
   }
   if (const auto& shrink = diagnosis.shrink; shrink && shrink->tested() && shrink->ratio < 1)
-    text += fmt::format("On held-out readings {} leaves {} of the residual; noise alone would leave {}.\n",
+    text += fmt::format("  {} leaves {} of the residual on held-out readings; noise alone {}\n",
                         corrected_model(diagnosis), precise_percent(shrink->ratio),
                         precise_percent(shrink->noise_floor_ratio));
   return text;
