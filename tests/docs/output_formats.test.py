@@ -17,7 +17,7 @@ from documents import ROOT, SCHEMAS, keys, tables
 from program import plumbline
 
 # Properties that no command below has reason to write: a certificate that fails.
-RARE = {"gap-diagnosis": {"/cause/remainder", "/law/laws/relaxation/time_constant", "/law/laws/relaxation/stiffness"},
+RARE = {"gap-diagnosis": {"/cause/discrepancy", "/law/laws/relaxation/time_constant", "/law/laws/relaxation/stiffness"},
         "path": {"/certificates/failure/load", "/certificates/failure/reason"}}
 
 
