@@ -133,13 +133,13 @@ void run(const ExperimentInput& input) {
 void add_check_experiment(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "check-experiment",
-      "What is read from an experiment, in which units, and what looks odd; nothing is fitted");
+      "What is read from an experiment, in which units, with anomalies; nothing is fitted");
   const auto input = std::make_shared<ExperimentInput>();
   verb->add_option("experiment", input->folder, "A folder with experiment.toml and its sample files")
       ->type_name("FOLDER")
       ->required();
   verb->add_option("--model", input->model, "The nominal model, as for diagnose")->type_name("FILE");
-  verb->add_option("--effects", input->effects, "Effects of your own that this model has, as for diagnose")
+  verb->add_option("--effects", input->effects, "Your own effects in this model, as for diagnose")
       ->type_name("FILE");
   verb->footer("Exit status 1 where numbers look like another unit, sign, axis or order.");
   verb->callback([input] { run(*input); });

@@ -24,7 +24,7 @@ bool failed(const Case& one) {
   return one.judgement.answer != Answer::right && one.judgement.answer != Answer::in_class;
 }
 
-/// The worse first: what is wrong and sure of itself, then what gave no answer at all.
+/// Order of failures: wrong and sure first, then answers that are missing.
 int gravity(Answer answer) {
   switch (answer) {
     case Answer::no_report:
@@ -100,7 +100,7 @@ Table answers(const std::string& what, const std::vector<Row>& rows) {
   return table;
 }
 
-/// Wrong and sure first.
+/// Order of families: wrong and sure first.
 Table families(const std::vector<Row>& rows) {
   Table table{
       {"family", "n", "wrong and sure", "95 % interval", "found", "unknown", "missed gap", "false alarm"},
@@ -167,7 +167,7 @@ std::string numbers(const Circumstances& c, const Score& s) {
   return text;
 }
 
-/// For the terminal alone: files are the same whoever makes them again.
+/// Durations, for the terminal alone.
 std::string times(const Spread& seconds) {
   return fmt::format("Time of a diagnosis: median {:.2f} s, nine in ten below {:.2f} s, longest {:.2f} s.\n",
                      seconds.median, seconds.ninth_decile, seconds.worst);

@@ -301,8 +301,8 @@ bool has_ends(const std::vector<double>& list, double sense = 1) {
 /// Lists that begin at the end point, and the sense of their angles.
 struct FromEnd {
   bool lengths = false, springs = false, masses = false, rest = false, readings = false;
-  /// -1 for angles of a link against the next one towards the end point, seen from there; 1 for angles against the
-  /// previous one, whatever its number.
+  /// -1 for angles of a link against the next one towards the end point, seen from there; 1 for angles
+  /// against the previous one, whatever its number.
   double sense = 1;
 
   [[nodiscard]] int count() const { return lengths + springs + masses + rest + readings; }

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Units, signs, axes and orders in which a lab may have written an experiment, and their conversions to the format.
+/// Units, signs, axes and orders in which a lab may have written an experiment, and their conversions to the
+/// format.
 
 #include <functional>
 #include <string>
@@ -24,8 +25,8 @@ struct Conversion {
   std::function<void(Experiment&)> chain = {};
 };
 
-/// All conversions that are considered, the most common first: units of laboratories, without the one that the
-/// experiment names.
+/// All conversions that are considered, the most common first: units of laboratories, without the one that
+/// the experiment names.
 std::vector<Conversion> conversions(const Experiment& experiment);
 
 /// The experiment with every run, and the nominal model, converted.

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t wanted_readings = 500, short_enough = 1000;
 
-/// Smallest number of readings that a run keeps, one of so many runs: forty, at most a thousand in all, and never
-/// below twenty.
+/// Smallest number of readings that a run keeps, one of so many runs: forty, at most a thousand in all, and
+/// never below twenty.
 std::size_t least_readings(std::size_t runs) {
   return std::clamp<std::size_t>(1000 / runs, 20, 40);
 }
@@ -151,9 +151,10 @@ class Decimator {
     }
   };
 
-  /// A quadratic version of Tukey's resistant line, through the medians of three thirds of the group with two groups on
-  /// either side, at least nine readings, for outliers must not turn it. With fewer neighbours the group's own noise
-  /// bends the curve: with one group on either side the result scatters by 8 % more, with two by 2 %.
+  /// A quadratic version of Tukey's resistant line, through the medians of three thirds of the group with two
+  /// groups on either side, at least nine readings, for outliers must not turn it. With fewer neighbours the
+  /// group's own noise bends the curve: with one group on either side the result scatters by 8 % more, with
+  /// two by 2 %.
   [[nodiscard]] Trend trend(const Stretch& group, const Stretch& stretch, const Channel& channel) const {
     const std::size_t wider = std::max<std::size_t>(2 * group.count(), 4);
     const Stretch seen{std::max(stretch.from + wider, group.from) - wider,

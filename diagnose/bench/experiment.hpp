@@ -14,8 +14,8 @@
 
 namespace plumbline::diagnose {
 
-/// One reading. A missing value is NaN; imposed channels hold the command. (Fx, Fy) is the force of the environment on
-/// the end point: compression is Fx < 0.
+/// One reading. A missing value is NaN; imposed channels hold the command. (Fx, Fy) is the force of the
+/// environment on the end point: compression is Fx < 0.
 struct Reading {
   double t, x, y, Fx, Fy;
   std::vector<double> q;  ///< relative joint angles; empty where the run has no such columns
@@ -36,8 +36,8 @@ struct Groups {
                                    ///< end; empty where none were drawn together
 };
 
-/// The joint angles on the observed branch and on the other one, where a chain may take either: a row a reading, a
-/// column a joint.
+/// The joint angles on the observed branch and on the other one, where a chain may take either: a row a
+/// reading, a column a joint.
 struct Branch {
   std::vector<bool> differs;  ///< by reading, whether the branches differ
   Eigen::ArrayXXd angles, other_angles;
@@ -55,9 +55,10 @@ struct Run {
   Groups groups = {};
   std::size_t number = 0;            ///< of all runs of the experiment, from 0; see Experiment::run_count
   std::vector<Origin> origins = {};  ///< of t, x, y, Fx, Fy and the joint angles; empty where it was not read
-  bool by_weights = false;  ///< an imposed force is that of weights, not of a servo with a load cell
-  bool weights_inferred = false;  ///< by_weights follows from the forces, not from the experiment's file
-  std::optional<Branch> branch = std::nullopt;  ///< the observed branch, where the nominal model may take either
+  bool by_weights = false;           ///< an imposed force is that of weights, not of a servo with a load cell
+  bool weights_inferred = false;     ///< by_weights follows from the forces, not from the experiment's file
+  std::optional<Branch> branch =
+      std::nullopt;  ///< the observed branch, where the nominal model may take either
 
   [[nodiscard]] bool holds_end_point() const { return control == Control::end_point; }
   /// The imposed channels, along x and along y.

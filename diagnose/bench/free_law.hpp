@@ -13,8 +13,8 @@ struct FreeLaw {
     double deflection, torque;  ///< rad; N m
     friend bool operator==(const Knot&, const Knot&) = default;
   };
-  /// A slider that starts from rest. Its slip torque is constant, or grows with the deflection (`growth`), or follows a
-  /// profile.
+  /// A slider that starts from rest. Its slip torque is constant, or grows with the deflection (`growth`), or
+  /// follows a profile.
   struct Slider {
     double slips_at;                 ///< rad, from rest at no deflection
     double torque, growth;           ///< N m; N m/rad; one of the two at most is not zero

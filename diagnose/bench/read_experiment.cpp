@@ -128,8 +128,8 @@ struct Shared {
   std::string chain;
 };
 
-/// Whether all forces of a run point straight down without noise, as weights do and a servo with a load cell hardly
-/// would.
+/// Whether all forces of a run point straight down without noise, as weights do and a servo with a load cell
+/// hardly would.
 bool pulls_as_weights_do(const Run& run, const Experiment& experiment) {
   const bool exact = experiment.noise.Fx == 0 && experiment.noise.Fy == 0;
   if (run.holds_end_point() || experiment.bench.plane != Bench::Plane::vertical || !exact) return false;
@@ -202,8 +202,8 @@ std::vector<Run> read_runs(const Section& root, const Shared& shared) {
   return runs;
 }
 
-/// Subtracts the first time stamp of the experiment where it is larger than the duration: a clock of the day or of
-/// the computer.
+/// Subtracts the first time stamp of the experiment where it is larger than the duration: a clock of the day
+/// or of the computer.
 void count_from_first_reading(std::vector<Run>& runs) {
   double first = std::numeric_limits<double>::infinity(), last = -first;
   for (const Run& run : runs)

@@ -44,9 +44,9 @@ using ReadFile = std::function<std::string(const std::string& name, const std::s
 Experiment read_experiment(const std::filesystem::path& folder, const ReadFile& read,
                            const NominalChain* model = nullptr);
 
-/// The same before any measurement. A run without samples describes the bench by its control and rest shape, and has no
-/// readings; of other runs the commands count. All channels with a noise are measured; their values are empty, or taken
-/// as empty.
+/// The same before any measurement. A run without samples describes the bench by its control and rest shape,
+/// and has no readings; of other runs the commands count. All channels with a noise are measured; their
+/// values are empty, or taken as empty.
 ///
 /// \throws Error likewise, and where a run measures nothing that has a noise
 Experiment read_plan(const std::filesystem::path& folder, const NominalChain* model = nullptr);

@@ -37,9 +37,9 @@ struct SampleFormat {
   std::size_t skip_lines = 0, skip_after_header = 0;
   std::string comment = {};               ///< the beginning of lines that are skipped
   std::vector<std::string> missing = {};  ///< entries for missing values, beside empty fields
-  bool any_order = false;                 ///< further columns are allowed; without [columns] the header is fixed
-  bool absolute_angles = false;           ///< angles against x, not against the previous link
-  std::vector<Column> columns;            ///< t, x, y, Fx, Fy, q1 … qn
+  bool any_order = false;        ///< further columns are allowed; without [columns] the header is fixed
+  bool absolute_angles = false;  ///< angles against x, not against the previous link
+  std::vector<Column> columns;   ///< t, x, y, Fx, Fy, q1 … qn
 };
 
 /// The format without any setting: docs/experiment-format.md, "Sample files".

@@ -21,8 +21,8 @@ struct SampleTable {
 SampleTable parse_sample_table(const std::string& text, const std::string& source,
                                const SampleFormat& format);
 
-/// "; with csv.delimiter = \";\" it would be 5 columns", where an unexpected header splits into more columns with another
-/// delimiter; else empty.
+/// "; with csv.delimiter = \";\" it would be 5 columns", where an unexpected header splits into more columns
+/// with another delimiter; else empty.
 std::string other_delimiter(const SampleTable& table, const SampleFormat& format);
 
 }  // namespace plumbline::diagnose

@@ -44,7 +44,8 @@ Unit parse_unit(const std::string& text, const Quantity& quantity, const std::st
 /// The SI unit of a quantity.
 Unit si_unit(const Quantity& quantity);
 
-/// A decimal in a unit, converted to SI. It is rounded once: the result is the double nearest to the exact product.
+/// A decimal in a unit, converted to SI. It is rounded once: the result is the double nearest to the exact
+/// product.
 double in_si(std::string_view decimal, const Unit& unit);
 /// The same for the shortest decimal of a double.
 double in_si(double value, const Unit& unit);

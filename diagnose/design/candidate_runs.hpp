@@ -18,8 +18,8 @@ struct OperatingEnvelope {
 
   /// Whether the runs so far set any limit.
   [[nodiscard]] bool is_limit() const;
-  /// Whether the first run of a prediction stays within twice the force and one and a half times the deflection
-  /// of the runs so far; always, where these set no limit.
+  /// Whether the first run of a prediction stays within twice the force and one and a half times the
+  /// deflection of the runs so far; always, where these set no limit.
   [[nodiscard]] bool allows(const Trace& trace, const std::vector<double>& rest) const;
 };
 
@@ -41,10 +41,11 @@ struct Shape {
 /// \param most  largest number of shapes
 std::vector<Shape> shapes(const Experiment& experiment, std::size_t most);
 
-/// Runs from a shape along x, along y and between, with and without unloading, that the nominal chain can follow.
-/// A held end point is pressed to the limits of the operating envelope and to two thirds of that: up to 9/4 of the
-/// largest travel so far, or 3/2 where there are no limits. A free end point carries dead loads: the largest force
-/// so far, or as much as deflects the nominal chain as far as before (a third of a radian without limits).
+/// Runs from a shape along x, along y and between, with and without unloading, that the nominal chain can
+/// follow. A held end point is pressed to the limits of the operating envelope and to two thirds of that: up
+/// to 9/4 of the largest travel so far, or 3/2 where there are no limits. A free end point carries dead
+/// loads: the largest force so far, or as much as deflects the nominal chain as far as before (a third of a
+/// radian without limits).
 std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape,
                                     const OperatingEnvelope& so_far);
 

@@ -11,8 +11,8 @@ namespace plumbline::diagnose {
 
 class Comparison {
  public:
-  /// Compares tangents of the effects at their typical size and at the initial guesses; where a tangent comes near
-  /// another effect, the imitation is fitted in full.
+  /// Compares tangents of the effects at their typical size and at the initial guesses; where a tangent comes
+  /// near another effect, the imitation is fitted in full.
   /// \param progress  called from time to time with the fraction of work done
   Comparison(const DesignSpace& space, const std::function<void(double)>& progress);
 
@@ -21,8 +21,8 @@ class Comparison {
     return space_.effects[i].candidate.effects.front();
   }
 
-  /// The smaller of the two expected log-likelihood ratios, each with one of the effects as the truth; infinite where
-  /// neither competes with the other.
+  /// The smaller of the two expected log-likelihood ratios, each with one of the effects as the truth;
+  /// infinite where neither competes with the other.
   [[nodiscard]] double distinguishability(std::size_t i, std::size_t j,
                                           const std::vector<std::size_t>& runs) const;
 

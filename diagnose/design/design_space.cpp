@@ -46,8 +46,8 @@ std::vector<CandidateRun> further_runs(const Experiment& bench, const OperatingE
   return all;
 }
 
-/// An effect at its typical size. Values at each joint alternate in size or sign, for equal ones would be another
-/// effect. Parameters without a natural zero take an initial guess.
+/// An effect at its typical size. Values at each joint alternate in size or sign, for equal ones would be
+/// another effect. Parameters without a natural zero take an initial guess.
 std::vector<double> sizeable(const Study& study, const EffectAt& at) {
   const std::vector<ParameterRange> ranges = study.ranges(at);
   const InitialGuesses known = initial_guesses(study, at);

@@ -14,7 +14,8 @@ struct Gaussian {
   double log_determinant;
 };
 
-/// The factor of I + half^T half, whose determinant is that of I + half half^T: parameters are fewer than readings.
+/// The factor of I + half^T half, whose determinant is that of I + half half^T: parameters are fewer than
+/// readings.
 Eigen::LLT<Eigen::MatrixXd> small_factor(const Eigen::MatrixXd& half) {
   const Eigen::Index columns = half.cols();
   return Eigen::LLT<Eigen::MatrixXd>(Eigen::MatrixXd::Identity(columns, columns) + half.transpose() * half);

@@ -14,9 +14,10 @@ struct Forecast {
   Eigen::MatrixXd covariance;  ///< of the parameters before the run
 };
 
-/// A lower bound, in nats, on the expected decrease of the entropy of the choice among equally probable hypotheses:
-/// that of Kolchinsky and Tracey (Entropy 19, 361, 2017) with Bhattacharyya's distance, for Gaussian predictions
-/// with the covariance of noise and parameters. The largest value is the logarithm of the number of hypotheses.
+/// A lower bound, in nats, on the expected decrease of the entropy of the choice among equally probable
+/// hypotheses: that of Kolchinsky and Tracey (Entropy 19, 361, 2017) with Bhattacharyya's distance, for
+/// Gaussian predictions with the covariance of noise and parameters. The largest value is the logarithm of
+/// the number of hypotheses.
 /// \param hypotheses  at least one
 double expected_information(const std::vector<Forecast>& hypotheses);
 

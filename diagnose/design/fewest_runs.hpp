@@ -11,18 +11,17 @@ namespace plumbline::diagnose {
 /// A true hypothesis and an alternative: one block of rows a run, with common parameters.
 using Contrast = std::vector<LinearisedAlternative>;
 
-/// The expected log-likelihood ratio of the truth over the refitted alternative, with some of the runs. It does not
-/// decrease with more runs.
+/// The expected log-likelihood ratio of the truth over the refitted alternative, with some of the runs. It
+/// does not decrease with more runs.
 double expected_log_likelihood_ratio(const Contrast& contrast, const std::vector<std::size_t>& runs);
 
-/// Whether the first `few` runs of the greedy choice give every contrast an expected log-likelihood ratio above
-/// `enough`.
+/// Whether the first `few` runs of the greedy choice give every contrast an expected log-likelihood ratio
+/// above `enough`.
 bool few_suffice(const std::vector<Contrast>& contrasts, std::size_t count, double enough, std::size_t few);
 
 struct FewestRuns {
   std::vector<std::size_t> runs;  ///< in the order of their contribution
-  bool proved =
-      false;  ///< no smaller set suffices
+  bool proved = false;            ///< no smaller set suffices
 };
 
 /// A smallest set of runs with which every contrast exceeds `enough`: a greedy choice, pruned, followed by an

@@ -29,7 +29,8 @@ Experiment bench_for(const Experiment& experiment, const Run& run, bool out_of_g
   return bench;
 }
 
-/// The predictions of a run; nothing where a hypothesis or the nominal model cannot follow it within the envelope.
+/// The predictions of a run; nothing where a hypothesis or the nominal model cannot follow it within the
+/// envelope.
 std::optional<std::vector<Prediction>> predictions(const Study& bench, const std::vector<Fit>& hypotheses,
                                                    const OperatingEnvelope& so_far) {
   std::vector<Prediction> all;

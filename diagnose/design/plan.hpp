@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The identifiability study of a bench before any data: undetectable effects, indistinguishable effects, and the
-/// fewest runs that distinguish the rest.
+/// The identifiability study of a bench before any data: undetectable effects, indistinguishable effects, and
+/// the fewest runs that distinguish the rest.
 
 #include <functional>
 #include <optional>
@@ -39,10 +39,10 @@ struct Plan {
   bool proved_minimal = false;            ///< no smaller set of feasible runs does so
 };
 
-/// An effect is detected, and two effects are distinguished, where the expected log-likelihood ratio of the truth
-/// over the refitted alternative exceeds `beliefs::told_apart`. The alternative is the nominal model, or the other
-/// effect; either effect is taken as the truth, at its typical size. An alternative does not compete with
-/// its own special case, nor where it has more than one parameter more than the truth.
+/// An effect is detected, and two effects are distinguished, where the expected log-likelihood ratio of the
+/// truth over the refitted alternative exceeds `beliefs::told_apart`. The alternative is the nominal model,
+/// or the other effect; either effect is taken as the truth, at its typical size. An alternative does not
+/// compete with its own special case, nor where it has more than one parameter more than the truth.
 /// \param bench     its measured channels are empty; a run without readings describes the bench
 /// \param progress  called from time to time with the fraction of work done
 /// \throws Error where the nominal model cannot follow a planned run, or no run is feasible

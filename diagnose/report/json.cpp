@@ -16,7 +16,7 @@ Json effect_names(const Candidate& candidate) {
   return names;
 }
 
-/// The noise of the channels that measured something, over the declared.
+/// Noise scales and autocorrelations of the measured channels.
 Json noise(const NoiseModel& model, const std::map<Channel, double>& by_channel) {
   Json result = Json::object(), correlations = Json::object();
   double largest = 0;
@@ -143,7 +143,7 @@ Json cause(const Diagnosis& diagnosis) {
   return report;
 }
 
-/// What the shrink belongs to.
+/// The model whose residual reduction was measured.
 const char* shrinks(const Diagnosis& diagnosis) {
   if (diagnosis.offers_law()) return "law";
   return diagnosis.cause.verdict == CauseVerdict::unknown ? "partial" : "cause";

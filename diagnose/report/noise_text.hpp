@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the terminal report says of the noise of the readings.
+/// The noise of the readings in the terminal report.
 
 #include <string>
 

@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// By the place in the report.
+/// The style of a number by its place in the report.
 page::NumberStyle style_of(const std::string& pointer) {
   const std::string key = pointer.substr(pointer.rfind('/') + 1);
   if (key == "share" || key == "discrepancy") return page::NumberStyle::share;
@@ -31,7 +31,7 @@ Json section(Json list) {
   return {{"any", any}, {"list", std::move(list)}};
 }
 
-/// Gives each entry of a list the width of its bar.
+/// Adds to each entry of a list the width of its bar.
 void add_bars(Json& list, const Json& report, const char* key) {
   for (std::size_t i = 0; i < list.size(); ++i)
     list[i]["bar"] = fmt::format("{:.1f}", 100 * report[i][key].get<double>());
@@ -44,7 +44,7 @@ Json charts(const std::vector<PageChart>& drawings, bool angles) {
   return list;
 }
 
-/// The channels that a gap was measured in, with the marked numbers of the report.
+/// The measured channels of the gap, with the marked numbers of the report.
 Json gap_channels(const GapAnswer& gap, const Json& marked) {
   Json list = Json::array();
   for (const auto& [channel, rms] : gap.rms)
@@ -90,7 +90,7 @@ Json parameters(const Json& effects, const Candidate& best,
   return rows;
 }
 
-/// Effects that change nothing that this bench could show.
+/// Effects that change no measured value on this bench.
 std::string out_of_sight(const Study& study) {
   const std::vector<EffectAt> possible = possible_effects(study);
   std::vector<std::string> parts;
@@ -133,7 +133,7 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
   return list;
 }
 
-/// Adds what the verdict's sentence says of the cause.
+/// Adds the cause, in the words of the verdict's sentence.
 void add_cause(Json& view, const Json& report, const Explained& explained) {
   const Cause& cause = explained.diagnosis.cause;
   view["verdict"] = Json{{verdict_word(cause.verdict), true}};
@@ -162,7 +162,7 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
     one["names"] = names;
   }
   add_bars(ranking, report["cause"]["ranking"], "probability");
-  // Where nothing explains the gap, the unknown leads.
+  // For `unknown`, that entry comes first.
   if (cause.verdict == CauseVerdict::unknown) std::rotate(ranking.begin(), ranking.end() - 1, ranking.end());
   view["ranked"] = {{"any", !ranking.empty()}};
   view["open"] = section(not_excluded(explained, ranking));

@@ -113,7 +113,8 @@ struct Effect {
 const std::vector<Effect>& catalogue();
 
 /// The row of an id. Of two rows with that id, the one at a single joint where `joint` (from 1) is given,
-/// else the one with one value for all joints. \throws Error for an id that the catalogue does not have
+/// else the one with one value for all joints.
+/// \throws Error for an id that the catalogue does not have
 const Effect& effect(std::string_view id, std::size_t joint = 0);
 
 /// An effect at its place. `joint` counts from 1; 0 where the effect is not at one joint.

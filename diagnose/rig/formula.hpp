@@ -31,7 +31,8 @@ class Formula {
   std::unique_ptr<Machine> machine_;
 };
 
-/// Whether a name can be a variable: letters, digits and underscores, and no function or constant of formulas.
+/// Whether a name can be a variable: letters, digits and underscores, and no function or constant of
+/// formulas.
 bool can_be_named(const std::string& name);
 
 }  // namespace plumbline::diagnose

@@ -208,8 +208,8 @@ class RunWalk {
     }
   }
 
-  /// Whether the chain is on the branch that was not observed: at least a tenth of the distance from the middle
-  /// between the branches. A chain that friction holds in between is on neither.
+  /// Whether the chain is on the branch that was not observed: at least a tenth of the distance from the
+  /// middle between the branches. A chain that friction holds in between is on neither.
   [[nodiscard]] bool is_on_other_branch(std::size_t r) const {
     constexpr double clearly = 0.1;
     const auto row = static_cast<Eigen::Index>(r);

@@ -24,8 +24,9 @@ using Trace = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMaj
 struct Moment {
   double t;         ///< in the run, s
   std::size_t run;  ///< its number, from 0
-  double direction;  ///< 1 or -1: of the joint for a joint angle, else of the command along the channel's axis
-  double rest;       ///< rest angle of that joint
+  double
+      direction;  ///< 1 or -1: of the joint for a joint angle, else of the command along the channel's axis
+  double rest;    ///< rest angle of that joint
 };
 
 /// The values of the variables of a channel's correction: reading_variables, angle_variables.

@@ -18,9 +18,9 @@ namespace plumbline::diagnose {
 /// The state of a slider.
 enum class Contact : signed char { slips_down = -1, sticks = 0, slips_up = 1 };
 
-/// A slider (Jenkins element): a spring in series with a dry contact that slips at a torque. Dry friction is a
-/// very stiff slider. A widening slider moves along d^2/2, so that its torque grows with the deflection d. A
-/// slider with a profile carries a fraction of that profile, between -1 and 1.
+/// A slider (Jenkins element): a spring in series with a dry contact that slips at a torque. Dry friction is
+/// a very stiff slider. A widening slider moves along d^2/2, so that its torque grows with the deflection d.
+/// A slider with a profile carries a fraction of that profile, between -1 and 1.
 struct JointSlider {
   /// Units N m/rad, N m; for a widening slider N m/rad^3, N m/rad; for one with a profile 1/rad, 1.
   double stiffness = 0, yield = 0;
@@ -50,8 +50,8 @@ struct JointSlider {
 };
 
 /// Largest numbers of Maxwell arms and sliders of a joint: those of three effects, of a free law and of the
-/// nominal model. They comprise five elements of all joints, five of one joint, dry friction, and a slider that
-/// represents the direction of motion.
+/// nominal model. They comprise five elements of all joints, five of one joint, dry friction, and a slider
+/// that represents the direction of motion.
 inline constexpr std::size_t most_law_arms = 3, most_law_sliders = 7;
 inline constexpr std::size_t most_nominal_arms = 3 + most_law_arms,
                              most_nominal_sliders = 10 + most_law_sliders;
@@ -83,8 +83,8 @@ struct JointLaw {
   /// expression uses the direction.
   std::size_t direction = std::numeric_limits<std::size_t>::max();
 
-  /// Stiffness of sticking dry friction over that of the joint's spring: it reaches the slip torque after 1e-5 of
-  /// the deflection that the spring needs for it, and is still solved to ten digits.
+  /// Stiffness of sticking dry friction over that of the joint's spring: it reaches the slip torque after
+  /// 1e-5 of the deflection that the spring needs for it, and is still solved to ten digits.
   static constexpr double sticking = 1e5;
   /// Half the turn, rad, after which a reversing joint has changed its direction: below the resolution of
   /// measured angles, and still solved to ten digits.
@@ -124,8 +124,8 @@ struct JointLaw {
     return {felt.value * lever, felt.slope * lever * lever + felt.value, felt.energy};
   }
 
-  /// The state that follows from a trial in state `contact`. A reversing contact sticks first, so that two joints
-  /// cannot alternate between directions of slip without end.
+  /// The state that follows from a trial in state `contact`. A reversing contact sticks first, so that two
+  /// joints cannot alternate between directions of slip without end.
   [[nodiscard]] Contact next(const JointSlider& one, double carried, double angle, const JointMemory& last,
                              Contact contact) const {
     const double d = angle - rest,

@@ -32,14 +32,16 @@ class Look {
   void clock() {
     const std::vector<Reading>& readings = run_->readings;
     if (run_->counts_readings()) {
-      remark("t only counts the readings: nothing that takes time can be told");
+      remark(
+          "t is 0, 1, 2, ...: a counter of the readings, not a clock, so that creep and drift cannot be "
+          "identified");
       return;
     }
     constexpr double much = 20;
     const double usual = run_->sampling_interval();
     for (std::size_t i = 1; i < readings.size(); ++i)
       if (const double pause = readings[i].t - readings[i - 1].t; pause > much * usual)
-        remark("a pause of {:.3g} s after reading {}, where {:.3g} s is usual", pause, i, usual);
+        remark("a pause of {:.3g} s after reading {}; {:.3g} s is usual", pause, i, usual);
   }
 
   void at(const Channel& channel) {
@@ -57,7 +59,7 @@ class Look {
     if (values.size() < enough) return;
     const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
     if (*lowest == *highest) {
-      remark("{} stands still at {:.6g} {}", channel.label(), *lowest, channel.unit());
+      remark("{} is constant at {:.6g} {}", channel.label(), *lowest, channel.unit());
       return;
     }
     scatter(channel, values);
@@ -72,12 +74,12 @@ class Look {
     const double little = 0.2, sigma = channel.sigma(experiment_.noise);
     const double seen = median_deviation(std::move(bends)) / std::sqrt(6.0);
     if (seen < little * sigma)
-      remark("{} scatters by {:.2g} {} at most, where {:.2g} is declared", channel.label(), seen,
-             channel.unit(), sigma);
+      remark("{} has a noise of {:.2g} {} at most; {:.2g} is declared", channel.label(), seen, channel.unit(),
+             sigma);
   }
 
-  /// A value far from both neighbours, which are near each other and near theirs: the last condition excludes the
-  /// turning point of a run.
+  /// A value far from both neighbours, which are near each other and near theirs: the last condition excludes
+  /// the turning point of a run.
   void spikes(const Channel& channel, const std::vector<double>& values,
               const std::vector<std::size_t>& numbers) {
     constexpr double far = 20, near = 0.1;
@@ -88,7 +90,7 @@ class Look {
         return b >= values.size() || std::abs(values[a] - values[b]) < near * away;
       };
       if (away > far * sigma && is_near(i - 1, i + 1) && is_near(i - 1, i - 2) && is_near(i + 1, i + 2))
-        remark("{} jumps to {:.4g} {} in reading {} alone", channel.label(), values[i], channel.unit(),
+        remark("{} has a lone spike of {:.4g} {} in reading {}", channel.label(), values[i], channel.unit(),
                numbers[i]);
     }
   }
@@ -133,7 +135,7 @@ std::vector<std::string> anomalies(const Experiment& experiment) {
     look.at(runs[r]);
     for (std::size_t s = 0; s < r; ++s)
       if (same_readings(runs[r], runs[s]))
-        remarks.push_back("run " + runs[r].id + ": the readings of run " + runs[s].id + " again");
+        remarks.push_back("run " + runs[r].id + ": repeats the readings of run " + runs[s].id);
   }
   return remarks;
 }

@@ -17,21 +17,22 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Misfits of a column below this fraction, and starts this near to the unloaded end points (in lengths of the
-/// chain), raise no question.
+/// Misfits of a column below this fraction, and starts this near to the unloaded end points (in lengths of
+/// the chain), raise no question.
 constexpr double misfit_in_doubt = 0.05, start_in_doubt = 0.01;
 /// Largest misfit of a run that a slip elsewhere leaves unchanged.
 constexpr double misfit_of_a_gap = 0.25;
-/// Distances of starts that support an axis or angle convention, and fractions of them that a conversion may leave:
-/// the second pair is sufficient evidence alone.
+/// Distances of starts that support an axis or angle convention, and fractions of them that a conversion may
+/// leave: the second pair is sufficient evidence alone.
 constexpr double start_off = 0.03, start_far_off = 0.1, mostly_placed = 0.1, wholly_placed = 0.02;
 /// Largest fractions of the misfit, and of the readings, that a conversion may leave.
 struct Allowance {
   double misfit, readings;
 };
-/// With a gap beside the slip the readings still follow the model. A gap does not turn or reverse numbers, nor
-/// multiply them by a thousand; but a chain that buckles to the other side looks mirrored, and a soft first joint
-/// looks like a list in reverse order. A conversion that other runs refute must mend the rest nearly completely.
+/// With a gap beside the slip the readings still follow the model. A gap does not turn or reverse numbers,
+/// nor multiply them by a thousand; but a chain that buckles to the other side looks mirrored, and a soft
+/// first joint looks like a list in reverse order. A conversion that other runs refute must mend the rest
+/// nearly completely.
 constexpr Allowance usual{0.2, 0.6}, of_a_mirror{0.1, 0.5}, of_an_order{0.04, 0.2},
     of_a_large_factor{0.6, 0.9}, refuted_elsewhere{0.03, 0.15};
 
@@ -111,8 +112,8 @@ double energy_of_sensor(const Columns& columns, const Column& one) {
   return sum;
 }
 
-/// Misfit of a column in any unit: 0 for agreement, 1 for no relation, 2 for a mirror image. A column that is small
-/// beside the others of its sensor counts less.
+/// Misfit of a column in any unit: 0 for agreement, 1 for no relation, 2 for a mirror image. A column that is
+/// small beside the others of its sensor counts less.
 double misfit(const Columns& columns, const Column& one) {
   constexpr double beside = 0.05;
   const double sensor = energy_of_sensor(columns, one);
@@ -150,8 +151,8 @@ double distance_at_start(const Experiment& experiment) {
   return sum;
 }
 
-/// The effect of a conversion on the columns that it changes: their misfits, and their sums by sensor as fractions of
-/// the sensor's in the run.
+/// The effect of a conversion on the columns that it changes: their misfits, and their sums by sensor as
+/// fractions of the sensor's in the run.
 struct Change {
   double before = 0, after = 0;
   std::array<Column, 3> was, is;
@@ -184,8 +185,9 @@ Change compare_run(const Columns& before, const Columns& after) {
   return change;
 }
 
-/// Largest logarithm of the best remaining common factor. No error is a factor of twenty, and none a factor of about
-/// ten at all joints; a factor of about four is possible. A wrong shape of the prediction shifts the best factor.
+/// Largest logarithm of the best remaining common factor. No error is a factor of twenty, and none a factor
+/// of about ten at all joints; a factor of about four is possible. A wrong shape of the prediction shifts the
+/// best factor.
 double tolerance(double factor, double shape) {
   if (is_large(factor)) return std::log(2);
   return (std::abs(std::log(factor)) > std::log(7) ? 0.2 : 0.05) + std::min(shape, 0.35);
@@ -278,8 +280,8 @@ class Check {
     return trial;
   }
 
-  /// Unloaded end points do not depend on springs, loads or force sensors; where an order places them, it needs no
-  /// more evidence than a unit.
+  /// Unloaded end points do not depend on springs, loads or force sensors; where an order places them, it
+  /// needs no more evidence than a unit.
   [[nodiscard]] Placed placed(const Conversion& conversion, double start) const {
     if (start_ > start_far_off && start < wholly_placed * start_) return Placed::wholly;
     const double off = is_of_an_order(conversion) ? start_in_doubt : start_off;
@@ -292,8 +294,8 @@ class Check {
     return placed == Placed::wholly ? judge_placed(conversion, now) : judge_mended(conversion, now, placed);
   }
 
-  /// A conversion that places the starts of all runs must not make anything else worse; how much it mends depends on
-  /// the gap.
+  /// A conversion that places the starts of all runs must not make anything else worse; how much it mends
+  /// depends on the gap.
   [[nodiscard]] std::optional<Trial> judge_placed(const Conversion& conversion,
                                                   const std::vector<Columns>& now) const {
     Trial trial{conversion};
@@ -349,6 +351,11 @@ class Check {
   std::vector<Conversion> conversions_;
 };
 
+/// "220 %", "2.5 %"
+std::string percent(double share) {
+  return share < 0.1 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
+}
+
 }  // namespace
 
 std::optional<SuspectedConvention> suspected_convention(const Study& study) {
@@ -358,8 +365,9 @@ std::optional<SuspectedConvention> suspected_convention(const Study& study) {
   if (found.empty()) return {};
   if (std::ranges::any_of(found, &Trial::wholly_placed))
     std::erase_if(found, [](const Trial& one) { return !one.wholly_placed; });
-  // Squares of residuals: half as much again, or a difference of a thousandth, is no distinction, and twice as much is
-  // none between two units, whose factors a gap may shift; of those the more common is asked first.
+  // Squares of residuals: half as much again, or a difference of a thousandth, is no distinction, and twice
+  // as much is none between two units, whose factors a gap may shift; of those the more common is asked
+  // first.
   constexpr double alike = 2.25, alike_units = 10, as_well_units = 4, anyway = 1e-3;
   const auto less = [](const Trial& a, const Trial& b) { return a.misfit < b.misfit; };
   const Trial least = *std::min_element(found.begin(), found.end(), less);
@@ -404,11 +412,12 @@ void require_conventions(const Study& study) {
   std::string found = "what looks like " + doubt->looks_like;
   for (const std::string& other : doubt->alternatives) found += ", or " + other;
   if (doubt->start_error_as_read > 0)
-    found += fmt::format(" (the runs then start {:.2g} instead of {:.2g} lengths of the chain off, together)",
-                         doubt->start, doubt->start_error_as_read);
+    found +=
+        fmt::format(" (the starts are then off by {:.2g} lengths of the chain in all, instead of {:.2g})",
+                    doubt->start, doubt->start_error_as_read);
   else
-    found += fmt::format(" (the nominal model then misses {:.2g} % instead of {:.2g} %)", 100 * doubt->left,
-                         100 * doubt->misfit_as_read);
+    found += fmt::format(" (the misfit then falls from {} to {})", percent(doubt->misfit_as_read),
+                         percent(doubt->left));
   throw Error(where + doubt->what, found,
               doubt->expected + ": if it is so, write " + doubt->remedy + "; if not, pass --as-is");
 }

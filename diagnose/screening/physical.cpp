@@ -43,8 +43,8 @@ double middle_contradiction(const Run& run, const Chain<double>& chain) {
   return *middle;
 }
 
-/// The first reading whose end point is out of reach. A commanded one is exact up to rounding. A measured one has
-/// noise, and lengths and offsets are what is in question: only a distance beyond all tolerance counts.
+/// The first reading whose end point is out of reach. A commanded one is exact up to rounding. A measured one
+/// has noise, and lengths and offsets are what is in question: only a distance beyond all tolerance counts.
 std::optional<std::size_t> out_of_reach(const Run& run, const Reach<double>& limits) {
   const double slack = (run.holds_end_point() ? 1e-4 : 0.25) * limits.largest;
   for (std::size_t r = 0; r < run.readings.size(); ++r) {
@@ -54,9 +54,9 @@ std::optional<std::size_t> out_of_reach(const Run& run, const Reach<double>& lim
   return {};
 }
 
-/// The unit, order or sense in which the end points, angles or links of an impossible run become possible: "; x, y
-/// look like mm (columns.x.unit = …)". Empty where no conversion brings the run within reach, to its unloaded shape at
-/// the start and into agreement with its joint angles, each to a tenth of the chain.
+/// The unit, order or sense in which the end points, angles or links of an impossible run become possible: ";
+/// x, y look like mm (columns.x.unit = …)". Empty where no conversion brings the run within reach, to its
+/// unloaded shape at the start and into agreement with its joint angles, each to a tenth of the chain.
 std::string as_if(const Experiment& experiment, const Run& run) {
   std::string best;
   double least = 0.1;

@@ -102,9 +102,9 @@ void require_no_stuck_channel(const Study& study) {
   const std::string values =
       still->values.size() == 1 ? fmt::format("{:.6g} {}", *still->values.begin(), unit) : "one value a run";
   throw Error(where + still->channel.label(),
-              fmt::format("{} in all {} readings, where the nominal model goes through {:.3g} {}", values,
+              fmt::format("{} in all {} readings, while the nominal model changes by {:.3g} {}", values,
                           still->readings, still->predicted_range, unit),
-              "readings that move: if nothing was measured, or the sensor stood still, " + remedy +
+              "readings that change: if nothing was measured, or the sensor is stuck, " + remedy +
                   "; if not, pass --as-is");
 }
 

@@ -46,7 +46,7 @@ Scene scene_of(const Bench& bench) {
 }
 
 std::optional<Bench> draw_bench(Random& random, bool rough) {
-  constexpr double single_joint = 0.15;  // of what laboratories publish it is more
+  constexpr double single_joint = 0.15;  // more often than laboratories publish it
   Bench bench;
   bench.plan = rough && random.chance(single_joint) ? draw_joint_plan(random) : draw_plan(random);
   const Physics physics = physics_of(bench.plan);

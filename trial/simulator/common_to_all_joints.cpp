@@ -1,4 +1,4 @@
-// What all joints or links have in common, and tolerances: a value of its own at each.
+// Effects of all joints or links: a common value, or a value at each.
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
-// Effects that are in no catalogue: what a diagnosis must call unknown. Nothing in diagnose/ knows this file.
-// When the catalogue absorbs one of them it leaves this list, and a new one takes its place.
+// Effects outside the catalogue, for which `unknown` is right. diagnose/ does not include this file. An
+// effect that the catalogue absorbs leaves the list, and another takes its place.
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 
 namespace plumbline::diagnose {
 
-/// The softening c at which a spring carries nothing at the typical deflection phi: 1/phi^2, and at least 3, for
-/// actual deflections may be smaller than the force suggests.
+/// The softening c at which a spring carries nothing at the typical deflection phi: 1/phi^2, and at least 3,
+/// for actual deflections may be smaller than the force suggests.
 inline double full_softening(const CharacteristicScales& sizes) {
   return std::max(3.0, 1 / (sizes.deflection * sizes.deflection));
 }

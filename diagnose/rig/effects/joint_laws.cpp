@@ -39,7 +39,8 @@ std::vector<ParameterRange> element_ranges(std::size_t elements, double deflecti
   return all;
 }
 
-/// Slip deflections in geometric progression, from where few readings see an element to where it hardly slips.
+/// Slip deflections in geometric progression, from where few readings see an element to where it hardly
+/// slips.
 InitialGuesses element_guesses(std::size_t elements, double deflection) {
   InitialGuesses guesses{{}, 2};
   for (const auto& [least, most] : {std::pair{0.02, 0.5}, {0.05, 1.0}}) {

@@ -25,8 +25,8 @@ double between(const StatedParameter& shape, double share) {
   return shape.low * std::pow(shape.high / shape.low, share);
 }
 
-/// A grid over the shape parameters, with the growing ones zero; a single point for three shape parameters and
-/// more, whose grid would be too large.
+/// A grid over the shape parameters, with the growing ones zero; a single point for three shape parameters
+/// and more, whose grid would be too large.
 std::vector<std::vector<double>> shapes(const StatedEffect& stated) {
   const bool few = stated.parameters.size() - growing(stated).size() <= 2;
   const std::vector<double> shares =

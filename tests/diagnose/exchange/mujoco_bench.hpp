@@ -140,7 +140,8 @@ class MujocoBench {
   }
 
   /// Lets the arms that relax, or slip but for those of a law, each on a spring of its own name, carry
-  /// nothing. \returns whether there is any
+  /// nothing.
+  /// \returns whether there is any
   bool ease() {
     bool any = false;
     for (int t = 0; t < model_->ntendon; ++t) {

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "trial/simulator/draw_scatter.hpp"
 #include "tests/close_to.hpp"
 #include "tests/trial/simulator/a_bench.hpp"
+#include "trial/simulator/draw_scatter.hpp"
 
 using namespace plumbline::simulator;
 

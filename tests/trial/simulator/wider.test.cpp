@@ -4,10 +4,10 @@
 #include <cmath>
 #include <set>
 
+#include "tests/trial/simulator/a_bench.hpp"
 #include "trial/simulator/bench.hpp"
 #include "trial/simulator/make_experiment.hpp"
 #include "trial/simulator/nominal_error.hpp"
-#include "tests/trial/simulator/a_bench.hpp"
 
 using namespace plumbline::simulator;
 
