@@ -20,14 +20,14 @@ std::size_t least_readings(std::size_t runs) {
 }
 
 /// Fractions of a run's extent: the largest extent of a group, and the largest jitter of a logged position.
-constexpr double farthest_in_group = 0.1, unrest = 0.01;
+constexpr double farthest_in_group = 0.1, jitter = 0.01;
 /// Jitter as a fraction of the farthest run, for a run that stands still.
-constexpr double unrest_at_rest = 0.002;
+constexpr double jitter_at_rest = 0.002;
 /// Smallest mean number of groups between turning points: the turning points themselves lose their values.
-constexpr double least_of_stretch = 4;
+constexpr double least_of_segment = 4;
 
 /// A range of readings.
-struct Stretch {
+struct Segment {
   std::size_t from, to;
   [[nodiscard]] std::size_t count() const { return to - from; }
 };
@@ -81,12 +81,12 @@ class Decimator {
   /// \param most   largest number of readings in a group
   /// \param still  largest change of the command that counts as standing still
   Decimator(const Run& run, std::size_t most, double still)
-      : run_(run), stops_(stops(run, std::max(unrest * extent(run), still))), result_(run) {
+      : run_(run), stops_(stops(run, std::max(jitter * extent(run), still))), result_(run) {
     result_.readings.clear();
     const double whole = extent(run_);
     const double count = static_cast<double>(run_.readings.size());
     const double farthest = std::min(farthest_in_group * whole / way(),
-                                     1 / (least_of_stretch * static_cast<double>(stops_.size() - 1)));
+                                     1 / (least_of_segment * static_cast<double>(stops_.size() - 1)));
     size_ = count * farthest < static_cast<double>(most) ? static_cast<std::size_t>(count * farthest) : most;
   }
 
@@ -96,7 +96,7 @@ class Decimator {
   Run result() {
     std::size_t from = 0;
     for (const std::size_t alone : stops_) {
-      add(Stretch{from, alone});
+      add(Segment{from, alone});
       add_alone(alone);
       from = alone + 1;
     }
@@ -120,20 +120,20 @@ class Decimator {
   }
 
   template <class Value>
-  [[nodiscard]] double mean(const Stretch& group, Value value) const {
+  [[nodiscard]] double mean(const Segment& group, Value value) const {
     double sum = 0;
     for (std::size_t i = group.from; i < group.to; ++i) sum += value(run_.readings[i]);
     return sum / static_cast<double>(group.count());
   }
 
-  [[nodiscard]] Eigen::Vector2d mean_command(const Stretch& group) const {
+  [[nodiscard]] Eigen::Vector2d mean_command(const Segment& group) const {
     return {mean(group, [&](const Reading& r) { return run_.command(r).x(); }),
             mean(group, [&](const Reading& r) { return run_.command(r).y(); })};
   }
 
   /// Median of a function of the readings that hold a channel.
   template <class Value>
-  [[nodiscard]] double middle(const Stretch& group, const Channel& channel, Value value) const {
+  [[nodiscard]] double middle(const Segment& group, const Channel& channel, Value value) const {
     std::vector<double> values;
     for (std::size_t i = group.from; i < group.to; ++i)
       if (!std::isnan(channel.of(run_.readings[i]))) values.push_back(value(run_.readings[i]));
@@ -155,12 +155,12 @@ class Decimator {
   /// groups on either side, at least nine readings, for outliers must not turn it. With fewer neighbours the
   /// group's own noise bends the curve: with one group on either side the result scatters by 8 % more, with
   /// two by 2 %.
-  [[nodiscard]] Trend trend(const Stretch& group, const Stretch& stretch, const Channel& channel) const {
+  [[nodiscard]] Trend trend(const Segment& group, const Segment& segment, const Channel& channel) const {
     const std::size_t wider = std::max<std::size_t>(2 * group.count(), 4);
-    const Stretch seen{std::max(stretch.from + wider, group.from) - wider,
-                       std::min(stretch.to, group.to + wider)};
+    const Segment seen{std::max(segment.from + wider, group.from) - wider,
+                       std::min(segment.to, group.to + wider)};
     const std::size_t third = std::max<std::size_t>(1, seen.count() / 3);
-    const std::array<Stretch, 3> thirds{
+    const std::array<Segment, 3> thirds{
         {{seen.from, seen.from + third}, {seen.from + third, seen.to - third}, {seen.to - third, seen.to}}};
     const Eigen::Vector2d centre = mean_command(group);
     Trend found;
@@ -180,24 +180,25 @@ class Decimator {
   }
 
   /// Median of a channel after removal of its trend, which is zero at the mean command.
-  [[nodiscard]] double drawn(const Stretch& group, const Stretch& stretch, const Channel& channel) const {
-    const Trend off = trend(group, stretch, channel);
+  [[nodiscard]] double block_median(const Segment& group, const Segment& segment,
+                                    const Channel& channel) const {
+    const Trend off = trend(group, segment, channel);
     const Eigen::Vector2d centre = mean_command(group);
     return middle(group, channel,
                   [&](const Reading& r) { return channel.of(r) - off(run_.command(r) - centre); });
   }
 
   /// Splits a range into equal groups.
-  void add(const Stretch& stretch) {
-    const std::size_t groups = (stretch.count() + size_ - 1) / size_;
+  void add(const Segment& segment) {
+    const std::size_t groups = (segment.count() + size_ - 1) / size_;
     for (std::size_t g = 0; g < groups; ++g) {
-      const Stretch group{stretch.from + g * stretch.count() / groups,
-                          stretch.from + (g + 1) * stretch.count() / groups};
+      const Segment group{segment.from + g * segment.count() / groups,
+                          segment.from + (g + 1) * segment.count() / groups};
       Reading& one = begin(group);
       // The median of a few readings would scatter more than the others.
       const bool few = 2 * group.count() < size_;
       for (const Channel& channel : run_.measured())
-        channel.in(one) = few ? unseen : drawn(group, stretch, channel);
+        channel.in(one) = few ? unseen : block_median(group, segment, channel);
       if (!few) sizes_.push_back(static_cast<double>(group.count()));
     }
   }
@@ -208,7 +209,7 @@ class Decimator {
   }
 
   /// A reading with the mean time and command of a group.
-  Reading& begin(const Stretch& group) {
+  Reading& begin(const Segment& group) {
     Reading one = run_.readings[group.from];
     one.t = mean(group, [](const Reading& reading) { return reading.t; });
     for (const Channel& channel : run_.imposed())
@@ -238,8 +239,8 @@ Experiment decimated(Experiment experiment) {
   for (Run& run : experiment.runs) {
     const std::size_t count = run.readings.size(), groups = std::max(least_readings(experiment.runs.size()),
                                                                      count * wanted_readings / total);
-    Decimator condenser(run, (count + groups - 1) / groups, unrest_at_rest * farthest[run.control]);
-    if (condenser.gains()) run = condenser.result();
+    Decimator decimator(run, (count + groups - 1) / groups, jitter_at_rest * farthest[run.control]);
+    if (decimator.gains()) run = decimator.result();
   }
   return experiment;
 }

@@ -31,9 +31,9 @@ struct Origin {
 
 /// The groups of a decimated run (decimate.hpp).
 struct Groups {
-  std::size_t size = 1;            ///< so many make one, but at turning points and ends
-  std::vector<std::size_t> first;  ///< by reading, the number of the first one that it stands for, and the
-                                   ///< end; empty where none were drawn together
+  std::size_t size = 1;            ///< readings of a group, except at turning points and ends
+  std::vector<std::size_t> first;  ///< first original reading of each group, and the
+                                   ///< end; empty where the run is not decimated
 };
 
 /// The joint angles on the observed branch and on the other one, where a chain may take either: a row a

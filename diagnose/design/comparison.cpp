@@ -23,12 +23,12 @@ Eigen::VectorXd in_sigmas(const Study& study, const std::vector<Trace>& traces) 
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-std::vector<Tangent> tangents(const Study& study, const Instance& sizeable) {
-  std::vector<std::vector<double>> places = initial_guesses(study, sizeable.candidate).points;
-  places.insert(places.begin(), sizeable.parameters);
+std::vector<Tangent> tangents(const Study& study, const Instance& typical) {
+  std::vector<std::vector<double>> places = initial_guesses(study, typical.candidate).points;
+  places.insert(places.begin(), typical.parameters);
   std::vector<Tangent> all;
   for (const std::vector<double>& place : places) {
-    const Prediction predicted = predict(study, sizeable.candidate, place, true);
+    const Prediction predicted = predict(study, typical.candidate, place, true);
     if (!predicted.reached) continue;
     Tangent one{in_sigmas(study, predicted.runs), {}};
     one.slope.resize(one.read.size(), static_cast<Eigen::Index>(predicted.sensitivity.size()));

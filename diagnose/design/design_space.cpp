@@ -48,7 +48,7 @@ std::vector<CandidateRun> further_runs(const Experiment& bench, const OperatingE
 
 /// An effect at its typical size. Values at each joint alternate in size or sign, for equal ones would be
 /// another effect. Parameters without a natural zero take an initial guess.
-std::vector<double> sizeable(const Study& study, const EffectAt& at) {
+std::vector<double> typical(const Study& study, const EffectAt& at) {
   const std::vector<ParameterRange> ranges = study.ranges(at);
   const InitialGuesses known = initial_guesses(study, at);
   std::vector<double> values = known.points[known.points.size() / 2];
@@ -89,7 +89,7 @@ std::vector<Instance> followable(const Study& study, std::vector<CandidateRun>& 
   std::vector<bool> kept(candidates.size(), true);
   std::vector<Instance> all;
   for (const EffectAt& at : possible_effects(study)) {
-    Instance effect{{{at}}, sizeable(study, at)};
+    Instance effect{{{at}}, typical(study, at)};
     std::vector<bool> can = followed(study, candidates, effect);
     const auto enough = [&] {
       const auto middle = can.begin() + static_cast<std::ptrdiff_t>(planned);

@@ -42,20 +42,20 @@ Json by_label(const std::map<Channel, double>& values) {
 }
 
 Json gap(const GapAnswer& answer, const NoiseModel& model) {
-  Json hum = Json::array(), proportional = Json::object(), rougher = Json::array(), stretches = Json::array(),
-       other_branch = Json::array();
+  Json sinusoids = Json::array(), proportional = Json::object(), runs = Json::array(),
+       segments = Json::array(), other_branch = Json::array();
   for (const HummingChannel& one : answer.hum)
-    hum.push_back(
+    sinusoids.push_back(
         {{"run", one.run}, {"channel", one.channel.label()}, {"period", one.period}, {"rms", one.rms}});
   for (const auto& [name, share] : answer.proportional) proportional[label(name)] = share;
   for (const RougherRun& one : answer.rougher)
-    rougher.push_back({{"run", one.run}, {"sensor", label(one.sensor)}, {"factor", one.times}});
+    runs.push_back({{"run", one.run}, {"sensor", label(one.sensor)}, {"factor", one.times}});
   for (const RougherStretch& one : answer.rougher_stretches)
-    stretches.push_back({{"run", one.run},
-                         {"sensor", label(one.sensor)},
-                         {"from", one.from},
-                         {"to", one.to},
-                         {"factor", one.times}});
+    segments.push_back({{"run", one.run},
+                        {"sensor", label(one.sensor)},
+                        {"from", one.from},
+                        {"to", one.to},
+                        {"factor", one.times}});
   for (const OtherBranch& one : answer.other_branch)
     other_branch.push_back({{"run", one.run}, {"from", one.reading}});
   return {{"present", answer.present},
@@ -63,11 +63,11 @@ Json gap(const GapAnswer& answer, const NoiseModel& model) {
           {"chi2_per_dof", answer.chi2_per_value},
           {"rms", by_label(answer.rms)},
           {"noise", noise(model, answer.rms)},
-          {"periodic_interference", hum},
+          {"periodic_interference", sinusoids},
           {"proportional_noise", proportional},
           {"noisier_joints", by_label(answer.uneven)},
-          {"noisier_runs", rougher},
-          {"noisier_segments", stretches},
+          {"noisier_runs", runs},
+          {"noisier_segments", segments},
           {"assumed_weights", answer.taken_for_weights},
           {"other_branch", other_branch}};
 }

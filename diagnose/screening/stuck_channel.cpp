@@ -58,7 +58,7 @@ bool is_stuck(const Run& run, const Trace& predicted, const Channel& channel, co
 }
 
 /// Where one run shows that a channel is stuck, all runs in which it is constant are listed.
-std::optional<StuckChannel> unmoved(const Study& study, const Channel& channel) {
+std::optional<StuckChannel> stuck(const Study& study, const Channel& channel) {
   const Experiment& experiment = study.experiment();
   StuckChannel found{{}, channel, {}, 0, 0};
   bool shown = false, somewhere_moved = false;
@@ -86,7 +86,7 @@ std::optional<StuckChannel> stuck_channel(const Study& study) {
     for (const Channel& channel : run.measured())
       if (std::find(channels.begin(), channels.end(), channel) == channels.end()) channels.push_back(channel);
   for (const Channel& channel : channels)
-    if (const std::optional<StuckChannel> found = unmoved(study, channel)) return found;
+    if (const std::optional<StuckChannel> found = stuck(study, channel)) return found;
   return {};
 }
 

@@ -37,7 +37,7 @@ Outcome outcome_of(const Bench& bench, std::vector<Effect> effects);
 double rms(const std::vector<Excess>& values);
 
 /// Aliases of the effects in this experiment, by the catalogue: lists of keys.
-std::vector<std::vector<std::string>> equivalents(const Bench& bench, const Outcome& outcome);
+std::vector<std::vector<std::string>> aliases(const Bench& bench, const Outcome& outcome);
 
 /// "id" or "id(joint)".
 std::string key_of(const Effect& effect);

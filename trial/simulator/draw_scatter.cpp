@@ -85,9 +85,9 @@ Scatter draw_rough_scatter(const Plan& plan, double force, Random& random) {
   } else if (kind < 0.59) {
     scatter.kind = "proportional";
   } else if (kind < 0.69) {
-    scatter.kind = "hum";
-    scatter.hum = random.log_uniform(1, 4);
-    scatter.hum_period = random.log_uniform(1.5, 40);
+    scatter.kind = "interference";
+    scatter.interference = random.log_uniform(1, 4);
+    scatter.interference_period = random.log_uniform(1.5, 40);
   } else if (kind < 0.79) {
     scatter.kind = "one channel";
     scatter.bad_channel = draw_channel(plan, random);

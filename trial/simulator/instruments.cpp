@@ -69,8 +69,9 @@ class Channel {
     const double r = correlation_;
     last_ = r * last_ + std::sqrt(1 - r * r) * random_.normal();
     double shown = value + std::hypot(sigma_, share_ * value) * last_;
-    if (scatter_.hum > 0)
-      shown += scatter_.hum * sigma_ * std::sin(2 * std::numbers::pi * t / scatter_.hum_period);
+    if (scatter_.interference > 0)
+      shown +=
+          scatter_.interference * sigma_ * std::sin(2 * std::numbers::pi * t / scatter_.interference_period);
     if (random_.chance(scatter_.outliers)) shown += random_.sign() * random_.uniform(8, 25) * sigma_;
     if (scatter_.resolution > 0) shown = rounded(shown, significant(scatter_.resolution * sigma_, 1));
     return random_.chance(scatter_.missing) ? nothing : shown;

@@ -24,18 +24,18 @@ struct Sigma {
 
 /// The noise of the readings.
 struct Scatter {
-  /// or misdeclared, outliers, ar1, ar1 of one sensor, proportional, hum, one channel
+  /// or misdeclared, outliers, ar1, ar1 of one sensor, proportional, interference, one channel
   std::string kind = "declared";
   Sigma sigma;  ///< true standard deviations
   Sigma declared;
-  Sigma correlation;               ///< of successive readings, by sensor
-  double outliers = 0;             ///< fraction of outliers
-  Sigma proportional;              ///< standard deviation relative to the reading, beside sigma
-  double hum = 0, hum_period = 1;  ///< periodic interference: amplitude in sigmas; s
-  std::string bad_channel = {};    ///< the channel with a larger sigma
-  double bad_factor = 1;           ///< its factor
-  double missing = 0;              ///< fraction of empty fields
-  double resolution = 0;           ///< of the instruments, in sigmas
+  Sigma correlation;    ///< of successive readings, by sensor
+  double outliers = 0;  ///< fraction of outliers
+  Sigma proportional;   ///< standard deviation relative to the reading, beside sigma
+  double interference = 0, interference_period = 1;  ///< periodic interference: amplitude in sigmas; s
+  std::string bad_channel = {};                      ///< the channel with a larger sigma
+  double bad_factor = 1;                             ///< its factor
+  double missing = 0;                                ///< fraction of empty fields
+  double resolution = 0;                             ///< of the instruments, in sigmas
 };
 
 /// Noise-free readings.

@@ -139,9 +139,9 @@ trial::Label label(const Wish& wish, const Bench& bench, const Cast& cast, const
   }
   if (!label.description.empty()) label.channel = channels_of(outcome.gap);
   if (cast.alone.size() == 1) {
-    label.equivalent = equivalents(bench, cast.alone.front());
+    label.equivalent = aliases(bench, cast.alone.front());
   } else if (cast.alone.size() > 1) {
-    label.equivalent = equivalents(bench, outcome);
+    label.equivalent = aliases(bench, outcome);
   }
   allow_tolerances(label, bench, cast.tolerances);
   return label;

@@ -27,7 +27,7 @@ StatedParameter read_parameter(const Section& parameters, const std::string& nam
   section.allow_only({"unit", "scale", "low", "high", "tolerance"});
   StatedParameter one{name,
                       section.text("unit", "a unit such as \"N m\", or \"ratio\""),
-                      section.number("scale", "the size of a sizeable effect"),
+                      section.number("scale", "the typical size of the effect"),
                       section.number("low", "the lowest value it can have"),
                       section.number("high", "the highest value it can have"),
                       section.has("tolerance") ? section.number("tolerance", "a standard deviation") : 0};

@@ -61,7 +61,7 @@ TEST_CASE("a long run keeps its ends and turning points, and its readings their 
   CHECK(next == before.readings.size());
 }
 
-TEST_CASE("what is drawn together has the noise that it says, and no gap") {
+TEST_CASE("decimated readings have the declared noise, and no gap") {
   const Study study(decimated(logged(5000)));
   const std::vector<double> residual = study.nominal_residual();
   double sum = 0;
@@ -71,7 +71,7 @@ TEST_CASE("what is drawn together has the noise that it says, and no gap") {
   CHECK(sum / static_cast<double>(residual.size()) == close_to(0.96).epsilon(0.12));
 }
 
-TEST_CASE("a few outliers do not move what is drawn together") {
+TEST_CASE("a few outliers do not move decimated readings") {
   Experiment all = logged(5000);
   const Experiment clean = decimated(all);
   for (std::size_t i = 0; i < all.runs[0].readings.size(); i += 50) all.runs[0].readings[i].Fx += 100;
@@ -99,7 +99,7 @@ Experiment numbered(std::size_t count, std::size_t turn) {
 
 }  // namespace
 
-TEST_CASE("which readings are drawn together, by hand") {
+TEST_CASE("which readings are decimated, by hand") {
   // 1199 readings in 500 groups: three each, but for the first and the last one, and the two twos that 1197
   // between them would not fill: 399 threes.
   const Run run = decimated(numbered(1199, 1199)).runs[0];
@@ -134,7 +134,7 @@ namespace {
 
 /// A bench without effect that is pressed so often by so much of three centimetres, at so many readings each
 /// way, with noise of the declared size.
-Experiment cycled(int cycles, int each_way, double unrest = 0) {
+Experiment cycled(int cycles, int each_way, double jitter = 0) {
   Experiment experiment = three_links();
   experiment.noise = {0, 0, 0.02, 0.02, 0};
   press(experiment, {0.3, -0.5, 0.4}, {-0.03, 0}, each_way, true, 0.01);
@@ -151,7 +151,7 @@ Experiment cycled(int cycles, int each_way, double unrest = 0) {
     for (const Channel& channel : run.measured())
       channel.in(run.readings[i]) = nominal.runs[0](static_cast<Eigen::Index>(i), column_of(channel)) +
                                     channel.sigma(experiment.noise) * normal(random);
-    run.readings[i].x += unrest * normal(random);
+    run.readings[i].x += jitter * normal(random);
   }
   return experiment;
 }
@@ -159,7 +159,7 @@ Experiment cycled(int cycles, int each_way, double unrest = 0) {
 }  // namespace
 
 TEST_CASE("a run that turns back by little has four groups from turn to turn, in the mean") {
-  // There by so many readings, then 199 times back and there again by fifty of them: 200 stretches, so 800
+  // There by so many readings, then 199 times back and there again by fifty of them: 200 segments, so 800
   // groups. Of 500 they would be of 25 readings and more, by the way of a tenth of the extent longer still.
   for (const auto& [there, size] :
        std::vector<std::pair<std::size_t, std::size_t>>{{2089, 15}, {2829, 15}, {2850, 16}}) {
@@ -182,7 +182,7 @@ TEST_CASE("a run that turns back by little has four groups from turn to turn, in
   }
 }
 
-TEST_CASE("what is drawn together scatters as it says and shows no gap, however often and far a run goes") {
+TEST_CASE("decimated readings have the declared noise and show no gap, however often and far a run goes") {
   // Forces of a press change by forty sigmas on the way, along a curve.
   for (const auto& [cycles, each_way] :
        std::vector<std::pair<int, int>>{{1, 5000}, {10, 500}, {50, 100}, {100, 20}, {1000, 2}}) {
@@ -201,7 +201,7 @@ TEST_CASE("what is drawn together scatters as it says and shows no gap, however 
   }
 }
 
-TEST_CASE("the unrest of a logged position is no turn, and leaves readings to draw together") {
+TEST_CASE("jitter of a logged position is no turning point, and does not prevent decimation") {
   const Experiment few = decimated(cycled(1, 5000, 3e-5));
   CHECK(few.runs[0].readings.size() < 600);
   std::size_t unseen = 0;
@@ -262,7 +262,7 @@ TEST_CASE("what goes along a parabola is drawn onto it, and what is faster on it
   }
 }
 
-TEST_CASE("a few readings between two turns are not drawn together with their measured values") {
+TEST_CASE("a few readings between two turning points lose their measured values") {
   // Groups of twenty, and five readings between two turns of a hundredth and more of the way.
   Experiment experiment = numbered(10001, 5000);
   std::vector<Reading>& readings = experiment.runs[0].readings;

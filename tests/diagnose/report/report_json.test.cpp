@@ -65,7 +65,8 @@ TEST_CASE("what is named is listed however far down the ranking it stands, and o
   CHECK(listed_places(made.cause).size() == 10);
 }
 
-TEST_CASE("what else the JSON may hold: rivals, remainders, what is missing, no more than ten of a ranking") {
+TEST_CASE(
+    "what else the JSON may hold: alternatives, a discrepancy, the unexplained residual, ten of a ranking") {
   Diagnosis made = made_up();
   made.cause.verdict = CauseVerdict::ambiguous;
   made.cause.remainder = 0.07;

@@ -40,13 +40,13 @@ TEST_CASE("a page holds the numbers of the JSON at its keys, and says what was f
                           "/gap/noise/correlations/force",
                           "/gap/noise/correlations/angle",
                           "/gap/proportional_noise/Fx",
-                          "/gap/uneven_noise/q2",
-                          "/gap/rougher_runs/0/times",
-                          "/gap/rougher_stretches/0/from",
-                          "/gap/rougher_stretches/0/to",
-                          "/gap/rougher_stretches/0/times",
-                          "/gap/hum/0/period",
-                          "/gap/hum/0/rms",
+                          "/gap/noisier_joints/q2",
+                          "/gap/noisier_runs/0/factor",
+                          "/gap/noisier_segments/0/from",
+                          "/gap/noisier_segments/0/to",
+                          "/gap/noisier_segments/0/factor",
+                          "/gap/periodic_interference/0/period",
+                          "/gap/periodic_interference/0/rms",
                           "/where/joints/2/share",
                           "/where/runs/1/share",
                           "/where/channels/1/share",
@@ -94,7 +94,7 @@ TEST_CASE("a page holds the numbers of the JSON at its keys, and says what was f
   CHECK(has_words(page, "12.5 % of the residual") == false);  // the number stands in its mark
   CHECK(has_words(page,
                   marked(report, "/shrink/ratio") + "12.5 %</data> of the residual is left with this cause"));
-  // Rivals that keep a hundredth and more, and what this bench cannot show.
+  // Alternatives with a hundredth and more, and what this bench cannot show.
   CHECK(has_words(page, "<span class=\"id\">rest_angle(2)</span>: less probable, with " +
                             marked(report, "/cause/ranking/1/probability")));
   CHECK(has_words(page, "<span class=\"id\">force_gain</span>: less probable, with "));

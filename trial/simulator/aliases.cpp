@@ -67,15 +67,15 @@ std::vector<std::string> tried(const Bench& bench, const Outcome& outcome, std::
       candidates.push_back({&kind("stiffness_scale", false), 0, {sign * effect.values[0]}});
   if (const std::optional<Effect> weight = as_other_weight(bench.plan.nominal, effect))
     candidates.push_back(*weight);
-  std::vector<std::string> twins;
+  std::vector<std::string> aliases;
   for (const Effect& candidate : candidates)
-    if (passes_for(bench, outcome, e, candidate)) twins.push_back(key_of(candidate));
-  return twins;
+    if (passes_for(bench, outcome, e, candidate)) aliases.push_back(key_of(candidate));
+  return aliases;
 }
 
 /// Aliases of one effect: payload and tare, always; compliance of base and train along x under an imposed end
 /// point; a stiffness scale and the gain where nothing else sets a force.
-std::vector<std::string> twins(const Bench& bench, const Outcome& outcome, std::size_t e) {
+std::vector<std::string> aliases_of(const Bench& bench, const Outcome& outcome, std::size_t e) {
   const bool imposed = std::none_of(bench.plan.runs.begin(), bench.plan.runs.end(),
                                     [](const PlannedRun& run) { return run.force_controlled; });
   const bool scales = imposed && outcome.effects.size() == 1 && bench.plan.nominal.mass.empty();
@@ -95,13 +95,13 @@ std::vector<std::string> twins(const Bench& bench, const Outcome& outcome, std::
 
 }  // namespace
 
-std::vector<std::vector<std::string>> equivalents(const Bench& bench, const Outcome& outcome) {
+std::vector<std::vector<std::string>> aliases(const Bench& bench, const Outcome& outcome) {
   std::vector<std::vector<std::string>> all;
   for (std::size_t e = 0; e < outcome.effects.size(); ++e) {
-    for (const std::string& twin : twins(bench, outcome, e)) {
+    for (const std::string& alias : aliases_of(bench, outcome, e)) {
       all.emplace_back();
       for (std::size_t k = 0; k < outcome.effects.size(); ++k)
-        all.back().push_back(k == e ? twin : key_of(outcome.effects[k]));
+        all.back().push_back(k == e ? alias : key_of(outcome.effects[k]));
     }
   }
   return all;
