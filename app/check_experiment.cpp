@@ -86,7 +86,7 @@ std::string what_was_read(const Experiment& experiment) {
   for (const Run& run : experiment.runs) {
     text += fmt::format("  {}: {} imposed, {} readings{}\n", run.id,
                         run.holds_end_point()  ? "the end point is"
-                        : run.weights_inferred ? "the force, taken for that of weights, is"
+                        : run.weights_inferred ? "the force, assumed to be that of weights, is"
                                                : "the force is",
                         run.readings.size(), run.turns_back() ? ", there and back" : "");
     text += fmt::format("    rest {:.4g} rad\n", fmt::join(run.rest, ", "));

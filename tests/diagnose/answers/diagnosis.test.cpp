@@ -331,10 +331,10 @@ TEST_CASE("forces that were taken for weights are said to be, by their runs") {
     declared.runs[2].weights_inferred = inferred;
     return plumbline::diagnose::diagnose(Study(test::measured(declared, {}, {}, 4)));
   };
-  const std::string words = "the forces of load-3 point straight down and have no noise: taken for weights";
+  const std::string words = "all forces of load-3 point straight down without noise: assumed to be weights";
   CHECK(as_text(said(true)).find(words) != std::string::npos);
   CHECK(as_json(said(true))["gap"]["assumed_weights"] == nlohmann::json{"load-3"});
-  CHECK(as_text(said(false)).find("taken for weights") == std::string::npos);
+  CHECK(as_text(said(false)).find("assumed to be weights") == std::string::npos);
   CHECK(as_json(said(false))["gap"]["assumed_weights"].empty());
 }
 
