@@ -260,7 +260,7 @@ std::string headline(const Diagnosis& diagnosis) {
     text += "\n" + few_values(diagnosis, best);
   }
   if (const auto& shrink = diagnosis.shrink; shrink && shrink->tested() && shrink->ratio < 1)
-    text += fmt::format("  {} leaves {} of the residual on held-out readings; noise alone {}\n",
+    text += fmt::format("  {} leaves {} of the held-out residual; noise alone {}\n",
                         corrected_model(diagnosis), precise_percent(shrink->ratio),
                         precise_percent(shrink->noise_floor_ratio));
   return text;

@@ -14,7 +14,7 @@ const std::string headline_in_words =
     "Identified: play in joint 2 and the weight of the links\n"
     "  backlash(2): b = 0.0312 rad (95 %: 0.0301 to 0.0323)\n"
     "  gravity: rho = 0.81 kg/m (95 %: 0.7 to 0.9)\n"
-    "  this cause leaves 12.5 % of the residual on held-out readings; noise alone 11 %\n";
+    "  this cause leaves 12.5 % of the held-out residual; noise alone 11 %\n";
 
 const std::string gap_in_words =
     "\nIs there a gap?  Yes (p = 1e-05): the nominal model misses Fx 0.25 N, q2 0.0031 rad rms, chi-square "
