@@ -58,8 +58,13 @@ States::States(const Experiment& experiment) {
       most = std::max(most, last.norm());
     }
   }
-  for (std::size_t r = 0; r < command.size(); ++r)
-    for (auto& one : command[r]) one /= reach[experiment.runs[r].holds_end_point()];
+  for (std::size_t r = 0; r < command.size(); ++r) {
+    const double most = reach[experiment.runs[r].holds_end_point()];
+    // Where nothing is imposed at all, as in a sag test, the runs are poses, and nothing is known to be at rest.
+    at_rest.push_back(most > 1e-12);
+    if (at_rest.back())
+      for (auto& one : command[r]) one /= most;
+  }
   for (std::size_t r = 0; r < command.size(); ++r) {
     const std::vector<double> direction = directions(command[r]);
     of.emplace_back();
@@ -96,36 +101,73 @@ double Kernel::operator()(std::size_t run, std::size_t reading, std::size_t othe
   double sum = (1 - share_run) *
                states_.alike(static_cast<Eigen::Index>(run), static_cast<Eigen::Index>(other_run)) *
                (common(a.command, a.direction, b.command, b.direction) -
-                common(a.command, a.direction, rest, 1) * common(rest, 1, b.command, b.direction));
-  if (run == other_run)
+                (states_.at_rest[run] ? common(a.command, a.direction, rest, 1) * common(rest, 1, b.command, b.direction) : 0));
+  if (run == other_run && states_.at_rest[run])
     sum += share_run * (matern(std::abs(a.progress - b.progress), length_) -
                         matern(a.progress, length_) * matern(b.progress, length_));
   return sum;
 }
 
-MatrixXd basis(const Kernel& kernel, const Block& block, Eigen::Index most, double left_out) {
+namespace {
+
+/// Covariance at two values of a block.
+double between(const Kernel& kernel, const Block& block, Eigen::Index i, Eigen::Index j) {
+  const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+  return kernel(block.run[a], block.reading[a], block.run[b], block.reading[b]);
+}
+
+/// An incomplete Cholesky factor with its pivots.
+struct Factor {
+  MatrixXd columns;
+  std::vector<Eigen::Index> pivots;
+};
+
+Factor incomplete_cholesky(const Kernel& kernel, const Block& block, Eigen::Index most, double left_out) {
   const Eigen::Index n = block.size();
-  const auto of = [&](Eigen::Index i, Eigen::Index j) {
-    const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-    return kernel(block.run[a], block.reading[a], block.run[b], block.reading[b]);
-  };
   VectorXd left(n);
-  for (Eigen::Index i = 0; i < n; ++i) left(i) = of(i, i);
+  for (Eigen::Index i = 0; i < n; ++i) left(i) = between(kernel, block, i, i);
   const double enough = left_out * left.sum();
   MatrixXd columns(n, std::min(n, most));
-  Eigen::Index rank = 0;
-  while (rank < columns.cols() && left.sum() > enough) {
+  std::vector<Eigen::Index> pivots;
+  while (static_cast<Eigen::Index>(pivots.size()) < columns.cols() && left.sum() > enough) {
+    const auto rank = static_cast<Eigen::Index>(pivots.size());
     Eigen::Index pivot = 0;
     const double largest = left.maxCoeff(&pivot);
-    if (!(largest > 1e-12)) break;
+    if (!(largest > 1e-9)) break;
     VectorXd column(n);
-    for (Eigen::Index i = 0; i < n; ++i) column(i) = of(i, pivot);
+    for (Eigen::Index i = 0; i < n; ++i) column(i) = between(kernel, block, i, pivot);
     if (rank > 0) column -= columns.leftCols(rank) * columns.row(pivot).head(rank).transpose();
     columns.col(rank) = column / std::sqrt(largest);
     left = (left - columns.col(rank).cwiseAbs2()).cwiseMax(0);
-    ++rank;
+    left(pivot) = 0;
+    pivots.push_back(pivot);
   }
-  return columns.leftCols(rank);
+  return {columns.leftCols(static_cast<Eigen::Index>(pivots.size())), pivots};
+}
+
+}  // namespace
+
+Basis basis(const States& states, const Block& block, const std::vector<double>& lengths, Eigen::Index most,
+            double left_out) {
+  const Factor factor = incomplete_cholesky(Kernel(states, lengths.front()), block, most, left_out);
+  Basis result{factor.columns, {}};
+  const Eigen::Index rank = factor.columns.cols();
+  const MatrixXd at_pivots = factor.columns(factor.pivots, Eigen::all);
+  for (const double length : lengths) {
+    if (length == lengths.front()) {
+      result.covariance.emplace_back(MatrixXd::Identity(rank, rank));
+      continue;
+    }
+    const Kernel kernel(states, length);
+    MatrixXd k(rank, rank);
+    for (Eigen::Index i = 0; i < rank; ++i)
+      for (Eigen::Index j = 0; j <= i; ++j)
+        k(i, j) = k(j, i) = between(kernel, block, factor.pivots[static_cast<std::size_t>(i)], factor.pivots[static_cast<std::size_t>(j)]);
+    const auto lower = at_pivots.triangularView<Eigen::Lower>();
+    const MatrixXd half = lower.solve(k);
+    result.covariance.emplace_back(lower.solve(MatrixXd(half.transpose())));
+  }
+  return result;
 }
 
 }  // namespace plumbline::diagnose::next

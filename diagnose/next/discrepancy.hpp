@@ -19,6 +19,7 @@ struct States {
   explicit States(const Experiment& experiment);
   std::vector<std::vector<State>> of;  ///< [run][reading]
   MatrixXd alike;                        ///< of runs, in [0, 1]
+  std::vector<bool> at_rest;             ///< by run: its command begins where nothing is loaded
 };
 
 /// Covariance of a discrepancy of size one at two readings.
@@ -33,8 +34,16 @@ class Kernel {
   double length_;
 };
 
-/// Columns phi with phi phi' = the covariance at the values of a block, but for a share `left_out` of its
-/// trace: an incomplete Cholesky factorisation, at most `most` columns.
-MatrixXd basis(const Kernel& kernel, const Block& block, Eigen::Index most, double left_out);
+/// A basis for the discrepancies of a block at several lengths: phi G phi' is the covariance of each length at the
+/// values, but for a share of its trace that is left out at the shortest.
+struct Basis {
+  MatrixXd phi;                    ///< values x columns: an incomplete Cholesky factor at the shortest length
+  std::vector<MatrixXd> covariance;  ///< G of each length
+};
+
+/// \param lengths  ascending
+/// \param most     so many columns at most
+Basis basis(const States& states, const Block& block, const std::vector<double>& lengths, Eigen::Index most,
+            double left_out);
 
 }  // namespace plumbline::diagnose::next

@@ -21,11 +21,16 @@ struct NoiseShape {
 
 /// Grids and priors of what is summed out.
 struct Hyperpriors {
+  /// Sizes of the discrepancy and their prior beside a cause of the catalogue: none, or small.
   std::vector<double> amplitude, log_amplitude_prior;
+  /// The same where the cause is outside of the catalogue, and effects only imitate it: of any size.
+  std::vector<double> log_amplitude_outside;
   std::vector<double> length;
   std::vector<double> correlation, log_correlation_prior;
 };
 Hyperpriors usual_hyperpriors();
+/// Independent noise of one scale a block, and nothing else.
+Hyperpriors without_discrepancy();
 
 /// What the likelihood says at one residual.
 struct Look {
@@ -48,6 +53,9 @@ class Likelihood {
   Likelihood(const Data& data, const States& states, const Hyperpriors& priors, NoiseShape shape,
              const std::vector<VectorXd>& nominal_residual);
 
+  /// Leaves out correlations that are negligible where this residual is left.
+  void prune(const std::vector<VectorXd>& residual);
+
   [[nodiscard]] const Data& data() const { return data_; }
   [[nodiscard]] const NoiseShape& shape() const { return shape_; }
   [[nodiscard]] const Hyperpriors& priors() const { return priors_; }
@@ -58,10 +66,9 @@ class Likelihood {
 
  private:
   struct Turned {  // one correlation and length
-    MatrixXd rotate;   // modes x kept values (whitened)
+    MatrixXd rotate;   // modes x span
     MatrixXd back;     // all values x modes
     VectorXd lambda;
-    std::vector<MatrixXd> unused;
     MatrixXd inverse;  // cells x modes: 1 / d
     VectorXd constant; // by cell: all that does not depend on the residual
   };
@@ -73,7 +80,9 @@ class Likelihood {
     std::vector<Eigen::Index> kept;
     double unit = 1;
     std::vector<double> scale, log_scale_prior;
+    std::vector<double> correlation;
     std::vector<Whitening> whitening;  // by correlation
+    std::vector<MatrixXd> span;               // [correlation]: orthonormal columns over the kept values, whitened
     std::vector<std::vector<Turned>> turned;  // [correlation][length]
     VectorXd inverse_square;  // by cell: 1 / s^2
   };
@@ -81,7 +90,8 @@ class Likelihood {
   void prepare(std::size_t block, double nominal_rms);
   [[nodiscard]] MatrixXd whiten(const Prepared& block, std::size_t correlation, const MatrixXd& columns) const;
   [[nodiscard]] BlockLook look_at(std::size_t b, const VectorXd& residual, const MatrixXd* jacobian) const;
-  [[nodiscard]] double outliers_log_density(std::size_t b) const;
+  void add_outliers(std::size_t b, const BlockLook& block, const VectorXd& residual, const MatrixXd* jacobian,
+                    const Look& so_far, Look& result) const;
 
   const Data& data_;
   const States& states_;
