@@ -76,6 +76,9 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
     if (const double pause = run.sampling_interval(); pause > 0)
       size.sampling_interval = size.sampling_interval > 0 ? std::min(size.sampling_interval, pause) : pause;
     size.measures_force = size.measures_force || reads_force(run);
+    size.imposes_force = size.imposes_force || (!run.holds_end_point() && any_reading(run, [&](const Reading& one) {
+                                                 return run.command(one).norm() > 0;
+                                               }));
     size.pivot = size.pivot || !run.by_weights;
     size.load_cell = size.load_cell || reads_force(run) || !(run.holds_end_point() || run.by_weights);
     size.clock = size.clock || !run.counts_readings();
@@ -89,11 +92,13 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
   }
   size.runs = experiment.run_count;
   find_plateau(experiment, size);
-  size.force = std::max(typical_force(experiment), 1e-3 * size.stiffness / size.length);
+  // Where no force acts, as in a sag test, the force that turns a joint by a tenth of a radian is typical.
+  const double force = typical_force(experiment), unit = size.stiffness / size.length;
+  size.force = force > 0 ? std::max(force, 1e-4 * unit) : 0.1 * unit;
   size.duration = std::max(size.duration, 1e-3);
   size.sampling_interval = size.sampling_interval > 0 ? size.sampling_interval : size.duration;
   // The deflection that the force gives a lever of half the chain, kept to what angles can be.
-  size.deflection = std::clamp(0.3 * size.force * size.length / size.stiffness, 0.02, 1.0);
+  size.deflection = std::clamp(0.3 * size.force * size.length / size.stiffness, 1e-4, 1.0);
   const bool falls = experiment.gravity[0] != 0 || experiment.gravity[1] != 0;
   size.nominal_weight = falls && std::any_of(experiment.link_mass.begin(), experiment.link_mass.end(),
                                              [](double mass) { return mass > 0; });

@@ -18,6 +18,7 @@ struct CharacteristicScales {
   bool weighs = true;                                ///< gravity may act in the plane of the bench
   bool nominal_weight = false;                       ///< the nominal links have weight
   bool measures_force = false;                       ///< some run imposes the end point and reads the force
+  bool imposes_force = false;                        ///< some run imposes the force on the end point
   bool load_cell = false;             ///< some run reads the force or controls it by a load cell
   bool pivot = false;                 ///< a drive holds or pulls the end point; weights do not
   bool clock = false;                 ///< time stamps are more than the readings' numbers, 0, 1, 2, ...

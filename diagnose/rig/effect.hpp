@@ -107,6 +107,8 @@ struct Effect {
   bool of_shape = false;
   /// A manufacturing tolerance: present on every chain, and beside any cause.
   bool is_tolerance = false;
+  /// Stands for a cause that the catalogue does not have.
+  bool outside = false;
 };
 
 /// All effects, in the order of docs/effects.md.

@@ -44,23 +44,23 @@ Vector2 force_on_cell(const Rig& rig, const Vector2& shown) {
 
 /// A rig in one run: its posture and memory.
 struct Traveller {
-  Traveller(const Rig& rig, const Run& run) : on(rig, run.rest), memory(run.rest.size()) {
+  Traveller(const Experiment& experiment, const Rig& rig, const Run& run)
+      : on(rig, run.rest), unloaded(unloaded_end(experiment, run.rest)), memory(run.rest.size()) {
     for (std::size_t i = 0; i < memory.size(); ++i) memory[i].angle = on.joint[i].rest;
   }
 
-  /// The true end point (after position offset and rail misalignment) or the true force (after the load cell
-  /// and the rail) of a command.
-  [[nodiscard]] Imposed imposed(const Run& run, const Reading& reading) const {
+  /// The true end point (after position offset and rail misalignment) or the true force (after the load cell,
+  /// the pulley and the rail) of a command. The rail turns about the unloaded end point.
+  /// \param growing  1 while the imposed force grows, -1 while it falls
+  [[nodiscard]] Imposed imposed(const Run& run, const Reading& reading, double growing) const {
     const Rig& rig = on.rig;
-    const Reading& first = run.readings.front();
-    if (run.holds_end_point()) {
-      const Vector2 start = run.command(first);
-      return {run.control,
-              start + turned(run.command(reading) - start, rig.misalignment) + rig.position_offset};
-    }
-    if (run.by_weights) return {run.control, turned(run.command(reading), rig.misalignment)};
+    if (run.holds_end_point())
+      return {run.control, unloaded + turned(run.command(reading) - unloaded, rig.misalignment) +
+                               rig.position_offset};
+    const double passed = rig.pulley_friction == 0 ? 1 : std::exp(-rig.pulley_friction * growing);
+    if (run.by_weights) return {run.control, turned(passed * run.command(reading), rig.misalignment)};
     const Vector2 read = run.command(reading) - rig.force_bias - rig.force_drift * reading.t;
-    return {run.control, turned(force_on_cell(rig, read), rig.misalignment)};
+    return {run.control, turned(passed * force_on_cell(rig, read), rig.misalignment)};
   }
 
   /// The measured force, in the axes of the rail.
@@ -112,6 +112,7 @@ struct Traveller {
   }
 
   RunRig on;
+  Vector2 unloaded;  ///< end point of the nominal chain at rest
   Posture posture;
   std::vector<JointMemory> memory;
 
@@ -149,9 +150,9 @@ class RunWalk {
         layout_(layout),
         parts_(substeps(run, layout, rig)),
         solver_(layout, std::accumulate(parts_.begin(), parts_.end(), std::size_t{0})),
-        main_(rig, run) {
+        main_(experiment, rig, run) {
     beside_.reserve(variations.size());
-    for (const Rig& other : variations) beside_.emplace_back(other, run);
+    for (const Rig& other : variations) beside_.emplace_back(experiment, other, run);
     start();
   }
 
@@ -291,7 +292,10 @@ class RunWalk {
   /// \param r  its number, for a reading; nullopt for a substep
   bool go_to(const Reading& reading, std::optional<std::size_t> r) {
     const double dt = moved_ ? reading.t - last_time_ : 0;
-    const Imposed target = main_.imposed(run_, reading);
+    const double size = run_.command(reading).norm();
+    if (size != last_size_) growing_ = size > last_size_ ? 1 : -1;
+    last_size_ = size;
+    const Imposed target = main_.imposed(run_, reading, growing_);
     const double last_way = last_step_.norm(),
                  share = last_way > 0 ? (target.value - at_.value).norm() / last_way : 0;
     const auto step_of = [&](Traveller& rig) {
@@ -310,7 +314,7 @@ class RunWalk {
     if (!beside_.empty()) solver_.prepare(step, target, main_.posture);
     for (Traveller& other : beside_) {
       const RigStep its = step_of(other);
-      solver_.neighbour(its, other.imposed(run_, reading), main_.posture, other.posture);
+      solver_.neighbour(its, other.imposed(run_, reading, growing_), main_.posture, other.posture);
       other.remember(layout_, its.interval);
     }
     main_.remember(layout_, step.interval);
@@ -328,7 +332,8 @@ class RunWalk {
     if (run_.holds_end_point()) {
       force = rig.measure_force(reading.t, interval_, direction_.x());
     } else {
-      end = solver_.end_point(rig.on, rig.posture) - rig.on.rig.position_offset;
+      const Vector2 place = solver_.end_point(rig.on, rig.posture) - rig.on.rig.position_offset;
+      end = turned((1 + rig.on.rig.place_scale) * place, rig.on.rig.place_turn);
     }
     row(column_x) = end.x();
     row(column_y) = end.y();
@@ -376,6 +381,7 @@ class RunWalk {
   const Reading* last_ = nullptr;  ///< with a known command
   double last_time_ = 0;
   double interval_ = 0;                  ///< before the last reading; 0 at the first
+  double last_size_ = 0, growing_ = 1;   ///< of the imposed force: its size, and whether it grows (1, -1)
   Vector2 direction_ = Vector2::Zero();  ///< of the command along x and y; 0 until it has moved
   std::vector<Turning> turning_;         ///< of each joint
   bool moved_ = false, snapped_ = false;

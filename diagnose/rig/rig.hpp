@@ -56,6 +56,7 @@ struct Rig {
   std::vector<Vector2> weight;               ///< dead weight of each link, at its middle, N
 
   // The chain as a whole.
+  double presliding = 0;                                   ///< turn after which dry friction slips, rad
   FrictionLaw friction_law;                                ///< of the dry friction of all joints
   double yield = std::numeric_limits<double>::infinity();  ///< tau_y, torque of plastic yield, N m
   double flow = 0;           ///< plastic change of the rest angle over (torque - tau_y) / k
@@ -73,6 +74,11 @@ struct Rig {
   double train_compliance = 0;                ///< c_t, m/N
   double misalignment = 0;                    ///< eps, rad
   Vector2 position_offset = Vector2::Zero();  ///< d_x, d_y, m
+  double pulley_friction = 0;                 ///< mu: an imposed force acts times exp(-mu) while it grows
+
+  // What reads the place of the end point under imposed forces.
+  double place_scale = 0;  ///< it shows 1 + a times the distance from the base
+  double place_turn = 0;   ///< in axes turned by this, rad
 
   // The load cell and the drive.
   double guide_friction = 0;                                     ///< f_c, N

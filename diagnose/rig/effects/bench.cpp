@@ -10,6 +10,10 @@ bool force_is_read(const Place& at) {
   return at.scales.measures_force;
 }
 
+bool place_is_read(const Place& at) {
+  return at.scales.measures(Channel::Name::x) || at.scales.measures(Channel::Name::y);
+}
+
 }  // namespace
 
 std::vector<Effect> bench_effects() {
@@ -78,6 +82,22 @@ std::vector<Effect> bench_effects() {
            },
        .add = [](const Addition& to) { to.rig.train_compliance += to.value[0]; },
        .possible = force_is_read},
+      {.id = "pulley_friction",
+       .words = "friction of a pulley over which the load hangs",
+       .dissipates = true,
+       .parameters = [](const Place&) { return std::vector{one_way("mu", "ratio", 0.03, 1)}; },
+       .add = [](const Addition& to) { to.rig.pulley_friction += to.value[0]; },
+       .possible = [](const Place& at) { return at.scales.imposes_force && at.scales.turns_back; }},
+      {.id = "camera_scale",
+       .words = "a camera that shows distances by a wrong factor",
+       .parameters = [](const Place&) { return std::vector{both_ways("a", "ratio", 0.01, -0.3, 0.3)}; },
+       .add = [](const Addition& to) { to.rig.place_scale += to.value[0]; },
+       .possible = place_is_read},
+      {.id = "camera_turn",
+       .words = "a camera whose axes are turned",
+       .parameters = [](const Place&) { return std::vector{both_ways("eps", "rad", 0.02, -0.6, 0.6)}; },
+       .add = [](const Addition& to) { to.rig.place_turn += to.value[0]; },
+       .possible = place_is_read},
   };
 }
 

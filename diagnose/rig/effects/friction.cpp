@@ -39,6 +39,30 @@ double typical_speed(const CharacteristicScales& sizes) {
 std::vector<Effect> friction_effects() {
   const Perturbation perturbation{.growing = {0}, .large_step = true};
   return {
+      {.id = "joint_friction",
+       .words = "dry friction in the joints that gives a little before it slips",
+       .dissipates = true,
+       .parameters =
+           [](const Place& at) {
+             const double turn = at.scales.deflection;
+             return std::vector<ParameterRange>{
+                 slip_torque(at),
+                 {"d_s", "rad", Coordinate::logarithm, 1, std::log(1e-4 * turn), std::log(0.5 * turn)}};
+           },
+       .add =
+           [](const Addition& to) {
+             add_dry(to);
+             to.rig.presliding = to.value[1];
+           },
+       .possible = [](const Place& at) { return at.scales.turns_back; },
+       .nested = {"joint_friction"},
+       .initial_guesses =
+           [](const Place& at, const Excitation& nominal) {
+             const double turn = at.scales.deflection;
+             return friction_guesses(nominal.torque,
+                                     {{std::log(1e-3 * turn)}, {std::log(0.01 * turn)}, {std::log(0.1 * turn)}});
+           },
+       .perturbation = perturbation},
       {.id = "load_friction",
        .words = "dry friction in the joints that grows with their deflection",
        .dissipates = true,

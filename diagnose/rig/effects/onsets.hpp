@@ -10,7 +10,7 @@ namespace plumbline::diagnose {
 
 /// s, the deflection at the threshold.
 inline ParameterRange onset_angle(std::string_view name) {
-  return {name, "rad", Coordinate::plain, 0.3, 1e-3, 3};
+  return {name, "rad", Coordinate::plain, 0.3, 1e-5, 3};
 }
 
 /// k_s, the stiffness of a stop in parallel with a spring. A smoothly stiffening spring imitates a stop that
@@ -24,9 +24,9 @@ inline ParameterRange stop_stiffness(double spring) {
 /// Initial guesses with the threshold at fractions of the largest deflection, each with two sizes.
 /// \param at  gives the parameters for a fraction and a size
 template <class Parameters>
-InitialGuesses onset_guesses(const std::array<double, 2>& sizes, Parameters at) {
+InitialGuesses onset_guesses(std::initializer_list<double> sizes, Parameters at) {
   InitialGuesses guesses{{}, 2};
-  for (const double share : {0.2, 0.4, 0.6, 0.8, 0.95})
+  for (const double share : {0.2, 0.4, 0.6, 0.8, 0.92, 0.98})
     for (const double size : sizes) guesses.points.push_back(at(share, size));
   return guesses;
 }
@@ -34,7 +34,7 @@ InitialGuesses onset_guesses(const std::array<double, 2>& sizes, Parameters at) 
 /// Initial guesses for stops: a size is the stiffness of the stop over that of the spring.
 template <class Parameters>
 InitialGuesses stop_guesses(Parameters at) {
-  return onset_guesses({0.3, 3.0}, at);
+  return onset_guesses({1.0, 30.0}, at);
 }
 
 }  // namespace plumbline::diagnose
