@@ -18,7 +18,7 @@ std::string as_html(const std::vector<Outcome>& outcomes, const Comparison& comp
 std::string same_cause(const std::vector<Outcome>& outcomes, const Comparison& comparison);
 /// "identified joint_friction", "ambiguous a | b", or the reason of a failure.
 std::string said(const Outcome& outcome);
-/// A parameter in words: "0.035 N m (95 %: …); from session to session ± 0.002 …; drift …".
+/// A parameter in words: "0.035 N m (95 %: …); spread between sessions 0.002 …; drift …".
 std::string words(const Parameter& parameter, bool by_date);
 std::string date_text(const Outcome& outcome);
 

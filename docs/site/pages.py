@@ -99,6 +99,6 @@ def page(path):
 
 shutil.rmtree(PLACE / "html", ignore_errors=True)
 shutil.rmtree(PLACE / "pages", ignore_errors=True)
-(PLACE / "pages").mkdir()
+(PLACE / "pages").mkdir(parents=True)
 for one in PAGES:
     (PLACE / "pages" / f"{label(one)}.md").write_text(page(one), encoding="utf-8")

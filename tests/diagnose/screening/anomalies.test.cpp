@@ -39,7 +39,7 @@ TEST_CASE("each anomaly is remarked on, with its run") {
   again();
   (*press)[7].Fy += 5;
   CHECK(remarks(experiment, "run press-1: Fy has a lone spike of"));
-  CHECK(remarks(experiment, "in reading 8 alone"));
+  CHECK(remarks(experiment, "N in reading 8"));
   again();
   for (Reading& reading : *press) reading.q[1] = 0.25;
   CHECK(remarks(experiment, "run press-1: q2 is constant at 0.25 rad"));
