@@ -2,429 +2,381 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <iterator>
 #include <mutex>
 #include <plumbline/base/parallel.hpp>
+#include <set>
 
-#include "diagnose/beliefs.hpp"
-#include "diagnose/decision/rival.hpp"
+#include "diagnose/discrepancy/unknown_torque.hpp"
 #include "diagnose/inference/elements.hpp"
-#include "diagnose/inference/screen.hpp"
-#include "diagnose/noise/outliers.hpp"
+#include "diagnose/inference/forecast.hpp"
+#include "diagnose/inference/prior.hpp"
+#include "diagnose/inference/start.hpp"
+#include "diagnose/noise/estimate_noise.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-bool better(const Fit& a, const Fit& b) {
-  return a.cost < b.cost;
+// ---- Extent of the search: more costs time alone ----
+/// Effects beside which a second is looked for; fewer where one leaves nothing to explain.
+constexpr std::size_t seeds = 8, seeds_of_enough = 2;
+/// Effects beside which tolerances are fitted, pairs beside which a third is looked for, hypotheses that are taken
+/// apart.
+constexpr std::size_t beside_tolerances = 5, pairs = 6, taken_apart = 4;
+/// Forecasts that are fitted: of pairs, of threes, for each effect that is replaced.
+constexpr std::size_t fitted_pairs = 16, fitted_threes = 12, fitted_replacements = 8;
+/// Hypotheses within so many nats of the best are maximised beside a discrepancy, so many at most.
+constexpr double near_best = 25;
+constexpr std::size_t refined_at_once = 12, refined_at_last = 24;
+
+constexpr Effort fine{4, 0.03};
+
+/// A rough fit ends where an iteration takes half a per cent off the squares.
+Effort rough(std::size_t values) {
+  return {12, std::max(0.1, 0.0025 * static_cast<double>(values)), true};
 }
 
 bool same(const Candidate& a, const Candidate& b) {
-  return std::is_permutation(a.effects.begin(), a.effects.end(), b.effects.begin(), b.effects.end());
+  return a.effects.size() == b.effects.size() &&
+         std::is_permutation(a.effects.begin(), a.effects.end(), b.effects.begin(), b.effects.end());
 }
 
-/// Adds fits, best first; of two of the same candidate the better.
-void add(std::vector<Fit>& fits, std::vector<Fit> more) {
-  for (Fit& one : more) {
-    const auto known = std::find_if(fits.begin(), fits.end(),
-                                    [&](const Fit& other) { return same(other.candidate, one.candidate); });
-    if (known == fits.end()) {
-      fits.push_back(std::move(one));
-    } else if (better(one, *known)) {
-      *known = std::move(one);
-    }
-  }
-  std::sort(fits.begin(), fits.end(), better);
-}
-
-/// How far a search goes. A second effect is looked for beside the twenty best effects alone: of two causes
-/// one is among them unless both hide behind more than a score that mimic their sum. A third is looked for
-/// beside the ten best pairs. The two dozen that promise most are fitted. Where an effect with two values or
-/// more fits, fewer will do: it is held against two with few values, and against what machining leaves, alone
-/// and beside one effect more.
-constexpr std::size_t single_seeds = 20, pair_seeds = 10, few_valued_seeds = 10, finalists = 24;
-
-/// So many of the best combinations are examined for simpler ones.
-constexpr std::size_t examined = 3;
-
-/// Effects that might act together, and where their fit may start.
-struct Combination {
+/// A candidate to be fitted.
+struct Task {
   Candidate candidate;
-  InitialGuesses guesses;
-  double cost;  ///< forecast
+  InitialGuesses starts;
+  double cost = 0;  ///< forecast of the squares that it leaves
 };
 
 class Searcher {
  public:
-  explicit Searcher(const Study& study) : study_(study) {
-    // What the readings scatter, and nothing of how they hang together: the gap is still in them.
-    settings_.noise.scale =
-        estimate_noise(study.measurements(), without_outliers(study.measurements(), study.nominal_residual()))
-            .scale;
+  explicit Searcher(const Study& study)
+      : study_(study), nominal_residual_(study.nominal_residual()), listed_(possible_effects(study)) {
+    found_.states = std::make_shared<CommandStates>(study.experiment());
+    found_.outside = unknown_torques(study);
+    set_likelihoods(nominal_residual_, NoiseShape(study.measurements()));
   }
 
-  /// \param report  called with the share of them that is fitted
-  [[nodiscard]] std::vector<Fit> singles(const std::function<void(double)>& report) const {
-    const std::vector<EffectAt> effects = possible_effects(study_);
-    std::mutex one_at_a_time;
+  Findings run(const std::function<void(double)>& report) {
+    fit_singles([&](double share) { report(0.4 * share); });
+    const bool enough = without_discrepancy() > 0.9;
+    extend(leading_singles(enough ? seeds_of_enough : seeds), fitted_pairs);
+    report(0.6);
+    fit_beside_tolerances();
+    report(0.7);
+    if (without_discrepancy() < 0.5) extend(leading_pairs(), fitted_threes);
+    report(0.8);
+    for (int round = 0; round < 2; ++round) take_apart();
+    fit_other_orders();
+    report(0.9);
+    settle();
+    drop_idle();
+    report(1);
+    return std::move(found_);
+  }
+
+ private:
+  /// The likelihoods for the noise that a residual shows.
+  void set_likelihoods(const VectorXd& residual, NoiseShape start) {
+    const Measurements& measurements = study_.measurements();
+    const NoiseShape shape = estimate_noise(study_.experiment(), measurements, *found_.states, nominal_residual_,
+                                            residual, std::move(start));
+    const auto likelihood_of = [&](const Hyperpriors& priors) {
+      return std::make_shared<Likelihood>(measurements, *found_.states, priors, shape, nominal_residual_);
+    };
+    const auto full = likelihood_of(full_model());
+    full->prune(residual);
+    found_.likelihood = full;
+    rough_likelihood_ = likelihood_of(white_noise_alone());
+    found_.nominal = full->look(nominal_residual_);
+    const Decomposition parts = full->decompose(residual);
+    weight_ = shape.relative.cwiseInverse();
+    for (std::size_t b = 0; b < parts.noise.size(); ++b) {
+      const Block& block = measurements.blocks()[b];
+      weight_.segment(block.first, block.count) /= parts.noise[b].scale;
+    }
+    for (std::size_t i = 0; i < shape.outlier.size(); ++i)
+      if (shape.outlier[i]) weight_(static_cast<Eigen::Index>(i)) = 0;
+  }
+
+  /// Whether there are three readings for each parameter; those with Gaussian priors count as one.
+  [[nodiscard]] bool affordable(const Candidate& candidate) const {
+    constexpr std::size_t most = 60;
+    std::size_t free = 0, held = 0;
+    for (const ParameterRange& range : study_.ranges(candidate)) ++(range.tolerance > 0 ? held : free);
+    return 3 * (free + std::min<std::size_t>(held, 1)) <= study_.measurements().size() && free + held <= most;
+  }
+
+  [[nodiscard]] const Hypothesis* find(const Candidate& candidate) const {
+    const auto place = std::find_if(found_.hypotheses.begin(), found_.hypotheses.end(),
+                                    [&](const Hypothesis& h) { return same(h.candidate, candidate); });
+    return place == found_.hypotheses.end() ? nullptr : &*place;
+  }
+
+  /// Probability that nothing is left beside the leading hypothesis.
+  [[nodiscard]] double without_discrepancy() const {
+    if (found_.hypotheses.empty()) return 0;
+    const Look& lead = found_.hypotheses.front().look;
+    return std::exp(log_posterior(lead.log_by_amplitude, found_.likelihood->priors().log_amplitude).front());
+  }
+
+  /// Fits side by side, in white noise and then weighed beside a discrepancy; maximises there what leads.
+  void fit(const std::vector<Task>& tasks, const std::function<void(double)>& report = [](double) {}) {
+    std::vector<Hypothesis> fitted(tasks.size());
     std::size_t done = 0;
-    std::vector<Fit> fits = side_by_side(effects.size(), [&](std::size_t e) {
-      Fit fitted = fit(study_, Candidate{{effects[e]}}, settings_);
+    std::mutex one_at_a_time;
+    in_parallel(tasks.size(), study_.threads(), [&](std::size_t t) {
+      if (affordable(tasks[t].candidate)) {
+        fitted[t] = maximised(study_, *rough_likelihood_, tasks[t].candidate, tasks[t].starts,
+                              rough(study_.measurements().size()));
+        if (fitted[t].converged) look_again(study_, *found_.likelihood, fitted[t]);
+      }
       const std::lock_guard only(one_at_a_time);
-      report(static_cast<double>(++done) / static_cast<double>(effects.size()));
-      return fitted;
+      report(static_cast<double>(++done) / static_cast<double>(tasks.size()));
     });
-    std::sort(fits.begin(), fits.end(), better);
-    return fits;
+    for (Hypothesis& one : fitted) add(std::move(one));
+    sort();
+    refine(refined_at_once, near_best);
   }
 
-  /// Friction or play at every joint leaves hollows, in which one joint has what is another's: the best of
-  /// the kind, with what neighbours have exchanged, or the next but one. Of 160 benches of five links on
-  /// which unequal friction was planted 32 went astray, and so none.
-  [[nodiscard]] std::vector<Fit> exchanged(const std::vector<Fit>& singles) const {
-    constexpr std::size_t seeds = 6;
-    std::vector<const Fit*> from;
-    for (std::size_t s = 0; s < std::min(seeds, singles.size()); ++s) {
-      const std::vector<ParameterRange> ranges = study_.ranges(singles[s].candidate);
-      if (std::all_of(ranges.begin(), ranges.end(), [](const ParameterRange& range) {
-            return range.coordinate == Coordinate::plain && range.low == 0;
-          }))
-        from.push_back(&singles[s]);
+  /// Keeps the better of two fits of one candidate.
+  void add(Hypothesis one) {
+    if (!one.converged) return;
+    const auto place = std::find_if(found_.hypotheses.begin(), found_.hypotheses.end(),
+                                    [&](const Hypothesis& h) { return same(h.candidate, one.candidate); });
+    if (place == found_.hypotheses.end()) {
+      found_.hypotheses.push_back(std::move(one));
+    } else if (one.log_evidence > place->log_evidence) {
+      *place = std::move(one);
     }
-    return side_by_side(from.size(), [&](std::size_t i) { return exchanged(*from[i]); });
   }
 
-  /// Those of which no effect has many values.
-  [[nodiscard]] std::vector<Fit> few_valued(std::vector<Fit> fits) const {
-    std::erase_if(fits, [&](const Fit& one) { return many_valued(study_, one.candidate) > 0; });
-    return fits;
+  void sort() {
+    std::stable_sort(found_.hypotheses.begin(), found_.hypotheses.end(),
+                     [](const Hypothesis& a, const Hypothesis& b) { return a.log_evidence > b.log_evidence; });
   }
 
-  /// What is known already, from where it stands.
-  [[nodiscard]] std::vector<Fit> again(const Findings& known) const {
-    return side_by_side(known.hypotheses.size(), [&](std::size_t h) {
-      const Fit& one = known.hypotheses[h].fit;
-      return fit_from(study_, one.candidate, settings_, one.parameters);
+  /// Maximises beside a discrepancy what leads, and was not yet.
+  void refine(std::size_t most, double near) {
+    std::vector<Hypothesis*> leading;
+    for (Hypothesis& h : found_.hypotheses)
+      if (!h.refined && leading.size() < most && h.log_evidence > found_.hypotheses.front().log_evidence - near)
+        leading.push_back(&h);
+    in_parallel(leading.size(), study_.threads(), [&](std::size_t i) {
+      Hypothesis better =
+          maximised(study_, *found_.likelihood, leading[i]->candidate, leading[i]->parameters, fine);
+      better.refined = true;
+      if (better.converged) *leading[i] = std::move(better);
     });
+    sort();
   }
 
-  /// Adds one more effect to each of the best so far.
-  /// \param most  so many of the effects may have many values
-  [[nodiscard]] std::vector<Fit> extended(const std::vector<Fit>& from, std::size_t seeds,
-                                          std::size_t most = 1) const {
-    std::vector<std::vector<Prospect>> prospects(std::min(seeds, from.size()));
-    in_parallel(prospects.size(), study_.threads(),
-                [&](std::size_t s) { prospects[s] = screen(study_, from[s], settings_); });
-    std::vector<Combination> combinations;
-    for (std::size_t s = 0; s < prospects.size(); ++s) {
-      for (const Prospect& prospect : prospects[s])
-        // Two effects with many values follow anything.
-        if (Combination both = joined(from[s], prospect); many_valued(study_, both.candidate) <= most)
-          offer(combinations, std::move(both));
+  void fit_singles(const std::function<void(double)>& report) {
+    std::vector<Task> tasks;
+    for (const EffectAt& at : listed_) tasks.push_back({Candidate{{at}}, initial_guesses(study_, at)});
+    for (const Effect& row : *found_.outside)
+      for (std::size_t j = 0; j < study_.scales().link_length.size(); ++j)
+        if (study_.scales().joint_stiffness[j] > 0)
+          tasks.push_back({Candidate{{EffectAt(row, j + 1)}}, initial_guesses(study_, EffectAt(row, j + 1))});
+    fit(tasks, report);
+  }
+
+  [[nodiscard]] double squares(const Hypothesis& h) const {
+    return weight_.cwiseProduct(h.residual).squaredNorm();
+  }
+
+  /// The single effects that explain most, those by evidence and those by least squares.
+  [[nodiscard]] std::vector<Hypothesis> leading_singles(std::size_t count) const {
+    std::vector<const Hypothesis*> by_evidence, by_squares;
+    for (const Hypothesis& h : found_.hypotheses)
+      if (h.candidate.effects.size() == 1) by_evidence.push_back(&h);
+    by_squares = by_evidence;
+    std::stable_sort(by_squares.begin(), by_squares.end(),
+                     [&](const Hypothesis* a, const Hypothesis* b) { return squares(*a) < squares(*b); });
+    std::vector<Hypothesis> result;
+    std::set<const Hypothesis*> taken;
+    for (std::size_t i = 0; i < std::min(count, by_evidence.size()); ++i)
+      for (const Hypothesis* h : {by_evidence[i], by_squares[i]})
+        if (taken.insert(h).second) result.push_back(*h);
+    return result;
+  }
+
+  [[nodiscard]] std::vector<Hypothesis> leading_pairs() const {
+    std::vector<Hypothesis> result;
+    for (const Hypothesis& h : found_.hypotheses)
+      if (h.candidate.count() == 2 && result.size() < pairs) result.push_back(h);
+    return result;
+  }
+
+  /// Adds an effect of the catalogue to each of some hypotheses, where that promises most.
+  void extend(const std::vector<Hypothesis>& from, std::size_t most) {
+    std::vector<std::vector<Prospect>> prospects(from.size());
+    in_parallel(from.size(), study_.threads(),
+                [&](std::size_t s) { prospects[s] = forecast(study_, weight_, listed_, from[s]); });
+    std::vector<Task> tasks;
+    for (std::size_t s = 0; s < from.size(); ++s)
+      for (const Prospect& one : prospects[s]) {
+        Candidate both = from[s].candidate;
+        both.effects.push_back(one.effect);
+        if (find(both) == nullptr && affordable(both)) offer(tasks, {both, one.starts, one.cost});
+      }
+    fit_most_promising(std::move(tasks), most);
+  }
+
+  /// Keeps the better of two ways to one candidate.
+  static void offer(std::vector<Task>& tasks, Task one) {
+    const auto place =
+        std::find_if(tasks.begin(), tasks.end(), [&](const Task& t) { return same(t.candidate, one.candidate); });
+    if (place == tasks.end()) {
+      tasks.push_back(std::move(one));
+    } else if (one.cost < place->cost) {
+      *place = std::move(one);
     }
-    std::sort(combinations.begin(), combinations.end(),
-              [](const Combination& a, const Combination& b) { return a.cost < b.cost; });
-    std::vector<Fit> fits = side_by_side(std::min(finalists, combinations.size()), [&](std::size_t c) {
-      return fit(study_, combinations[c].candidate, settings_, combinations[c].guesses);
+  }
+
+  /// Log likelihood in white noise, times the prior of the candidate.
+  [[nodiscard]] double promise(double cost, const Candidate& candidate) const {
+    return -cost / 2 + log_prior(study_, candidate);
+  }
+
+  void fit_most_promising(std::vector<Task> tasks, std::size_t most) {
+    constexpr double margin = 3;  // nats, of a linear forecast
+    double reached = -std::numeric_limits<double>::infinity();
+    for (const Hypothesis& h : found_.hypotheses) reached = std::max(reached, promise(squares(h), h.candidate));
+    std::erase_if(tasks, [&](const Task& t) { return promise(t.cost, t.candidate) < reached - margin; });
+    std::stable_sort(tasks.begin(), tasks.end(), [&](const Task& a, const Task& b) {
+      return promise(a.cost, a.candidate) > promise(b.cost, b.candidate);
     });
-    std::sort(fits.begin(), fits.end(), better);
-    return fits;
+    if (tasks.size() > most) tasks.resize(most);
+    fit(tasks);
   }
 
-  /// Everything that machining leaves, at once, also of a single joint, of which one kind alone would be a
-  /// wrong stiffness or rest angle; nothing where it has too many values to be fitted in time.
-  [[nodiscard]] std::vector<Fit> machined() const {
-    constexpr std::size_t most_values = 40;
-    Candidate candidate;
-    for (const Effect* row : study_.effects())
-      if (row->is_tolerance) candidate.effects.emplace_back(*row);
-    const bool can_be = study_.ranges(candidate).size() <= most_values;
-    return side_by_side(can_be ? 1 : 0, [&](std::size_t) { return fit(study_, candidate, settings_); });
-  }
-
-  /// The best combinations with one effect left out, started where the combination stands: a search that went
-  /// astray alone may have found its place in company. A kind of machining is not left out where the others
-  /// are no rows by themselves.
-  [[nodiscard]] std::vector<Fit> parts(const std::vector<Fit>& combinations) const {
-    const std::vector<EffectAt> possible = possible_effects(study_);
-    const bool has_kinds =
-        std::all_of(study_.effects().begin(), study_.effects().end(), [&](const Effect* row) {
-          return !row->is_tolerance ||
-                 std::find(possible.begin(), possible.end(), EffectAt(*row)) != possible.end();
-        });
-    std::vector<std::pair<const Fit*, EffectAt>> cuts;
-    for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c) {
-      const Candidate& whole = combinations[c].candidate;
-      for (const EffectAt& left_out : whole.effects)
-        if (whole.effects.size() > 1 && (has_kinds || !whole.has_as_tolerance(left_out)))
-          cuts.emplace_back(&combinations[c], left_out);
+  /// Manufacturing tolerances, alone and beside what leads.
+  void fit_beside_tolerances() {
+    std::vector<Hypothesis> leading = leading_singles(beside_tolerances);
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, found_.hypotheses.size()); ++i)
+      if (found_.hypotheses[i].candidate.effects.size() > 1) leading.push_back(found_.hypotheses[i]);
+    leading.push_back({});  // alone
+    std::vector<Task> tasks;
+    for (const Hypothesis& h : leading) {
+      const bool has_some = std::any_of(h.candidate.effects.begin(), h.candidate.effects.end(),
+                                        [](const EffectAt& at) { return at.effect->is_tolerance; });
+      if (has_some) continue;
+      Candidate both = h.candidate;
+      for (const Effect* row : study_.effects())
+        if (row->is_tolerance) both.effects.emplace_back(*row);
+      std::vector<double> start = h.parameters;
+      start.resize(study_.ranges(both).size(), 0.0);
+      tasks.push_back({both, {{start}, 1}});
     }
-    std::vector<Fit> fits =
-        side_by_side(cuts.size(), [&](std::size_t i) { return without(*cuts[i].first, cuts[i].second); });
-    std::sort(fits.begin(), fits.end(), better);
-    return fits;
+    fit(tasks);
   }
 
-  /// What leaves more than a part of it that is known has gone astray, for with the rest at nothing it is
-  /// that part: fitted again from there.
-  [[nodiscard]] std::vector<Fit> from_parts(const std::vector<Fit>& fits) const {
-    constexpr double sizeable = 1;  // of the cost; less is where an iteration ended
-    std::vector<std::pair<const Fit*, const Fit*>> astray;
-    for (const Fit& whole : fits) {
-      const auto better_part = std::find_if(fits.begin(), fits.end(), [&](const Fit& one) {
-        return one.cost + sizeable < whole.cost && one.candidate.is_part_of(whole.candidate);
-      });
-      if (better_part != fits.end()) astray.emplace_back(&whole, &*better_part);
-    }
-    return side_by_side(astray.size(), [&](std::size_t i) {
-      const auto& [whole, known] = astray[i];
-      return fit_from(study_, whole->candidate, settings_, completed(*whole, *known));
+  /// The leading hypotheses without each of their effects, and with every other effect in its place: a set of
+  /// hypotheses that lacks an alias of the best would be too sure of it.
+  void take_apart() {
+    std::vector<Task> parts;
+    const auto for_each_leading = [&](const auto& use) {
+      for (std::size_t i = 0; i < std::min(taken_apart, found_.hypotheses.size()); ++i)
+        if (found_.hypotheses[i].candidate.count() > 1) use(found_.hypotheses[i]);
+    };
+    for_each_leading([&](const Hypothesis& h) {
+      for (const EffectAt& gone : h.candidate.effects) {
+        if (h.candidate.has_as_tolerance(gone)) continue;
+        const Instance rest =
+            part(study_, h.candidate, h.parameters, [&](const EffectAt& at) { return !(at == gone); });
+        if (from_whole_.insert(rest.candidate.label()).second)
+          parts.push_back({rest.candidate, {{rest.parameters}, 1}});
+      }
     });
+    fit(parts);
+    std::vector<Hypothesis> rests;
+    for_each_leading([&](const Hypothesis& h) {
+      for (const Hypothesis& rest : found_.hypotheses)
+        if (rest.candidate.is_part_of(h.candidate) && rest.candidate.count() + 1 == h.candidate.count() &&
+            replaced_.insert(rest.candidate.label()).second)
+          rests.push_back(rest);
+    });
+    extend(rests, fitted_replacements * rests.size());
   }
 
-  /// The same with every other number of elements that an effect of it may have, each from the one before.
-  [[nodiscard]] std::vector<Fit> in_other_numbers(const Fit& fitted) const {
-    std::vector<Fit> fits;
-    for (std::size_t e = 0; e < fitted.candidate.effects.size(); ++e) {
-      const EffectAt& at = fitted.candidate.effects[e];
-      if (!at.effect->orders) continue;
-      const std::vector<const Effect*> rows = at.effect->orders();
-      const auto own = std::find(rows.begin(), rows.end(), at.effect);
-      const auto step_on = [&, last = fitted](const Effect* row) mutable {
-        if (!last.converged) return;
-        const InitialGuesses from = in_number(study_, last, e, *row);
-        last.candidate.effects[e] = EffectAt(*row, at.joint);
-        fits.push_back(last = fit(study_, last.candidate, settings_, from));
+  /// The leading hypothesis with every other number of elements that an effect of it may have.
+  void fit_other_orders() {
+    if (found_.hypotheses.empty()) return;
+    const Hypothesis lead = found_.hypotheses.front();
+    for (std::size_t e = 0; e < lead.candidate.effects.size(); ++e) {
+      if (!lead.candidate.effects[e].effect->orders) continue;
+      const std::vector<const Effect*> rows = lead.candidate.effects[e].effect->orders();
+      const auto own = std::find(rows.begin(), rows.end(), lead.candidate.effects[e].effect);
+      const auto step_on = [&, last = lead](const Effect* row) mutable {
+        Task task{last.candidate, initial_guesses_of_order(study_, last, e, *row)};
+        task.candidate.effects[e] = EffectAt(*row, last.candidate.effects[e].joint);
+        fit({task});
+        if (const Hypothesis* found = find(task.candidate)) last = *found;
       };
       std::for_each(std::make_reverse_iterator(own), rows.rend(), step_on);
       std::for_each(own + 1, rows.end(), step_on);
     }
-    std::erase_if(fits, [&](const Fit& one) { return !of_use(one); });
-    return fits;
   }
 
-  /// The best combinations with one effect made a special case of it: a tare of each run that is alike in
-  /// all, say, is one tare.
-  [[nodiscard]] std::vector<Fit> plainer(const std::vector<Fit>& combinations) const {
-    std::vector<Candidate> plain_ones;
-    for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c) {
-      const Candidate& whole = combinations[c].candidate;
-      for (std::size_t e = 0; e < whole.effects.size(); ++e) {
-        if (whole.has_as_tolerance(whole.effects[e])) continue;
-        for (const EffectAt& plain : possible_effects(study_)) {
-          if (!covers(whole.effects[e], plain) || whole.has(plain)) continue;
-          plain_ones.push_back(whole);
-          plain_ones.back().effects[e] = plain;
-        }
-      }
+  /// Estimates the noise again where the best hypothesis is taken away, and weighs all by it.
+  void settle() {
+    if (found_.hypotheses.empty()) return;
+    for (int round = 0; round < 2; ++round) {
+      const NoiseShape before = found_.likelihood->shape();
+      set_likelihoods(found_.hypotheses.front().residual, before);
+      for (Hypothesis& h : found_.hypotheses) look_again(study_, *found_.likelihood, h);
+      sort();
+      const NoiseShape& now = found_.likelihood->shape();
+      if (now.outlier == before.outlier && now.relative == before.relative) break;
     }
-    return side_by_side(plain_ones.size(),
-                        [&](std::size_t i) { return fit(study_, plain_ones[i], settings_); });
+    for (Hypothesis& h : found_.hypotheses) h.refined = false;
+    refine(refined_at_last, near_best / 2);
   }
 
- private:
-  /// Neighbours, and their next neighbours.
-  static std::vector<std::pair<std::size_t, std::size_t>> near_pairs(std::size_t count) {
-    std::vector<std::pair<std::size_t, std::size_t>> pairs;
-    for (const std::size_t apart : {1U, 2U})
-      for (std::size_t p = 0; p + apart < count; ++p) pairs.emplace_back(p, p + apart);
-    return pairs;
-  }
-
-  [[nodiscard]] Fit exchanged(Fit best) const {
-    constexpr double sizeable = 1;  // of the cost
-    for (double before = std::numeric_limits<double>::infinity(); best.cost < before - sizeable;) {
-      before = best.cost;
-      for (const auto& [one, other] : near_pairs(best.parameters.size())) {
-        std::vector<double> start = best.parameters;
-        std::swap(start[one], start[other]);
-        if (Fit there = fit_from(study_, best.candidate, settings_, start);
-            there.converged && better(there, best))
-          best = std::move(there);
-      }
-    }
-    return best;
-  }
-
-  [[nodiscard]] Fit without(const Fit& combination, const EffectAt& left_out) const {
-    const Instance rest = part(study_, combination.candidate, combination.parameters,
-                               [&](const EffectAt& at) { return at != left_out; });
-    return fit_from(study_, rest.candidate, settings_, rest.parameters);
-  }
-
-  /// Parameters of the whole: those of the part where it has them, nothing for tolerances that it has not,
-  /// and its own for the rest.
-  [[nodiscard]] std::vector<double> completed(const Fit& whole, const Fit& known) const {
-    std::vector<double> parameters;
-    for (const EffectAt& at : whole.candidate.effects) {
-      const Fit& from = known.candidate.has(at) ? known : whole;
-      std::vector<double> own = part(study_, from.candidate, from.parameters, [&](const EffectAt& one) {
-                                  return one == at;
-                                }).parameters;
-      const std::vector<ParameterRange> ranges = study_.ranges(at);
-      for (std::size_t i = 0; i < own.size(); ++i)
-        if (&from == &whole && ranges[i].tolerance > 0) own[i] = 0;
-      parameters.insert(parameters.end(), own.begin(), own.end());
-    }
-    return parameters;
-  }
-
-  /// So many fits, shared among the cores; in their order those that are of use.
-  template <class Make>
-  [[nodiscard]] std::vector<Fit> side_by_side(std::size_t count, const Make& make) const {
-    std::vector<Fit> fits(count);
-    in_parallel(count, study_.threads(), [&](std::size_t i) { fits[i] = make(i); });
-    std::erase_if(fits, [&](const Fit& one) { return !of_use(one); });
-    return fits;
-  }
-
-  /// What converged, unless its parameters are too many for so few readings: three for each. Those that are
-  /// held by tolerances count as one.
-  [[nodiscard]] bool of_use(const Fit& one) const {
-    std::size_t free = 0, held = 0;
-    for (const ParameterRange& range : study_.ranges(one.candidate)) ++(range.tolerance > 0 ? held : free);
-    return one.converged && 3 * (free + std::min<std::size_t>(held, 1)) <= study_.measurements().size();
-  }
-
-  static Combination joined(const Fit& base, const Prospect& prospect) {
-    Combination both{base.candidate, {prospect.from, 1}, prospect.cost};
-    both.candidate.effects.push_back(prospect.effect);
-    return both;
-  }
-
-  /// Keeps the better of two ways to the same combination.
-  static void offer(std::vector<Combination>& combinations, Combination one) {
-    const auto known = std::find_if(combinations.begin(), combinations.end(), [&](const Combination& other) {
-      return same(other.candidate, one.candidate);
+  /// Whether the readings do not notice an effect of a hypothesis: without it they are as likely.
+  [[nodiscard]] bool has_idle(const Hypothesis& h) const {
+    constexpr double noticed = 1;  // nat
+    return std::any_of(h.candidate.effects.begin(), h.candidate.effects.end(), [&](const EffectAt& gone) {
+      if (h.candidate.has_as_tolerance(gone)) return false;
+      const Instance rest =
+          part(study_, h.candidate, h.parameters, [&](const EffectAt& at) { return !(at == gone); });
+      const Prediction predicted = predict(study_, rest.candidate, rest.parameters);
+      if (!predicted.reached) return false;
+      const VectorXd residual = study_.residual(predicted);
+      return residual.allFinite() &&
+             found_.likelihood->look(residual).log_likelihood > h.look.log_likelihood - noticed;
     });
-    if (known == combinations.end()) {
-      combinations.push_back(std::move(one));
-    } else if (one.cost < known->cost) {
-      *known = std::move(one);
-    }
+  }
+
+  /// A hypothesis with an idle effect is another, simpler one.
+  void drop_idle() {
+    constexpr std::size_t most = 40;
+    std::vector<char> idle(std::min(most, found_.hypotheses.size()), 0);
+    in_parallel(idle.size(), study_.threads(),
+                [&](std::size_t i) { idle[i] = has_idle(found_.hypotheses[i]); });
+    std::vector<Hypothesis> kept;
+    for (std::size_t i = 0; i < idle.size(); ++i)
+      if (!idle[i]) kept.push_back(std::move(found_.hypotheses[i]));
+    found_.hypotheses = std::move(kept);
   }
 
   const Study& study_;
-  FitSettings settings_;
+  VectorXd nominal_residual_;
+  std::vector<EffectAt> listed_;  ///< of the catalogue and the user's
+  Findings found_;
+  std::shared_ptr<const Likelihood> rough_likelihood_;
+  VectorXd weight_;  ///< by value: one over its noise, in declared sigmas
+  std::set<std::string> from_whole_, replaced_;  ///< labels: fitted from a larger one; extended by all
 };
 
-/// Noise so wide that neighbouring readings that share it weigh together as one.
-NoiseModel shared_by_neighbours(NoiseModel noise) {
-  for (double& scale : noise.scale) scale *= std::sqrt(beliefs::share_a_misfit);
-  return noise;
-}
-
 }  // namespace
 
-void weigh(const Study& study, Findings& findings) {
-  auto& hypotheses = findings.hypotheses;
-  if (hypotheses.empty()) return;
-  const auto best = std::min_element(hypotheses.begin(), hypotheses.end(),
-                                     [](const auto& a, const auto& b) { return better(a.fit, b.fit); });
-  findings.noise =
-      findings.tolerance
-          ? shared_by_neighbours(*findings.tolerance)
-          : estimate_noise(study.measurements(), without_outliers(study.measurements(), best->fit.residual));
-  in_parallel(hypotheses.size(), study.threads(), [&](std::size_t h) {
-    Hypothesis& one = hypotheses[h];
-    one.log_likelihood = log_likelihood(study.measurements(), one.fit.residual, findings.noise);
-    one.log_evidence = log_evidence(study, one.fit, findings.noise);
-  });
-  std::sort(hypotheses.begin(), hypotheses.end(),
-            [](const Hypothesis& a, const Hypothesis& b) { return a.log_evidence > b.log_evidence; });
-}
-
-namespace {
-
-Findings weighed(const Study& study, std::vector<Fit> fits) {
-  Findings findings;
-  for (Fit& one : fits) findings.hypotheses.push_back({std::move(one), 0, 0, {}});
-  weigh(study, findings);
-  return findings;
-}
-
-/// Adds what machining leaves to the fits. \returns that with one effect more, and what else the best of
-/// these may act with: alone it may have been too far behind to be looked at.
-std::vector<Fit> beside_machining(const Searcher& searcher, const std::vector<Fit>& singles,
-                                  std::vector<Fit>& fits) {
-  add(fits, searcher.machined());
-  add(fits, searcher.from_parts(fits));
-  std::vector<Fit> machined = fits;
-  std::erase_if(machined, [](const Fit& one) { return !one.candidate.has_all_tolerances(); });
-  std::vector<Fit> more = searcher.extended(machined, 1);
-  if (more.empty() || singles.size() <= single_seeds) return more;
-  const EffectAt partner = more.front().candidate.effects.back();
-  const auto passed_over = std::find_if(singles.begin() + single_seeds, singles.end(), [&](const Fit& one) {
-    return one.candidate == Candidate{{partner}};
-  });
-  if (passed_over != singles.end()) add(more, searcher.extended({*passed_over}, 1));
-  return more;
-}
-
-/// Adds what leads with every other number of elements that it may have.
-Findings in_their_numbers(const Study& study, const Searcher& searcher, Findings findings) {
-  if (findings.hypotheses.empty()) return findings;
-  std::vector<Fit> others = searcher.in_other_numbers(findings.hypotheses.front().fit);
-  std::erase_if(others, [&](const Fit& one) {
-    return std::any_of(findings.hypotheses.begin(), findings.hypotheses.end(),
-                       [&](const Hypothesis& known) { return same(known.fit.candidate, one.candidate); });
-  });
-  if (others.empty()) return findings;
-  for (Fit& one : others) findings.hypotheses.push_back({std::move(one), 0, 0, {}});
-  weigh(study, findings);
-  return findings;
-}
-
-}  // namespace
-
-Findings search(const Study& study, const std::function<void(double)>& progress, const Findings& known) {
-  const auto report = [&](double share) {
+Findings search(const Study& study, const std::function<void(double)>& progress) {
+  return Searcher(study).run([&](double share) {
     if (progress) progress(share);
-  };
-  const Searcher searcher(study);
-  std::vector<Fit> singles = searcher.singles([&](double share) { report(0.5 * share); });
-  add(singles, searcher.exchanged(singles));
-  std::vector<Fit> fits = singles;
-  add(fits, searcher.again(known));
-  const auto p_value = [&] { return structure_p_value(study.measurements(), fits.front().residual); };
-  constexpr double look_further = 0.05;  // a search more costs time alone
-  if (!fits.empty() && p_value() < look_further) add(fits, searcher.in_other_numbers(fits.front()));
-  if (!fits.empty() && p_value() < look_further) {
-    std::vector<Fit> pairs = searcher.extended(singles, single_seeds);
-    add(fits, pairs);
-    add(fits, searcher.parts(pairs));
-    add(fits, searcher.plainer(pairs));
-    report(0.7);
-    add(pairs, beside_machining(searcher, singles, fits));
-    add(fits, pairs);
-    report(0.8);
-    if (p_value() < beliefs::fit_level) {
-      const std::vector<Fit> threes = searcher.extended(pairs, pair_seeds);
-      add(fits, threes);
-      add(fits, searcher.parts(threes));
-      add(fits, searcher.plainer(threes));
-    }
-    add(fits, searcher.from_parts(fits));
-    // What came out best may hold a plainer one that was passed over: of three, one. What machining leaves is
-    // not taken apart beside another cause.
-    std::vector<Fit> fewer = fits;
-    std::erase_if(fewer, [](const Fit& one) { return one.candidate.has_all_tolerances(); });
-    for (int cut = 0; cut < 2; ++cut) {
-      fewer = searcher.parts(fewer);
-      add(fits, fewer);
-    }
-  } else if (!fits.empty()) {
-    const Candidate best = weighed(study, fits).hypotheses.front().fit.candidate;
-    if (study.ranges(best).size() > 1) {
-      add(fits, searcher.extended(searcher.few_valued(singles), few_valued_seeds, 0));
-      add(fits, beside_machining(searcher, singles, fits));
-      add(fits, searcher.from_parts(fits));
-    }
-  }
-  Findings findings = in_their_numbers(study, searcher, weighed(study, std::move(fits)));
-  report(1);
-  return findings;
+  });
 }
 
 }  // namespace plumbline::diagnose

@@ -1,41 +1,26 @@
 #pragma once
 /// \file
-/// Looking for what explains the readings: every effect alone, then two and three together where one is not
-/// enough.
+/// The search for hypotheses: which effects may act, fitted and weighed.
 
 #include <functional>
-#include <optional>
+#include <memory>
 
-#include "diagnose/inference/evidence.hpp"
-#include "diagnose/noise/gap.hpp"
+#include "diagnose/inference/hypothesis.hpp"
 
 namespace plumbline::diagnose {
 
-/// An explanation that was fitted.
-struct Hypothesis {
-  Fit fit;
-  double log_likelihood = 0;
-  double log_evidence = 0;
-  std::optional<double> p_value;  ///< of the test for structure in what it leaves, where it was needed
-};
-
-/// What the search found, best evidence first, and the noise that the best of them leaves.
+/// What was found of an experiment. Hypotheses point into `outside` and the catalogue.
 struct Findings {
-  std::vector<Hypothesis> hypotheses;
-  NoiseModel noise;
-  /// What an explanation may leave, where that is more than the readings scatter. `noise` is then wider by as
-  /// much as makes neighbours that share what is left count as one.
-  std::optional<NoiseModel> tolerance = std::nullopt;
+  std::shared_ptr<const CommandStates> states;
+  std::shared_ptr<const std::vector<Effect>> outside;  ///< rows of unknown torques
+  std::shared_ptr<const Likelihood> likelihood;
+  Look nominal;                        ///< what the likelihood says of the nominal model
+  std::vector<Hypothesis> hypotheses;  ///< most evidence first
 };
 
-/// Fits every possible effect; where the best still leaves structure, combinations of two, then of three.
+/// Fits every effect, alone and then beside those that explain most; takes the leading hypotheses apart and puts
+/// every other effect in the place of each of theirs; and weighs all by the noise that the best of them leaves.
 /// \param progress  called with the share of the work that is done
-/// \param known     what was fitted to the same readings already, and is looked at too
-Findings search(const Study& study, const std::function<void(double)>& progress = {},
-                const Findings& known = {});
-
-/// Weighs fitted hypotheses against each other, best evidence first, in the noise that the best of them
-/// leaves, or in what is tolerated and shared by neighbours.
-void weigh(const Study& study, Findings& findings);
+Findings search(const Study& study, const std::function<void(double)>& progress = {});
 
 }  // namespace plumbline::diagnose

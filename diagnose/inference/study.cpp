@@ -71,11 +71,11 @@ const Prediction& Study::nominal() const {
   return late_->nominal;
 }
 
-std::vector<double> Study::residual(const Prediction& predicted) const {
-  return measurements_.residual(experiment_, predicted);
+VectorXd Study::residual(const Prediction& predicted) const {
+  return measurements_.residual(predicted);
 }
 
-std::vector<double> Study::nominal_residual() const {
+VectorXd Study::nominal_residual() const {
   return residual(nominal());
 }
 

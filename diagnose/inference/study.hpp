@@ -5,7 +5,7 @@
 #include <memory>
 #include <mutex>
 
-#include "diagnose/noise/measurement.hpp"
+#include "diagnose/inference/measurements.hpp"
 #include "diagnose/rig/effect.hpp"
 #include "diagnose/rig/history.hpp"
 
@@ -36,8 +36,8 @@ class Study {
   /// What the nominal model predicts; computed when it is first asked for.
   [[nodiscard]] const Prediction& nominal() const;
   /// (measured - predicted) / declared sigma, flat; of the nominal model.
-  [[nodiscard]] std::vector<double> residual(const Prediction& predicted) const;
-  [[nodiscard]] std::vector<double> nominal_residual() const;
+  [[nodiscard]] VectorXd residual(const Prediction& predicted) const;
+  [[nodiscard]] VectorXd nominal_residual() const;
   /// What the runs ask of the nominal joints; computed when it is first asked for.
   [[nodiscard]] const Excitation& excitation() const;
 

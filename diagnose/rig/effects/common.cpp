@@ -1,14 +1,14 @@
 /// \file
 /// Effects of all joints or links: one factor or offset for all, or one value each within a tolerance.
 
-#include "diagnose/beliefs.hpp"
+#include "diagnose/priors.hpp"
 #include "diagnose/rig/effects/each_joint.hpp"
 #include "diagnose/rig/effects/hardening.hpp"
 #include "diagnose/rig/effects/rows.hpp"
 
 namespace plumbline::diagnose {
 
-using beliefs::stiffness_tolerance, beliefs::length_tolerance, beliefs::angle_tolerance;
+using priors::stiffness_tolerance, priors::length_tolerance, priors::angle_tolerance;
 
 std::vector<Effect> common_effects() {
   return {
@@ -104,7 +104,7 @@ std::vector<Effect> common_effects() {
        .parameters =
            [](const Place& at) {
              const double slip = at.scales.stiffness * at.scales.deflection;
-             return each(at, {"tau", "N m", beliefs::friction_tolerance * slip, 0, 10 * slip});
+             return each(at, {"tau", "N m", priors::friction_tolerance * slip, 0, 10 * slip});
            },
        .add =
            [](const Addition& to) {
@@ -129,7 +129,7 @@ std::vector<Effect> common_effects() {
              // A joint with a third of the typical deflection needs nine times the c for the same softening.
              const ParameterRange alike = hardening(at.scales);
              return each(at,
-                         {"c", "1/rad²", beliefs::hardening_tolerance * scale, 9 * alike.low, alike.high});
+                         {"c", "1/rad²", priors::hardening_tolerance * scale, 9 * alike.low, alike.high});
            },
        .add =
            [](const Addition& to) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "diagnose/beliefs.hpp"
+#include "diagnose/priors.hpp"
 #include "diagnose/rig/effects/each_joint.hpp"
 #include "diagnose/rig/effects/rows.hpp"
 
@@ -26,7 +26,7 @@ std::vector<Effect> single_runs() {
              std::vector<ParameterRange> all;
              for (std::size_t r = 0; r < at.scales.runs; ++r)
                for (const ParameterRange& one :
-                    each(at, {numbered("a", r), "rad", beliefs::angle_tolerance, -0.3, 0.3}))
+                    each(at, {numbered("a", r), "rad", priors::angle_tolerance, -0.3, 0.3}))
                  all.push_back(one);
              return all;
            },

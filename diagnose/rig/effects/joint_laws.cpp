@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "diagnose/beliefs.hpp"
+#include "diagnose/priors.hpp"
 #include "diagnose/rig/effects/each_joint.hpp"
 #include "diagnose/rig/effects/onsets.hpp"
 #include "diagnose/rig/effects/rows.hpp"
@@ -144,7 +144,7 @@ std::vector<Effect> springs() {
        .words = "springs that are stiffer in one direction, each by its own amount",
        .parameters =
            [](const Place& at) {
-             return each(at, {"e", "ratio", beliefs::asymmetry_tolerance, -0.9, 0.9});
+             return each(at, {"e", "ratio", priors::asymmetry_tolerance, -0.9, 0.9});
            },
        .add =
            [](const Addition& to) {

@@ -1,0 +1,91 @@
+#pragma once
+/// \file
+/// The likelihood of the residuals of one channel,
+///
+///   residual = delta + noise,  delta ~ N(0, A^2 u^2 K(length)),  noise ~ N(0, s^2 R(correlation)),
+///
+/// on a grid of cells: size A and scale s, length and correlation. Whitened by the noise and rotated to the
+/// principal axes of K, each cell costs as many operations as there are axes.
+
+#include <vector>
+
+#include "diagnose/discrepancy/kernel.hpp"
+#include "diagnose/inference/hyperpriors.hpp"
+#include "diagnose/noise/noise_shape.hpp"
+
+namespace plumbline::diagnose {
+
+class BlockLikelihood {
+ public:
+  /// \param unit  u: root mean square of the nominal residual, declared sigmas
+  BlockLikelihood(const Measurements& measurements, const Block& block, const CommandStates& states,
+                  const Hyperpriors& priors, const NoiseShape& shape, double unit);
+
+  /// What the grid says of one residual and its derivatives.
+  struct Look {
+    std::vector<double> log_by_amplitude;             ///< log likelihood, all else summed out
+    std::vector<std::vector<VectorXd>> log_cell;      ///< [correlation][length]: by amplitude and scale
+    std::vector<MatrixXd> square;                     ///< [correlation]: whitened products
+    std::vector<std::vector<MatrixXd>> rotated;       ///< [correlation][length]
+  };
+  /// \param columns  the residual, then its derivatives by parameters; all values of the block
+  [[nodiscard]] Look look(const MatrixXd& columns) const;
+
+  /// Adds gradient and information (Gauss and Newton's) of the log likelihood by the parameters.
+  /// \param log_amplitude  log posterior of each amplitude, all blocks together
+  void add_slopes(const Look& look, const std::vector<double>& log_amplitude, VectorXd& gradient,
+                  MatrixXd& information) const;
+
+  /// Posterior means.
+  struct Split {
+    VectorXd delta;  ///< of all values, declared sigmas
+    double scale = 1, correlation = 0, length = 1;
+  };
+  [[nodiscard]] Split split(const Look& look, const std::vector<double>& log_amplitude) const;
+  /// The same at the most probable cell alone.
+  [[nodiscard]] Split most_probable(const Look& look, const std::vector<double>& log_amplitude) const;
+
+  /// Leaves out correlations that are negligible at this residual.
+  void prune(const VectorXd& residual);
+
+ private:
+  /// Noise of one correlation: row i of what is whitened is own(i) v(i) - before(i) v(i - 1).
+  struct Whitening {
+    double correlation, log_prior, log_det = 0;
+    VectorXd own, before;
+    MatrixXd periodic;  ///< orthonormal columns that are projected out
+    MatrixXd span;      ///< orthonormal columns that hold the discrepancy
+  };
+  /// The discrepancy of one length, whitened by one correlation.
+  struct Rotation {
+    MatrixXd axes;      ///< of the span
+    VectorXd variance;  ///< along them
+    MatrixXd back;      ///< all values x axes
+    MatrixXd inverse;   ///< cells x axes: 1 / (A^2 u^2 variance + s^2) - 1 / s^2
+    VectorXd constant;  ///< by cell: what does not depend on the residual
+  };
+
+  void lay_grid(double unit);
+  [[nodiscard]] Whitening whitening(const Measurements& measurements, const Block& block, const NoiseShape& shape,
+                                    std::size_t correlation) const;
+  [[nodiscard]] Rotation rotation(const Whitening& noise, const MatrixXd& triangle, const MatrixXd& phi,
+                                  const MatrixXd& covariance, double unit) const;
+  [[nodiscard]] MatrixXd kept(const MatrixXd& columns) const { return columns(kept_, Eigen::all); }
+  [[nodiscard]] MatrixXd whiten(const Whitening& noise, const MatrixXd& columns) const;
+  /// Calls `visit(correlation, length, cell, log posterior)` for every cell.
+  template <class Visit>
+  void for_each_cell(const Look& look, const std::vector<double>& log_amplitude, Visit visit) const;
+  [[nodiscard]] VectorXd shrunk(const Rotation& rotation, Eigen::Index cell) const;
+
+  const Hyperpriors& priors_;
+  std::vector<Eigen::Index> kept_;  ///< values that are no outliers
+  std::vector<double> scale_, log_scale_;
+  VectorXd inverse_square_;  ///< by cell: 1 / s^2
+  std::vector<Whitening> noise_;
+  std::vector<std::vector<Rotation>> rotation_;  ///< [correlation][length]
+};
+
+/// log(sum(exp(v)))
+double log_sum(const VectorXd& v);
+
+}  // namespace plumbline::diagnose

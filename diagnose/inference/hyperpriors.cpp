@@ -1,0 +1,48 @@
+#include "diagnose/inference/hyperpriors.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "diagnose/priors.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+constexpr double impossible = -std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+Hyperpriors full_model() {
+  Hyperpriors p;
+  p.amplitude = {0, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.28};
+  // The grid has equal ratios. Beside a cause any order of magnitude is as probable, with an exponential end;
+  // where the cause is outside of the catalogue any size is.
+  double beside = 0, outside = 0;
+  const auto small = [](double a) { return a > 0 ? std::exp(-a / priors::discrepancy_scale) : 0; };
+  for (const double a : p.amplitude) beside += small(a), outside += a;
+  for (const double a : p.amplitude) {
+    p.log_amplitude.push_back(a == 0 ? std::log(priors::exact_model)
+                                     : std::log((1 - priors::exact_model) * small(a) / beside));
+    p.log_amplitude_outside.push_back(a == 0 ? impossible : std::log(a / outside));
+  }
+  p.length = {0.15, 0.4, 1.0};
+  p.correlation = {0, 0.35, 0.65, 0.85};
+  double sum = 0;
+  for (const double rho : p.correlation) {
+    p.log_correlation.push_back(-std::pow(rho / priors::correlation_spread, 2) / 2);
+    sum += std::exp(p.log_correlation.back());
+  }
+  for (double& one : p.log_correlation) one -= std::log(sum);
+  return p;
+}
+
+Hyperpriors white_noise_alone() {
+  return {{0}, {0}, {impossible}, {1}, {0}, {0}};
+}
+
+double log_scale_prior(double log_scale) {
+  constexpr double freedom = 2;
+  return -(freedom + 1) / 2 * std::log1p(std::pow(log_scale / priors::noise_scale_spread, 2) / freedom);
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,138 @@
+#include "diagnose/inference/likelihood.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "diagnose/priors.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+using priors::outlier_share, priors::outlier_width;
+
+double root_mean_square(const VectorXd& residual, const Block& block, const NoiseShape& shape) {
+  double sum = 0, count = 0;
+  for (Eigen::Index i = block.first; i < block.first + block.count; ++i)
+    if (!shape.outlier[static_cast<std::size_t>(i)]) sum += residual(i) * residual(i), count += 1;
+  constexpr double smallest = 1e-3;
+  return std::max(smallest, std::sqrt(sum / std::max(1.0, count)));
+}
+
+VectorXd as_vector(const std::vector<double>& values) {
+  return Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+}  // namespace
+
+double log_outlier(double distance) {
+  return std::log(outlier_share / (outlier_width * std::numbers::pi)) -
+         std::log1p(std::pow(distance / outlier_width, 2));
+}
+
+double log_inlier(double distance) {
+  return std::log((1 - outlier_share) / std::sqrt(2 * std::numbers::pi)) - distance * distance / 2;
+}
+
+std::vector<double> log_posterior(const std::vector<double>& log_likelihood, const std::vector<double>& log_prior) {
+  std::vector<double> joint(log_likelihood.size());
+  for (std::size_t a = 0; a < joint.size(); ++a) joint[a] = log_likelihood[a] + log_prior[a];
+  const double all = log_sum(as_vector(joint));
+  for (double& one : joint) one -= all;
+  return joint;
+}
+
+const ChannelNoise& Decomposition::of(const Channel& channel) const {
+  return *std::find_if(noise.begin(), noise.end(), [&](const ChannelNoise& one) { return one.channel == channel; });
+}
+
+Likelihood::Likelihood(const Measurements& measurements, const CommandStates& states, const Hyperpriors& priors,
+                       NoiseShape shape, const VectorXd& nominal_residual)
+    : measurements_(measurements), priors_(priors), shape_(std::move(shape)) {
+  for (const Block& block : measurements.blocks())
+    blocks_.emplace_back(measurements, block, states, priors_, shape_,
+                         root_mean_square(nominal_residual, block, shape_));
+}
+
+std::vector<BlockLikelihood::Look> Likelihood::look_at_blocks(const VectorXd& residual,
+                                                              const MatrixXd& jacobian) const {
+  std::vector<BlockLikelihood::Look> looks;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const Block& block = measurements_.blocks()[b];
+    MatrixXd columns(block.count, 1 + jacobian.cols());
+    columns.col(0) = residual.segment(block.first, block.count);
+    columns.rightCols(jacobian.cols()) = jacobian.middleRows(block.first, block.count);
+    looks.push_back(blocks_[b].look(columns));
+  }
+  return looks;
+}
+
+std::vector<double> Likelihood::together(const std::vector<BlockLikelihood::Look>& blocks) const {
+  std::vector<double> sum(priors_.amplitude.size(), 0.0);
+  for (const BlockLikelihood::Look& one : blocks)
+    for (std::size_t a = 0; a < sum.size(); ++a) sum[a] += one.log_by_amplitude[a];
+  return sum;
+}
+
+/// Outliers stand apart from their block: each has a density of its own about the discrepancy that the others
+/// show, at the most probable scale.
+void Likelihood::add_outliers(std::size_t b, const BlockLikelihood::Split& at, const VectorXd& residual,
+                              const MatrixXd& jacobian, Look& look) const {
+  const Block& block = measurements_.blocks()[b];
+  double sum = 0;
+  for (Eigen::Index i = 0; i < block.count; ++i) {
+    const Eigen::Index row = block.first + i;
+    if (!shape_.outlier[static_cast<std::size_t>(row)]) {
+      sum += std::log(1 - outlier_share);
+      continue;
+    }
+    const double sigma = at.scale * shape_.relative(row), z = (residual(row) - at.delta(i)) / sigma;
+    sum += log_outlier(z) - std::log(sigma * measurements_.sigma()(row));
+    if (jacobian.cols() == 0) continue;
+    const double curvature = 2 / (outlier_width * outlier_width + z * z);
+    const VectorXd slope = jacobian.row(row).transpose() / sigma;
+    look.gradient -= curvature * z * slope;
+    look.information += curvature * slope * slope.transpose();
+  }
+  look.log_likelihood += sum;
+  for (double& one : look.log_by_amplitude) one += sum;
+}
+
+Look Likelihood::look(const VectorXd& residual, const MatrixXd& jacobian) const {
+  const std::vector<BlockLikelihood::Look> blocks = look_at_blocks(residual, jacobian);
+  Look result;
+  result.log_by_amplitude = together(blocks);
+  std::vector<double> joint(result.log_by_amplitude.size());
+  for (std::size_t a = 0; a < joint.size(); ++a) joint[a] = result.log_by_amplitude[a] + priors_.log_amplitude[a];
+  result.log_likelihood = log_sum(as_vector(joint));
+  const std::vector<double> posterior = log_posterior(result.log_by_amplitude, priors_.log_amplitude);
+  result.gradient = VectorXd::Zero(jacobian.cols());
+  result.information = MatrixXd::Zero(jacobian.cols(), jacobian.cols());
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    if (jacobian.cols() > 0) blocks_[b].add_slopes(blocks[b], posterior, result.gradient, result.information);
+    add_outliers(b, blocks_[b].most_probable(blocks[b], posterior), residual, jacobian, result);
+  }
+  return result;
+}
+
+Decomposition Likelihood::decompose(const VectorXd& residual) const {
+  const std::vector<BlockLikelihood::Look> blocks = look_at_blocks(residual, MatrixXd(residual.size(), 0));
+  const std::vector<double> posterior = log_posterior(together(blocks), priors_.log_amplitude);
+  Decomposition result{VectorXd(residual.size()), {}};
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const Block& block = measurements_.blocks()[b];
+    const BlockLikelihood::Split split = blocks_[b].split(blocks[b], posterior);
+    result.delta.segment(block.first, block.count) = split.delta;
+    result.noise.push_back({block.channel, split.scale, split.correlation, split.length});
+  }
+  return result;
+}
+
+void Likelihood::prune(const VectorXd& residual) {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const Block& block = measurements_.blocks()[b];
+    blocks_[b].prune(residual.segment(block.first, block.count));
+  }
+}
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,75 @@
+#pragma once
+/// \file
+/// The likelihood of what a model leaves of the readings, discrepancy and noise summed out: one size of the
+/// discrepancy for all channels, a scale and an autocorrelation of the noise for each (BlockLikelihood).
+
+#include "diagnose/inference/block_likelihood.hpp"
+
+namespace plumbline::diagnose {
+
+/// What the likelihood says of one residual.
+struct Look {
+  double log_likelihood = 0;  ///< beside a cause of the catalogue
+  VectorXd gradient;          ///< by the parameters
+  MatrixXd information;       ///< Gauss and Newton's
+  /// Log likelihood at each size of the discrepancy.
+  std::vector<double> log_by_amplitude;
+};
+
+/// The noise of a channel as it is estimated.
+struct ChannelNoise {
+  Channel channel;
+  double scale;  ///< over the declared one
+  double correlation, discrepancy_length;
+};
+
+/// Posterior means of discrepancy and noise where a model leaves a residual.
+struct Decomposition {
+  VectorXd delta;  ///< flat, declared sigmas
+  std::vector<ChannelNoise> noise;
+  [[nodiscard]] const ChannelNoise& of(const Channel& channel) const;
+};
+
+class Likelihood {
+ public:
+  Likelihood(const Measurements& measurements, const CommandStates& states, const Hyperpriors& priors,
+             NoiseShape shape, const VectorXd& nominal_residual);
+  Likelihood(const Likelihood&) = delete;
+  Likelihood& operator=(const Likelihood&) = delete;
+
+  [[nodiscard]] const Measurements& measurements() const { return measurements_; }
+  [[nodiscard]] const NoiseShape& shape() const { return shape_; }
+  [[nodiscard]] const Hyperpriors& priors() const { return priors_; }
+
+  /// \param residual  flat, declared sigmas
+  /// \param jacobian  of the residual by the parameters; no columns: the likelihood alone
+  [[nodiscard]] Look look(const VectorXd& residual, const MatrixXd& jacobian) const;
+  [[nodiscard]] Look look(const VectorXd& residual) const { return look(residual, MatrixXd(residual.size(), 0)); }
+  [[nodiscard]] Decomposition decompose(const VectorXd& residual) const;
+
+  /// Leaves out correlations that are negligible where this residual is left.
+  void prune(const VectorXd& residual);
+
+ private:
+  [[nodiscard]] std::vector<BlockLikelihood::Look> look_at_blocks(const VectorXd& residual,
+                                                                  const MatrixXd& jacobian) const;
+  /// By amplitude: log likelihood of all blocks, outliers apart.
+  [[nodiscard]] std::vector<double> together(const std::vector<BlockLikelihood::Look>& blocks) const;
+  void add_outliers(std::size_t b, const BlockLikelihood::Split& most_probable, const VectorXd& residual,
+                    const MatrixXd& jacobian, Look& look) const;
+
+  const Measurements& measurements_;
+  Hyperpriors priors_;
+  NoiseShape shape_;
+  std::vector<BlockLikelihood> blocks_;
+};
+
+/// Logarithms of the posterior of the amplitudes, from likelihoods and their prior.
+std::vector<double> log_posterior(const std::vector<double>& log_likelihood, const std::vector<double>& log_prior);
+
+/// Log density of a reading that is an outlier, at a distance in standard deviations of the noise, and of one that
+/// is none: with their probabilities.
+double log_outlier(double distance);
+double log_inlier(double distance);
+
+}  // namespace plumbline::diagnose

@@ -1,0 +1,43 @@
+#pragma once
+/// \file
+/// How readings scatter, beside the scale and the autocorrelation of each channel: which of them are outliers,
+/// which are noisier than others, and what is periodic.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "diagnose/inference/measurements.hpp"
+
+namespace plumbline::diagnose {
+
+/// Readings of a run in which a sensor is noisier than elsewhere; all of the run, or a segment of it.
+struct NoisierSegment {
+  std::size_t run;
+  Sensor sensor;
+  std::size_t from, to;  ///< first and last reading
+  bool whole_run;
+  double factor;
+};
+
+/// Periodic interference in the channels of a sensor in one run.
+struct Interference {
+  std::size_t run;
+  Sensor sensor;
+  double period;                  ///< readings
+  std::map<Channel, double> rms;  ///< declared sigmas
+};
+
+struct NoiseShape {
+  explicit NoiseShape(const Measurements& measurements);
+  VectorXd relative;          ///< by value: its sigma over the declared one, but for the channel's scale
+  std::vector<bool> outlier;  ///< by value
+  MatrixXd periodic;          ///< columns that the readings may hold any amount of, flat
+  // What was found, for reports.
+  std::map<Channel::Name, double> proportional;  ///< noise per unit of the reading
+  std::vector<NoisierSegment> noisier;
+  std::vector<Interference> interference;
+  bool quantised = false;  ///< coarse displays are taken into account
+};
+
+}  // namespace plumbline::diagnose
