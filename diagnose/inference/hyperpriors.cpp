@@ -10,15 +10,19 @@ namespace {
 
 constexpr double impossible = -std::numeric_limits<double>::infinity();
 
+/// Both densities but for constants; the grid of sizes has equal ratios.
+double small(double size) {
+  return size > 0 ? std::exp(-size / priors::discrepancy_scale) : 0;
+}
+
 }  // namespace
 
 Hyperpriors full_model() {
   Hyperpriors p;
   p.amplitude = {0, 0.01, 0.02, 0.04, 0.08, 0.16, 0.32, 0.64, 1.28};
-  // The grid has equal ratios. Beside a cause any order of magnitude is as probable, with an exponential end;
-  // where the cause is outside of the catalogue any size is.
+  // Beside a cause any order of magnitude is as probable, with an exponential end; where the cause is outside of
+  // the catalogue any size is.
   double beside = 0, outside = 0;
-  const auto small = [](double a) { return a > 0 ? std::exp(-a / priors::discrepancy_scale) : 0; };
   for (const double a : p.amplitude) beside += small(a), outside += a;
   for (const double a : p.amplitude) {
     p.log_amplitude.push_back(a == 0 ? std::log(priors::exact_model)
@@ -38,6 +42,13 @@ Hyperpriors full_model() {
 
 Hyperpriors white_noise_alone() {
   return {{0}, {0}, {impossible}, {1}, {0}, {0}};
+}
+
+double Hyperpriors::log_odds_of_listed(double size) const {
+  // The constants of both densities, from the first size that is none.
+  const double first = amplitude[1], log_small = log_amplitude[1] - std::log(small(first)),
+               log_any = log_amplitude_outside[1] - std::log(first);
+  return log_small - size / priors::discrepancy_scale - log_any - std::log(size);
 }
 
 double log_scale_prior(double log_scale) {

@@ -13,6 +13,9 @@ struct Hyperpriors {
   std::vector<double> amplitude, log_amplitude;
   /// The same where the cause is outside of the catalogue, and effects only imitate it: of any size but none.
   std::vector<double> log_amplitude_outside;
+
+  /// Logarithm of the prior of any size over that where the cause is outside.
+  [[nodiscard]] double log_odds_of_listed(double size) const;
   std::vector<double> length;  ///< over the largest command, ascending, equally probable
   std::vector<double> correlation, log_correlation;
 };

@@ -42,10 +42,6 @@ std::vector<double> log_posterior(const std::vector<double>& log_likelihood, con
   return joint;
 }
 
-const ChannelNoise& Decomposition::of(const Channel& channel) const {
-  return *std::find_if(noise.begin(), noise.end(), [&](const ChannelNoise& one) { return one.channel == channel; });
-}
-
 Likelihood::Likelihood(const Measurements& measurements, const CommandStates& states, const Hyperpriors& priors,
                        NoiseShape shape, const VectorXd& nominal_residual)
     : measurements_(measurements), priors_(priors), shape_(std::move(shape)) {
@@ -118,12 +114,12 @@ Look Likelihood::look(const VectorXd& residual, const MatrixXd& jacobian) const 
 Decomposition Likelihood::decompose(const VectorXd& residual) const {
   const std::vector<BlockLikelihood::Look> blocks = look_at_blocks(residual, MatrixXd(residual.size(), 0));
   const std::vector<double> posterior = log_posterior(together(blocks), priors_.log_amplitude);
-  Decomposition result{VectorXd(residual.size()), {}};
+  Decomposition result{VectorXd(residual.size()), {{}, shape_}};
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const Block& block = measurements_.blocks()[b];
     const BlockLikelihood::Split split = blocks_[b].split(blocks[b], posterior);
     result.delta.segment(block.first, block.count) = split.delta;
-    result.noise.push_back({block.channel, split.scale, split.correlation, split.length});
+    result.noise.channels.push_back({block.channel, split.scale, split.correlation, split.length});
   }
   return result;
 }

@@ -4,6 +4,7 @@
 /// discrepancy for all channels, a scale and an autocorrelation of the noise for each (BlockLikelihood).
 
 #include "diagnose/inference/block_likelihood.hpp"
+#include "diagnose/noise/noise_estimate.hpp"
 
 namespace plumbline::diagnose {
 
@@ -16,18 +17,10 @@ struct Look {
   std::vector<double> log_by_amplitude;
 };
 
-/// The noise of a channel as it is estimated.
-struct ChannelNoise {
-  Channel channel;
-  double scale;  ///< over the declared one
-  double correlation, discrepancy_length;
-};
-
 /// Posterior means of discrepancy and noise where a model leaves a residual.
 struct Decomposition {
   VectorXd delta;  ///< flat, declared sigmas
-  std::vector<ChannelNoise> noise;
-  [[nodiscard]] const ChannelNoise& of(const Channel& channel) const;
+  NoiseEstimate noise;
 };
 
 class Likelihood {

@@ -55,7 +55,7 @@ class Searcher {
       : study_(study), nominal_residual_(study.nominal_residual()), listed_(possible_effects(study)) {
     found_.states = std::make_shared<CommandStates>(study.experiment());
     found_.outside = unknown_torques(study);
-    set_likelihoods(nominal_residual_, NoiseShape(study.measurements()));
+    set_likelihoods(nominal_residual_, NoiseShape(study.measurements()), Departures::ignored);
   }
 
   Findings run(const std::function<void(double)>& report) {
@@ -78,10 +78,10 @@ class Searcher {
 
  private:
   /// The likelihoods for the noise that a residual shows.
-  void set_likelihoods(const VectorXd& residual, NoiseShape start) {
+  void set_likelihoods(const VectorXd& residual, NoiseShape start, Departures departures) {
     const Measurements& measurements = study_.measurements();
     const NoiseShape shape = estimate_noise(study_.experiment(), measurements, *found_.states, nominal_residual_,
-                                            residual, std::move(start));
+                                            residual, std::move(start), departures);
     const auto likelihood_of = [&](const Hyperpriors& priors) {
       return std::make_shared<Likelihood>(measurements, *found_.states, priors, shape, nominal_residual_);
     };
@@ -92,9 +92,9 @@ class Searcher {
     found_.nominal = full->look(nominal_residual_);
     const Decomposition parts = full->decompose(residual);
     weight_ = shape.relative.cwiseInverse();
-    for (std::size_t b = 0; b < parts.noise.size(); ++b) {
+    for (std::size_t b = 0; b < parts.noise.channels.size(); ++b) {
       const Block& block = measurements.blocks()[b];
-      weight_.segment(block.first, block.count) /= parts.noise[b].scale;
+      weight_.segment(block.first, block.count) /= parts.noise.channels[b].scale;
     }
     for (std::size_t i = 0; i < shape.outlier.size(); ++i)
       if (shape.outlier[i]) weight_(static_cast<Eigen::Index>(i)) = 0;
@@ -325,7 +325,9 @@ class Searcher {
     if (found_.hypotheses.empty()) return;
     for (int round = 0; round < 2; ++round) {
       const NoiseShape before = found_.likelihood->shape();
-      set_likelihoods(found_.hypotheses.front().residual, before);
+      NoiseShape start(study_.measurements());
+      start.outlier = before.outlier;
+      set_likelihoods(found_.hypotheses.front().residual, std::move(start), Departures::sought);
       for (Hypothesis& h : found_.hypotheses) look_again(study_, *found_.likelihood, h);
       sort();
       const NoiseShape& now = found_.likelihood->shape();

@@ -9,9 +9,9 @@ namespace {
 template <class Value>
 VectorXd by_value(const Measurements& measurements, const Decomposition& parts, Value value) {
   VectorXd all(static_cast<Eigen::Index>(measurements.size()));
-  for (std::size_t b = 0; b < parts.noise.size(); ++b) {
+  for (std::size_t b = 0; b < parts.noise.channels.size(); ++b) {
     const Block& block = measurements.blocks()[b];
-    all.segment(block.first, block.count).setConstant(value(parts.noise[b]));
+    all.segment(block.first, block.count).setConstant(value(parts.noise.channels[b]));
   }
   return all;
 }
@@ -44,28 +44,46 @@ bool mark_outliers(const NoiseEvidence& evidence, NoiseShape& shape) {
   return changed;
 }
 
-/// Accepts the most probable departure. \returns whether there is one
-bool accept_departure(const NoiseEvidence& evidence, NoiseShape& shape) {
+/// The most probable departure of any kind.
+std::optional<NoiseProposal> most_probable_departure(const NoiseEvidence& evidence) {
   std::optional<NoiseProposal> best;
   for (const std::unique_ptr<NoiseTerm>& term : noise_terms())
     if (std::optional<NoiseProposal> one = term->propose(evidence); one && (!best || one->log_odds > best->log_odds))
       best = std::move(one);
-  if (best) best->accept(shape);
-  return best.has_value();
+  return best;
 }
 
 }  // namespace
 
 NoiseShape estimate_noise(const Experiment& experiment, const Measurements& measurements,
                           const CommandStates& states, const VectorXd& nominal_residual, const VectorXd& residual,
-                          NoiseShape shape) {
-  constexpr int rounds = 10;  // that end before: each accepts one departure, or moves marks
+                          NoiseShape shape, Departures departures) {
+  const auto likelihood_of = [&](const NoiseShape& one) {
+    return std::make_unique<Likelihood>(measurements, states, full_model(), one, nominal_residual);
+  };
+  std::unique_ptr<Likelihood> likelihood = likelihood_of(shape);
+  bool may_depart = departures == Departures::sought;
+  constexpr int rounds = 10;  // that end before: each accepts a departure, or moves marks
   for (int round = 0; round < rounds; ++round) {
-    const Likelihood likelihood(measurements, states, full_model(), shape, nominal_residual);
     const NoiseShape known = shape;
-    const NoiseEvidence evidence = evidence_of(experiment, measurements, known, likelihood.decompose(residual), residual);
-    const bool departs = accept_departure(evidence, shape);
-    if (!mark_outliers(evidence, shape) && !departs) break;
+    const NoiseEvidence evidence =
+        evidence_of(experiment, measurements, known, likelihood->decompose(residual), residual);
+    bool changed = mark_outliers(evidence, shape);
+    if (changed) likelihood = likelihood_of(shape);
+    if (!changed && may_depart) {
+      const std::optional<NoiseProposal> proposed = most_probable_departure(evidence);
+      may_depart = proposed.has_value();
+      if (may_depart) {
+        NoiseShape other = shape;
+        proposed->accept(other);
+        std::unique_ptr<Likelihood> with = likelihood_of(other);
+        // The discrepancy may explain as much as the departure does.
+        may_depart = with->look(residual).log_likelihood + proposed->log_prior >
+                     likelihood->look(residual).log_likelihood;
+        if (may_depart) shape = std::move(other), likelihood = std::move(with), changed = true;
+      }
+    }
+    if (!changed) break;
   }
   return shape;
 }

@@ -7,10 +7,13 @@
 
 namespace plumbline::diagnose {
 
+/// Departures are told from a gap beside a model that explains it.
+enum class Departures { ignored, sought };
+
 /// \param residual  flat, of the model that is believed so far
 /// \param start     what is known of the noise already
 NoiseShape estimate_noise(const Experiment& experiment, const Measurements& measurements,
                           const CommandStates& states, const VectorXd& nominal_residual, const VectorXd& residual,
-                          NoiseShape start);
+                          NoiseShape start, Departures departures);
 
 }  // namespace plumbline::diagnose

@@ -38,6 +38,8 @@ struct NoiseShape {
   std::vector<NoisierSegment> noisier;
   std::vector<Interference> interference;
   bool quantised = false;  ///< coarse displays are taken into account
+
+  [[nodiscard]] bool is_noisier(std::size_t run, Sensor sensor) const;
 };
 
 }  // namespace plumbline::diagnose

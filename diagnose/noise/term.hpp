@@ -21,13 +21,15 @@ struct NoiseEvidence {
   VectorXd weight;          ///< flat: independent values that a value stands for; zero of outliers
 };
 
-/// A departure that the readings show.
+/// A departure that the readings may show.
 struct NoiseProposal {
-  double log_odds;  ///< posterior odds that it is there: positive
+  double log_odds;   ///< posterior odds that it is there, roughly: the discrepancy stays as it is
+  double log_prior;  ///< of its being there, and for what its parameters might have been instead
   std::function<void(NoiseShape&)> accept;
 };
 
-/// One kind of departure. The most probable one of its kind is proposed, where its odds are better than even.
+/// One kind of departure. The most probable one of its kind is proposed, where its odds are better than even. What
+/// was accepted once of a run and a sensor, or of a channel, is not proposed again.
 class NoiseTerm {
  public:
   virtual ~NoiseTerm() = default;

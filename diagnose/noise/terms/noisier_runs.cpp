@@ -13,6 +13,7 @@ class NoisierRuns final : public NoiseTerm {
     const std::size_t runs = evidence.experiment.runs.size();
     for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle})
       for (std::size_t r = 0; runs > 1 && r < runs; ++r) {
+        if (evidence.shape.is_noisier(r, sensor)) continue;
         Squares own, others;
         for (const Series& series : evidence.measurements.series()) {
           if (series.channel.sensor() != sensor) continue;
@@ -23,11 +24,12 @@ class NoisierRuns final : public NoiseTerm {
         }
         constexpr double fewest = 6;
         if (own.count < fewest || others.count < fewest || own.variance() <= others.variance()) continue;
-        const double log_odds = gain_of_two(own, others) - std::log(own.count) / 2 +
-                                std::log(priors::uneven_noise / static_cast<double>(runs));
+        const double log_prior =
+            std::log(priors::uneven_noise / static_cast<double>(runs)) - std::log(own.count) / 2;
+        const double log_odds = gain_of_two(own, others) + log_prior;
         if (log_odds <= (best ? best->log_odds : 0)) continue;
         const double factor = std::sqrt(own.variance() / others.variance());
-        best = {log_odds, [&evidence, sensor, r, factor](NoiseShape& shape) {
+        best = {log_odds, log_prior, [&evidence, sensor, r, factor](NoiseShape& shape) {
                   for (const Series& series : evidence.measurements.series())
                     if (series.channel.sensor() == sensor && series.run == r)
                       shape.relative.segment(static_cast<Eigen::Index>(series.first),

@@ -27,7 +27,8 @@ class NoisierSegments final : public NoiseTerm {
   [[nodiscard]] std::optional<NoiseProposal> propose(const NoiseEvidence& evidence) const override {
     std::optional<NoiseProposal> best;
     for (const Sensor sensor : {Sensor::position, Sensor::force, Sensor::angle})
-      for (std::size_t r = 0; r < evidence.experiment.runs.size(); ++r) look_at(evidence, sensor, r, best);
+      for (std::size_t r = 0; r < evidence.experiment.runs.size(); ++r)
+        if (!evidence.shape.is_noisier(r, sensor)) look_at(evidence, sensor, r, best);
     return best;
   }
 
@@ -44,10 +45,10 @@ class NoisierSegments final : public NoiseTerm {
         const Squares inside{until[to].sum - until[from].sum, until[to].count - until[from].count},
             outside{all.sum - inside.sum, all.count - inside.count};
         if (inside.count < fewest || outside.count < fewest || inside.variance() <= outside.variance()) continue;
-        const double log_odds = gain_of_two(inside, outside) - std::log(inside.count) / 2 + log_prior;
+        const double cost = log_prior - std::log(inside.count) / 2, log_odds = gain_of_two(inside, outside) + cost;
         if (log_odds <= (best ? best->log_odds : 0)) continue;
         const double factor = std::sqrt(inside.variance() / outside.variance());
-        best = {log_odds, [&evidence, sensor, r, from, to, factor](NoiseShape& shape) {
+        best = {log_odds, cost, [&evidence, sensor, r, from, to, factor](NoiseShape& shape) {
                   for (const Series& series : evidence.measurements.series()) {
                     if (series.channel.sensor() != sensor || series.run != r) continue;
                     for (std::size_t i = 0; i < series.readings.size(); ++i)

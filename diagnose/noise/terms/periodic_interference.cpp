@@ -65,7 +65,7 @@ class PeriodicInterference final : public NoiseTerm {
         gain += std::norm(transform(evidence, *one, frequency)) / static_cast<double>(one->readings.size());
       const double log_odds = gain - occam + log_prior;
       if (log_odds <= (best ? best->log_odds : 0)) continue;
-      best = {log_odds, [&evidence, sensor, frequency](NoiseShape& shape) { accept(evidence, sensor, frequency, shape); }};
+      best = {log_odds, log_prior - occam, [&evidence, sensor, frequency](NoiseShape& shape) { accept(evidence, sensor, frequency, shape); }};
     }
   }
 

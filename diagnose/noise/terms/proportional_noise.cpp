@@ -39,13 +39,14 @@ class ProportionalNoise final : public NoiseTerm {
       }
     constexpr std::size_t fewest = 12;
     if (rows.size() < fewest || !(largest > 0)) return;
+    const double log_prior =
+        std::log(priors::uneven_noise) - std::log(static_cast<double>(rows.size())) / 2;
     const double even = log_likelihood(evidence, rows, 0);
     for (double at_largest = 0.5; at_largest < 30; at_largest *= 1.3) {
       const double ratio = at_largest / largest;
-      const double log_odds = log_likelihood(evidence, rows, ratio) - even -
-                              std::log(static_cast<double>(rows.size())) / 2 + std::log(priors::uneven_noise);
+      const double log_odds = log_likelihood(evidence, rows, ratio) - even + log_prior;
       if (log_odds <= (best ? best->log_odds : 0)) continue;
-      best = {log_odds, [&evidence, rows, name, ratio](NoiseShape& shape) {
+      best = {log_odds, log_prior, [&evidence, rows, name, ratio](NoiseShape& shape) {
                 for (const Eigen::Index i : rows)
                   shape.relative(i) *= std::hypot(1.0, ratio * evidence.measurements.value()(i) / evidence.measurements.sigma()(i));
                 shape.proportional[name] = ratio;

@@ -68,7 +68,9 @@ class Quantisation final : public NoiseTerm {
       for (Eigen::Index i = 0; step > 0 && i < count; ++i)
         wider(first + i) = std::sqrt(shared_error(step, times[static_cast<std::size_t>(i)]));
     }
-    return NoiseProposal{std::numeric_limits<double>::infinity(), [wider](NoiseShape& shape) {
+    if ((wider.array() == 1).all()) return std::nullopt;
+    constexpr double certain = std::numeric_limits<double>::infinity();
+    return NoiseProposal{certain, certain, [wider](NoiseShape& shape) {
                            shape.relative = shape.relative.cwiseProduct(wider);
                            shape.quantised = true;
                          }};
