@@ -3,7 +3,7 @@
 /// Where a gap lies: shares of the squared, noise-weighted residual of the nominal model beyond noise.
 
 #include "diagnose/discrepancy/joint_share.hpp"
-#include "diagnose/noise/gap.hpp"
+#include "diagnose/noise/noise_estimate.hpp"
 #include "diagnose/rig/regime.hpp"
 #include "diagnose/inference/study.hpp"
 
@@ -40,11 +40,7 @@ struct Where {
   JointEvidence joint_evidence = JointEvidence::implied_by_law;
 };
 
-/// By joint from measured torque alone; empty where none is measured, or noise alone may give what is
-/// missing.
-/// \param residual  of the nominal model, flat, in declared sigmas
-/// \param noise     scale of the noise as it is
-Where locate(const Study& study, const Prediction& nominal, const std::vector<double>& residual,
-             const NoiseModel& noise);
+/// By joint from measured torque alone; empty where none is measured, or noise alone may give what is missing.
+Where locate(const Study& study, const NoiseEstimate& noise);
 
 }  // namespace plumbline::diagnose

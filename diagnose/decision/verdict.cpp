@@ -24,16 +24,15 @@ Verdict decide(const Posterior& posterior) {
   const double most = posterior.causes.empty() ? 0 : posterior.causes.front().probability;
   if (posterior.no_gap >= std::max(most, posterior.outside)) return {};
   constexpr double worth_naming = 1 / priors::wrong_over_further_name;
-  Verdict verdict{CauseVerdict::unknown, {}, posterior.outside >= worth_naming};
+  Verdict verdict{CauseVerdict::unknown, 0, posterior.outside >= worth_naming};
   double listed = 0;
   for (const CauseProbability& one : posterior.causes) listed += one.probability;
   if (posterior.outside > listed) return verdict;
-  for (std::size_t i = 0; i < posterior.causes.size(); ++i)
-    if (i == 0 || posterior.causes[i].probability >= worth_naming) verdict.named.push_back(i);
   const std::size_t others = verdict.or_outside ? 1 : 0;
-  verdict.named.resize(std::min(verdict.named.size(), priors::largest_class - others));
-  verdict.verdict =
-      verdict.named.size() + others > 1 ? CauseVerdict::ambiguous : CauseVerdict::identified;
+  for (const CauseProbability& one : posterior.causes)
+    if (verdict.named == 0 || (one.probability >= worth_naming && verdict.named + others < priors::largest_class))
+      ++verdict.named;
+  verdict.verdict = verdict.named + others > 1 ? CauseVerdict::ambiguous : CauseVerdict::identified;
   return verdict;
 }
 

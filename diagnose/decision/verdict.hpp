@@ -13,8 +13,7 @@ std::string verdict_word(CauseVerdict verdict);
 
 struct Verdict {
   CauseVerdict verdict = CauseVerdict::none;
-  /// The causes that are named, most probable first, by their places in Posterior::causes.
-  std::vector<std::size_t> named;
+  std::size_t named = 0;  ///< so many of Posterior::causes, the most probable ones
   /// Whether a cause outside of the catalogue is one of the answer's alternatives.
   bool or_outside = false;
 };

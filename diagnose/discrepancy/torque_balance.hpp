@@ -3,7 +3,7 @@
 /// The torque that the nominal statics miss at each joint, and which joints it points at.
 
 #include "diagnose/discrepancy/joint_share.hpp"
-#include "diagnose/noise/noise.hpp"
+#include "diagnose/noise/noise_estimate.hpp"
 #include "diagnose/inference/study.hpp"
 
 namespace plumbline::diagnose {
@@ -29,6 +29,6 @@ Experiment as_measured(Experiment experiment, const Prediction& predicted);
 
 /// Shares of the joints in the missing torque beyond its noise, largest first. Empty where no joint angles
 /// are measured, or where noise alone may give what is missing.
-std::vector<JointShare> shares_by_missing_torque(const Study& study, const NoiseModel& noise);
+std::vector<JointShare> shares_by_missing_torque(const Study& study, const NoiseEstimate& noise);
 
 }  // namespace plumbline::diagnose

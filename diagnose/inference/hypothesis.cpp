@@ -192,6 +192,25 @@ Hypothesis maximised(const Study& study, const Likelihood& likelihood, const Can
   return best;
 }
 
+MatrixXd covariance(const Study& study, const Hypothesis& h, double temper) {
+  const std::vector<ParameterRange> ranges = study.ranges(h.candidate);
+  std::vector<Eigen::Index> inside;
+  for (std::size_t p = 0; p < ranges.size(); ++p)
+    if (!h.at_bound[p]) inside.push_back(static_cast<Eigen::Index>(p));
+  const auto count = static_cast<Eigen::Index>(ranges.size());
+  MatrixXd result = MatrixXd::Zero(count, count);
+  if (inside.empty()) return result;
+  VectorXd width(static_cast<Eigen::Index>(inside.size()));
+  for (std::size_t f = 0; f < inside.size(); ++f)
+    width(static_cast<Eigen::Index>(f)) = ParameterPrior(ranges[static_cast<std::size_t>(inside[f])]).width();
+  const MatrixXd scaled =
+      MatrixXd::Identity(width.size(), width.size()) +
+      temper * width.asDiagonal() * MatrixXd(h.look.information(inside, inside)) * width.asDiagonal();
+  const MatrixXd inverse = scaled.ldlt().solve(MatrixXd::Identity(width.size(), width.size()));
+  result(inside, inside) = width.asDiagonal() * inverse * width.asDiagonal();
+  return result;
+}
+
 void look_again(const Study& study, const Likelihood& likelihood, Hypothesis& h) {
   h.look = likelihood.look(h.residual, h.jacobian);
   h.log_posterior = h.look.log_likelihood + log_density(study.ranges(h.candidate), h.parameters, {});

@@ -48,6 +48,10 @@ Hypothesis maximised(const Study& study, const Likelihood& likelihood, const Can
 Hypothesis maximised(const Study& study, const Likelihood& likelihood, const Candidate& candidate,
                      const InitialGuesses& starts, const Effort& effort);
 
+/// Posterior covariance of the parameters, by Laplace's method; zero rows for those at a bound.
+/// \param temper  power at which the likelihood counts
+MatrixXd covariance(const Study& study, const Hypothesis& hypothesis, double temper = 1);
+
 /// Weighs the hypothesis at the parameters that it has by another likelihood.
 void look_again(const Study& study, const Likelihood& likelihood, Hypothesis& hypothesis);
 

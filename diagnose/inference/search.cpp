@@ -180,6 +180,9 @@ class Searcher {
         if (study_.scales().joint_stiffness[j] > 0)
           tasks.push_back({Candidate{{EffectAt(row, j + 1)}}, initial_guesses(study_, EffectAt(row, j + 1))});
     fit(tasks, report);
+    for (const Hypothesis& h : found_.hypotheses)
+      if (h.candidate.effects.size() == 1 && h.jacobian.cwiseAbs().maxCoeff() == 0)
+        found_.not_excited.push_back(h.candidate.effects.front());
   }
 
   [[nodiscard]] double squares(const Hypothesis& h) const {

@@ -16,6 +16,7 @@ struct Findings {
   std::shared_ptr<const Likelihood> likelihood;
   Look nominal;                        ///< what the likelihood says of the nominal model
   std::vector<Hypothesis> hypotheses;  ///< most evidence first
+  std::vector<EffectAt> not_excited;   ///< effects on which no measured value depends
 };
 
 /// Fits every effect, alone and then beside those that explain most; takes the leading hypotheses apart and puts

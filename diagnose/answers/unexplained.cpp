@@ -1,4 +1,4 @@
-#include "diagnose/discrepancy/unexplained.hpp"
+#include "diagnose/answers/unexplained.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,6 @@
 #include <optional>
 
 #include "diagnose/discrepancy/torque_balance.hpp"
-#include "diagnose/noise/outliers.hpp"
-#include "diagnose/noise/between.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -67,14 +65,14 @@ Channel abscissa(const Experiment& experiment, const Run& like) {
   return spread(second) > spread(first) ? second : first;
 }
 
-Missing channel(const Study& study, const std::vector<double>& residual, const Channel& of) {
+Missing channel(const Study& study, const NoiseEstimate& noise, const Channel& of) {
   const auto carries = [&](const Series& series) { return series.channel == of; };
   const auto& all = study.measurements().series();
   const auto first = std::find_if(all.begin(), all.end(), carries);
   const Run& like = study.experiment().runs[first->run];
   const Channel over = abscissa(study.experiment(), like);
   Missing missing{of.label(), std::string(of.unit()), over.label(), std::string(over.unit()), {}, 0, 0, 0};
-  const std::vector<bool> outlier = outliers(study.measurements(), residual);
+  const VectorXd residual = study.nominal_residual();
   for (const Series& series : all) {
     const Run& run = study.experiment().runs[series.run];
     if (!carries(series) || run.control != like.control) continue;
@@ -82,9 +80,9 @@ Missing channel(const Study& study, const std::vector<double>& residual, const C
     for (const Reading& reading : run.readings) command.push_back(over.of(reading));
     const std::vector<bool> down = falling(command);
     for (std::size_t i = 0; i < series.readings.size(); ++i) {
-      if (outlier[series.first + i]) continue;
+      if (noise.shape.outlier[series.first + i]) continue;
       const Reading& reading = run.readings[series.readings[i]];
-      missing.points.push_back({over.of(reading), series.sigmas[i] * residual[series.first + i], reading.t,
+      missing.points.push_back({over.of(reading), series.sigma * residual(static_cast<Eigen::Index>(series.first + i)), reading.t,
                                 down[series.readings[i]]});
     }
   }
@@ -107,13 +105,12 @@ OffNeighbours off_neighbours(const std::vector<MissingPoint>& points, bool each_
       if (each_way ? point.falling == down : !down) line.push_back(&point);
     std::stable_sort(line.begin(), line.end(),
                      [](const MissingPoint* a, const MissingPoint* b) { return a->at < b->at; });
-    std::vector<double> value, time;
-    for (const MissingPoint* point : line) value.push_back(point->value), time.push_back(point->t);
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-      const double before = line[i - 1]->at, gap = line[i + 1]->at - before;
-      const Between one{i, i - 1, i + 1, gap > 0 ? (line[i]->at - before) / gap : 0.5};
-      off.value.push_back(one.off(value.data()));
-      off.time.push_back(one.off(time.data()));
+      const MissingPoint &before = *line[i - 1], &here = *line[i], &after = *line[i + 1];
+      const double gap = after.at - before.at, share = gap > 0 ? (here.at - before.at) / gap : 0.5;
+      const double spread = std::sqrt(1 + share * share + (1 - share) * (1 - share));
+      off.value.push_back((here.value - (1 - share) * before.value - share * after.value) / spread);
+      off.time.push_back((here.t - (1 - share) * before.t - share * after.t) / spread);
     }
   }
   return off;
@@ -156,11 +153,11 @@ void describe(Missing& missing) {
 
 }  // namespace
 
-Missing describe_missing(const Study& study, const std::vector<double>& residual, const Where& where) {
+Missing describe_missing(const Study& study, const NoiseEstimate& noise, const Where& where) {
   Missing missing;
   if (where.joint_evidence == JointEvidence::measured && where.joints.front().share > 0.5)
     missing = torque(study, where.joints.front().joint);
-  if (missing.points.empty()) missing = channel(study, residual, where.channels.front().channel);
+  if (missing.points.empty()) missing = channel(study, noise, where.channels.front().channel);
   describe(missing);
   return missing;
 }

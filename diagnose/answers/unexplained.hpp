@@ -27,6 +27,6 @@ struct Missing {
 
 /// The torque at the joint that has most of the missing torque, where joint angles are measured and one joint
 /// has more than half of it; else the residual of the channel with the largest share.
-Missing describe_missing(const Study& study, const std::vector<double>& residual, const Where& where);
+Missing describe_missing(const Study& study, const NoiseEstimate& noise, const Where& where);
 
 }  // namespace plumbline::diagnose

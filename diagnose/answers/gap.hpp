@@ -1,0 +1,43 @@
+#pragma once
+/// \file
+/// Is there a gap, and which readings stand apart.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "diagnose/inference/study.hpp"
+#include "diagnose/noise/noise_estimate.hpp"
+
+namespace plumbline::diagnose {
+
+/// A reading that is an outlier: more probably a slip, a knock or a dropout than noise.
+struct Outlier {
+  std::string run;
+  std::size_t reading;  ///< as it was taken, from 0
+  Channel channel;
+  double deviation;  ///< from the model and its discrepancy, standard deviations of the noise
+  bool at_end;       ///< of its run: an event that began there would look the same
+};
+
+/// A run whose chain went to the other side than its nominal model goes to by itself.
+struct OtherBranch {
+  std::string run;
+  std::size_t reading;  ///< as it was taken, from 0: the first one there
+};
+
+struct GapAnswer {
+  bool present = false;
+  double probability = 0;         ///< that there is one
+  double chi2_per_value = 1;      ///< of the nominal residual, in the noise as it is
+  std::map<Channel, double> rms;  ///< of the nominal residual by channel, in its unit
+  std::vector<Outlier> outliers;
+  /// Runs whose forces were taken for those of weights, since they look like it (Run::weights_inferred).
+  std::vector<std::string> taken_for_weights;
+  std::vector<OtherBranch> other_branch;
+};
+
+/// \param left  of the readings by the model that is believed and its discrepancy, flat, declared sigmas
+GapAnswer describe_gap(const Study& study, const NoiseEstimate& noise, const VectorXd& left);
+
+}  // namespace plumbline::diagnose
