@@ -6,6 +6,7 @@
 
 #include "diagnose/design/separation.hpp"
 #include "diagnose/inference/start.hpp"
+#include "diagnose/inference/white_noise_fit.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -61,26 +62,12 @@ Contrast by_run(const Study& study, const LinearisedAlternative& all) {
   return contrast;
 }
 
-/// The same by fits to the noise-free readings of the truth.
-class Imitation {
- public:
-  Imitation(const Experiment& truth, const CommandStates& states)
-      : study_(truth),
-        likelihood_(study_.measurements(), states, white_noise_alone(), NoiseShape(study_.measurements()),
-                    study_.nominal_residual()) {}
-
-  [[nodiscard]] std::optional<LinearisedAlternative> by(const EffectAt& alternative) const {
-    const Candidate candidate{{alternative}};
-    const Hypothesis found =
-        maximised(study_, likelihood_, candidate, initial_guesses(study_, candidate), {50, 1e-3, true});
-    if (!found.converged) return std::nullopt;
-    return LinearisedAlternative{found.residual, free_jacobian(found)};
-  }
-
- private:
-  Study study_;
-  Likelihood likelihood_;
-};
+/// The same by a fit to the noise-free readings of the truth.
+std::optional<LinearisedAlternative> fitted(const Study& truth, const EffectAt& alternative) {
+  const Hypothesis found = fit_in_white_noise(truth, {{alternative}});
+  if (!found.converged) return std::nullopt;
+  return LinearisedAlternative{found.residual, free_jacobian(found)};
+}
 
 }  // namespace
 
@@ -89,7 +76,6 @@ Comparison::Comparison(const DesignSpace& space, const std::function<void(double
   // A tangent that leaves more than this share of the squared gap does not lead to an exact imitation.
   constexpr double may_come_near = 0.3;
   const Study study(space.bench);
-  const CommandStates states(space.bench);
   const std::size_t count = space.effects.size();
   std::vector<std::vector<Tangent>> tangent;
   for (const Instance& effect : space.effects) tangent.push_back(tangents(study, effect));
@@ -105,12 +91,12 @@ Comparison::Comparison(const DesignSpace& space, const std::function<void(double
     const double whole = (read - nominal).squaredNorm();
     if (whole / 2 <= told_apart) continue;  // undetectable
     const Instance& own = space.effects[truth];
-    const Imitation imitation(measured_as(space.bench, predict(study, own.candidate, own.parameters)), states);
+    const Study asked(measured_as(space.bench, predict(study, own.candidate, own.parameters)));
     for (std::size_t other = 0; other < count; ++other) {
       if (!competes(truth, other)) continue;
       LinearisedAlternative rows = nearest(read, tangent[other]);
       if (separation(rows) < may_come_near * whole)
-        if (const std::optional<LinearisedAlternative> exact = imitation.by(effect(other))) rows = *exact;
+        if (const std::optional<LinearisedAlternative> exact = fitted(asked, effect(other))) rows = *exact;
       contrast_[truth * count + other] = by_run(study, rows);
     }
   }

@@ -30,7 +30,8 @@ Experiment bench_for(const Experiment& experiment, const Run& run, bool out_of_g
 
 /// The predictions of a run; nothing where a hypothesis or the nominal model cannot follow it within the
 /// envelope.
-std::optional<std::vector<Prediction>> predictions(const Study& bench, const std::vector<Hypothesis>& hypotheses,
+std::optional<std::vector<Prediction>> predictions(const Study& bench,
+                                                   const std::vector<Hypothesis>& hypotheses,
                                                    const OperatingEnvelope& so_far) {
   std::vector<Prediction> all;
   if (!bench.nominal().reached) return std::nullopt;  // the run could not be diagnosed
@@ -198,7 +199,7 @@ class Planner {
   OperatingEnvelope so_far_;
   bool reads_angles_;  ///< in the experiment so far
   const std::vector<Hypothesis>& hypotheses_;
-  std::vector<MatrixXd> open_;         ///< covariance of their parameters
+  std::vector<MatrixXd> open_;                ///< covariance of their parameters
   std::vector<LinearisedAlternative> known_;  ///< [truth][alternative]
   double before_ = 0;
   std::vector<Proposal> proposals_;

@@ -10,8 +10,8 @@
 
 namespace plumbline::diagnose {
 
-/// Two hypotheses are distinguished by an expected log-likelihood ratio above this: the worse one is then, were both
-/// equally probable before, not worth naming beside the better one.
+/// Two hypotheses are distinguished by an expected log-likelihood ratio above this: the worse one is then,
+/// were both equally probable before, not worth naming beside the better one.
 inline const double told_apart = std::log(priors::wrong_over_further_name);
 
 /// A linearised alternative: the difference of two predictions in standard deviations, and the derivatives of
@@ -21,7 +21,8 @@ struct LinearisedAlternative {
   Eigen::MatrixXd slope;
 };
 
-/// Derivatives of what a hypothesis leaves, in declared sigmas; zero by parameters at a bound, which cannot move on.
+/// Derivatives of what a hypothesis leaves, in declared sigmas; zero by parameters at a bound, which cannot
+/// move on.
 MatrixXd free_jacobian(const Hypothesis& hypothesis);
 
 /// For two hypotheses fitted to the same readings.

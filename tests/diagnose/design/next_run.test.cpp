@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 #include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/design/separation.hpp"
-#include "diagnose/inference/start.hpp"
+#include "diagnose/inference/white_noise_fit.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -25,20 +24,6 @@ Experiment along_x() {
   press(experiment, {0.3, -0.5, 0.4}, {-0.06, 0}, 25, false);
   press(experiment, {-0.4, 0.3, 0.5}, {-0.05, 0}, 25, false);
   return experiment;
-}
-
-/// Fitted beside white noise, or left at these parameters.
-Hypothesis fitted(const Study& study, const Candidate& candidate,
-                  const std::optional<std::vector<double>>& parameters = std::nullopt) {
-  const Measurements& measurements = study.measurements();
-  const CommandStates states(study.experiment());
-  const Likelihood likelihood(measurements, states, white_noise_alone(), NoiseShape(measurements),
-                              study.nominal_residual());
-  const Hypothesis found =
-      parameters ? maximised(study, likelihood, candidate, *parameters, {0, 0, true})
-                 : maximised(study, likelihood, candidate, initial_guesses(study, candidate), {50, 1e-4, true});
-  REQUIRE(found.converged);
-  return found;
 }
 
 /// White noise of the declared size.
@@ -59,7 +44,8 @@ TEST_CASE(
     "a weight at the tip and a tare error are one and the same until the rig is turned out of gravity") {
   const Study study(measured(along_x(), only("tip_payload"), {0.3}, 37));
   const NoiseEstimate noise = as_declared(study);
-  const Hypothesis payload = fitted(study, only("tip_payload")), bias = fitted(study, only("force_bias"));
+  const Hypothesis payload = fit_in_white_noise(study, only("tip_payload")),
+                   bias = fit_in_white_noise(study, only("force_bias"));
   // The tare error imitates the weight exactly; the weight misses what noise gives b_x: one free parameter,
   // whose squared distance is a chi-square of one degree of freedom, below 11 in 999 of 1000 experiments.
   CHECK(separation(linearised_alternative(study.measurements(), noise, payload, bias)) < 1e-6);
@@ -79,7 +65,9 @@ TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
   const Candidate truth = only("rest_angle", 1), hypothesis = only("joint_stiffness", 2);
   const Study first(measured(along_x(), truth, {0.004}, 41));
   const Proposal best =
-      next_runs(first, {fitted(first, truth), fitted(first, hypothesis)}, as_declared(first), 1).at(0);
+      next_runs(first, {fit_in_white_noise(first, truth), fit_in_white_noise(first, hypothesis)},
+                as_declared(first), 1)
+          .at(0);
 
   Experiment longer = along_x();
   longer.runs.push_back(best.run);
@@ -90,7 +78,9 @@ TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
   for (unsigned seed = 0; seed < repeats; ++seed) {
     const Experiment again = measured(longer, truth, {0.004}, 100 + seed);
     const Study study(again);
-    sum += (fitted(study, hypothesis).residual.squaredNorm() - fitted(study, truth).residual.squaredNorm()) / 2;
+    sum += (fit_in_white_noise(study, hypothesis).residual.squaredNorm() -
+            fit_in_white_noise(study, truth).residual.squaredNorm()) /
+           2;
   }
   const double lead = sum / repeats;
   CHECK(lead > best.log_odds_so_far);
@@ -99,7 +89,8 @@ TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
 
 TEST_CASE("nothing is proposed that asks too much of the rig") {
   const Study study(measured(along_x(), only("force_gain"), {0.05}, 43));
-  const Hypothesis gain = fitted(study, only("force_gain")), stiff = fitted(study, only("joint_stiffness", 1));
+  const Hypothesis gain = fit_in_white_noise(study, only("force_gain")),
+                   stiff = fit_in_white_noise(study, only("joint_stiffness", 1));
   double force = 0, needed = 0;
   for (const Trace& trace : study.nominal().runs)
     force = std::max(force, trace.col(column_Fx).abs().maxCoeff());
@@ -120,7 +111,8 @@ TEST_CASE("no run is proposed in which an explanation snaps") {
   Experiment experiment = three_links();
   press(experiment, {0.118, 0.046, 0.061}, {-0.053, -0.05}, 20, false);
   const Study study(measured(experiment, only("rest_angle", 2), {0.099}, 43));
-  const std::vector<Hypothesis> hypotheses{fitted(study, only("joint_stiffness", 2)), fitted(study, only("rest_angle", 2))};
+  const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("joint_stiffness", 2)),
+                                           fit_in_white_noise(study, only("rest_angle", 2))};
   const auto snaps = [&](const Run& run) {
     Experiment bench = study.experiment();
     bench.runs = {run};
@@ -145,7 +137,8 @@ TEST_CASE(
   NoiseEstimate noise = as_declared(study);
   noise_of(noise, Channel::Name::Fx).scale = 2;
   noise_of(noise, Channel::Name::Fy).scale = 0.5;
-  const std::vector<Hypothesis> hypotheses{fitted(study, only("rest_angle", 1)), fitted(study, only("joint_stiffness", 2))};
+  const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("rest_angle", 1)),
+                                           fit_in_white_noise(study, only("joint_stiffness", 2))};
   const auto gap_of = [&](const Proposal& one) {
     Experiment bench = study.experiment();
     bench.runs = {one.run};
@@ -184,7 +177,8 @@ TEST_CASE("out of gravity a chain and its mirror image tell as much, in gravity 
   experiment.link_mass = {0.05, 0.05, 0.05};
   experiment.gravity = {0, -9.81};
   const Study study(measured(experiment, only("force_gain"), {0.1}, 43));
-  const std::vector<Hypothesis> hypotheses{fitted(study, only("force_gain")), fitted(study, only("stiffness_scale"))};
+  const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("force_gain")),
+                                           fit_in_white_noise(study, only("stiffness_scale"))};
   std::map<std::pair<bool, std::string>, std::vector<double>> promised;
   for (const Proposal& one : next_runs(study, hypotheses, as_declared(study), 1000)) {
     std::string what = one.description;
@@ -207,7 +201,8 @@ TEST_CASE("joint angles are an extra only where the bench does not read them") {
       for (Run& run : experiment.runs)
         for (Reading& reading : run.readings) reading.q.clear();
     const Study study(measured(experiment, only("force_gain"), {0.05}, 43));
-    const std::vector<Hypothesis> hypotheses{fitted(study, only("force_gain")), fitted(study, only("joint_stiffness", 1))};
+    const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("force_gain")),
+                                             fit_in_white_noise(study, only("joint_stiffness", 1))};
     std::size_t extras = 0;
     const std::vector<Proposal> proposals = next_runs(study, hypotheses, as_declared(study), 1000);
     REQUIRE_FALSE(proposals.empty());
@@ -222,25 +217,38 @@ TEST_CASE("joint angles are an extra only where the bench does not read them") {
 TEST_CASE("what a run is expected to show is counted in the noise as it is, channel by channel") {
   // a sigma declared twice as large, or found twice as large as declared, are one and the same noise
   const Experiment experiment = measured(along_x(), only("rest_angle", 1), {0.02}, 47);
-  const auto leads = [&](const Experiment& declared, std::optional<Channel::Name> twice) {
+  const Study study(experiment);
+  const std::vector<Hypothesis> as_found{fit_in_white_noise(study, only("rest_angle", 1)),
+                                         fit_in_white_noise(study, only("joint_stiffness", 2))};
+  const auto leads = [](const Experiment& declared, const std::vector<Hypothesis>& hypotheses,
+                        const auto& change) {
     const Study study(declared);
     NoiseEstimate noise = as_declared(study);
-    if (twice) noise_of(noise, *twice).scale = 2;
-    const std::vector<Hypothesis> hypotheses{fitted(study, only("rest_angle", 1), {{0.02}}),
-                                             fitted(study, only("joint_stiffness", 2), {{-0.1}})};
+    change(noise);
     std::vector<double> result;
     for (const Proposal& one : next_runs(study, hypotheses, noise, 1000))
       result.push_back(one.log_odds - one.log_odds_so_far);
     std::sort(result.begin(), result.end());
     return result;
   };
-  const std::vector<double> plain = leads(experiment, {});
+  const auto nothing = [](NoiseEstimate&) {};
+  const std::vector<double> plain = leads(experiment, as_found, nothing);
   REQUIRE_FALSE(plain.empty());
   for (const auto& [name, sigma] :
        {std::pair{Channel::Name::Fx, &Noise::Fx}, std::pair{Channel::Name::Fy, &Noise::Fy}}) {
     Experiment louder = experiment;
     louder.noise.*sigma *= 2;
-    const std::vector<double> by_declaration = leads(louder, {}), by_finding = leads(experiment, name);
+    std::vector<Hypothesis> in_louder = as_found;
+    for (const Block& block : study.measurements().blocks())
+      for (Hypothesis& one : in_louder)
+        if (block.channel.name == name) {
+          one.residual.segment(block.first, block.count) /= 2;
+          one.jacobian.middleRows(block.first, block.count) /= 2;
+        }
+    const std::vector<double> by_declaration = leads(louder, in_louder, nothing);
+    const std::vector<double> by_finding =
+        leads(experiment, as_found,
+              [&, channel = name](NoiseEstimate& noise) { noise_of(noise, channel).scale = 2; });
     REQUIRE(by_declaration.size() == plain.size());
     REQUIRE(by_finding.size() == plain.size());
     CHECK(by_finding.back() != close_to(plain.back()).epsilon(1e-3));
@@ -254,7 +262,8 @@ TEST_CASE("noise that remembers hides what changes slowly, in a run to come as i
   // run: a quarter at 0.6. Of a press the difference grows on the way, and its steps count more.
   const Experiment experiment = measured(along_x(), only("rest_angle", 1), {0.02}, 47);
   const Study study(experiment);
-  const std::vector<Hypothesis> hypotheses{fitted(study, only("rest_angle", 1)), fitted(study, only("joint_stiffness", 2))};
+  const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("rest_angle", 1)),
+                                           fit_in_white_noise(study, only("joint_stiffness", 2))};
   const auto most_shown = [&](double correlation) {
     NoiseEstimate noise = as_declared(study);
     for (ChannelNoise& one : noise.channels) one.correlation = correlation;
