@@ -222,11 +222,11 @@ TEST_CASE("what a run is expected to show is counted in the noise as it is, chan
                                          fit_in_white_noise(study, only("joint_stiffness", 2))};
   const auto leads = [](const Experiment& declared, const std::vector<Hypothesis>& hypotheses,
                         const auto& change) {
-    const Study study(declared);
-    NoiseEstimate noise = as_declared(study);
+    const Study bench(declared);
+    NoiseEstimate noise = as_declared(bench);
     change(noise);
     std::vector<double> result;
-    for (const Proposal& one : next_runs(study, hypotheses, noise, 1000))
+    for (const Proposal& one : next_runs(bench, hypotheses, noise, 1000))
       result.push_back(one.log_odds - one.log_odds_so_far);
     std::sort(result.begin(), result.end());
     return result;
@@ -248,7 +248,7 @@ TEST_CASE("what a run is expected to show is counted in the noise as it is, chan
     const std::vector<double> by_declaration = leads(louder, in_louder, nothing);
     const std::vector<double> by_finding =
         leads(experiment, as_found,
-              [&, channel = name](NoiseEstimate& noise) { noise_of(noise, channel).scale = 2; });
+              [&, channel = name](NoiseEstimate& found) { noise_of(found, channel).scale = 2; });
     REQUIRE(by_declaration.size() == plain.size());
     REQUIRE(by_finding.size() == plain.size());
     CHECK(by_finding.back() != close_to(plain.back()).epsilon(1e-3));
