@@ -11,15 +11,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <optional>
 #include <random>
 #include <string>
 
 #include "diagnose/answers/diagnosis.hpp"
-#include "diagnose/beliefs.hpp"
 #include "diagnose/design/candidate_runs.hpp"
-#include "diagnose/noise/gap.hpp"
+#include "diagnose/design/separation.hpp"
+#include "diagnose/inference/white_noise_fit.hpp"
 
 namespace plumbline::bench {
 using namespace diagnose;
@@ -83,7 +82,7 @@ bool make(Experiment& experiment, const Instance& truth, Run run, std::mt19937& 
 /// Every press that `--next` could propose to a bench that turns nowhere and reads no angles.
 std::vector<Run> candidates(const Study& study) {
   std::vector<Run> all;
-  const Extent so_far = extent(study);
+  const OperatingEnvelope so_far = operating_envelope(study);
   for (const Shape& shape : shapes(study.experiment(), 2)) {
     for (const CandidateRun& one : runs_from(study.experiment(), shape, so_far)) {
       Experiment bench = study.experiment();
@@ -143,23 +142,17 @@ Experiment everything(const Experiment& experiment, const Instance& truth) {
 /// Whether the answer is right and cannot be made more certain: the truth, alone or among explanations that
 /// not even all runs that could be made next would together tell apart from it.
 bool certain(const Cause& cause, const Experiment& experiment, const Instance& truth) {
-  if (cause.verdict != CauseVerdict::identified && cause.verdict != CauseVerdict::ambiguous) return false;
-  if (cause.reservation != Reservation::none) return false;
-  std::vector<std::size_t> named = cause.equivalent;
-  named.push_back(cause.best);
-  const auto candidate = [&](std::size_t place) { return cause.ranking[place].hypothesis.fit.candidate; };
-  if (std::none_of(named.begin(), named.end(),
-                   [&](std::size_t place) { return candidate(place) == truth.candidate; }))
-    return false;
+  if (!cause.is_explained() || cause.or_unknown) return false;
+  const std::vector<RankedCause> named(cause.ranking.begin(),
+                                       cause.ranking.begin() + static_cast<std::ptrdiff_t>(cause.named));
+  const auto is_truth = [&](const RankedCause& one) { return one.cause.is_form_of(truth.candidate); };
+  if (std::none_of(named.begin(), named.end(), is_truth)) return false;
   if (named.size() == 1) return true;
   const Study study(everything(experiment, truth));
-  FitSettings settings;
-  settings.outlier_bound = std::numeric_limits<double>::max();
-  return std::all_of(named.begin(), named.end(), [&](std::size_t place) {
-    if (candidate(place) == truth.candidate) return true;
-    double square = 0;
-    for (const double z : fit(study, candidate(place), settings).whitened) square += z * z;
-    return square / 2 < beliefs::told_apart;
+  return std::all_of(named.begin(), named.end(), [&](const RankedCause& one) {
+    if (is_truth(one)) return true;
+    const Hypothesis imitation = fit_in_white_noise(study, one.cause);
+    return imitation.converged && imitation.residual.squaredNorm() / 2 < told_apart;
   });
 }
 
@@ -210,9 +203,7 @@ std::optional<Draw> draw(std::mt19937& random, double noise) {
                                    (range.low < 0 && uniform(random, 0, 1) < 0.5 ? -1 : 1));
   if (!make(one.bench, one.truth, run, random)) return std::nullopt;
   // Where no gap shows nobody asks what to measure next.
-  const Study measured(one.bench);
-  if (test_gap(measured.measurements(), measured.nominal_residual()).p_value >= beliefs::gap_level)
-    return std::nullopt;
+  if (!diagnose::diagnose(Study(one.bench)).gap.present) return std::nullopt;
   return one;
 }
 

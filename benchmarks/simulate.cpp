@@ -17,7 +17,6 @@
 
 #include "benchmarks/write_labelled.hpp"
 #include "diagnose/inference/study.hpp"
-#include "diagnose/noise/measurement.hpp"
 #include "diagnose/rig/nominal.hpp"
 
 namespace plumbline::bench {
@@ -155,12 +154,10 @@ void write_readings(Experiment& experiment, const Prediction& predicted) {
 }
 
 /// Root mean square without the largest twentieth: a gap that a single reading holds is no gap to a lab.
-double size_of(std::vector<double> values) {
+double size_of(VectorXd values) {
   std::sort(values.begin(), values.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
-  values.resize(values.size() - values.size() / 20);
-  double sum = 0;
-  for (const double v : values) sum += v * v;
-  return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
+  const Eigen::Index count = values.size() - values.size() / 20;
+  return count == 0 ? 0 : values.head(count).norm() / std::sqrt(static_cast<double>(count));
 }
 
 /// One way in which the rig is not the nominal one: a rig for every run.
@@ -265,9 +262,9 @@ std::optional<Scenario> draw(std::uint64_t seed) {
   Random random(seed);
   Experiment experiment = draw_layout(random);
   declare_noise(random, experiment);
-  const Measurements measurements(experiment);
   const Prediction nominal = predict(Study(experiment), {}, {});
   write_readings(experiment, nominal);
+  const Measurements measurements(experiment);
   const double wanted = log_between(random, 2.5, 25), kind = between(random, 0, 1);
   const std::vector<EffectAt> possible = possible_effects(Study(experiment));
   std::vector<EffectAt> effects;
@@ -297,7 +294,7 @@ std::optional<Scenario> draw(std::uint64_t seed) {
       cause = foreign ? foreign_cause(frozen, experiment, size)
                       : catalogue_cause(frozen, experiment, effects, size);
       truth = simulate_runs(experiment, cause.rigs);
-      strength = truth.reached && !truth.snapped ? size_of(measurements.residual(experiment, truth))
+      strength = truth.reached && !truth.snapped ? size_of(measurements.residual(truth))
                                                  : std::numeric_limits<double>::infinity();
       if (std::abs(strength - wanted) < 0.02 * wanted) break;
       (strength < wanted ? low : high) = size;
@@ -311,7 +308,7 @@ std::optional<Scenario> draw(std::uint64_t seed) {
       if (effects.size() == 1) break;
       // Of several, each is to be seen.
       const std::vector<Rig> alone = catalogue_cause(frozen, experiment, {at}, size).rigs;
-      const double part = size_of(measurements.residual(experiment, simulate_runs(experiment, alone)));
+      const double part = size_of(measurements.residual(simulate_runs(experiment, alone)));
       if (!(part > 0.4 * wanted)) return std::nullopt;
     }
   }

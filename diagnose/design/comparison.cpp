@@ -4,36 +4,31 @@
 #include <limits>
 #include <optional>
 
-#include "diagnose/beliefs.hpp"
-#include "diagnose/decision/rival.hpp"
-#include "diagnose/inference/fit.hpp"
+#include "diagnose/design/separation.hpp"
 #include "diagnose/inference/start.hpp"
+#include "diagnose/inference/white_noise_fit.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
 /// The predicted readings of an effect at given parameters, in standard deviations, and their derivatives.
 struct Tangent {
-  Eigen::VectorXd read;
-  Eigen::MatrixXd slope;
+  VectorXd read;
+  MatrixXd slope;
 };
-
-Eigen::VectorXd in_sigmas(const Study& study, const std::vector<Trace>& traces) {
-  const std::vector<double> values = study.measurements().in_sigmas(traces);
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
 
 std::vector<Tangent> tangents(const Study& study, const Instance& typical) {
   std::vector<std::vector<double>> places = initial_guesses(study, typical.candidate).points;
   places.insert(places.begin(), typical.parameters);
+  const Measurements& measurements = study.measurements();
   std::vector<Tangent> all;
   for (const std::vector<double>& place : places) {
     const Prediction predicted = predict(study, typical.candidate, place, true);
     if (!predicted.reached) continue;
-    Tangent one{in_sigmas(study, predicted.runs), {}};
+    Tangent one{measurements.in_sigmas(predicted.runs), {}};
     one.slope.resize(one.read.size(), static_cast<Eigen::Index>(predicted.sensitivity.size()));
     for (std::size_t p = 0; p < predicted.sensitivity.size(); ++p)
-      one.slope.col(static_cast<Eigen::Index>(p)) = in_sigmas(study, predicted.sensitivity[p]);
+      one.slope.col(static_cast<Eigen::Index>(p)) = measurements.in_sigmas(predicted.sensitivity[p]);
     all.push_back(std::move(one));
   }
   return all;
@@ -41,7 +36,7 @@ std::vector<Tangent> tangents(const Study& study, const Instance& typical) {
 
 /// The nearest imitation by tangents.
 /// \param truth  true readings
-LinearisedAlternative nearest(const Eigen::VectorXd& truth, const std::vector<Tangent>& alternative) {
+LinearisedAlternative nearest(const VectorXd& truth, const std::vector<Tangent>& alternative) {
   LinearisedAlternative best;
   double least = std::numeric_limits<double>::infinity();
   for (const Tangent& one : alternative) {
@@ -67,15 +62,11 @@ Contrast by_run(const Study& study, const LinearisedAlternative& all) {
   return contrast;
 }
 
-/// The same by a least-squares fit to the noise-free readings of the truth; there are no outliers.
+/// The same by a fit to the noise-free readings of the truth.
 std::optional<LinearisedAlternative> fitted(const Study& truth, const EffectAt& alternative) {
-  FitSettings settings;
-  settings.outlier_bound = std::numeric_limits<double>::max();
-  const Fit found = fit(truth, {{alternative}}, settings);
+  const Hypothesis found = fit_in_white_noise(truth, {{alternative}});
   if (!found.converged) return std::nullopt;
-  Fit exact;
-  exact.whitened.assign(found.whitened.size(), 0.0);
-  return linearised_alternative(exact, found);
+  return LinearisedAlternative{found.residual, free_jacobian(found)};
 }
 
 }  // namespace
@@ -88,17 +79,17 @@ Comparison::Comparison(const DesignSpace& space, const std::function<void(double
   const std::size_t count = space.effects.size();
   std::vector<std::vector<Tangent>> tangent;
   for (const Instance& effect : space.effects) tangent.push_back(tangents(study, effect));
-  const Eigen::VectorXd nominal = in_sigmas(study, study.nominal().runs);
+  const VectorXd nominal = study.measurements().in_sigmas(study.nominal().runs);
   for (const std::vector<Tangent>& of : tangent) {
-    const Eigen::VectorXd difference = of.front().read - nominal;
-    gap_.push_back(by_run(study, {difference, Eigen::MatrixXd(difference.size(), 0)}));
+    const VectorXd difference = of.front().read - nominal;
+    gap_.push_back(by_run(study, {difference, MatrixXd(difference.size(), 0)}));
   }
   contrast_.resize(count * count);
   for (std::size_t truth = 0; truth < count; ++truth) {
     if (progress) progress(static_cast<double>(truth) / static_cast<double>(count));
-    const Eigen::VectorXd& read = tangent[truth].front().read;
+    const VectorXd& read = tangent[truth].front().read;
     const double whole = (read - nominal).squaredNorm();
-    if (whole / 2 <= beliefs::told_apart) continue;  // undetectable
+    if (whole / 2 <= told_apart) continue;  // undetectable
     const Instance& own = space.effects[truth];
     const Study asked(measured_as(space.bench, predict(study, own.candidate, own.parameters)));
     for (std::size_t other = 0; other < count; ++other) {
@@ -112,9 +103,10 @@ Comparison::Comparison(const DesignSpace& space, const std::function<void(double
 }
 
 bool Comparison::competes(std::size_t truth, std::size_t alternative) const {
-  return truth != alternative && !covers(effect(alternative), effect(truth)) &&
-         space_.effects[alternative].parameters.size() <=
-             space_.effects[truth].parameters.size() + spare_parameters;
+  const std::vector<std::string_view>& nested = effect(alternative).effect->nested;
+  return truth != alternative &&
+         std::find(nested.begin(), nested.end(), effect(truth).effect->id) == nested.end() &&
+         space_.effects[alternative].parameters.size() <= space_.effects[truth].parameters.size() + 1;
 }
 
 double Comparison::distinguishability(std::size_t i, std::size_t j,

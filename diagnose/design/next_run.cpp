@@ -10,7 +10,6 @@
 #include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/design/expected_information.hpp"
 #include "diagnose/design/separation.hpp"
-#include "diagnose/inference/evidence.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -31,11 +30,12 @@ Experiment bench_for(const Experiment& experiment, const Run& run, bool out_of_g
 
 /// The predictions of a run; nothing where a hypothesis or the nominal model cannot follow it within the
 /// envelope.
-std::optional<std::vector<Prediction>> predictions(const Study& bench, const std::vector<Fit>& hypotheses,
+std::optional<std::vector<Prediction>> predictions(const Study& bench,
+                                                   const std::vector<Hypothesis>& hypotheses,
                                                    const OperatingEnvelope& so_far) {
   std::vector<Prediction> all;
   if (!bench.nominal().reached) return std::nullopt;  // the run could not be diagnosed
-  for (const Fit& hypothesis : hypotheses) {
+  for (const Hypothesis& hypothesis : hypotheses) {
     all.push_back(predict(bench, hypothesis.candidate, hypothesis.parameters, true));
     const Prediction& one = all.back();
     if (!one.reached || one.snapped || !so_far.allows(one.runs[0], bench.experiment().runs[0].rest))
@@ -56,9 +56,16 @@ std::vector<Channel> channels_of(const Run& run, const Noise& sigma, bool angles
   return channels;
 }
 
+/// The noise that a channel has shown; of one that is not measured yet, the worst of its kind, white.
+ChannelNoise noise_of(const NoiseEstimate& noise, const Channel& channel) {
+  const bool is_known = std::any_of(noise.channels.begin(), noise.channels.end(),
+                                    [&](const ChannelNoise& one) { return one.channel == channel; });
+  return is_known ? noise.of(channel) : ChannelNoise{channel, noise.scale_of(channel.name), 0, 1};
+}
+
 /// The prediction of a run by a hypothesis, whitened.
 Forecast forecast(const Prediction& predicted, const std::vector<Channel>& channels, const Noise& sigma,
-                  const NoiseModel& noise, const Eigen::MatrixXd& covariance) {
+                  const NoiseEstimate& noise, const MatrixXd& covariance) {
   const Trace& trace = predicted.runs[0];
   const Eigen::Index rows = trace.rows();
   Forecast result;
@@ -68,11 +75,12 @@ Forecast forecast(const Prediction& predicted, const std::vector<Channel>& chann
   Eigen::Index at = 0;
   for (const Channel& channel : channels) {
     const Eigen::Index c = column_of(channel);
-    const double real = channel.sigma(sigma) * noise.of(channel), correlation = noise.correlation_of(channel);
-    result.read.segment(at, rows) = whitened(trace.col(c).matrix(), real, correlation);
+    const ChannelNoise found = noise_of(noise, channel);
+    const double real = channel.sigma(sigma) * found.scale;
+    result.read.segment(at, rows) = innovations(trace.col(c).matrix(), real, found.correlation);
     for (std::size_t p = 0; p < predicted.sensitivity.size(); ++p)
       result.slope.col(static_cast<Eigen::Index>(p)).segment(at, rows) =
-          whitened(predicted.sensitivity[p][0].col(c).matrix(), real, correlation);
+          innovations(predicted.sensitivity[p][0].col(c).matrix(), real, found.correlation);
     at += rows;
   }
   return result;
@@ -109,21 +117,16 @@ Noise with_angles(Noise sigma) {
 /// Evaluates one run after the other.
 class Planner {
  public:
-  Planner(const Study& study, const std::vector<Fit>& hypotheses, const NoiseModel& noise)
+  Planner(const Study& study, const std::vector<Hypothesis>& hypotheses, const NoiseEstimate& noise)
       : experiment_(study.experiment()),
         noise_(noise),
         so_far_(operating_envelope(study)),
-        reads_angles_(study.scales().measures(Channel::Name::q)) {
-    FitSettings settings;
-    settings.noise = noise;
-    for (const Fit& hypothesis : hypotheses) {
-      Fit again = fit_from(study, hypothesis.candidate, settings, hypothesis.parameters);
-      hypotheses_.push_back(again.converged ? std::move(again) : hypothesis);
-    }
-    for (const Fit& hypothesis : hypotheses_) open_.push_back(posterior_covariance(study, hypothesis));
-    for (const Fit& truth : hypotheses_)
-      for (const Fit& alternative : hypotheses_)
-        known_.push_back(reduced(linearised_alternative(truth, alternative)));
+        reads_angles_(study.scales().measures(Channel::Name::q)),
+        hypotheses_(hypotheses) {
+    for (const Hypothesis& hypothesis : hypotheses_) open_.push_back(covariance(study, hypothesis));
+    for (const Hypothesis& truth : hypotheses_)
+      for (const Hypothesis& alternative : hypotheses_)
+        known_.push_back(reduced(linearised_alternative(study.measurements(), noise, truth, alternative)));
     before_ =
         expected_log_odds(hypotheses_.size(), [&](std::size_t a, std::size_t b) { return known(a, b); });
   }
@@ -192,11 +195,11 @@ class Planner {
   }
 
   const Experiment& experiment_;
-  const NoiseModel& noise_;
+  const NoiseEstimate& noise_;
   OperatingEnvelope so_far_;
   bool reads_angles_;  ///< in the experiment so far
-  std::vector<Fit> hypotheses_;
-  std::vector<Eigen::MatrixXd> open_;         ///< covariance of their parameters
+  const std::vector<Hypothesis>& hypotheses_;
+  std::vector<MatrixXd> open_;                ///< covariance of their parameters
   std::vector<LinearisedAlternative> known_;  ///< [truth][alternative]
   double before_ = 0;
   std::vector<Proposal> proposals_;
@@ -204,8 +207,8 @@ class Planner {
 
 }  // namespace
 
-std::vector<Proposal> next_runs(const Study& study, const std::vector<Fit>& hypotheses,
-                                const NoiseModel& noise, std::size_t count, Aim aim) {
+std::vector<Proposal> next_runs(const Study& study, const std::vector<Hypothesis>& hypotheses,
+                                const NoiseEstimate& noise, std::size_t count, Aim aim) {
   constexpr std::size_t most_shapes = 12;
   Planner planner(study, hypotheses, noise);
   for (const Shape& shape : shapes(study.experiment(), most_shapes)) planner.add_runs_from(shape);

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/inference/fit.hpp"
+#include "diagnose/inference/hypothesis.hpp"
+#include "diagnose/noise/noise_estimate.hpp"
 
 namespace plumbline::diagnose {
 
@@ -29,9 +30,10 @@ enum class Aim { discriminate, detect };
 /// and their parameters as uncertain as the readings leave them. Candidates are presses and loads from the
 /// rest shapes of the runs and their mirror images, with and without joint angles, in gravity and out of it,
 /// within the operating envelope, that the nominal model and every hypothesis can follow.
-/// \param hypotheses  two or more, fitted to the same readings, the best first
+/// \param hypotheses  two or more, fitted to the readings of the study, the best first
+/// \param noise       of these readings, and of those to come
 /// \returns at most `count` runs, the best first; with Aim::detect those that show the gap clearly come first
-std::vector<Proposal> next_runs(const Study& study, const std::vector<Fit>& hypotheses,
-                                const NoiseModel& noise, std::size_t count, Aim aim = Aim::discriminate);
+std::vector<Proposal> next_runs(const Study& study, const std::vector<Hypothesis>& hypotheses,
+                                const NoiseEstimate& noise, std::size_t count, Aim aim = Aim::discriminate);
 
 }  // namespace plumbline::diagnose

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "diagnose/beliefs.hpp"
 #include "diagnose/design/comparison.hpp"
 
 namespace plumbline::diagnose {
@@ -80,7 +79,7 @@ Plan plan(const Experiment& bench, const std::function<void(double)>& progress) 
   const Comparison effects(space, progress);
   const std::size_t count = space.descriptions.size();
   const Shown told = shown_by(effects, [&](const std::vector<Contrast>& contrasts) {
-    return few_suffice(contrasts, count, beliefs::told_apart, few_runs);
+    return few_suffice(contrasts, count, told_apart, few_runs);
   });
   Plan result;
   result.experiment = bench.name;
@@ -90,7 +89,7 @@ Plan plan(const Experiment& bench, const std::function<void(double)>& progress) 
   if (const Places planned = first(space.planned); !planned.empty()) {
     const auto suffice = [&](const std::vector<Contrast>& contrasts) {
       return std::all_of(contrasts.begin(), contrasts.end(), [&](const Contrast& one) {
-        return expected_log_likelihood_ratio(one, planned) > beliefs::told_apart;
+        return expected_log_likelihood_ratio(one, planned) > told_apart;
       });
     };
     result.planned = unidentifiable(effects, shown_by(effects, suffice), planned);
@@ -104,7 +103,7 @@ Plan plan(const Experiment& bench, const std::function<void(double)>& progress) 
       for (Contrast& one : effects.between(i, j)) to_be_shown.push_back(std::move(one));
     }
   }
-  const FewestRuns fewest = fewest_runs(to_be_shown, count, beliefs::told_apart);
+  const FewestRuns fewest = fewest_runs(to_be_shown, count, told_apart);
   for (const std::size_t run : fewest.runs) result.fewest.push_back(space.descriptions[run]);
   result.proved_minimal = fewest.proved;
   return result;

@@ -40,9 +40,10 @@ struct Plan {
 };
 
 /// An effect is detected, and two effects are distinguished, where the expected log-likelihood ratio of the
-/// truth over the refitted alternative exceeds `beliefs::told_apart`. The alternative is the nominal model,
-/// or the other effect; either effect is taken as the truth, at its typical size. An alternative does not
-/// compete with its own special case, nor where it has more than one parameter more than the truth.
+/// truth over the refitted alternative exceeds `told_apart`. The alternative is the nominal model,
+/// or the other effect; either effect is taken as the truth, at its typical size. An alternative that
+/// contains the truth as a special case, or that has more than one parameter more, does not compete with it:
+/// readings cannot rule it out, and it is less probable for its parameters.
 /// \param bench     its measured channels are empty; a run without readings describes the bench
 /// \param progress  called from time to time with the fraction of work done
 /// \throws Error where the nominal model cannot follow a planned run, or no run is feasible

@@ -6,19 +6,17 @@
 
 namespace plumbline::diagnose {
 
-LinearisedAlternative linearised_alternative(const Fit& truth, const Fit& alternative) {
-  LinearisedAlternative rows;
-  const auto count = static_cast<Eigen::Index>(truth.whitened.size());
-  rows.slope = alternative.jacobian;
-  rows.difference.resize(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    rows.difference(i) = alternative.whitened[k] - truth.whitened[k];
-  }
-  // A parameter at its bound cannot move further.
-  for (std::size_t p = 0; p < alternative.at_bound.size(); ++p)
-    if (alternative.at_bound[p]) rows.slope.col(static_cast<Eigen::Index>(p)).setZero();
-  return rows;
+MatrixXd free_jacobian(const Hypothesis& hypothesis) {
+  MatrixXd jacobian = hypothesis.jacobian;
+  for (std::size_t p = 0; p < hypothesis.at_bound.size(); ++p)
+    if (hypothesis.at_bound[p]) jacobian.col(static_cast<Eigen::Index>(p)).setZero();
+  return jacobian;
+}
+
+LinearisedAlternative linearised_alternative(const Measurements& measurements, const NoiseEstimate& noise,
+                                             const Hypothesis& truth, const Hypothesis& alternative) {
+  return {noise.whitened(measurements, alternative.residual - truth.residual),
+          noise.whitened(measurements, free_jacobian(alternative))};
 }
 
 double separation(const LinearisedAlternative& rows) {

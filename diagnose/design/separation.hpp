@@ -2,19 +2,32 @@
 /// \file
 /// The separation of two hypotheses: the part of one prediction that the other, refitted, cannot imitate.
 
-#include "diagnose/inference/fit.hpp"
+#include <cmath>
+
+#include "diagnose/inference/hypothesis.hpp"
+#include "diagnose/noise/noise_estimate.hpp"
+#include "diagnose/priors.hpp"
 
 namespace plumbline::diagnose {
 
+/// Two hypotheses are distinguished by an expected log-likelihood ratio above this: the worse one is then,
+/// were both equally probable before, not worth naming beside the better one.
+inline const double told_apart = std::log(priors::wrong_over_further_name);
+
 /// A linearised alternative: the difference of two predictions in standard deviations, and the derivatives of
-/// the alternative by its parameters.
+/// the alternative by its parameters, zero of those that cannot move.
 struct LinearisedAlternative {
   Eigen::VectorXd difference;
   Eigen::MatrixXd slope;
 };
 
-/// For two fits to the same readings, in the same noise.
-LinearisedAlternative linearised_alternative(const Fit& truth, const Fit& alternative);
+/// Derivatives of what a hypothesis leaves, in declared sigmas; zero by parameters at a bound, which cannot
+/// move on.
+MatrixXd free_jacobian(const Hypothesis& hypothesis);
+
+/// For two hypotheses fitted to the same readings.
+LinearisedAlternative linearised_alternative(const Measurements& measurements, const NoiseEstimate& noise,
+                                             const Hypothesis& truth, const Hypothesis& alternative);
 
 /// Squared distance after the alternative is refitted. If `truth` is true, its expected log-likelihood ratio
 /// is half of it, averaged over the noise.

@@ -8,6 +8,7 @@
 
 #include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/design/separation.hpp"
+#include "diagnose/inference/white_noise_fit.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -25,20 +26,32 @@ Experiment along_x() {
   return experiment;
 }
 
+/// White noise of the declared size.
+NoiseEstimate as_declared(const Study& study) {
+  NoiseEstimate noise{{}, NoiseShape(study.measurements())};
+  for (const Block& block : study.measurements().blocks()) noise.channels.push_back({block.channel, 1, 0, 1});
+  return noise;
+}
+
+ChannelNoise& noise_of(NoiseEstimate& noise, Channel::Name name) {
+  return *std::find_if(noise.channels.begin(), noise.channels.end(),
+                       [&](const ChannelNoise& one) { return one.channel.name == name; });
+}
+
 }  // namespace
 
 TEST_CASE(
     "a weight at the tip and a tare error are one and the same until the rig is turned out of gravity") {
-  const Experiment experiment = measured(along_x(), only("tip_payload"), {0.3}, 37);
-  const Measurements measurements(experiment);
-  const Fit payload = fit(Study(experiment), only("tip_payload"), {});
-  const Fit bias = fit(Study(experiment), only("force_bias"), {});
+  const Study study(measured(along_x(), only("tip_payload"), {0.3}, 37));
+  const NoiseEstimate noise = as_declared(study);
+  const Hypothesis payload = fit_in_white_noise(study, only("tip_payload")),
+                   bias = fit_in_white_noise(study, only("force_bias"));
   // The tare error imitates the weight exactly; the weight misses what noise gives b_x: one free parameter,
   // whose squared distance is a chi-square of one degree of freedom, below 11 in 999 of 1000 experiments.
-  CHECK(separation(linearised_alternative(payload, bias)) < 1e-6);
-  CHECK(separation(linearised_alternative(bias, payload)) < 11);
+  CHECK(separation(linearised_alternative(study.measurements(), noise, payload, bias)) < 1e-6);
+  CHECK(separation(linearised_alternative(study.measurements(), noise, bias, payload)) < 11);
 
-  const std::vector<Proposal> proposals = next_runs(Study(experiment), {payload, bias}, {}, 4);
+  const std::vector<Proposal> proposals = next_runs(study, {payload, bias}, noise, 4);
   REQUIRE(proposals.size() == 4);
   for (const Proposal& one : proposals) {
     CHECK(one.out_of_gravity);
@@ -50,10 +63,11 @@ TEST_CASE(
 
 TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
   const Candidate truth = only("rest_angle", 1), hypothesis = only("joint_stiffness", 2);
-  const Experiment experiment = measured(along_x(), truth, {0.004}, 41);
-  const Measurements measurements(experiment);
-  const Fit right = fit(Study(experiment), truth, {}), wrong = fit(Study(experiment), hypothesis, {});
-  const Proposal best = next_runs(Study(experiment), {right, wrong}, {}, 1).at(0);
+  const Study first(measured(along_x(), truth, {0.004}, 41));
+  const Proposal best =
+      next_runs(first, {fit_in_white_noise(first, truth), fit_in_white_noise(first, hypothesis)},
+                as_declared(first), 1)
+          .at(0);
 
   Experiment longer = along_x();
   longer.runs.push_back(best.run);
@@ -64,7 +78,9 @@ TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
   for (unsigned seed = 0; seed < repeats; ++seed) {
     const Experiment again = measured(longer, truth, {0.004}, 100 + seed);
     const Study study(again);
-    sum += (fit(study, hypothesis, {}).cost - fit(study, truth, {}).cost) / 2;
+    sum += (fit_in_white_noise(study, hypothesis).residual.squaredNorm() -
+            fit_in_white_noise(study, truth).residual.squaredNorm()) /
+           2;
   }
   const double lead = sum / repeats;
   CHECK(lead > best.log_odds_so_far);
@@ -72,15 +88,14 @@ TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
 }
 
 TEST_CASE("nothing is proposed that asks too much of the rig") {
-  const Experiment experiment = measured(along_x(), only("force_gain"), {0.05}, 43);
-  const Measurements measurements(experiment);
-  const Fit gain = fit(Study(experiment), only("force_gain"), {});
-  const Fit stiff = fit(Study(experiment), only("joint_stiffness", 1), {});
+  const Study study(measured(along_x(), only("force_gain"), {0.05}, 43));
+  const Hypothesis gain = fit_in_white_noise(study, only("force_gain")),
+                   stiff = fit_in_white_noise(study, only("joint_stiffness", 1));
   double force = 0, needed = 0;
-  for (const Trace& trace : predict(Study(experiment), {}, {}).runs)
+  for (const Trace& trace : study.nominal().runs)
     force = std::max(force, trace.col(column_Fx).abs().maxCoeff());
-  for (const Proposal& one : next_runs(Study(experiment), {gain, stiff}, {}, 1000)) {
-    Experiment bench = experiment;
+  for (const Proposal& one : next_runs(study, {gain, stiff}, as_declared(study), 1000)) {
+    Experiment bench = study.experiment();
     bench.runs = {one.run};
     const Prediction predicted = predict(Study(bench), gain.candidate, gain.parameters);
     REQUIRE(predicted.reached);
@@ -96,12 +111,12 @@ TEST_CASE("no run is proposed in which an explanation snaps") {
   Experiment experiment = three_links();
   press(experiment, {0.118, 0.046, 0.061}, {-0.053, -0.05}, 20, false);
   const Study study(measured(experiment, only("rest_angle", 2), {0.099}, 43));
-  const std::vector<Fit> hypotheses{fit(study, only("joint_stiffness", 2), {}),
-                                    fit(study, only("rest_angle", 2), {})};
+  const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("joint_stiffness", 2)),
+                                           fit_in_white_noise(study, only("rest_angle", 2))};
   const auto snaps = [&](const Run& run) {
     Experiment bench = study.experiment();
     bench.runs = {run};
-    return std::any_of(hypotheses.begin(), hypotheses.end(), [&](const Fit& one) {
+    return std::any_of(hypotheses.begin(), hypotheses.end(), [&](const Hypothesis& one) {
       return predict(Study(bench), one.candidate, one.parameters).snapped;
     });
   };
@@ -110,7 +125,7 @@ TEST_CASE("no run is proposed in which an explanation snaps") {
     for (const CandidateRun& one : runs_from(study.experiment(), shape, operating_envelope(study)))
       feasible += snaps(one.run);
   REQUIRE(feasible > 0);
-  const std::vector<Proposal> proposals = next_runs(study, hypotheses, {}, 1000);
+  const std::vector<Proposal> proposals = next_runs(study, hypotheses, as_declared(study), 1000);
   REQUIRE_FALSE(proposals.empty());
   for (const Proposal& one : proposals) CHECK_FALSE(snaps(one.run));
 }
@@ -119,11 +134,11 @@ TEST_CASE(
     "what a proposal says of the gap is what the best explanation leaves to the nominal model, and goes "
     "first") {
   const Study study(measured(along_x(), only("rest_angle", 1), {0.004}, 41));
-  const NoiseModel noise{{1, 1, 2, 0.5, 1}, 0};
-  FitSettings settings;
-  settings.noise = noise;
-  const std::vector<Fit> hypotheses{fit(study, only("rest_angle", 1), settings),
-                                    fit(study, only("joint_stiffness", 2), settings)};
+  NoiseEstimate noise = as_declared(study);
+  noise_of(noise, Channel::Name::Fx).scale = 2;
+  noise_of(noise, Channel::Name::Fy).scale = 0.5;
+  const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("rest_angle", 1)),
+                                           fit_in_white_noise(study, only("joint_stiffness", 2))};
   const auto gap_of = [&](const Proposal& one) {
     Experiment bench = study.experiment();
     bench.runs = {one.run};
@@ -162,10 +177,10 @@ TEST_CASE("out of gravity a chain and its mirror image tell as much, in gravity 
   experiment.link_mass = {0.05, 0.05, 0.05};
   experiment.gravity = {0, -9.81};
   const Study study(measured(experiment, only("force_gain"), {0.1}, 43));
-  const std::vector<Fit> hypotheses{fit(study, only("force_gain"), {}),
-                                    fit(study, only("stiffness_scale"), {})};
+  const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("force_gain")),
+                                           fit_in_white_noise(study, only("stiffness_scale"))};
   std::map<std::pair<bool, std::string>, std::vector<double>> promised;
-  for (const Proposal& one : next_runs(study, hypotheses, {}, 1000)) {
+  for (const Proposal& one : next_runs(study, hypotheses, as_declared(study), 1000)) {
     std::string what = one.description;
     if (const std::size_t at = what.find("mirrored "); at != what.npos) what.erase(at, 9);
     promised[{one.out_of_gravity, what}].push_back(one.log_odds);
@@ -186,10 +201,10 @@ TEST_CASE("joint angles are an extra only where the bench does not read them") {
       for (Run& run : experiment.runs)
         for (Reading& reading : run.readings) reading.q.clear();
     const Study study(measured(experiment, only("force_gain"), {0.05}, 43));
-    const std::vector<Fit> hypotheses{fit(study, only("force_gain"), {}),
-                                      fit(study, only("joint_stiffness", 1), {})};
+    const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("force_gain")),
+                                             fit_in_white_noise(study, only("joint_stiffness", 1))};
     std::size_t extras = 0;
-    const std::vector<Proposal> proposals = next_runs(study, hypotheses, {}, 1000);
+    const std::vector<Proposal> proposals = next_runs(study, hypotheses, as_declared(study), 1000);
     REQUIRE_FALSE(proposals.empty());
     for (const Proposal& one : proposals) {
       if (reads) CHECK(one.angles);
@@ -203,28 +218,41 @@ TEST_CASE("what a run is expected to show is counted in the noise as it is, chan
   // a sigma declared twice as large, or found twice as large as declared, are one and the same noise
   const Experiment experiment = measured(along_x(), only("rest_angle", 1), {0.02}, 47);
   const Study study(experiment);
-  const std::vector<Fit> hypotheses{fit(study, only("rest_angle", 1), {}),
-                                    fit(study, only("joint_stiffness", 2), {})};
-  const auto leads = [&](const Experiment& declared, const NoiseModel& found) {
+  const std::vector<Hypothesis> as_found{fit_in_white_noise(study, only("rest_angle", 1)),
+                                         fit_in_white_noise(study, only("joint_stiffness", 2))};
+  const auto leads = [](const Experiment& declared, const std::vector<Hypothesis>& hypotheses,
+                        const auto& change) {
+    const Study bench(declared);
+    NoiseEstimate noise = as_declared(bench);
+    change(noise);
     std::vector<double> result;
-    for (const Proposal& one : next_runs(Study(declared), hypotheses, found, 1000))
+    for (const Proposal& one : next_runs(bench, hypotheses, noise, 1000))
       result.push_back(one.log_odds - one.log_odds_so_far);
     std::sort(result.begin(), result.end());
     return result;
   };
-  const std::vector<double> as_declared = leads(experiment, {});
-  REQUIRE_FALSE(as_declared.empty());
+  const auto nothing = [](NoiseEstimate&) {};
+  const std::vector<double> plain = leads(experiment, as_found, nothing);
+  REQUIRE_FALSE(plain.empty());
   for (const auto& [name, sigma] :
        {std::pair{Channel::Name::Fx, &Noise::Fx}, std::pair{Channel::Name::Fy, &Noise::Fy}}) {
     Experiment louder = experiment;
     louder.noise.*sigma *= 2;
-    NoiseModel found;
-    found.scale[static_cast<std::size_t>(name)] = 2;
-    const std::vector<double> by_declaration = leads(louder, {}), by_finding = leads(experiment, found);
-    REQUIRE(by_declaration.size() == as_declared.size());
-    REQUIRE(by_finding.size() == as_declared.size());
-    CHECK(by_finding.back() != close_to(as_declared.back()).epsilon(1e-3));
-    for (std::size_t i = 0; i < as_declared.size(); ++i)
+    std::vector<Hypothesis> in_louder = as_found;
+    for (const Block& block : study.measurements().blocks())
+      for (Hypothesis& one : in_louder)
+        if (block.channel.name == name) {
+          one.residual.segment(block.first, block.count) /= 2;
+          one.jacobian.middleRows(block.first, block.count) /= 2;
+        }
+    const std::vector<double> by_declaration = leads(louder, in_louder, nothing);
+    const std::vector<double> by_finding =
+        leads(experiment, as_found,
+              [&, channel = name](NoiseEstimate& found) { noise_of(found, channel).scale = 2; });
+    REQUIRE(by_declaration.size() == plain.size());
+    REQUIRE(by_finding.size() == plain.size());
+    CHECK(by_finding.back() != close_to(plain.back()).epsilon(1e-3));
+    for (std::size_t i = 0; i < plain.size(); ++i)
       CHECK(by_finding[i] == close_to(by_declaration[i]).epsilon(1e-9));
   }
 }
@@ -234,11 +262,11 @@ TEST_CASE("noise that remembers hides what changes slowly, in a run to come as i
   // run: a quarter at 0.6. Of a press the difference grows on the way, and its steps count more.
   const Experiment experiment = measured(along_x(), only("rest_angle", 1), {0.02}, 47);
   const Study study(experiment);
-  const std::vector<Fit> hypotheses{fit(study, only("rest_angle", 1), {}),
-                                    fit(study, only("joint_stiffness", 2), {})};
+  const std::vector<Hypothesis> hypotheses{fit_in_white_noise(study, only("rest_angle", 1)),
+                                           fit_in_white_noise(study, only("joint_stiffness", 2))};
   const auto most_shown = [&](double correlation) {
-    NoiseModel noise;
-    noise.correlation.fill(correlation);
+    NoiseEstimate noise = as_declared(study);
+    for (ChannelNoise& one : noise.channels) one.correlation = correlation;
     double most = 0;
     for (const Proposal& one : next_runs(study, hypotheses, noise, 1000))
       most = std::max(most, one.log_odds - one.log_odds_so_far);
