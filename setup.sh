@@ -25,7 +25,6 @@ program=(
   # expressions of the effects that users state
   libmuparser-dev
   # least squares
-  libceres-dev
 )
 # what checks the proofs in proofs/coq
 proofs=(coq libcoq-mathcomp-ssreflect libcoq-mathcomp-algebra libcoq-mathcomp-field libcoq-mathcomp-real-closed

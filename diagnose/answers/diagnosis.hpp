@@ -11,7 +11,7 @@
 #include "diagnose/answers/where.hpp"
 #include "diagnose/decision/shrink.hpp"
 #include "diagnose/design/next_run.hpp"
-#include "diagnose/discrepancy/offered_law.hpp"
+#include "diagnose/answers/offered_law.hpp"
 #include "diagnose/answers/unexplained.hpp"
 
 namespace plumbline::diagnose {

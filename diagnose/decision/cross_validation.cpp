@@ -19,9 +19,10 @@ void add(const HeldOut& part, HeldOut& all) {
   all.names.insert(all.names.end(), part.names.begin(), part.names.end());
 }
 
-/// What is known of the noise of all readings, of those that are seen.
-NoiseShape shape_of(const NoiseShape& all, const Measurements& measurements, const HeldOut& part,
-                    const Measurements& seen) {
+/// The noise of the readings that are seen, from that of all.
+NoiseEstimate noise_of(const NoiseEstimate& noise, const Measurements& measurements, const HeldOut& part,
+                       const Measurements& seen) {
+  const NoiseShape& all = noise.shape;
   NoiseShape shape(seen);
   const std::vector<bool> held = heldout_values(measurements, part);
   Eigen::Index next = 0;
@@ -30,7 +31,7 @@ NoiseShape shape_of(const NoiseShape& all, const Measurements& measurements, con
     shape.relative(next) = all.relative(static_cast<Eigen::Index>(i));
     shape.outlier[static_cast<std::size_t>(next++)] = all.outlier[i];
   }
-  return shape;
+  return {noise.channels, shape};
 }
 
 /// Mean square over a part of what a prediction is uncertain by, in declared sigmas.
@@ -63,7 +64,8 @@ std::optional<Shrink> cross_validated(const Study& study, const NoiseEstimate& n
   for (const auto& parts : {run_parts(study.experiment()), block_parts(study.experiment())}) {
     std::vector<std::optional<VectorXd>> left(parts.size());
     in_parallel(parts.size(), study.threads(), [&](std::size_t p) {
-      left[p] = left_unseen(study.of(without(study.experiment(), parts[p])), parts[p]);
+      const Study seen = study.of(without(study.experiment(), parts[p]));
+      left[p] = left_unseen(seen, noise_of(noise, study.measurements(), parts[p], seen.measurements()), parts[p]);
     });
     HeldOut all = nothing_held(study.experiment());
     VectorXd after = study.nominal_residual();
@@ -85,10 +87,10 @@ std::optional<Shrink> cross_validated(const Study& study, const NoiseEstimate& n
 std::optional<Shrink> cross_validated(const Study& study, const Findings& findings, const NoiseEstimate& noise,
                                       const Hypothesis& hypothesis) {
   constexpr Effort effort{6, 0.03};
-  return cross_validated(study, noise, [&](const Study& seen, const HeldOut& part) -> std::optional<VectorXd> {
+  return cross_validated(study, noise, [&](const Study& seen, const NoiseEstimate& noise_seen,
+                                     const HeldOut& part) -> std::optional<VectorXd> {
     const CommandStates states(seen.experiment());
-    const Likelihood likelihood(seen.measurements(), states, findings.likelihood->priors(),
-                                shape_of(noise.shape, study.measurements(), part, seen.measurements()),
+    const Likelihood likelihood(seen.measurements(), states, findings.likelihood->priors(), noise_seen.shape,
                                 seen.nominal_residual());
     const Hypothesis fitted = maximised(seen, likelihood, hypothesis.candidate, hypothesis.parameters, effort);
     if (!fitted.converged) return std::nullopt;

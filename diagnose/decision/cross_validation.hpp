@@ -10,9 +10,10 @@
 
 namespace plumbline::diagnose {
 
-/// What a model leaves of all readings, flat, where it was fitted to the readings seen; nothing where these say too
-/// little to predict the part that is held out.
-using LeftUnseen = std::function<std::optional<VectorXd>(const Study& seen, const HeldOut& part)>;
+/// What a model leaves of all readings, flat, where it was fitted to the readings seen, in their noise; nothing where
+/// these say too little to predict the part that is held out.
+using LeftUnseen =
+    std::function<std::optional<VectorXd>(const Study& seen, const NoiseEstimate& noise, const HeldOut& part)>;
 
 /// Runs are held out in turn, else blocks of readings: of these two ways the first whose readings carry the gap.
 /// Nothing where too little can be held out.

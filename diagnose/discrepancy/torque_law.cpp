@@ -6,13 +6,17 @@
 #include <limits>
 
 #include "diagnose/discrepancy/law_choice.hpp"
-#include "diagnose/noise/outliers.hpp"
 #include "diagnose/rig/run_rig.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
 constexpr std::size_t folds = 5;
+
+/// The values of a series.
+auto values_of(const Series& series, const VectorXd& values) {
+  return values.segment(static_cast<Eigen::Index>(series.first), static_cast<Eigen::Index>(series.readings.size()));
+}
 
 /// A rig, what it gives, and how its channels answer to a torque at each elastic joint.
 struct Response {
@@ -121,10 +125,9 @@ std::array<std::size_t, 2> folds_of(std::size_t begins, std::size_t reading, std
 /// how much of the gap they carry, for the order in which they are listed says nothing.
 std::vector<std::size_t> first_folds(const Study& study) {
   std::vector<double> carried(study.experiment().runs.size(), 0.0);
-  const std::vector<double> residual = study.nominal_residual();
+  const VectorXd residual = study.nominal_residual();
   for (const Series& series : study.measurements().series())
-    for (std::size_t i = series.first; i < series.first + series.readings.size(); ++i)
-      carried[series.run] += residual[i] * residual[i];
+    carried[series.run] += values_of(series, residual).squaredNorm();
   std::vector<std::size_t> first;
   for (const double own : carried)
     first.push_back(static_cast<std::size_t>(
@@ -133,11 +136,11 @@ std::vector<std::size_t> first_folds(const Study& study) {
 }
 
 LawFolds sums_of(const Study& study, const Response& rig, const Placement& place,
-                 const std::vector<double>& residual, const NoiseModel& noise) {
+                 const VectorXd& residual, const NoiseEstimate& noise) {
   const Eigen::Index own = terms_of(place), width = static_cast<Eigen::Index>(place.size()) * own;
   const LawSums none{Eigen::MatrixXd::Zero(width, width), Eigen::VectorXd::Zero(width), 0};
   LawFolds result{std::vector<LawSums>(2 * folds, none), 2};
-  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(residual.size()), width);
+  Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(residual.size(), width);
   for (std::size_t b = 0; b < place.size(); ++b) {
     for_each_part(study, rig, place[b], [&](std::size_t a, std::size_t run, const Eigen::MatrixXd& terms) {
       for (const Series& series : study.measurements().series()) {
@@ -147,7 +150,7 @@ LawFolds sums_of(const Study& study, const Response& rig, const Placement& place
           const auto reading = static_cast<Eigen::Index>(series.readings[i]);
           slopes.row(static_cast<Eigen::Index>(series.first + i))
               .segment(static_cast<Eigen::Index>(b) * own, own) +=
-              answer(reading) / (series.sigmas[i] * noise.of(series.channel)) * terms.row(reading).head(own);
+              answer(reading) / (series.sigma * noise.of(series.channel).scale) * terms.row(reading).head(own);
         }
       }
     });
@@ -164,9 +167,9 @@ LawFolds sums_of(const Study& study, const Response& rig, const Placement& place
       while (to < series.readings.size() && folds_of(begins, series.readings[to], readings) == both) ++to;
       const auto rows = slopes.middleRows(static_cast<Eigen::Index>(series.first + from),
                                           static_cast<Eigen::Index>(to - from));
-      const Eigen::VectorXd part = Eigen::Map<const Eigen::VectorXd>(residual.data() + series.first + from,
-                                                                     static_cast<Eigen::Index>(to - from)) /
-                                   noise.of(series.channel);
+      const Eigen::VectorXd part = residual.segment(static_cast<Eigen::Index>(series.first + from),
+                                                    static_cast<Eigen::Index>(to - from)) /
+                                   noise.of(series.channel).scale;
       const LawSums sums{rows.transpose() * rows, rows.transpose() * part, part.squaredNorm()};
       for (const std::size_t fold : both) result.parts[fold] += sums;
       from = to;
@@ -184,23 +187,29 @@ double worth_at_most(std::size_t values) {
 
 /// The base of a law with the law in it.
 Rig rig_with_law(const Study& study, const TorqueLaw& law) {
-  Rig rig = rig_with(study, law.base.candidate, law.base.parameters);
+  Rig rig = study.nominal_rig();
   for (FreeLaw& one : free_laws(study, law)) rig.laws.push_back(std::move(one));
   return rig;
 }
 
+/// The residual with nothing to explain at the outliers.
+VectorXd without_outliers(const NoiseEstimate& noise, VectorXd residual) {
+  for (Eigen::Index i = 0; i < residual.size(); ++i)
+    if (noise.shape.outlier[static_cast<std::size_t>(i)]) residual(i) = 0;
+  return residual;
+}
+
 /// Sum of squares of a residual, in the noise.
-double squares(const Study& study, const NoiseModel& noise, const std::vector<double>& residual) {
+double squares(const Study& study, const NoiseEstimate& noise, const VectorXd& residual) {
   double sum = 0;
   for (const Series& series : study.measurements().series())
-    for (std::size_t i = 0; i < series.readings.size(); ++i)
-      sum += std::pow(residual[series.first + i] / noise.of(series.channel), 2);
+    sum += (values_of(series, residual) / noise.of(series.channel).scale).squaredNorm();
   return sum;
 }
 
 /// What laws of the places of `law` are to explain: what is left with it in the rig, and what it gives there.
-std::vector<double> to_explain(const Study& study, const Response& with, const TorqueLaw& law) {
-  std::vector<double> residual = without_outliers(study.measurements(), study.residual(with.given));
+VectorXd to_explain(const Study& study, const NoiseEstimate& noise, const Response& with, const TorqueLaw& law) {
+  VectorXd residual = without_outliers(noise, study.residual(with.given));
   for (const JointTorqueLaw& one : law.laws)
     for_each_part(study, with, one, [&](std::size_t a, std::size_t run, const Eigen::MatrixXd& terms) {
       const Eigen::VectorXd torque = terms.leftCols(one.coefficients.size()) * one.coefficients;
@@ -209,7 +218,7 @@ std::vector<double> to_explain(const Study& study, const Response& with, const T
         const auto answer = with.per_torque[a][run].col(column_of(series.channel));
         for (std::size_t i = 0; i < series.readings.size(); ++i) {
           const auto reading = static_cast<Eigen::Index>(series.readings[i]);
-          residual[series.first + i] += answer(reading) * torque(reading) / series.sigmas[i];
+          residual(static_cast<Eigen::Index>(series.first + i)) += answer(reading) * torque(reading) / series.sigma;
         }
       }
     });
@@ -233,7 +242,7 @@ TorqueLaw between(const TorqueLaw& from, const TorqueLaw& to, double share) {
 /// A law that was fitted to how the base answers at the deflections that it has without the law, fitted again
 /// to how the chain answers that has the law, at the deflections that it then has: Gauss and Newton's
 /// iteration, by shorter steps where a whole one does not help.
-TorqueLaw settled(const Study& seen, const NoiseModel& noise, TorqueLaw law) {
+TorqueLaw settled(const Study& seen, const NoiseEstimate& noise, TorqueLaw law) {
   constexpr int rounds = 20;
   constexpr double noticeable = 1e-3;
   double least = left_with(seen, noise, law);
@@ -246,7 +255,7 @@ TorqueLaw settled(const Study& seen, const NoiseModel& noise, TorqueLaw law) {
     if (!with.given.reached) break;
     TorqueLaw next = law;
     const ChosenLaw fitted = fit_law(law.shape, law.laws.size(),
-                                     sums_of(seen, with, law.laws, to_explain(seen, with, law), noise));
+                                     sums_of(seen, with, law.laws, to_explain(seen, noise, with, law), noise));
     take(fitted.coefficients, next);
     double left = std::numeric_limits<double>::infinity();
     for (const double share : {1.0, 0.5, 0.25, 0.1}) {
@@ -264,11 +273,11 @@ TorqueLaw settled(const Study& seen, const NoiseModel& noise, TorqueLaw law) {
 
 /// A settled law, its shape chosen again by how the chain answers that has it: where the law is large, what
 /// the base answers to it shows too little of what another shape would do. Laws of their own keep theirs.
-TorqueLaw chosen_again(const Study& seen, const NoiseModel& noise, const TorqueLaw& law) {
+TorqueLaw chosen_again(const Study& seen, const NoiseEstimate& noise, const TorqueLaw& law) {
   if (law.laws.size() > 1) return law;
   const Response with = response(seen, rig_with_law(seen, law));
   if (!with.given.reached) return law;
-  const LawFolds sums = sums_of(seen, with, law.laws, to_explain(seen, with, law), noise);
+  const LawFolds sums = sums_of(seen, with, law.laws, to_explain(seen, noise, with, law), noise);
   const ChosenLaw same = fit_law(law.shape, 1, sums), other = choose_law(sums, seen.measurements().size());
   if (!(other.left < same.left - noticed_gain)) return law;
   TorqueLaw next = law;
@@ -281,16 +290,17 @@ TorqueLaw chosen_again(const Study& seen, const NoiseModel& noise, const TorqueL
 
 }  // namespace
 
-double left_with(const Study& study, const NoiseModel& noise, const TorqueLaw& law) {
+double left_with(const Study& study, const NoiseEstimate& noise, const TorqueLaw& law) {
   const Prediction with = predict_with_law(study, law);
   if (!with.reached) return std::numeric_limits<double>::infinity();
-  return squares(study, noise, without_outliers(study.measurements(), study.residual(with)));
+  return squares(study, noise, without_outliers(noise, study.residual(with)));
 }
 
-std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noise, const Instance& base) {
-  const Response rig = response(seen, rig_with(seen, base.candidate, base.parameters));
+std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseEstimate& noise) {
+  const Response rig = response(seen, seen.nominal_rig());
   if (!rig.given.reached) return std::nullopt;
-  const std::vector<double> residual = without_outliers(seen.measurements(), seen.residual(rig.given));
+  const VectorXd residual = without_outliers(noise, seen.residual(rig.given));
+  const std::size_t values = seen.measurements().size();
   std::optional<TorqueLaw> best;
   LawShape shape;
   double left = std::numeric_limits<double>::infinity();
@@ -298,26 +308,26 @@ std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noi
     const LawFolds sums = sums_of(seen, rig, place, residual, noise);
     // Laws of their own take the shape of the one law that all joints share, which was looked at just before.
     if (place.size() > 1) shape.profile = {};
-    if (place.size() > 1 && !affordable(shape, place.size(), residual.size())) continue;
+    if (place.size() > 1 && !affordable(shape, place.size(), values)) continue;
     const ChosenLaw chosen =
-        place.size() > 1 ? fit_law(shape, place.size(), sums) : choose_law(sums, residual.size());
+        place.size() > 1 ? fit_law(shape, place.size(), sums) : choose_law(sums, values);
     shape = chosen.shape;
     // One joint alone is the least that can be said.
     constexpr double clearly = 0.8;
     const bool simple = place.size() == 1 && place.front().joints.size() == 1;
     if (best && !(chosen.left < (simple ? 1 : clearly) * left)) continue;
     left = chosen.left;
-    best = TorqueLaw{base, place, chosen.shape, 1};
+    best = TorqueLaw{place, chosen.shape, 1};
     take(chosen.coefficients, *best);
   }
   if (!best) return std::nullopt;
-  const double nominal = squares(seen, noise, without_outliers(seen.measurements(), seen.nominal_residual()));
+  const double nominal = squares(seen, noise, without_outliers(noise, seen.nominal_residual()));
   best->cross_validated = std::sqrt(left / nominal);
   if (!(best->cross_validated < worth_at_most(seen.measurements().size()))) return std::nullopt;
   return refitted(seen, noise, *best);
 }
 
-TorqueLaw refitted(const Study& study, const NoiseModel& noise, const TorqueLaw& law) {
+TorqueLaw refitted(const Study& study, const NoiseEstimate& noise, const TorqueLaw& law) {
   return chosen_again(study, noise, settled(study, noise, law));
 }
 
@@ -336,14 +346,14 @@ Prediction predict_with_law(const Study& study, const TorqueLaw& law) {
 
 std::vector<LawTrace> law_traces(const Study& study, const TorqueLaw& law) {
   const Response with = response(study, rig_with_law(study, law));
-  const Rig base = rig_with(study, law.base.candidate, law.base.parameters);
+  const Rig& nominal = study.nominal_rig();
   std::vector<LawTrace> traces;
   for (const JointTorqueLaw& one : law.laws)
     for_each_part(study, with, one, [&](std::size_t a, std::size_t run, const Eigen::MatrixXd& terms) {
       const std::size_t joint = with.joints[a];
       const Run& own = study.experiment().runs[run];
-      const JointLaw spring = RunRig(in_run(base, own.number), own.rest).joint[joint];
-      const Eigen::VectorXd bent = deflection(study, base, with.given, run, joint);
+      const JointLaw spring = RunRig(in_run(nominal, own.number), own.rest).joint[joint];
+      const Eigen::VectorXd bent = deflection(study, nominal, with.given, run, joint);
       const Eigen::VectorXd carried =
           bent.unaryExpr([&](double d) { return spring.elastic(spring.rest + d).value; });
       traces.push_back(
@@ -352,18 +362,18 @@ std::vector<LawTrace> law_traces(const Study& study, const TorqueLaw& law) {
   return traces;
 }
 
-bool covers(const Study& study, const TorqueLaw& law, const HeldOut& heldout) {
+bool covers(const Study& study, const TorqueLaw& law, const std::vector<std::vector<bool>>& heldout) {
   constexpr double margin = 0.1, most = 0.9;
-  const Rig base = rig_with(study, law.base.candidate, law.base.parameters);
-  const Prediction given = simulate(study.experiment(), base, {});
+  const Rig& nominal = study.nominal_rig();
+  const Prediction& given = study.nominal();
   double inside = 0, all = 0;
   for (const JointTorqueLaw& one : law.laws)
     for (const std::size_t joint : one.joints)
-      for (std::size_t r = 0; r < heldout.reading.size(); ++r) {
-        const Eigen::VectorXd bent = deflection(study, base, given, r, joint - 1);
-        for (std::size_t i = 0; i < heldout.reading[r].size(); ++i) {
+      for (std::size_t r = 0; r < heldout.size(); ++r) {
+        const Eigen::VectorXd bent = deflection(study, nominal, given, r, joint - 1);
+        for (std::size_t i = 0; i < heldout[r].size(); ++i) {
           const double d = bent(static_cast<Eigen::Index>(i)), slack = margin * one.span.stroke();
-          if (!heldout.reading[r][i] || !std::isfinite(d)) continue;
+          if (!heldout[r][i] || !std::isfinite(d)) continue;
           all += 1;
           inside += d >= one.span.low - slack && d <= one.span.high + slack ? 1 : 0;
         }

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "diagnose/discrepancy/law_choice.hpp"
-#include "diagnose/decision/shrink.hpp"
+#include "diagnose/inference/study.hpp"
+#include "diagnose/noise/noise_estimate.hpp"
 
 namespace plumbline::diagnose {
 
@@ -22,7 +23,6 @@ struct JointTorqueLaw {
 };
 
 struct TorqueLaw {
-  Instance base;  ///< effects that it stands beside; none: on the nominal model
   std::vector<JointTorqueLaw> laws;
   LawShape shape;              ///< of each law
   double cross_validated = 1;  ///< rms left on blocks that the fit had not seen, over the nominal model's
@@ -30,19 +30,17 @@ struct TorqueLaw {
 
 /// Chooses a law blind and fits it: the joints, the number of knots, the sliders, the arms and how smooth it
 /// is are those that predict best the blocks of readings that are left out in turn. In that choice the
-/// channels answer to a torque as the base's derivative says, at the deflections that the base has, so the
+/// channels answer to a torque as the nominal chain's derivative says, at the deflections that it has, so the
 /// law is linear in its coefficients; the law chosen is then refitted().
 ///
-/// \param seen   without the readings that are held out
-///
-/// \param base   effects, fitted to the readings seen, that the law stands beside; none: the nominal model
+/// \param seen  without the readings that are held out
 ///
 /// \returns nothing where no law predicts surely better than the nominal model
-std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseModel& noise, const Instance& base);
+std::optional<TorqueLaw> fit_torque_law(const Study& seen, const NoiseEstimate& noise);
 
 /// The law fitted to the chain that has it, from where it stands, and its shape chosen again by how that
 /// chain answers; as it is where that leaves no less.
-TorqueLaw refitted(const Study& study, const NoiseModel& noise, const TorqueLaw& law);
+TorqueLaw refitted(const Study& study, const NoiseEstimate& noise, const TorqueLaw& law);
 
 /// The laws of the joints, each by itself, as the rig has them.
 std::vector<FreeLaw> free_laws(const Study& study, const TorqueLaw& law);
@@ -52,10 +50,9 @@ Prediction predict_with_law(const Study& study, const TorqueLaw& law);
 
 /// Sum of squares, in the noise, of what is left with the law in the rig; infinite where that cannot follow
 /// the experiment.
-double left_with(const Study& study, const NoiseModel& noise, const TorqueLaw& law);
+double left_with(const Study& study, const NoiseEstimate& noise, const TorqueLaw& law);
 
-/// What one joint carries along one run: the law and its spring, with what the base and the nominal model
-/// know of that.
+/// What one joint carries along one run: the law and its spring, with what the nominal model knows of that.
 struct LawTrace {
   std::size_t joint, run;              ///< joint from 1
   Eigen::VectorXd deflection, torque;  ///< by reading, rad and N m
@@ -63,6 +60,7 @@ struct LawTrace {
 std::vector<LawTrace> law_traces(const Study& study, const TorqueLaw& law);
 
 /// Whether the readings held out bend the joints no farther than those seen: beyond, a law says nothing.
-bool covers(const Study& study, const TorqueLaw& law, const HeldOut& heldout);
+/// \param heldout  [run][reading]
+bool covers(const Study& study, const TorqueLaw& law, const std::vector<std::vector<bool>>& heldout);
 
 }  // namespace plumbline::diagnose

@@ -79,11 +79,7 @@ class Models {
         effects_of(study_, candidate, values));
   }
   void add_law(const diagnose::OfferedLaw& law, bool alone) {
-    const Candidate& base = law.law.base.candidate;
-    add(alone ? "" : "torque_law",
-        "with a free torque law" + (base.effects.empty() ? "" : " and " + base.label()),
-        effects_of(study_, base, in_catalogue_units(study_, base, law.law.base.parameters)),
-        free_laws(study_, law.law));
+    add(alone ? "" : "torque_law", "with a free torque law", {}, free_laws(study_, law.law));
   }
 
   std::vector<Corrected> result() { return std::move(all_); }
@@ -108,15 +104,13 @@ std::vector<Corrected> corrected_models(const Study& study, const Diagnosis& dia
       models.add("", "as it is, for the cause is unknown and no torque law closes the gap", {});
     }
   } else {
-    const bool alone =
-        cause.equivalent.empty() && !(cause.reservation != diagnose::Reservation::none && diagnosis.law);
-    models.add(cause.ranking[cause.best].hypothesis.fit.candidate, reported(diagnosis), alone);
-    for (const std::size_t place : cause.equivalent) {
-      const diagnose::Fit& fit = cause.ranking[place].hypothesis.fit;
-      models.add(fit.candidate, in_catalogue_units(study, fit.candidate, fit.parameters), false);
+    const bool or_law = cause.or_unknown && diagnosis.law;
+    models.add(cause.ranking.front().hypothesis.candidate, reported(diagnosis), cause.named == 1 && !or_law);
+    for (std::size_t i = 1; i < cause.named; ++i) {
+      const diagnose::Hypothesis& other = cause.ranking[i].hypothesis;
+      models.add(other.candidate, in_catalogue_units(study, other.candidate, other.parameters), false);
     }
-    if (cause.reservation != diagnose::Reservation::none && diagnosis.law)
-      models.add_law(*diagnosis.law, false);
+    if (or_law) models.add_law(*diagnosis.law, false);
   }
   std::vector<Corrected> all = models.result();
   for (Corrected& one : all) one.model.source = source;

@@ -18,7 +18,7 @@ endfunction()
 
 # What the library alone must do without.
 set(absent "")
-foreach(package GiNaC fmt nlohmann_json tomlplusplus CLI11 OpenSSL Ceres MuJoCo doctest Python3 LAPACK)
+foreach(package GiNaC fmt nlohmann_json tomlplusplus CLI11 OpenSSL MuJoCo doctest Python3 LAPACK)
   list(APPEND absent -DCMAKE_DISABLE_FIND_PACKAGE_${package}=ON)
 endforeach()
 

@@ -3,8 +3,9 @@
 /// Whether a free torque law is offered where no known effect explains the gap, how far it goes, and what it
 /// looks like.
 
-#include <functional>
+#include <optional>
 
+#include "diagnose/decision/shrink.hpp"
 #include "diagnose/discrepancy/torque_law.hpp"
 
 namespace plumbline::diagnose {
@@ -16,8 +17,6 @@ struct LawPicture {
   std::vector<FreeLaw::Slider> sliders;
   std::vector<FreeLaw::Arm> arms;
   std::string words;  ///< what it looks like
-  /// Effects whose shape it has, see resemblance().
-  std::vector<std::vector<std::string>> resembles;
 };
 
 struct OfferedLaw {
@@ -33,13 +32,10 @@ std::vector<double> stiffnesses(const std::vector<FreeLaw::Knot>& knots);
 /// The picture of one law.
 LawPicture picture_of(const JointTorqueLaw& law, Eigen::Index knots);
 
-/// What a law stands beside, fitted to a study.
-using Base = std::function<Instance(const Study&)>;
-
 /// A law chosen and fitted to all readings, or to all but a part where that leaves less of all. Its shrink is
-/// that of laws chosen and fitted, with their base, without each part of the readings in its turn; a part
-/// without which none is found keeps its residual, and one that bends the joints farther than the others is
-/// no test. Nothing where no law is better than the nominal model.
-std::optional<OfferedLaw> offer_law(const Study& study, const NoiseModel& noise, const Base& base);
+/// that of laws chosen and fitted without each part of the readings in its turn; a part without which none is
+/// found keeps its residual, and one that bends the joints farther than the others is no test. Nothing where no
+/// law is better than the nominal model.
+std::optional<OfferedLaw> offer_law(const Study& study, const NoiseEstimate& noise);
 
 }  // namespace plumbline::diagnose

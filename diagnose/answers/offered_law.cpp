@@ -1,13 +1,13 @@
-#include "diagnose/discrepancy/offered_law.hpp"
+#include "diagnose/answers/offered_law.hpp"
 
 #include <mutex>
 
-#include "diagnose/decision/rotation.hpp"
+#include "diagnose/decision/cross_validation.hpp"
 
 namespace plumbline::diagnose {
 
-std::optional<OfferedLaw> offer_law(const Study& study, const NoiseModel& noise, const Base& base) {
-  std::optional<TorqueLaw> law = fit_torque_law(study, noise, base(study));
+std::optional<OfferedLaw> offer_law(const Study& study, const NoiseEstimate& noise) {
+  std::optional<TorqueLaw> law = fit_torque_law(study, noise);
   if (!law) return std::nullopt;
   double least = left_with(study, noise, *law);
   std::mutex choosing;  // parts are held out at the same time
@@ -17,22 +17,19 @@ std::optional<OfferedLaw> offer_law(const Study& study, const NoiseModel& noise,
     const std::scoped_lock lock(choosing);
     if (left < least) least = left, law = blind;
   };
-  const auto left_blind = [&](const Study& seen, const HeldOut& part) -> std::optional<std::vector<double>> {
-    const std::optional<TorqueLaw> blind = fit_torque_law(seen, noise, base(seen));
+  const auto left_unseen = [&](const Study& seen, const NoiseEstimate& noise_seen,
+                               const HeldOut& part) -> std::optional<VectorXd> {
+    const std::optional<TorqueLaw> blind = fit_torque_law(seen, noise_seen);
     if (!blind) return study.nominal_residual();
     keep_better(*blind);
-    if (!covers(study, *blind, part)) return std::nullopt;
+    if (!covers(study, *blind, part.reading)) return std::nullopt;
     const Prediction predicted = predict_with_law(study, *blind);
     return predicted.reached ? std::optional(study.residual(predicted)) : std::nullopt;
   };
-  const std::optional<Rotated> blind = rotated(study, noise, left_blind);
+  const std::optional<Shrink> shrink = cross_validated(study, noise, left_unseen);
   law = refitted(study, noise, *law);
-  OfferedLaw offered{*law, {}, std::nullopt, law_traces(study, *law)};
+  OfferedLaw offered{*law, {}, shrink, law_traces(study, *law)};
   for (const JointTorqueLaw& one : law->laws) offered.pictures.push_back(picture_of(one, law->shape.knots));
-  if (blind) {
-    offered.shrink = blind->shrink;
-    offered.shrink->chosen_blind = true;
-  }
   return offered;
 }
 

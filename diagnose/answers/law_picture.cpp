@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnose/discrepancy/offered_law.hpp"
+#include "diagnose/answers/offered_law.hpp"
 
-#include "diagnose/discrepancy/resemblance.hpp"
 #include "diagnose/bench/median.hpp"
 
 namespace plumbline::diagnose {
@@ -167,8 +166,7 @@ std::vector<double> stiffnesses(const std::vector<FreeLaw::Knot>& knots) {
 
 LawPicture picture_of(const JointTorqueLaw& law, Eigen::Index knots) {
   FreeLaw bare = free_law(law.span, knots, law.coefficients, law.joints.front(), 1);
-  LawPicture picture{law.joints, drawn_knots(law, knots), std::move(bare.sliders), std::move(bare.arms), "",
-                     {}};
+  LawPicture picture{law.joints, drawn_knots(law, knots), std::move(bare.sliders), std::move(bare.arms), ""};
   Parts parts;
   if (const std::vector<double> stiffness = stiffnesses(picture.knots); stiffness.size() > 1) {
     const std::optional<double> rest = rest_of(picture.knots);
@@ -181,7 +179,6 @@ LawPicture picture_of(const JointTorqueLaw& law, Eigen::Index knots) {
   }
   add_memory(picture, law.span, parts);
   picture.words = in_words(parts);
-  picture.resembles = resemblance(picture, law);
   return picture;
 }
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "diagnose/discrepancy/law_choice.hpp"
-#include "diagnose/discrepancy/offered_law.hpp"
+#include "diagnose/answers/offered_law.hpp"
 #include "tests/close_to.hpp"
 
 using namespace plumbline;
