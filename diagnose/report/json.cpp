@@ -145,7 +145,8 @@ Json cause(const Diagnosis& diagnosis) {
           {"tolerances", found.is_explained() && found.ranking.front().hypothesis.candidate.has_all_tolerances()},
           {"equivalent", equivalent},
           {"fails_to_predict", diagnosis.fails_to_predict},
-          {"discrepancy", diagnosis.gap.present ? found.discrepancy : 0},
+          {"discrepancy", found.discrepancy},
+          {"discrepancy_torque", found.discrepancy_torque},
           {"ranking", ranking(diagnosis)},
           {"effect_probabilities", probabilities},
           {"not_excited", idle}};

@@ -131,8 +131,8 @@ std::string beside(const Cause& cause) {
   std::string text;
   if (shows_tolerances(cause.ranking.front())) text += "  manufacturing tolerances show beside it\n";
   if (cause.discrepancy > 0)
-    text += fmt::format("  model discrepancy: it leaves {} of the nominal residual beside the noise\n",
-                        percent(cause.discrepancy));
+    text += fmt::format("  model discrepancy: {:.2g} N m at the joints, {} of the nominal residual beside the noise\n",
+                        cause.discrepancy_torque, percent(cause.discrepancy));
   return text;
 }
 
