@@ -113,8 +113,8 @@ Json effects(const Diagnosis& diagnosis) {
   return list;
 }
 
-/// Most probable first; a cause outside of the catalogue, which predicts nothing beyond the nominal model, in its
-/// place.
+/// Most probable first; a cause outside of the catalogue, which predicts nothing beyond the nominal model, in
+/// its place.
 Json ranking(const Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
   Json list = Json::array();
@@ -140,16 +140,17 @@ Json cause(const Diagnosis& diagnosis) {
   for (const EffectProbability& one : found.effects)
     probabilities.push_back({{"effect", one.label}, {"probability", one.probability}});
   for (const EffectAt& at : diagnosis.not_excited) idle.push_back(at.label());
-  return {{"verdict", verdict_word(found.verdict)},
-          {"effects", effects(diagnosis)},
-          {"tolerances", found.is_explained() && found.ranking.front().hypothesis.candidate.has_all_tolerances()},
-          {"equivalent", equivalent},
-          {"fails_to_predict", diagnosis.fails_to_predict},
-          {"discrepancy", found.discrepancy},
-          {"discrepancy_torque", found.discrepancy_torque},
-          {"ranking", ranking(diagnosis)},
-          {"effect_probabilities", probabilities},
-          {"not_excited", idle}};
+  return {
+      {"verdict", verdict_word(found.verdict)},
+      {"effects", effects(diagnosis)},
+      {"tolerances", found.is_explained() && found.ranking.front().hypothesis.candidate.has_all_tolerances()},
+      {"equivalent", equivalent},
+      {"fails_to_predict", diagnosis.fails_to_predict},
+      {"discrepancy", found.discrepancy},
+      {"discrepancy_torque", found.discrepancy_torque},
+      {"ranking", ranking(diagnosis)},
+      {"effect_probabilities", probabilities},
+      {"not_excited", idle}};
 }
 
 /// The model whose residual reduction was measured.

@@ -81,9 +81,7 @@ page::Chart memory_chart(const Explained& explained, const LawTrace& trace) {
 nlohmann::ordered_json law_as_json(const OfferedLaw& offered) {
   Json laws = Json::array();
   for (const LawPicture& picture : offered.pictures) laws.push_back(picture_as_json(picture));
-  Json result = {{"id", "torque_law"},
-                 {"laws", laws},
-                 {"cross_validated", offered.law.cross_validated}};
+  Json result = {{"id", "torque_law"}, {"laws", laws}, {"cross_validated", offered.law.cross_validated}};
   if (!offered.shrink) return result;
   result["heldout"] = offered.shrink->heldout;
   result["ratio"] = offered.shrink->ratio;

@@ -43,7 +43,8 @@ std::string interference(const std::vector<ChannelInterference>& sinusoids) {
     for (auto one = first; one != end; ++one)
       channels.push_back(one->channel.label()), largest = std::max(largest, one->rms);
     text += fmt::format(
-        "  periodic interference in {} of {}: period {:.2g} readings, {}{:.1f} declared sigmas rms; counted as "
+        "  periodic interference in {} of {}: period {:.2g} readings, {}{:.1f} declared sigmas rms; counted "
+        "as "
         "noise\n",
         fmt::join(channels, ", "), first->run, first->period, channels.size() > 1 ? "up to " : "", largest);
     first = end;
@@ -57,10 +58,11 @@ std::string departures(const GapAnswer& answer, const NoiseShape& shape) {
     text += fmt::format("  the noise of {} grows with the reading, by {:.2g} % of it\n", label(name),
                         100 * ratio);
   for (const NoisierReadings& one : answer.noisier)
-    text += one.whole_run ? fmt::format("  the {} noise of run {} is {:.1f} times that of the other runs\n",
-                                        label(one.sensor), one.run, one.factor)
-                          : fmt::format("  the {} noise of readings {}-{} of {} is {:.1f} times that of the others\n",
-                                        label(one.sensor), one.from, one.to, one.run, one.factor);
+    text += one.whole_run
+                ? fmt::format("  the {} noise of run {} is {:.1f} times that of the other runs\n",
+                              label(one.sensor), one.run, one.factor)
+                : fmt::format("  the {} noise of readings {}-{} of {} is {:.1f} times that of the others\n",
+                              label(one.sensor), one.from, one.to, one.run, one.factor);
   if (shape.quantised) text += "  a coarse display: equal readings in a row share one rounding error\n";
   return text + interference(answer.interference);
 }
@@ -87,12 +89,14 @@ std::string noise_scales(const NoiseEstimate& noise) {
 std::string outliers_in_words(const std::vector<Outlier>& outliers) {
   if (outliers.empty()) return "";
   const Outlier& largest = outliers.front();
-  const std::string where = fmt::format("{} at reading {} of {}", largest.channel.label(), largest.reading, largest.run);
+  const std::string where =
+      fmt::format("{} at reading {} of {}", largest.channel.label(), largest.reading, largest.run);
   const double off = std::abs(largest.deviation);
   if (outliers.size() == 1)
     return fmt::format("1 value has no weight: an outlier, {:.3g} standard deviations off, {}", off, where);
-  return fmt::format("{} values have no weight: outliers, up to {:.3g} standard deviations off, the largest {}",
-                     outliers.size(), off, where);
+  return fmt::format(
+      "{} values have no weight: outliers, up to {:.3g} standard deviations off, the largest {}",
+      outliers.size(), off, where);
 }
 
 std::string noise_as_text(const Diagnosis& diagnosis) {

@@ -163,7 +163,8 @@ void complete_ranking(Json& view, const Json& report) {
   Json& ranking = view["cause"]["ranking"];
   for (Json& one : ranking) {
     std::string names;
-    for (const Json& effect : one["effects"]) names += (names.empty() ? "" : " + ") + effect.get<std::string>();
+    for (const Json& effect : one["effects"])
+      names += (names.empty() ? "" : " + ") + effect.get<std::string>();
     one["names"] = names;
     one["unknown"] = names == "unknown";
     if (one["unknown"].get<bool>()) view["outside"] = one["probability"];
@@ -179,10 +180,11 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   view["best"] = false;
   if (explained.best != nullptr) {
     const Candidate& best = explained.best->cause;
-    view["best"] = {{"names", best.name()},
-                    {"words", in_words(best)},
-                    {"model", explained.model},
-                    {"drawn", diagnosis.offers_law() ? explained.model : explained.model + ": " + best.name()}};
+    view["best"] = {
+        {"names", best.name()},
+        {"words", in_words(best)},
+        {"model", explained.model},
+        {"drawn", diagnosis.offers_law() ? explained.model : explained.model + ": " + best.name()}};
     view["beside_tolerances"] = shows_tolerances(*explained.best);
   }
   Json rows = parameters(view["cause"]["effects"], diagnosis);
@@ -191,7 +193,9 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   view["discrepancy"] = cause.discrepancy > 0 ? view["cause"]["discrepancy"] : Json(false);
   std::vector<std::string> alternatives;
   for (std::size_t i = 1; i < cause.named; ++i) alternatives.push_back(in_words(cause.ranking[i].cause));
-  if (cause.or_unknown) alternatives.emplace_back("a cause outside the catalogue");
+  if (cause.or_unknown)
+    alternatives.push_back("a cause outside the catalogue" +
+                           std::string(outside_is_likelier(cause) ? ", which is more probable" : ""));
   view["alternatives"] = joined(alternatives, ", ", " or ");
   Json parts = Json::array();
   for (std::size_t i = 0; i < told_effects(cause); ++i)

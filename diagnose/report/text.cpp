@@ -41,7 +41,8 @@ std::string gap(const Diagnosis& diagnosis) {
   std::string text = fmt::format(
       "Is there a gap?  {} (probability of a gap {}): the nominal model misses {} rms, chi-square per value "
       "{:.3g}\n",
-      answer.present ? "Yes" : "No", probability(answer.probability), by_channel(answer.rms), answer.chi2_per_value);
+      answer.present ? "Yes" : "No", probability(answer.probability), by_channel(answer.rms),
+      answer.chi2_per_value);
   text += noise_as_text(diagnosis);
   if (!answer.taken_for_weights.empty())
     text += fmt::format("  all forces of {} point straight down without noise: assumed to be weights\n",
@@ -49,8 +50,7 @@ std::string gap(const Diagnosis& diagnosis) {
   for (const OtherBranch& one : answer.other_branch)
     text += fmt::format(
         "  from reading {} of {} on the chain is on the other post-critical branch, which imperfections "
-        "choose; "
-        "the model is started on the same one\n",
+        "choose; the model is started on the same one\n",
         one.reading, one.run);
   return text;
 }
@@ -121,7 +121,8 @@ std::string not_excited(const Diagnosis& diagnosis) {
 std::string parts(const Cause& cause) {
   std::string text;
   for (std::size_t i = 0; i < told_effects(cause); ++i)
-    text += fmt::format("  {} is part of it with probability {}\n", effect_in_words(cause, cause.effects[i].label),
+    text += fmt::format("  {} is part of it with probability {}\n",
+                        effect_in_words(cause, cause.effects[i].label),
                         probability(cause.effects[i].probability));
   return text;
 }
@@ -131,8 +132,9 @@ std::string beside(const Cause& cause) {
   std::string text;
   if (shows_tolerances(cause.ranking.front())) text += "  manufacturing tolerances show beside it\n";
   if (cause.discrepancy > 0)
-    text += fmt::format("  model discrepancy: {:.2g} N m at the joints, {} of the nominal residual beside the noise\n",
-                        cause.discrepancy_torque, percent(cause.discrepancy));
+    text += fmt::format(
+        "  model discrepancy: {:.2g} N m at the joints, {} of the nominal residual beside the noise\n",
+        cause.discrepancy_torque, percent(cause.discrepancy));
   return text;
 }
 
@@ -157,7 +159,8 @@ std::string unexplained(const Diagnosis& diagnosis) {
                                  probability(cause.unknown));
   text += missing(diagnosis);
   if (!cause.ranking.empty())
-    text += (diagnosis.fails_to_predict ? "  fails to predict held-out readings: " : "  best partial explanation: ") +
+    text += (diagnosis.fails_to_predict ? "  fails to predict held-out readings: "
+                                        : "  best partial explanation: ") +
             leading(cause.ranking.front()) + beside(cause);
   return text + parts(cause);
 }
@@ -203,17 +206,16 @@ std::string how_far(const Diagnosis& diagnosis) {
   if (!shrink.tested())
     return fmt::format(
         "How far?  Not tested: noise is {} of the residual in the held-out readings ({}), too little of the "
-        "gap is "
-        "left\n",
+        "gap is left\n",
         percent(shrink.noise_floor_ratio), heldout(shrink));
   return fmt::format(
       "How far?  On held-out readings ({}), {} leaves {:.3g} of the residual (95 %: {:.3g} to {:.3g}; noise "
-      "floor "
-      "{:.3g})\n"
+      "floor {:.3g})\n"
       "  rms before: {}\n"
       "  rms after:  {}\n{}",
       heldout(shrink), tested_model(diagnosis), shrink.ratio, shrink.ratio_low, shrink.ratio_high,
-      shrink.noise_floor_ratio, by_channel(shrink.rms_before), by_channel(shrink.rms_after), outliers(shrink));
+      shrink.noise_floor_ratio, by_channel(shrink.rms_before), by_channel(shrink.rms_after),
+      outliers(shrink));
 }
 
 std::string odds(double log_odds) {
@@ -227,7 +229,8 @@ std::string what_next(const Diagnosis& diagnosis) {
       "one\n";
   for (const Proposal& one : diagnosis.proposals)
     text += fmt::format("  {}: {}\n", one.description, odds(one.log_odds));
-  if (const double so_far = diagnosis.proposals.front().log_odds_so_far; so_far > std::log(priors::wrong_over_further_name))
+  if (const double so_far = diagnosis.proposals.front().log_odds_so_far;
+      so_far > std::log(priors::wrong_over_further_name))
     text += fmt::format("  (for the runs so far the same forecast gives {})\n", odds(so_far));
   return text;
 }
@@ -249,17 +252,20 @@ std::string few_values(const Diagnosis& diagnosis) {
 std::string answer(const Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
   if (!diagnosis.gap.present)
-    return fmt::format("No gap: the nominal model fits the readings to within noise of {} times the declared one\n",
-                       noise_scales(diagnosis.noise));
+    return fmt::format(
+        "No gap: the nominal model fits the readings to within noise of {} times the declared one\n",
+        noise_scales(diagnosis.noise));
   if (diagnosis.fails_to_predict)
     return fmt::format("Unknown: the most probable cause, {}, fails to predict held-out readings\n",
                        in_words(cause.ranking.front().cause));
   if (!cause.is_explained())
-    return fmt::format("Unknown: the cause is outside the catalogue with probability {}\n", probability(cause.unknown));
+    return fmt::format("Unknown: the cause is outside the catalogue with probability {}\n",
+                       probability(cause.unknown));
   std::string text = (cause.verdict == CauseVerdict::identified ? "Identified: " : "Ambiguous: ") +
                      in_words(cause.ranking.front().cause);
   const std::size_t others = cause.named - 1 + (cause.or_unknown ? 1 : 0);
   if (others > 0) text += fmt::format(", or one of {} alternative{} below", others, others > 1 ? "s" : "");
+  if (outside_is_likelier(cause)) text += ", a cause outside the catalogue the most probable of all";
   return text + "\n" + few_values(diagnosis);
 }
 

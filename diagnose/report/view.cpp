@@ -41,12 +41,17 @@ bool shows_tolerances(const RankedCause& cause) {
   return cause.hypothesis.candidate.has_all_tolerances() && cause.cause != cause.hypothesis.candidate;
 }
 
+bool outside_is_likelier(const Cause& cause) {
+  return cause.or_unknown && cause.unknown > cause.ranking.front().probability;
+}
+
 std::size_t told_effects(const Cause& cause) {
   constexpr std::size_t most = 3;
   constexpr double noticeable = 0.1;
   if (cause.verdict == CauseVerdict::identified) return 0;
   std::size_t count = 0;
-  while (count < std::min(most, cause.effects.size()) && cause.effects[count].probability >= noticeable) ++count;
+  while (count < std::min(most, cause.effects.size()) && cause.effects[count].probability >= noticeable)
+    ++count;
   return count;
 }
 
@@ -82,7 +87,7 @@ Explained::Explained(const Study& studied, const Diagnosis& diagnosed)
   }
   if (best == nullptr) return;
   const bool corrects = !diagnosed.shrink || diagnosed.shrink->ratio < 1;
-  model = diagnosed.fails_to_predict            ? "most probable cause"
+  model = diagnosed.fails_to_predict        ? "most probable cause"
           : !diagnosed.cause.is_explained() ? "best partial explanation"
           : corrects                        ? "corrected model"
                                             : "best explanation";

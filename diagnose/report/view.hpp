@@ -17,7 +17,11 @@ std::vector<EstimatedEffect> estimated_effects(const Diagnosis& diagnosis);
 /// Whether manufacturing tolerances show beside the effects of a cause.
 bool shows_tolerances(const RankedCause& cause);
 
-/// So many of Cause::effects are worth telling: the few most probable ones, where the cause is not identified.
+/// Whether a cause outside the catalogue is an alternative that is more probable than the leading cause.
+bool outside_is_likelier(const Cause& cause);
+
+/// So many of Cause::effects are worth telling: the few most probable ones, where the cause is not
+/// identified.
 std::size_t told_effects(const Cause& cause);
 /// "dry friction in joint 2"; the label of an effect that no listed cause has.
 std::string effect_in_words(const Cause& cause, const std::string& label);

@@ -19,8 +19,8 @@ inline Experiment small_bench() {
   return experiment;
 }
 
-inline RankedCause ranked(const Candidate& candidate, const std::vector<double>& parameters, double probability,
-                          double chi2) {
+inline RankedCause ranked(const Candidate& candidate, const std::vector<double>& parameters,
+                          double probability, double chi2) {
   RankedCause one;
   one.hypothesis.candidate = one.cause = candidate;
   one.hypothesis.parameters = parameters;
@@ -33,8 +33,8 @@ inline RankedCause ranked(const Candidate& candidate, const std::vector<double>&
 inline NoiseEstimate made_up_noise() {
   NoiseEstimate noise{{}, NoiseShape(Measurements(small_bench()))};
   using Name = Channel::Name;
-  noise.channels = {{{Name::x}, 1, 0, 1},       {{Name::y}, 1.04, 0, 1},        {of_Fx, 2, 0.12, 1},
-                    {{Name::Fy}, 1, 0.12, 1},   {{Name::q, 0}, 0.5, 0.03, 1},   {of_q2, 0.5, 0.03, 1},
+  noise.channels = {{{Name::x}, 1, 0, 1},        {{Name::y}, 1.04, 0, 1},      {of_Fx, 2, 0.12, 1},
+                    {{Name::Fy}, 1, 0.12, 1},    {{Name::q, 0}, 0.5, 0.03, 1}, {of_q2, 0.5, 0.03, 1},
                     {{Name::q, 2}, 0.5, 0.05, 1}};
   return noise;
 }

@@ -79,7 +79,8 @@ TEST_CASE("the JSON of an unknown cause: no effects, what is missing, the unknow
   CHECK(json["cause"]["ranking"][0]["effects"] == ReportJson::array({"unknown"}));
   CHECK(json["cause"]["ranking"][0]["probability"] == 0.97);
   CHECK(json["cause"]["ranking"][1]["effects"][0] == "backlash(2)");
-  CHECK(json["where"]["unexplained"] == ReportJson::parse(R"json({"quantity": "torque at joint 2", "unit": "N m",
+  CHECK(json["where"]["unexplained"] ==
+        ReportJson::parse(R"json({"quantity": "torque at joint 2", "unit": "N m",
     "abscissa": "q2", "variance_explained": {"position": 0.5, "direction": 0.6, "time": 0.7},
     "points": [[0.1, 0.2, 0.3, true]]})json"));
   CHECK(json["shrink"]["of"] == "partial");

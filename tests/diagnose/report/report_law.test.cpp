@@ -17,8 +17,7 @@ TEST_CASE("a torque law in words and as JSON, by hand") {
                        {{9, 0.7}},
                        "it hardens"}};
   ReportJson json = law_as_json(offered);
-  CHECK(json ==
-        ReportJson::parse(R"json({"id": "torque_law", "laws": [
+  CHECK(json == ReportJson::parse(R"json({"id": "torque_law", "laws": [
     {"joints": [1, 3], "knots": [[-0.1, -0.2], [0.1, 0.3]],
      "sliders": [{"slips_at": 0.02, "torque": 0.5, "growth": 0.0, "profile": []},
                  {"slips_at": 0.03, "torque": 0.0, "growth": 0.0, "profile": [[-0.1, 0.4], [0.1, -0.6]]}],

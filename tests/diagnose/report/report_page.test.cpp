@@ -79,8 +79,10 @@ TEST_CASE("a page holds the numbers of the JSON at its keys, and says what was f
   CHECK(has_words(page, "All forces of load-2 point straight down"));
   CHECK(has_words(page, "Yes: the probability of a gap is " + marked(report, "/gap/probability")));
   CHECK(has_words(page, "2 values have no weight in this verdict: outliers, the largest " +
-                            marked(report, "/gap/outliers/0/deviation") + "−310</data> standard deviations off, x at "
-                            "reading " + marked(report, "/gap/outliers/0/reading") + "4</data> of load-2."));
+                            marked(report, "/gap/outliers/0/deviation") +
+                            "−310</data> standard deviations off, x at "
+                            "reading " +
+                            marked(report, "/gap/outliers/0/reading") + "4</data> of load-2."));
   CHECK(has_words(page, "equal readings in a row share one rounding error"));
   const std::string effect = "/cause/effects/0/parameters/b/";
   CHECK(has_words(page, "<tr><td><span class=\"id\">backlash</span></td><td>" +
@@ -123,19 +125,25 @@ TEST_CASE("a page of an ambiguous cause, of an unknown one, and of none") {
   ReportJson report = as_json(made);
   CHECK(has_words(
       page, "cannot distinguish it from a wrong rest angle of joint 2 or a cause outside the catalogue."));
-  CHECK(has_words(page, "<span class=\"id\">rest_angle(2)</span>: these readings do not distinguish it from the "
-                        "best; probability " +
-                            marked(report, "/cause/ranking/1/probability")));
+  CHECK(has_words(page,
+                  "<span class=\"id\">rest_angle(2)</span>: these readings do not distinguish it from the "
+                  "best; probability " +
+                      marked(report, "/cause/ranking/1/probability")));
   CHECK(has_words(page, "<span class=\"id\">force_gain</span>: less probable, with "));
-  CHECK(has_words(page, "<span class=\"id\">unknown</span>: a cause outside the catalogue, with probability " +
-                            marked(report, "/cause/ranking/3/probability")));
+  CHECK(
+      has_words(page, "<span class=\"id\">unknown</span>: a cause outside the catalogue, with probability " +
+                          marked(report, "/cause/ranking/3/probability")));
   CHECK(has_words(page, "<span class=\"id\">tip_payload, joint_stop(1)</span>: not excited"));
   CHECK(has_words(page, "A model discrepancy of " + marked(report, "/cause/discrepancy_torque") +
-                            "0.0123</data> N m at the joints remains, " + marked(report, "/cause/discrepancy")));
+                            "0.0123</data> N m at the joints remains, " +
+                            marked(report, "/cause/discrepancy")));
   CHECK(has_words(page, "<li>the weight of the links is part of the cause with probability " +
                             marked(report, "/cause/effect_probabilities/1/probability")));
   CHECK(has_words(page, "<section id=\"next\">"));
   CHECK(has_words(page, "<li>press farther: "));
+
+  made.cause.unknown = 0.93;
+  CHECK(has_words(as_html(study, made), "or a cause outside the catalogue, which is more probable."));
 
   made = made_up_unknown();
   report = as_json(made);
@@ -143,8 +151,9 @@ TEST_CASE("a page of an ambiguous cause, of an unknown one, and of none") {
   CHECK(has_words(page, "the cause is outside the catalogue with probability " +
                             marked(report, "/cause/ranking/0/probability") +
                             "97 %</data>. Most of the gap is in Fx of run press-1 and at joint 2."));
-  CHECK(has_words(page, "The best partial explanation is <span class=\"id\">backlash(2) + gravity</span>, play in "
-                        "joint 2 and the weight of the links."));
+  CHECK(has_words(page,
+                  "The best partial explanation is <span class=\"id\">backlash(2) + gravity</span>, play in "
+                  "joint 2 and the weight of the links."));
   CHECK(has_words(page, "On held-out readings the best partial explanation leaves "));
   CHECK(has_words(page, "Unexplained torque at joint 2 over q2: dots where q2 rises, rings where it falls"));
   made.where.joints[0].share = 0.5;
@@ -155,13 +164,15 @@ TEST_CASE("a page of an ambiguous cause, of an unknown one, and of none") {
   made.cause.named = 0;
   made.fails_to_predict = true;
   page = as_html(study, made);
-  CHECK(has_words(page, "the most probable cause, play in joint 2 and the weight of the links, fails to predict "
-                        "held-out readings. Most of"));
+  CHECK(has_words(page,
+                  "the most probable cause, play in joint 2 and the weight of the links, fails to predict "
+                  "held-out readings. Most of"));
   CHECK(has_words(page, "On held-out readings the most probable cause leaves "));
 
   made = made_up_no_gap();
   page = as_html(study, made);
-  CHECK(has_words(page, "<strong>No gap.</strong> The nominal model fits the readings to within noise of x "));
+  CHECK(
+      has_words(page, "<strong>No gap.</strong> The nominal model fits the readings to within noise of x "));
   CHECK(has_words(page, marked(as_json(made), "/gap/noise/scale/q3") + "0.5</data> times the declared one."));
   CHECK_FALSE(has_words(page, "<section id=\"where\">"));
   CHECK_FALSE(has_words(page, "</svg>after: "));

@@ -19,9 +19,11 @@ const std::string headline_in_words =
     "load-2\n";
 
 const std::string gap_in_words =
-    "\nIs there a gap?  Yes (probability of a gap > 0.999): the nominal model misses Fx 0.25 N, q2 0.0031 rad "
+    "\nIs there a gap?  Yes (probability of a gap > 0.999): the nominal model misses Fx 0.25 N, q2 0.0031 "
+    "rad "
     "rms, chi-square per value 12.5\n"
-    "  noise over declared: Fx 2.00, Fy 1.00, q 0.50, x 1.00, y 1.04; autocorrelation of successive readings: "
+    "  noise over declared: Fx 2.00, Fy 1.00, q 0.50, x 1.00, y 1.04; autocorrelation of successive "
+    "readings: "
     "Fx 0.12, Fy 0.12, q 0.03 to 0.05, x 0, y 0\n"
     "  the noise of Fx grows with the reading, by 2.1 % of it\n"
     "  the force noise of run load-2 is 2.7 times that of the other runs\n"
@@ -74,13 +76,18 @@ TEST_CASE("the headline names the cause with few values, the number of alternati
   made.estimates.front().resize(4, made.estimates.front().front());
   CHECK(has_words(as_text(made), named + left));  // five values are too many for the headline
   made = made_up_ambiguous();
-  CHECK(has_words(as_text(made), "Ambiguous: play in joint 2 and the weight of the links, or one of 2 "
-                                 "alternatives below\n"));
+  CHECK(has_words(as_text(made),
+                  "Ambiguous: play in joint 2 and the weight of the links, or one of 2 "
+                  "alternatives below\n"));
+  made.cause.unknown = 0.93;
+  CHECK(has_words(as_text(made),
+                  "2 alternatives below, a cause outside the catalogue the most probable of all\n"));
   made.cause.or_unknown = false;
   CHECK(has_words(as_text(made), "the links, or one of 1 alternative below\n"));
   made = made_up_unknown();
-  CHECK(has_words(as_text(made), "\n\nUnknown: the cause is outside the catalogue with probability 0.970\n"
-                                 "  the best partial explanation leaves 12.5 % of the held-out residual"));
+  CHECK(has_words(as_text(made),
+                  "\n\nUnknown: the cause is outside the catalogue with probability 0.970\n"
+                  "  the best partial explanation leaves 12.5 % of the held-out residual"));
   made.shrink->ratio = 1;
   CHECK_FALSE(has_words(as_text(made), "noise alone"));
 }
@@ -89,16 +96,18 @@ TEST_CASE("the headline names the cause on top of the ranking, or says that it f
   Diagnosis made = made_up();
   std::swap(made.cause.ranking[0], made.cause.ranking[1]);
   made.estimates = {{{"a", "rad", 0.02, 0.019, 0.021, false}}};
-  CHECK(has_words(as_text(made), "\n\nIdentified: a wrong rest angle of joint 2\n"
-                                 "  a = 0.02 rad (95 %: 0.019 to 0.021)\n"));
+  CHECK(has_words(as_text(made),
+                  "\n\nIdentified: a wrong rest angle of joint 2\n"
+                  "  a = 0.02 rad (95 %: 0.019 to 0.021)\n"));
   made = made_up();
   made.fails_to_predict = true;
   made.cause.verdict = CauseVerdict::unknown;
   made.cause.named = 0;
   made.shrink->ratio = 1.3, made.shrink->ratio_low = 1.1, made.shrink->ratio_high = 1.6;
   const std::string text = as_text(made);
-  CHECK(has_words(text, "\n\nUnknown: the most probable cause, play in joint 2 and the weight of the links, fails "
-                        "to predict held-out readings\n"));
+  CHECK(has_words(text,
+                  "\n\nUnknown: the most probable cause, play in joint 2 and the weight of the links, fails "
+                  "to predict held-out readings\n"));
   CHECK(has_words(text, "  fails to predict held-out readings: backlash(2) + gravity (probability 0.912, "));
   CHECK(has_words(text, "the most probable cause leaves 1.3 of the residual (95 %: 1.1 to 1.6; noise floor"));
   CHECK(as_json(made)["cause"]["fails_to_predict"] == true);
@@ -107,20 +116,24 @@ TEST_CASE("the headline names the cause on top of the ranking, or says that it f
 TEST_CASE("no gap is told with its probability, and with the noise in which there is none") {
   Diagnosis made = made_up_no_gap();
   const std::string gap =
-      "Is there a gap?  No (probability of a gap 0.020): the nominal model misses Fx 0.25 N, q2 0.0031 rad rms, "
+      "Is there a gap?  No (probability of a gap 0.020): the nominal model misses Fx 0.25 N, q2 0.0031 rad "
+      "rms, "
       "chi-square per value 1\n"
-      "  noise over declared: Fx 2.00, Fy 1.00, q 0.50, x 1.00, y 1.04; autocorrelation of successive readings: "
+      "  noise over declared: Fx 2.00, Fy 1.00, q 0.50, x 1.00, y 1.04; autocorrelation of successive "
+      "readings: "
       "Fx 0.12, Fy 0.12, q 0.03 to 0.05, x 0, y 0\n";
   CHECK(as_text(made) ==
-        "three links\n\nNo gap: the nominal model fits the readings to within noise of Fx 2.00, Fy 1.00, q 0.50, "
+        "three links\n\nNo gap: the nominal model fits the readings to within noise of Fx 2.00, Fy 1.00, q "
+        "0.50, "
         "x 1.00, y 1.04 times the declared one\n\n" +
             gap);
   made.noise.channels[2].scale = 0.0333;
   made.noise.channels[4].scale = 6.6;
   CHECK(has_words(as_text(made), "to within noise of Fx 0.033, Fy 1.00, q 0.50 to 6.60, x"));
   made.gap.outliers = {{"press-1", 11, of_Fx, 301.2, true}};
-  CHECK(has_words(as_text(made), "times the declared one\n  1 value has no weight: an outlier, 301 standard "
-                                 "deviations off, Fx at reading 11 of press-1\n"));
+  CHECK(has_words(as_text(made),
+                  "times the declared one\n  1 value has no weight: an outlier, 301 standard "
+                  "deviations off, Fx at reading 11 of press-1\n"));
 }
 
 TEST_CASE("of many outliers the largest stand on lines of their own, the rest as a number") {
@@ -132,18 +145,21 @@ TEST_CASE("of many outliers the largest stand on lines of their own, the rest as
   made.gap.outliers.push_back({"press-1", 9, of_Fx, 9, false});
   made.gap.outliers.push_back({"press-1", 7, of_Fx, 8, false});
   CHECK(has_words(as_text(made), "  2 smaller outliers (--json: gap.outliers)\n"));
-  CHECK(has_words(as_text(made), "  8 values have no weight: outliers, up to 20 standard deviations off, the "
-                                 "largest Fx at reading 0 of press-1\n"));
+  CHECK(has_words(as_text(made),
+                  "  8 values have no weight: outliers, up to 20 standard deviations off, the "
+                  "largest Fx at reading 0 of press-1\n"));
   CHECK(as_json(made)["gap"]["outliers"].size() == 8);
 }
 
 TEST_CASE("channels of a run that share an interference stand on one line") {
   Diagnosis made = made_up_no_gap();
-  made.gap.interference = {{"press-1", of_Fx, 3.7, 1.6}, {"press-1", of_q2, 3.7, 1.9}, {"load-2", of_Fx, 3.7, 1}};
+  made.gap.interference = {
+      {"press-1", of_Fx, 3.7, 1.6}, {"press-1", of_q2, 3.7, 1.9}, {"load-2", of_Fx, 3.7, 1}};
   const std::string interference = "  periodic interference in ",
                     counted = " declared sigmas rms; counted as noise\n";
-  CHECK(has_words(as_text(made), interference + "Fx, q2 of press-1: period 3.7 readings, up to 1.9" + counted +
-                                     interference + "Fx of load-2: period 3.7 readings, 1.0" + counted));
+  CHECK(has_words(as_text(made), interference + "Fx, q2 of press-1: period 3.7 readings, up to 1.9" +
+                                     counted + interference + "Fx of load-2: period 3.7 readings, 1.0" +
+                                     counted));
 }
 
 TEST_CASE("an ambiguous cause in words: discrepancy, alternatives, single effects, no excitation") {
@@ -151,18 +167,19 @@ TEST_CASE("an ambiguous cause in words: discrepancy, alternatives, single effect
   made.not_excited = {{"tip_payload"}, {"joint_stop", 1}};
   made.estimates[0][0].low = made.estimates[0][0].high;
   made.estimates[1][0] = {"rho", "ratio", 0.81, 0.7, 0.9, true};
-  CHECK(has_words(as_text(made),
-                  "What?  Ambiguous: backlash(2) + gravity (probability 0.912, chi-square per value 1.04)\n"
-                  "  backlash(2): play in joint 2\n"
-                  "    b = 0.0312 rad (no bounds found)\n"
-                  "  gravity: the weight of the links\n"
-                  "    rho = 0.81 (95 %: 0.7 to 0.9; at its bound)\n"
-                  "  model discrepancy: 0.012 N m at the joints, 7 % of the nominal residual beside the noise\n"
-                  "  or rest_angle(2) (probability 0.050)\n"
-                  "  or a cause outside the catalogue (probability 0.008)\n"
-                  "  play in joint 2 is part of it with probability 0.960\n"
-                  "  the weight of the links is part of it with probability 0.913\n"
-                  "  not excited by these runs, so neither found nor excluded: tip_payload, joint_stop(1)\n"));
+  CHECK(
+      has_words(as_text(made),
+                "What?  Ambiguous: backlash(2) + gravity (probability 0.912, chi-square per value 1.04)\n"
+                "  backlash(2): play in joint 2\n"
+                "    b = 0.0312 rad (no bounds found)\n"
+                "  gravity: the weight of the links\n"
+                "    rho = 0.81 (95 %: 0.7 to 0.9; at its bound)\n"
+                "  model discrepancy: 0.012 N m at the joints, 7 % of the nominal residual beside the noise\n"
+                "  or rest_angle(2) (probability 0.050)\n"
+                "  or a cause outside the catalogue (probability 0.008)\n"
+                "  play in joint 2 is part of it with probability 0.960\n"
+                "  the weight of the links is part of it with probability 0.913\n"
+                "  not excited by these runs, so neither found nor excluded: tip_payload, joint_stop(1)\n"));
   for (std::size_t joint = 2; joint < 7; ++joint) made.not_excited.push_back({"joint_stop", joint});
   CHECK(has_words(as_text(made), "neither found nor excluded: 7 effects (--json: cause.not_excited)\n"));
 }
@@ -183,8 +200,9 @@ TEST_CASE("manufacturing tolerances beside a cause are said, and their values ar
 TEST_CASE("how far, in words: no reduction, not tested") {
   Diagnosis made = made_up();
   made.shrink->ratio = 1;
-  CHECK(has_words(as_text(made),
-                  "this cause leaves 1 of the residual (95 %: 0.101 to 0.152; noise floor 0.11)\n  rms before"));
+  CHECK(has_words(
+      as_text(made),
+      "this cause leaves 1 of the residual (95 %: 0.101 to 0.152; noise floor 0.11)\n  rms before"));
   made.shrink->heldout = {"press-1"};
   CHECK(has_words(as_text(made), "On held-out readings (1 run), this cause"));
   made.shrink->heldout = {"press-1", "load-2"};
@@ -224,14 +242,17 @@ TEST_CASE("an unknown cause in words: what is missing, and the best partial expl
       "  variance of torque at joint 2 explained by q2: 50 %; by its direction of motion too: 60 %; by time "
       "too: 70 %\n" +
           picture(*made.missing) +
-          "  best partial explanation: backlash(2) + gravity (probability 0.020, chi-square per value 1.04)\n"));
+          "  best partial explanation: backlash(2) + gravity (probability 0.020, chi-square per value "
+          "1.04)\n"));
   CHECK(has_words(text, "the best partial explanation leaves 0.125 of the residual"));
   CHECK_FALSE(has_words(text, "is part of it"));  // with less than 0.1
-  made.cause.effects = {{"joint_friction(1)", 0.41}, {"backlash(2)", 0.12}, {"gravity", 0.11}, {"hysteresis", 0.1}};
+  made.cause.effects = {
+      {"joint_friction(1)", 0.41}, {"backlash(2)", 0.12}, {"gravity", 0.11}, {"hysteresis", 0.1}};
   text = as_text(made);
-  CHECK(has_words(text, "  joint_friction(1) is part of it with probability 0.410\n"  // not in the ranking
-                        "  play in joint 2 is part of it with probability 0.120\n"
-                        "  the weight of the links is part of it with probability 0.110\n"));
+  CHECK(has_words(text,
+                  "  joint_friction(1) is part of it with probability 0.410\n"  // not in the ranking
+                  "  play in joint 2 is part of it with probability 0.120\n"
+                  "  the weight of the links is part of it with probability 0.110\n"));
   CHECK_FALSE(has_words(text, "hysteresis is part of it"));
 }
 
