@@ -44,8 +44,7 @@ std::string interference(const std::vector<ChannelInterference>& sinusoids) {
       channels.push_back(one->channel.label()), largest = std::max(largest, one->rms);
     text += fmt::format(
         "  periodic interference in {} of {}: period {:.2g} readings, {}{:.1f} declared sigmas rms; counted "
-        "as "
-        "noise\n",
+        "as noise\n",
         fmt::join(channels, ", "), first->run, first->period, channels.size() > 1 ? "up to " : "", largest);
     first = end;
   }
@@ -67,7 +66,7 @@ std::string departures(const GapAnswer& answer, const NoiseShape& shape) {
   return text + interference(answer.interference);
 }
 
-/// The outliers of each channel of each run, the largest first.
+/// The largest ones, a line each, and the number of the others.
 std::string outliers(const std::vector<Outlier>& all) {
   constexpr std::size_t few = 6;
   std::string text;
