@@ -19,7 +19,8 @@ MatrixXd responses(const Study& study, const Rig& rig) {
     pushed.back().rig.laws.push_back({j + 1, {{0, pushed.back().step}}});
   }
   const Prediction given = simulate(study.experiment(), rig, pushed);
-  MatrixXd columns(static_cast<Eigen::Index>(study.measurements().size()), static_cast<Eigen::Index>(pushed.size()));
+  MatrixXd columns(static_cast<Eigen::Index>(study.measurements().size()),
+                   static_cast<Eigen::Index>(pushed.size()));
   for (std::size_t j = 0; j < pushed.size(); ++j)
     columns.col(static_cast<Eigen::Index>(j)) = study.measurements().in_sigmas(given.sensitivity[j]);
   return columns;
