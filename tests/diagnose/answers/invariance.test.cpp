@@ -10,7 +10,6 @@
 #include "diagnose/rig/user_effects/read_effects.hpp"
 #include "diagnose/rig/user_effects/stated_effect.hpp"
 #include "tests/diagnose/bench.hpp"
-#include "tests/folder.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
@@ -145,21 +144,21 @@ TEST_CASE("declared noise twice as large, and all departures with it, moves ever
 }
 
 TEST_CASE("a copy of an effect under another name is an alternative to it") {
-  const test::Folder folder("copied-effect");
-  folder.write("effects.toml", R"(format = "chain-effects/1"
+  const std::vector<StatedEffect> stated = parse_effects(R"(format = "user-effects/1"
 [[effect]]
-name = "soft"
-description = "a softer spring"
-torque = "a * k * d"
-at = "joint"
-[[effect.parameter]]
-name = "a"
+id = "soft"
+words = "a softer spring"
+where = "a joint"
+torque = "a * 3 * d"
+[effect.parameters.a]
 unit = "1"
 scale = 0.2
-range = [-0.9, 2]
-)");
+low = -0.9
+high = 2
+)",
+                                                         "soft.toml");
   const Experiment experiment = lever_with(test::only("joint_stiffness", 2), 15);
-  const Answer answer = answer_of(study_with(experiment, read_effects(folder.path("effects.toml"))));
+  const Answer answer = answer_of(study_with(experiment, stated));
   CHECK(answer.verdict.verdict == CauseVerdict::ambiguous);
   CHECK(answer.named().contains({"joint_stiffness(2)"}));
   CHECK(answer.named().contains({"user:soft(2)"}));
