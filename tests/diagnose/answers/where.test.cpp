@@ -47,7 +47,7 @@ void fill(const Measurements& measurements, std::size_t series, double size, Vec
 }
 
 /// Residuals come back from readings but for rounding.
-constexpr double of_rounding = 1e-9;
+constexpr double read_back = 1e-9;
 
 double share_of(const std::vector<ChannelShare>& shares, const std::string& channel) {
   for (const ChannelShare& one : shares)
@@ -123,8 +123,8 @@ TEST_CASE("along the path a share belongs to the readings that hold it, also whe
   REQUIRE(where.load_path.size() > 1);
   const PathShare& soft = where.load_path.back();
   CHECK((soft.from == soft_from && soft.to == 11 && soft.regime == Regime::post_critical));
-  CHECK(soft.share == close_to(1).epsilon(of_rounding));
-  for (std::size_t i = 0; i + 1 < where.load_path.size(); ++i) CHECK(where.load_path[i].share < of_rounding);
+  CHECK(soft.share == close_to(1).epsilon(read_back));
+  for (std::size_t i = 0; i + 1 < where.load_path.size(); ++i) CHECK(where.load_path[i].share < read_back);
 }
 
 TEST_CASE("an outlier moves no share") {
@@ -138,8 +138,8 @@ TEST_CASE("an outlier moves no share") {
   CHECK(share_of(locate(study, noise).runs, "press-1") > 0.5);
   noise.shape.outlier[10] = true;
   const Where where = locate(study, noise);
-  CHECK(share_of(where.runs, "press-2") == close_to(1).epsilon(of_rounding));
-  CHECK(share_of(where.channels, "Fy") == close_to(1).epsilon(of_rounding));
+  CHECK(share_of(where.runs, "press-2") == close_to(1).epsilon(read_back));
+  CHECK(share_of(where.channels, "Fy") == close_to(1).epsilon(read_back));
 }
 
 TEST_CASE("shares of joints: in proportion, largest first, alike where nothing is known") {
@@ -207,11 +207,11 @@ TEST_CASE("every reading of a series counts, the first and the last, and none of
   const double all = sum[0] + sum[1] + sum[2] + sum[3];
   const Study study = read_off(experiment, residual);
   const Where where = locate(study, declared_noise(study));
-  CHECK(share_of(where.channels, "Fx") == close_to((sum[0] + sum[1]) / all).epsilon(of_rounding));
-  CHECK(share_of(where.runs, "press-1") == close_to((sum[0] + sum[2]) / all).epsilon(of_rounding));
+  CHECK(share_of(where.channels, "Fx") == close_to((sum[0] + sum[1]) / all).epsilon(read_back));
+  CHECK(share_of(where.runs, "press-1") == close_to((sum[0] + sum[2]) / all).epsilon(read_back));
   double second = 0;
   for (const PathShare& one : where.load_path) second += one.run == "press-2" ? one.share : 0;
-  CHECK(second == close_to((sum[1] + sum[3]) / all).epsilon(of_rounding));
+  CHECK(second == close_to((sum[1] + sum[3]) / all).epsilon(read_back));
 }
 
 TEST_CASE("runs and channels stand largest first, those that are alike as they were") {

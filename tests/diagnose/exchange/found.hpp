@@ -28,7 +28,8 @@ inline diagnose::RankedCause ranked(const diagnose::Candidate& candidate, const 
 /// A diagnosis that found this.
 inline diagnose::Diagnosis found(const Study& study, const EffectAt& at,
                                  const std::vector<double>& parameters) {
-  diagnose::Diagnosis diagnosis{.noise = diagnose::test::declared_noise(study)};
+  diagnose::Diagnosis diagnosis{study.experiment().name, {}, {}, {}, diagnose::test::declared_noise(study), {}, {}, {},
+                                false, {}, {}, {}};
   diagnosis.cause.verdict = diagnose::CauseVerdict::identified;
   diagnosis.cause.ranking.push_back(ranked({{at}}, parameters));
   diagnosis.cause.named = 1;

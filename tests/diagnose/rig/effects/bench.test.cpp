@@ -38,7 +38,7 @@ bool is_possible(const Experiment& experiment, const char* id) {
 }
 
 /// Equilibria are solved to ten digits of lengths and angles of about one.
-constexpr double solved = 1e-9;
+constexpr double solver_digits = 1e-9;
 
 }  // namespace
 
@@ -56,8 +56,8 @@ TEST_CASE("over a pulley a load passes exp(-mu) of itself while it grows and exp
     const Trace with = predicted_load(experiment, only("pulley_friction"), {mu}),
                 nominal = predicted_load(passed, {}, {});
     for (const ChannelColumn column : {column_x, column_y})
-      CHECK(difference(with.col(column), nominal.col(column)) < solved);
-    CHECK(difference(with.rightCols(3), nominal.rightCols(3)) < solved);
+      CHECK(difference(with.col(column), nominal.col(column)) < solver_digits);
+    CHECK(difference(with.rightCols(3), nominal.rightCols(3)) < solver_digits);
     // The dial shows what hangs there.
     CHECK(with(4, column_Fx) == experiment.runs[0].readings[4].Fx);
   }
@@ -69,7 +69,7 @@ TEST_CASE("a load that stays passes the pulley as it did before") {
   readings.insert(readings.begin() + 15, readings[15]);
   for (std::size_t i = 0; i < readings.size(); ++i) readings[i].t = static_cast<double>(i);
   const Trace with = predicted_load(experiment, only("pulley_friction"), {0.1});
-  CHECK(difference(with.row(15), with.row(16)) < solved);
+  CHECK(difference(with.row(15), with.row(16)) < solver_digits);
 }
 
 TEST_CASE("a camera that is scaled or turned shows the end point so, and nothing else differently") {
@@ -77,15 +77,15 @@ TEST_CASE("a camera that is scaled or turned shows the end point so, and nothing
   const Trace nominal = predicted_load(experiment, {}, {});
   const Trace scaled = predicted_load(experiment, only("camera_scale"), {0.05});
   for (const ChannelColumn column : {column_x, column_y})
-    CHECK(difference(scaled.col(column), 1.05 * nominal.col(column)) < solved);
+    CHECK(difference(scaled.col(column), 1.05 * nominal.col(column)) < solver_digits);
   const double eps = 0.2;
   const Trace turned = predicted_load(experiment, only("camera_turn"), {eps});
   CHECK(difference(turned.col(column_x),
-                   std::cos(eps) * nominal.col(column_x) - std::sin(eps) * nominal.col(column_y)) < solved);
+                   std::cos(eps) * nominal.col(column_x) - std::sin(eps) * nominal.col(column_y)) < solver_digits);
   CHECK(difference(turned.col(column_y),
-                   std::sin(eps) * nominal.col(column_x) + std::cos(eps) * nominal.col(column_y)) < solved);
+                   std::sin(eps) * nominal.col(column_x) + std::cos(eps) * nominal.col(column_y)) < solver_digits);
   for (const Trace* shown : {&scaled, &turned})
-    CHECK(difference(shown->rightCols(5).rightCols(3), nominal.rightCols(3)) < solved);
+    CHECK(difference(shown->rightCols(5).rightCols(3), nominal.rightCols(3)) < solver_digits);
   // Where the drive leads the end point, no camera is asked where it is.
   Experiment pressed = three_links();
   press(pressed, {0.3, -0.5, 0.4}, {-0.04, 0.01}, 6, true);
