@@ -23,6 +23,8 @@ inline constexpr double asymmetry_tolerance = 0.2;
 inline constexpr double no_gap = 0.3;
 /// Probability that the cause of a gap is outside of the catalogue.
 inline constexpr double outside = 0.1;
+/// Share of such gaps that show at a few neighbouring readings alone.
+inline constexpr double local = 0.3;
 /// Shares of gaps with one cause of the catalogue, two, three.
 inline constexpr std::array<double, 3> causes{0.75, 0.2, 0.01};
 /// Probability that manufacturing tolerances show beside a cause.

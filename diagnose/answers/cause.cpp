@@ -4,6 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "diagnose/answers/discrepancy_torque.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 
@@ -45,11 +47,11 @@ std::vector<EffectProbability> by_effect(const Posterior& posterior) {
   return effects;
 }
 
-/// Share of the nominal residual that is left, where it is more probable than not that something is.
-double discrepancy(const Study& study, const Findings& findings, const Hypothesis& lead) {
+/// Whether it is more probable than not that the hypothesis leaves a discrepancy.
+bool leaves_discrepancy(const Findings& findings, const Hypothesis& lead) {
   const std::vector<double> posterior =
       log_posterior(lead.look.log_by_amplitude, findings.likelihood->priors().log_amplitude);
-  return std::exp(posterior.front()) < 0.5 ? discrepancy_share(study, findings, lead) : 0;
+  return std::exp(posterior.front()) < 0.5;
 }
 
 }  // namespace
@@ -72,7 +74,11 @@ Cause judge(const Study& study, const Findings& findings, const Posterior& poste
     cause.ranking.push_back({std::move(form), std::move(effects), one.probability, chi2});
   }
   cause.named = std::min(verdict.named, cause.ranking.size());
-  if (!cause.ranking.empty()) cause.discrepancy = discrepancy(study, findings, cause.ranking.front().hypothesis);
+  if (cause.ranking.empty() || verdict.verdict == CauseVerdict::none) return cause;
+  const Hypothesis& lead = cause.ranking.front().hypothesis;
+  if (!leaves_discrepancy(findings, lead)) return cause;
+  cause.discrepancy = discrepancy_share(study, findings, lead);
+  cause.discrepancy_torque = discrepancy_torque(study, lead, findings.likelihood->decompose(lead.residual).delta);
   return cause;
 }
 

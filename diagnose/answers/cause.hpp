@@ -31,6 +31,7 @@ struct Cause {
   /// Share of the nominal residual that the leading cause leaves to a discrepancy; zero where it probably leaves
   /// none.
   double discrepancy = 0;
+  double discrepancy_torque = 0;  ///< the same as a torque at the joints, root mean square, N m
 
   [[nodiscard]] bool is_explained() const {
     return verdict == CauseVerdict::identified || verdict == CauseVerdict::ambiguous;

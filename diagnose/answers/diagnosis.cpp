@@ -106,7 +106,7 @@ Diagnosis diagnose(const Study& study, const std::function<void(double)>& progre
   const Decomposition parts = findings.likelihood->decompose(residual);
   const Cause cause = judge(study, findings, posterior, parts.noise);
   Diagnosis diagnosis{study.experiment().name,
-                      describe_gap(study, parts.noise, residual - parts.delta),
+                      describe_gap(study, parts.noise, residual - parts.delta - parts.periodic),
                       locate(study, parts.noise),
                       cause,
                       parts.noise,

@@ -42,7 +42,16 @@ GapAnswer describe_gap(const Study& study, const NoiseEstimate& noise, const Vec
   }
   gap.chi2_per_value = count > 0 ? sum / count : 1;
   gap.outliers = outliers(study, noise, left);
-  for (const Run& run : study.experiment().runs) {
+  const std::vector<Run>& runs = study.experiment().runs;
+  for (const NoisierSegment& one : noise.shape.noisier) {
+    const Run& run = runs[one.run];
+    gap.noisier.push_back({run.id, one.sensor, run.first_taken(one.from), run.last_taken(one.to), one.whole_run,
+                           one.factor});
+  }
+  for (const Interference& one : noise.shape.interference)
+    for (const auto& [channel, rms] : one.rms)
+      gap.interference.push_back({runs[one.run].id, channel, one.period, rms});
+  for (const Run& run : runs) {
     if (run.weights_inferred) gap.taken_for_weights.push_back(run.id);
     if (run.branch) gap.other_branch.push_back({run.id, run.first_taken(run.branch->first())});
   }

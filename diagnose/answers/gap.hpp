@@ -26,6 +26,23 @@ struct OtherBranch {
   std::size_t reading;  ///< as it was taken, from 0: the first one there
 };
 
+/// A sensor that is noisier than elsewhere: in a run than in the others, or in a segment of a run than in its rest.
+struct NoisierReadings {
+  std::string run;
+  Sensor sensor;
+  std::size_t from, to;  ///< first and last reading, as they were taken, from 0
+  bool whole_run;
+  double factor;
+};
+
+/// Periodic interference in a channel of a run, which counts as noise.
+struct ChannelInterference {
+  std::string run;
+  Channel channel;
+  double period;  ///< readings
+  double rms;     ///< declared sigmas
+};
+
 struct GapAnswer {
   bool present = false;
   double probability = 0;         ///< that there is one
@@ -35,6 +52,8 @@ struct GapAnswer {
   /// Runs whose forces were taken for those of weights, since they look like it (Run::weights_inferred).
   std::vector<std::string> taken_for_weights;
   std::vector<OtherBranch> other_branch;
+  std::vector<NoisierReadings> noisier;
+  std::vector<ChannelInterference> interference;
 };
 
 /// \param left  of the readings by the model that is believed and its discrepancy, flat, declared sigmas

@@ -5,6 +5,7 @@
 #include <map>
 #include <plumbline/base/parallel.hpp>
 
+#include "diagnose/decision/local_departure.hpp"
 #include "diagnose/priors.hpp"
 
 namespace plumbline::diagnose {
@@ -42,6 +43,8 @@ struct Weight {
 class Weights {
  public:
   Weights(const Study& study, const Findings& findings) : found_(findings), priors_(findings.likelihood->priors()) {
+    const Decomposition nominal = findings.likelihood->decompose(study.nominal_residual());
+    log_local_ = log_local_departure(study.measurements(), study.nominal_residual() - nominal.delta - nominal.periodic, nominal.noise);
     const std::size_t count = findings.hypotheses.size();
     log_odds_.assign(count, 0.0);
     in_parallel(count, study.threads(), [&](std::size_t i) {
@@ -57,8 +60,12 @@ class Weights {
     using Of = Weight::Of;
     std::vector<Weight> all{{std::log(priors::no_gap) + temper * found_.nominal.log_by_amplitude.front(),
                              Of::nothing, true, 0}};
-    add(all, std::log(1 - priors::no_gap) + std::log(priors::outside), found_.nominal.log_by_amplitude, temper,
+    const double outside = std::log(1 - priors::no_gap) + std::log(priors::outside);
+    add(all, outside + std::log(1 - priors::local), found_.nominal.log_by_amplitude, temper,
         priors_.log_amplitude_outside, {Of::outside, 0});
+    all.push_back({outside + std::log(priors::local) +
+                       temper * (found_.nominal.log_by_amplitude.front() + log_local_),
+                   Of::outside, true, 0});
     for (std::size_t i = 0; i < found_.hypotheses.size(); ++i) {
       const Hypothesis& one = found_.hypotheses[i];
       const std::vector<double>& likelihood = one.look.log_by_amplitude;
@@ -103,6 +110,7 @@ class Weights {
 
   const Findings& found_;
   const Hyperpriors& priors_;
+  double log_local_ = 0;          ///< of a local departure from the nominal model, over none
   std::vector<double> log_odds_;  ///< by hypothesis beside an unknown torque: of being listed
 };
 

@@ -21,8 +21,7 @@ std::string verdict_word(CauseVerdict verdict) {
 }
 
 Verdict decide(const Posterior& posterior) {
-  const double most = posterior.causes.empty() ? 0 : posterior.causes.front().probability;
-  if (posterior.no_gap >= std::max(most, posterior.outside)) return {};
+  if (posterior.no_gap > 0.5) return {};
   constexpr double worth_naming = 1 / priors::wrong_over_further_name;
   Verdict verdict{CauseVerdict::unknown, 0, posterior.outside >= worth_naming};
   double listed = 0;

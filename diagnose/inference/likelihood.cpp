@@ -19,6 +19,14 @@ double root_mean_square(const VectorXd& residual, const Block& block, const Nois
   return std::max(smallest, std::sqrt(sum / std::max(1.0, count)));
 }
 
+/// By value: one over its noise; zero of outliers.
+VectorXd weights(const NoiseShape& shape) {
+  VectorXd weight = shape.relative.cwiseInverse();
+  for (Eigen::Index i = 0; i < weight.size(); ++i)
+    if (shape.outlier[static_cast<std::size_t>(i)]) weight(i) = 0;
+  return weight;
+}
+
 VectorXd as_vector(const std::vector<double>& values) {
   return Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
@@ -48,6 +56,12 @@ Likelihood::Likelihood(const Measurements& measurements, const CommandStates& st
   for (const Block& block : measurements.blocks())
     blocks_.emplace_back(measurements, block, states, priors_, shape_,
                          root_mean_square(nominal_residual, block, shape_));
+  if (shape_.periodic.cols() > 0) periodic_.compute(weights(shape_).asDiagonal() * shape_.periodic);
+}
+
+VectorXd Likelihood::periodic_part(const VectorXd& values) const {
+  if (shape_.periodic.cols() == 0) return VectorXd::Zero(values.size());
+  return shape_.periodic * periodic_.solve(weights(shape_).cwiseProduct(values));
 }
 
 std::vector<BlockLikelihood::Look> Likelihood::look_at_blocks(const VectorXd& residual,
@@ -70,23 +84,30 @@ std::vector<double> Likelihood::together(const std::vector<BlockLikelihood::Look
   return sum;
 }
 
-/// Outliers stand apart from their block: each has a density of its own about the discrepancy that the others
-/// show, at the most probable scale.
-void Likelihood::add_outliers(std::size_t b, const BlockLikelihood::Split& at, const VectorXd& residual,
-                              const MatrixXd& jacobian, Look& look) const {
-  const Block& block = measurements_.blocks()[b];
+/// Readings that are marked stand apart from their block: each has a density of its own about the discrepancy that
+/// the others show, at the most probable scale. A model that explains a marked reading makes it one like others.
+void Likelihood::add_marked(const std::vector<BlockLikelihood::Split>& at, const VectorXd& residual,
+                            const MatrixXd& jacobian, Look& look) const {
+  VectorXd left = residual, sigma = shape_.relative;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const Block& block = measurements_.blocks()[b];
+    left.segment(block.first, block.count) -= at[b].delta;
+    sigma.segment(block.first, block.count) *= at[b].scale;
+  }
+  left -= periodic_part(left);
   double sum = 0;
-  for (Eigen::Index i = 0; i < block.count; ++i) {
-    const Eigen::Index row = block.first + i;
+  for (Eigen::Index row = 0; row < left.size(); ++row) {
     if (!shape_.outlier[static_cast<std::size_t>(row)]) {
       sum += std::log(1 - outlier_share);
       continue;
     }
-    const double sigma = at.scale * shape_.relative(row), z = (residual(row) - at.delta(i)) / sigma;
-    sum += log_outlier(z) - std::log(sigma * measurements_.sigma()(row));
+    const double z = left(row) / sigma(row);
+    const double density = log_sum(Eigen::Vector2d(log_outlier(z), log_inlier(z)));
+    sum += density - std::log(sigma(row) * measurements_.sigma()(row));
     if (jacobian.cols() == 0) continue;
-    const double curvature = 2 / (outlier_width * outlier_width + z * z);
-    const VectorXd slope = jacobian.row(row).transpose() / sigma;
+    const double inlier = std::exp(log_inlier(z) - density);
+    const double curvature = inlier + (1 - inlier) * 2 / (outlier_width * outlier_width + z * z);
+    const VectorXd slope = jacobian.row(row).transpose() / sigma(row);
     look.gradient -= curvature * z * slope;
     look.information += curvature * slope * slope.transpose();
   }
@@ -104,23 +125,26 @@ Look Likelihood::look(const VectorXd& residual, const MatrixXd& jacobian) const 
   const std::vector<double> posterior = log_posterior(result.log_by_amplitude, priors_.log_amplitude);
   result.gradient = VectorXd::Zero(jacobian.cols());
   result.information = MatrixXd::Zero(jacobian.cols(), jacobian.cols());
+  std::vector<BlockLikelihood::Split> most_probable;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     if (jacobian.cols() > 0) blocks_[b].add_slopes(blocks[b], posterior, result.gradient, result.information);
-    add_outliers(b, blocks_[b].most_probable(blocks[b], posterior), residual, jacobian, result);
+    most_probable.push_back(blocks_[b].most_probable(blocks[b], posterior));
   }
+  add_marked(most_probable, residual, jacobian, result);
   return result;
 }
 
 Decomposition Likelihood::decompose(const VectorXd& residual) const {
   const std::vector<BlockLikelihood::Look> blocks = look_at_blocks(residual, MatrixXd(residual.size(), 0));
   const std::vector<double> posterior = log_posterior(together(blocks), priors_.log_amplitude);
-  Decomposition result{VectorXd(residual.size()), {{}, shape_}};
+  Decomposition result{VectorXd(residual.size()), {}, {{}, shape_}};
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const Block& block = measurements_.blocks()[b];
     const BlockLikelihood::Split split = blocks_[b].split(blocks[b], posterior);
     result.delta.segment(block.first, block.count) = split.delta;
     result.noise.channels.push_back({block.channel, split.scale, split.correlation, split.length});
   }
+  result.periodic = periodic_part(residual - result.delta);
   return result;
 }
 

@@ -3,6 +3,8 @@
 /// The likelihood of what a model leaves of the readings, discrepancy and noise summed out: one size of the
 /// discrepancy for all channels, a scale and an autocorrelation of the noise for each (BlockLikelihood).
 
+#include <Eigen/QR>
+
 #include "diagnose/inference/block_likelihood.hpp"
 #include "diagnose/noise/noise_estimate.hpp"
 
@@ -19,7 +21,8 @@ struct Look {
 
 /// Posterior means of discrepancy and noise where a model leaves a residual.
 struct Decomposition {
-  VectorXd delta;  ///< flat, declared sigmas
+  VectorXd delta;     ///< flat, declared sigmas
+  VectorXd periodic;  ///< interference, flat, declared sigmas
   NoiseEstimate noise;
 };
 
@@ -48,12 +51,16 @@ class Likelihood {
                                                                   const MatrixXd& jacobian) const;
   /// By amplitude: log likelihood of all blocks, outliers apart.
   [[nodiscard]] std::vector<double> together(const std::vector<BlockLikelihood::Look>& blocks) const;
-  void add_outliers(std::size_t b, const BlockLikelihood::Split& most_probable, const VectorXd& residual,
-                    const MatrixXd& jacobian, Look& look) const;
+  void add_marked(const std::vector<BlockLikelihood::Split>& most_probable, const VectorXd& residual,
+                  const MatrixXd& jacobian, Look& look) const;
+
+  /// What the periodic columns have of values, by least squares over those that are no outliers.
+  [[nodiscard]] VectorXd periodic_part(const VectorXd& values) const;
 
   const Measurements& measurements_;
   Hyperpriors priors_;
   NoiseShape shape_;
+  Eigen::ColPivHouseholderQR<MatrixXd> periodic_;  ///< over the noise, outliers zero
   std::vector<BlockLikelihood> blocks_;
 };
 

@@ -82,13 +82,14 @@ class Searcher {
     const Measurements& measurements = study_.measurements();
     const NoiseShape shape = estimate_noise(study_.experiment(), measurements, *found_.states, nominal_residual_,
                                             residual, std::move(start), departures);
-    const auto likelihood_of = [&](const Hyperpriors& priors) {
-      return std::make_shared<Likelihood>(measurements, *found_.states, priors, shape, nominal_residual_);
+    const auto likelihood_of = [&](const Hyperpriors& priors, const NoiseShape& in) {
+      return std::make_shared<Likelihood>(measurements, *found_.states, priors, in, nominal_residual_);
     };
-    const auto full = likelihood_of(full_model());
+    const auto full = likelihood_of(full_model(), shape);
     full->prune(residual);
     found_.likelihood = full;
-    rough_likelihood_ = likelihood_of(white_noise_alone());
+    rough_likelihood_ = likelihood_of(white_noise_alone(), shape);
+    all_readings_ = shape.has_outliers() ? likelihood_of(white_noise_alone(), NoiseShape(measurements)) : nullptr;
     found_.nominal = full->look(nominal_residual_);
     const Decomposition parts = full->decompose(residual);
     weight_ = shape.relative.cwiseInverse();
@@ -128,9 +129,12 @@ class Searcher {
     std::mutex one_at_a_time;
     in_parallel(tasks.size(), study_.threads(), [&](std::size_t t) {
       if (affordable(tasks[t].candidate)) {
-        fitted[t] = maximised(study_, *rough_likelihood_, tasks[t].candidate, tasks[t].starts,
-                              rough(study_.measurements().size()));
-        if (fitted[t].converged) look_again(study_, *found_.likelihood, fitted[t]);
+        fitted[t] = fitted_roughly(tasks[t], *rough_likelihood_);
+        // An outlier may be what an effect does, which a fit without it does not see.
+        if (all_readings_ && tasks[t].candidate.effects.size() == 1)
+          if (Hypothesis other = fitted_roughly(tasks[t], *all_readings_);
+              other.converged && !(other.log_evidence < fitted[t].log_evidence && fitted[t].converged))
+            fitted[t] = std::move(other);
       }
       const std::lock_guard only(one_at_a_time);
       report(static_cast<double>(++done) / static_cast<double>(tasks.size()));
@@ -138,6 +142,14 @@ class Searcher {
     for (Hypothesis& one : fitted) add(std::move(one));
     sort();
     refine(refined_at_once, near_best);
+  }
+
+  /// Fitted in white noise, and weighed beside a discrepancy.
+  [[nodiscard]] Hypothesis fitted_roughly(const Task& task, const Likelihood& white) const {
+    Hypothesis one =
+        maximised(study_, white, task.candidate, task.starts, rough(study_.measurements().size()));
+    if (one.converged) look_again(study_, *found_.likelihood, one);
+    return one;
   }
 
   /// Keeps the better of two fits of one candidate.
@@ -371,7 +383,8 @@ class Searcher {
   VectorXd nominal_residual_;
   std::vector<EffectAt> listed_;  ///< of the catalogue and the user's
   Findings found_;
-  std::shared_ptr<const Likelihood> rough_likelihood_;
+  std::shared_ptr<const Likelihood> rough_likelihood_;  ///< in white noise
+  std::shared_ptr<const Likelihood> all_readings_;      ///< the same, no reading an outlier; none where none is marked
   VectorXd weight_;  ///< by value: one over its noise, in declared sigmas
   std::set<std::string> from_whole_, replaced_;  ///< labels: fitted from a larger one; extended by all
 };

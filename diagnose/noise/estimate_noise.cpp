@@ -21,7 +21,7 @@ NoiseEvidence evidence_of(const Experiment& experiment, const Measurements& meas
   NoiseEvidence evidence{experiment, measurements, shape, {}, {}, {}};
   evidence.scale = by_value(measurements, parts, [](const ChannelNoise& one) { return one.scale; });
   evidence.standardised =
-      (residual - parts.delta).cwiseQuotient(evidence.scale.cwiseProduct(shape.relative));
+      (residual - parts.delta - parts.periodic).cwiseQuotient(evidence.scale.cwiseProduct(shape.relative));
   // Squares of neighbours correlate by the square of what their values do.
   evidence.weight = by_value(measurements, parts, [](const ChannelNoise& one) {
     const double square = one.correlation * one.correlation;

@@ -9,6 +9,10 @@ NoiseShape::NoiseShape(const Measurements& measurements)
       outlier(measurements.size(), false),
       periodic(static_cast<Eigen::Index>(measurements.size()), 0) {}
 
+bool NoiseShape::has_outliers() const {
+  return std::find(outlier.begin(), outlier.end(), true) != outlier.end();
+}
+
 bool NoiseShape::is_noisier(std::size_t run, Sensor sensor) const {
   return std::any_of(noisier.begin(), noisier.end(),
                      [&](const NoisierSegment& one) { return one.run == run && one.sensor == sensor; });

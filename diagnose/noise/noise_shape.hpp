@@ -39,6 +39,7 @@ struct NoiseShape {
   std::vector<Interference> interference;
   bool quantised = false;  ///< coarse displays are taken into account
 
+  [[nodiscard]] bool has_outliers() const;
   [[nodiscard]] bool is_noisier(std::size_t run, Sensor sensor) const;
 };
 

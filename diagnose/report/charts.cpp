@@ -50,22 +50,21 @@ std::vector<page::Strip> regime_strips(const std::vector<Regime>& regime) {
 }
 
 /// Residuals of all charts share one scale, so that they can be compared.
-double largest(const std::vector<double>& values) {
-  double most = 4;
-  for (const double value : values) most = std::max(most, std::abs(value));
-  return most;
+double largest(const VectorXd& values) {
+  return std::max(4.0, values.cwiseAbs().maxCoeff());
 }
 
 page::Chart residual_chart(const Explained& explained, std::size_t place, double most) {
   const Series& series = explained.series(place);
   const Run& run = explained.experiment.runs[series.run];
-  const double sigma = explained.diagnosis.noise.of(series.channel);
+  const double sigma = explained.diagnosis.noise.of(series.channel).scale;
   page::Layer before{Kind::rings, "nominal", {}, 1.7}, after{Kind::dots, "corrected", {}, 2};
   before.told = after.told = true;
   for (std::size_t i = 0; i < series.readings.size(); ++i) {
     const auto reading = static_cast<double>(series.readings[i]);
-    before.points.push_back({reading, explained.before[series.first + i]});
-    after.points.push_back({reading, explained.after[series.first + i]});
+    const auto value = static_cast<Eigen::Index>(series.first + i);
+    before.points.push_back({reading, explained.before(value)});
+    after.points.push_back({reading, explained.after(value)});
   }
   page::Chart chart{
       panel_id("residual", series.run, series.channel),

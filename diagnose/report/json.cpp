@@ -1,8 +1,5 @@
 #include "diagnose/report/report.hpp"
 
-#include <algorithm>
-#include <numeric>
-
 #include "diagnose/report/law.hpp"
 
 namespace plumbline::diagnose {
@@ -16,23 +13,14 @@ Json effect_names(const Candidate& candidate) {
   return names;
 }
 
-/// Noise scales and autocorrelations of the measured channels.
-Json noise(const NoiseModel& model, const std::map<Channel, double>& by_channel) {
-  Json result = Json::object(), correlations = Json::object();
-  double largest = 0;
-  for (const Channel::Name name :
-       {Channel::Name::x, Channel::Name::y, Channel::Name::Fx, Channel::Name::Fy, Channel::Name::q}) {
-    const bool measured = std::any_of(by_channel.begin(), by_channel.end(),
-                                      [&](const auto& one) { return one.first.name == name; });
-    if (!measured) continue;
-    const Channel channel{name};
-    result[label(name)] = model.of(channel);
-    correlations[label(channel.sensor())] = model.correlation_of(channel);
-    largest = std::max(largest, model.correlation_of(channel));
+/// What the readings scatter by.
+Json noise(const NoiseEstimate& estimate) {
+  Json scale = Json::object(), correlation = Json::object();
+  for (const ChannelNoise& one : estimate.channels) {
+    scale[one.channel.label()] = one.scale;
+    correlation[one.channel.label()] = one.correlation;
   }
-  result["correlation"] = largest;
-  result["correlations"] = correlations;
-  return result;
+  return {{"scale", scale}, {"correlation", correlation}};
 }
 
 Json by_label(const std::map<Channel, double>& values) {
@@ -41,35 +29,51 @@ Json by_label(const std::map<Channel, double>& values) {
   return result;
 }
 
-Json gap(const GapAnswer& answer, const NoiseModel& model) {
-  Json sinusoids = Json::array(), proportional = Json::object(), runs = Json::array(),
-       segments = Json::array(), other_branch = Json::array();
-  for (const HummingChannel& one : answer.hum)
-    sinusoids.push_back(
+Json outliers(const std::vector<Outlier>& all) {
+  Json list = Json::array();
+  for (const Outlier& one : all)
+    list.push_back({{"run", one.run},
+                    {"reading", one.reading},
+                    {"channel", one.channel.label()},
+                    {"deviation", one.deviation},
+                    {"at_end", one.at_end}});
+  return list;
+}
+
+/// Departures of the noise from an even one.
+void add_departures(Json& report, const GapAnswer& answer, const NoiseShape& shape) {
+  Json interference = Json::array(), proportional = Json::object(), runs = Json::array(),
+       segments = Json::array();
+  for (const ChannelInterference& one : answer.interference)
+    interference.push_back(
         {{"run", one.run}, {"channel", one.channel.label()}, {"period", one.period}, {"rms", one.rms}});
-  for (const auto& [name, share] : answer.proportional) proportional[label(name)] = share;
-  for (const RougherRun& one : answer.rougher)
-    runs.push_back({{"run", one.run}, {"sensor", label(one.sensor)}, {"factor", one.times}});
-  for (const RougherStretch& one : answer.rougher_stretches)
-    segments.push_back({{"run", one.run},
-                        {"sensor", label(one.sensor)},
-                        {"from", one.from},
-                        {"to", one.to},
-                        {"factor", one.times}});
+  for (const auto& [name, ratio] : shape.proportional) proportional[label(name)] = ratio;
+  for (const NoisierReadings& one : answer.noisier) {
+    Json entry = {{"run", one.run}, {"sensor", label(one.sensor)}};
+    if (!one.whole_run) entry["from"] = one.from, entry["to"] = one.to;
+    entry["factor"] = one.factor;
+    (one.whole_run ? runs : segments).push_back(entry);
+  }
+  report["periodic_interference"] = interference;
+  report["proportional_noise"] = proportional;
+  report["noisier_runs"] = runs;
+  report["noisier_segments"] = segments;
+  report["quantised"] = shape.quantised;
+}
+
+Json gap(const GapAnswer& answer, const NoiseEstimate& estimate) {
+  Json report = {{"present", answer.present},
+                 {"probability", answer.probability},
+                 {"chi2_per_dof", answer.chi2_per_value},
+                 {"rms", by_label(answer.rms)},
+                 {"noise", noise(estimate)}};
+  add_departures(report, answer, estimate.shape);
+  report["outliers"] = outliers(answer.outliers);
+  report["assumed_weights"] = answer.taken_for_weights;
+  report["other_branch"] = Json::array();
   for (const OtherBranch& one : answer.other_branch)
-    other_branch.push_back({{"run", one.run}, {"from", one.reading}});
-  return {{"present", answer.present},
-          {"p_value", answer.test.p_value},
-          {"chi2_per_dof", answer.chi2_per_value},
-          {"rms", by_label(answer.rms)},
-          {"noise", noise(model, answer.rms)},
-          {"periodic_interference", sinusoids},
-          {"proportional_noise", proportional},
-          {"noisier_joints", by_label(answer.uneven)},
-          {"noisier_runs", runs},
-          {"noisier_segments", segments},
-          {"assumed_weights", answer.taken_for_weights},
-          {"other_branch", other_branch}};
+    report["other_branch"].push_back({{"run", one.run}, {"from", one.reading}});
+  return report;
 }
 
 Json where(const Where& places) {
@@ -92,55 +96,61 @@ Json where(const Where& places) {
           {"joint_evidence", joint_evidence_words(places.joint_evidence)}};
 }
 
-Json effects(const Candidate& candidate, const std::vector<std::vector<Estimate>>& estimates) {
+Json effects(const Diagnosis& diagnosis) {
   Json list = Json::array();
-  for (std::size_t e = 0; e < candidate.effects.size(); ++e) {
-    const EffectAt& at = candidate.effects[e];
+  for (const EstimatedEffect& one : estimated_effects(diagnosis)) {
     Json parameters = Json::object();
-    for (const Estimate& one : estimates[e])
-      parameters[one.name] = {{"value", one.value},
-                              {"low", one.low},
-                              {"high", one.high},
-                              {"at_bound", one.at_bound},
-                              {"unit", one.unit}};
-    list.push_back({{"id", at.effect->id},
-                    {"joint", at.joint > 0 ? Json(at.joint) : Json(nullptr)},
+    for (const Estimate& value : one.values)
+      parameters[value.name] = {{"value", value.value},
+                                {"low", value.low},
+                                {"high", value.high},
+                                {"at_bound", value.at_bound},
+                                {"unit", value.unit}};
+    list.push_back({{"id", one.at.effect->id},
+                    {"joint", one.at.joint > 0 ? Json(one.at.joint) : Json(nullptr)},
                     {"parameters", parameters}});
   }
   return list;
 }
 
+/// Most probable first; a cause outside of the catalogue, which predicts nothing beyond the nominal model, in
+/// its place.
+Json ranking(const Diagnosis& diagnosis) {
+  const Cause& cause = diagnosis.cause;
+  Json list = Json::array();
+  const Json outside = {{"effects", {"unknown"}},
+                        {"probability", cause.unknown},
+                        {"chi2_per_dof", diagnosis.gap.chi2_per_value}};
+  bool placed = false;
+  for (const RankedCause& one : cause.ranking) {
+    if (!placed && cause.unknown > one.probability) list.push_back(outside), placed = true;
+    list.push_back({{"effects", effect_names(one.cause)},
+                    {"probability", one.probability},
+                    {"chi2_per_dof", one.chi2_per_value}});
+  }
+  if (!placed) list.push_back(outside);
+  return list;
+}
+
 Json cause(const Diagnosis& diagnosis) {
   const Cause& found = diagnosis.cause;
-  Json equivalent = Json::array(), ranking = Json::array(), idle = Json::array();
-  for (const std::size_t place : found.equivalent)
-    equivalent.push_back(effect_names(found.ranking[place].hypothesis.fit.candidate));
-  if (found.reservation != Reservation::none) equivalent.push_back({"unknown"});
-  for (const std::size_t place : listed_places(found)) {
-    const Ranked& one = found.ranking[place];
-    ranking.push_back({{"effects", effect_names(one.hypothesis.fit.candidate)},
-                       {"probability", one.probability},
-                       {"chi2_per_dof", one.chi2_per_dof}});
-  }
-  // An unknown cause predicts nothing beyond the nominal model.
-  if (diagnosis.gap.present) {
-    ranking.push_back({{"effects", {"unknown"}},
-                       {"probability", found.unknown},
-                       {"chi2_per_dof", diagnosis.gap.chi2_per_value}});
-  }
+  Json equivalent = Json::array(), probabilities = Json::array(), idle = Json::array();
+  for (std::size_t i = 1; i < found.named; ++i) equivalent.push_back(effect_names(found.ranking[i].cause));
+  if (found.or_unknown) equivalent.push_back({"unknown"});
+  for (const EffectProbability& one : found.effects)
+    probabilities.push_back({{"effect", one.label}, {"probability", one.probability}});
   for (const EffectAt& at : diagnosis.not_excited) idle.push_back(at.label());
-  const bool explained =
-      found.verdict == CauseVerdict::identified || found.verdict == CauseVerdict::ambiguous;
-  Json report = {
+  return {
       {"verdict", verdict_word(found.verdict)},
-      {"effects", explained ? effects(found.ranking[found.best].hypothesis.fit.candidate, diagnosis.estimates)
-                            : Json::array()},
+      {"effects", effects(diagnosis)},
+      {"tolerances", found.is_explained() && found.ranking.front().hypothesis.candidate.has_all_tolerances()},
       {"equivalent", equivalent},
-      {"ranking", ranking},
+      {"fails_to_predict", diagnosis.fails_to_predict},
+      {"discrepancy", found.discrepancy},
+      {"discrepancy_torque", found.discrepancy_torque},
+      {"ranking", ranking(diagnosis)},
+      {"effect_probabilities", probabilities},
       {"not_excited", idle}};
-
-  if (found.remainder > 0) report["discrepancy"] = found.remainder;
-  return report;
 }
 
 /// The model whose residual reduction was measured.
@@ -160,7 +170,6 @@ Json shrink(const Diagnosis& diagnosis) {
   }
   Json result = {{"of", shrinks(diagnosis)},
                  {"tested", measured.tested()},
-                 {"selected_without_heldout", measured.chosen_blind},
                  {"heldout", measured.heldout},
                  {"rms_before", by_label(measured.rms_before)},
                  {"rms_after", by_label(measured.rms_after)},
@@ -170,8 +179,8 @@ Json shrink(const Diagnosis& diagnosis) {
                  {"noise_floor_ratio", measured.noise_floor_ratio},
                  {"chi2_per_dof_after", measured.chi2_per_value_after},
                  {"channels", channels}};
-  if (measured.left_out > 0)
-    result["outliers"] = {{"count", measured.left_out}, {"ratio_with", measured.ratio_with_left_out}};
+  if (measured.outliers > 0)
+    result["outliers"] = {{"count", measured.outliers}, {"ratio_with", measured.ratio_with_outliers}};
   return result;
 }
 
@@ -208,19 +217,6 @@ Json as_json(const Diagnosis& diagnosis) {
                  {"next", next(diagnosis.proposals)}};
   if (diagnosis.law) report["law"] = law_as_json(*diagnosis.law);
   return report;
-}
-
-std::vector<std::size_t> listed_places(const Cause& cause) {
-  constexpr std::size_t most = 10;
-  std::vector<std::size_t> places(std::min(most, cause.ranking.size()));
-  std::iota(places.begin(), places.end(), std::size_t{0});
-  std::vector<std::size_t> named = cause.equivalent;
-  if (cause.verdict == CauseVerdict::identified || cause.verdict == CauseVerdict::ambiguous)
-    named.push_back(cause.best);
-  std::sort(named.begin(), named.end());
-  for (const std::size_t place : named)
-    if (place >= most) places.push_back(place);
-  return places;
 }
 
 }  // namespace plumbline::diagnose

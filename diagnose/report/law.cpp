@@ -1,9 +1,7 @@
 #include "diagnose/report/law.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include "diagnose/beliefs.hpp"
 #include "support/page/chart.hpp"
 
 namespace plumbline::diagnose {
@@ -27,15 +25,11 @@ Json picture_as_json(const LawPicture& picture) {
                        {"profile", as_json(one.profile)}});
   for (const auto& one : picture.arms)
     arms.push_back({{"time_constant", one.time_constant}, {"stiffness", one.stiffness}});
-  return {{"joints", picture.joints},     {"knots", as_json(picture.knots)},
-          {"sliders", sliders},           {"relaxation", arms},
-          {"description", picture.words}, {"similar_effects", picture.resembles}};
-}
-
-std::vector<std::string> beside(const OfferedLaw& offered) {
-  std::vector<std::string> names;
-  for (const EffectAt& at : offered.law.base.candidate.effects) names.push_back(at.label());
-  return names;
+  return {{"joints", picture.joints},
+          {"knots", as_json(picture.knots)},
+          {"sliders", sliders},
+          {"relaxation", arms},
+          {"description", picture.words}};
 }
 
 /// The law, the nominal spring, and the runs of one joint.
@@ -87,10 +81,7 @@ page::Chart memory_chart(const Explained& explained, const LawTrace& trace) {
 nlohmann::ordered_json law_as_json(const OfferedLaw& offered) {
   Json laws = Json::array();
   for (const LawPicture& picture : offered.pictures) laws.push_back(picture_as_json(picture));
-  Json result = {{"id", "torque_law"},
-                 {"with_effects", beside(offered)},
-                 {"laws", laws},
-                 {"cross_validated", offered.law.cross_validated}};
+  Json result = {{"id", "torque_law"}, {"laws", laws}, {"cross_validated", offered.law.cross_validated}};
   if (!offered.shrink) return result;
   result["heldout"] = offered.shrink->heldout;
   result["ratio"] = offered.shrink->ratio;
@@ -107,28 +98,16 @@ std::string joint_words(const std::vector<std::size_t>& joints) {
 }
 
 std::string what_it_does(const OfferedLaw& offered) {
-  constexpr double nearly = 2;
+  constexpr double nearly = 2, closed = 0.25;
   if (!offered.shrink || !(offered.shrink->ratio < 1)) return "fitted to";
   const double floor = offered.shrink->noise_floor_ratio;
-  return offered.shrink->ratio <= std::max(nearly * floor, beliefs::closed) ? "that closes" : "that narrows";
-}
-
-std::string resemblance_words(const LawPicture& picture) {
-  std::vector<std::string> features;
-  for (const std::vector<std::string>& alike : picture.resembles)
-    features.push_back(fmt::format("{}", fmt::join(alike, " or ")));
-  return fmt::format("{}", fmt::join(features, ", with "));
+  return offered.shrink->ratio <= std::max(nearly * floor, closed) ? "that closes" : "that narrows";
 }
 
 std::string law_as_text(const OfferedLaw& offered) {
-  std::string text = "  a torque law " + what_it_does(offered) + " the gap (a description, not a cause)";
-  const std::vector<std::string> base = beside(offered);
-  for (std::size_t i = 0; i < base.size(); ++i) text += (i == 0 ? ", together with " : " + ") + base[i];
-  text += ":\n";
-  for (const LawPicture& picture : offered.pictures) {
+  std::string text = "  a torque law " + what_it_does(offered) + " the gap (a description, not a cause):\n";
+  for (const LawPicture& picture : offered.pictures)
     text += fmt::format("    {}: {}\n", joint_words(picture.joints), picture.words);
-    if (!picture.resembles.empty()) text += "      similar to " + resemblance_words(picture) + "\n";
-  }
   if (!offered.shrink)
     return text +
            fmt::format(

@@ -18,9 +18,6 @@ std::string what_it_does(const OfferedLaw& offered);
 /// "joints 1, 2".
 std::string joint_words(const std::vector<std::size_t>& joints);
 
-/// "joint_stop or nonlinear_spring, with hysteresis": effects of similar shape; empty without any.
-std::string resemblance_words(const LawPicture& picture);
-
 /// The lines of the terminal report.
 std::string law_as_text(const OfferedLaw& offered);
 

@@ -21,14 +21,14 @@ bool turns_back(const Explained& explained, std::size_t run) {
 
 /// For each run that reverses, the series with the largest dissipation in sigmas, joint angles excluded.
 std::vector<std::size_t> telling_series(const Explained& explained, const Prediction& elastic) {
-  const std::vector<double> left = explained.measurements.residual(explained.experiment, elastic);
+  const VectorXd left = explained.measurements.residual(elastic);
   std::map<std::size_t, std::pair<double, std::size_t>> most;
   for (std::size_t s = 0; s < explained.measurements.series().size(); ++s) {
     const Series& series = explained.series(s);
     if (series.channel.name == Channel::Name::q || !turns_back(explained, series.run)) continue;
-    double sum = 0;
-    for (std::size_t i = 0; i < series.readings.size(); ++i)
-      sum += left[series.first + i] * left[series.first + i];
+    const double sum = left.segment(static_cast<Eigen::Index>(series.first),
+                                    static_cast<Eigen::Index>(series.readings.size()))
+                           .squaredNorm();
     auto& best = most[series.run];
     if (sum > best.first) best = {sum, s};
   }
@@ -92,9 +92,10 @@ PageChart loop_at_joint(const Explained& explained, std::size_t joint, std::size
 
 std::vector<PageChart> loop_charts(const Explained& explained) {
   if (explained.best == nullptr) return {};
-  const Instance elastic = part(explained.study, explained.best->candidate, explained.best->parameters,
+  const Hypothesis& best = explained.best->hypothesis;
+  const Instance elastic = part(explained.study, best.candidate, best.parameters,
                                 [](const EffectAt& at) { return !at.effect->dissipates; });
-  if (elastic.candidate == explained.best->candidate) return {};
+  if (elastic.candidate == best.candidate) return {};
   const Prediction base = predict(explained.study, elastic.candidate, elastic.parameters);
   if (!base.reached) return {};
   std::vector<PageChart> charts;

@@ -4,54 +4,39 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace plumbline::diagnose {
 namespace {
 
-using Name = Channel::Name;
+std::string two_digits(double value) {
+  return value < 0.1 ? fmt::format("{:.2g}", value) : fmt::format("{:.2f}", value);
+}
 
-/// "0.12", or by sensor where these differ: "0.85 (force), 0.02 (angle)".
-std::string autocorrelations(const NoiseModel& noise, const std::map<Channel, double>& measured) {
-  std::map<Sensor, std::string> by_sensor;
-  for (const auto& [channel, rms] : measured)
-    by_sensor[channel.sensor()] = fmt::format("{:.2f}", noise.correlation_of(channel));
-  const std::string& first = by_sensor.begin()->second;
-  if (std::all_of(by_sensor.begin(), by_sensor.end(), [&](const auto& one) { return one.second == first; }))
-    return first;
+/// "Fx 2.00, q 0.45 to 0.62": a value of each channel, of all joint angles together.
+std::string by_name(const NoiseEstimate& noise, double ChannelNoise::*value) {
+  std::map<std::string, std::pair<double, double>> ranges;
+  for (const ChannelNoise& one : noise.channels) {
+    const auto [place, is_first] = ranges.try_emplace(label(one.channel.name), one.*value, one.*value);
+    if (is_first) continue;
+    auto& [low, high] = place->second;
+    low = std::min(low, one.*value), high = std::max(high, one.*value);
+  }
   std::string text;
-  for (const auto& [sensor, value] : by_sensor)
-    text += (text.empty() ? "" : ", ") + value + " (" + label(sensor) + ")";
+  for (const auto& [name, range] : ranges) {
+    const std::string low = two_digits(range.first), high = two_digits(range.second);
+    text += (text.empty() ? "" : ", ") + name + " " + low + (low == high ? "" : " to " + high);
+  }
   return text;
 }
 
-/// "3.0", "0.033".
-std::string times(double scale) {
-  return scale < 1 ? fmt::format("{:.2g}", scale) : fmt::format("{:.1f}", scale);
-}
-
-/// The noise scales; a sentence for each that is far from one.
-std::string scales(const NoiseModel& noise, const std::map<Channel, double>& measured) {
-  std::vector<std::string> all;
-  std::string remarks;
-  for (const Name name : {Name::x, Name::y, Name::Fx, Name::Fy, Name::q}) {
-    const auto carries = [&](const auto& one) { return one.first.name == name; };
-    if (std::none_of(measured.begin(), measured.end(), carries)) continue;
-    const double scale = noise.of({name});
-    all.push_back(fmt::format(fmt::runtime(scale < 0.1 ? "{} {:.2g}" : "{} {:.2f}"), label(name), scale));
-    if (scale > 1.5 || scale < 1 / 1.5)
-      remarks += fmt::format("  the noise of {} is {} times the declared one\n", label(name), times(scale));
-  }
-  return fmt::format("  noise over declared: {}; autocorrelation of successive readings {}\n{}",
-                     fmt::join(all, ", "), autocorrelations(noise, measured), remarks);
-}
-
 /// One line for the channels of a run that share a sinusoid.
-std::string interference(const std::vector<HummingChannel>& sinusoids) {
+std::string interference(const std::vector<ChannelInterference>& sinusoids) {
   std::string text;
   for (auto first = sinusoids.begin(); first != sinusoids.end();) {
-    const auto end = std::find_if(first, sinusoids.end(), [&](const HummingChannel& one) {
-      return one.run != first->run || std::abs(one.period - first->period) > 0.05 * first->period;
+    const auto end = std::find_if(first, sinusoids.end(), [&](const ChannelInterference& one) {
+      return one.run != first->run || one.period != first->period;
     });
     std::vector<std::string> channels;
     double largest = 0;
@@ -59,41 +44,64 @@ std::string interference(const std::vector<HummingChannel>& sinusoids) {
       channels.push_back(one->channel.label()), largest = std::max(largest, one->rms);
     text += fmt::format(
         "  periodic interference in {} of {}: period {:.2g} readings, {}{:.1f} declared sigmas rms; counted "
-        "as "
-        "noise\n",
+        "as noise\n",
         fmt::join(channels, ", "), first->run, first->period, channels.size() > 1 ? "up to " : "", largest);
     first = end;
   }
   return text;
 }
 
-std::string departures(const GapAnswer& answer) {
+std::string departures(const GapAnswer& answer, const NoiseShape& shape) {
   std::string text;
-  for (const auto& [name, share] : answer.proportional)
+  for (const auto& [name, ratio] : shape.proportional)
     text += fmt::format("  the noise of {} grows with the reading, by {:.2g} % of it\n", label(name),
-                        100 * share);
-  for (const auto& [channel, factor] : answer.uneven)
-    text += fmt::format("  the noise of {} is {:.1f} times that of the other joint angles\n", channel.label(),
-                        factor);
-  for (const RougherRun& one : answer.rougher)
-    text += fmt::format("  the {} noise of run {} is {:.1f} times that of the other runs\n",
-                        label(one.sensor), one.run, one.times);
-  for (const RougherStretch& one : answer.rougher_stretches)
-    text += fmt::format("  the {} noise of readings {}-{} of {} is {:.1f} times that of the others\n",
-                        label(one.sensor), one.from, one.to, one.run, one.times);
+                        100 * ratio);
+  for (const NoisierReadings& one : answer.noisier)
+    text += one.whole_run
+                ? fmt::format("  the {} noise of run {} is {:.1f} times that of the other runs\n",
+                              label(one.sensor), one.run, one.factor)
+                : fmt::format("  the {} noise of readings {}-{} of {} is {:.1f} times that of the others\n",
+                              label(one.sensor), one.from, one.to, one.run, one.factor);
+  if (shape.quantised) text += "  a coarse display: equal readings in a row share one rounding error\n";
+  return text + interference(answer.interference);
+}
+
+/// The largest ones, a line each, and the number of the others.
+std::string outliers(const std::vector<Outlier>& all) {
+  constexpr std::size_t few = 6;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(few, all.size()); ++i)
+    text += fmt::format("  outlier: {} at reading {} of {}, {:+.3g} standard deviations{}\n",
+                        all[i].channel.label(), all[i].reading, all[i].run, all[i].deviation,
+                        all[i].at_end ? "; at the end of its run, where an event would look the same" : "");
+  if (all.size() > few)
+    text += fmt::format("  {} smaller outliers (--json: gap.outliers)\n", all.size() - few);
   return text;
 }
 
 }  // namespace
 
+std::string noise_scales(const NoiseEstimate& noise) {
+  return by_name(noise, &ChannelNoise::scale);
+}
+
+std::string outliers_in_words(const std::vector<Outlier>& outliers) {
+  if (outliers.empty()) return "";
+  const Outlier& largest = outliers.front();
+  const std::string where =
+      fmt::format("{} at reading {} of {}", largest.channel.label(), largest.reading, largest.run);
+  const double off = std::abs(largest.deviation);
+  if (outliers.size() == 1)
+    return fmt::format("1 value has no weight: an outlier, {:.3g} standard deviations off, {}", off, where);
+  return fmt::format(
+      "{} values have no weight: outliers, up to {:.3g} standard deviations off, the largest {}",
+      outliers.size(), off, where);
+}
+
 std::string noise_as_text(const Diagnosis& diagnosis) {
-  const GapAnswer& answer = diagnosis.gap;
-  std::string text = scales(diagnosis.noise, answer.rms);
-  if (diagnosis.may_hide_ripple())
-    text +=
-        "  noise this large may hide a ripple of the device finer than the readings: measure in smaller "
-        "steps\n";
-  return text + departures(answer) + interference(answer.hum);
+  return fmt::format("  noise over declared: {}; autocorrelation of successive readings: {}\n",
+                     noise_scales(diagnosis.noise), by_name(diagnosis.noise, &ChannelNoise::correlation)) +
+         departures(diagnosis.gap, diagnosis.noise.shape) + outliers(diagnosis.gap.outliers);
 }
 
 }  // namespace plumbline::diagnose

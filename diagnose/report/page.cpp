@@ -1,7 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
-#include "diagnose/beliefs.hpp"
 #include "diagnose/report/charts.hpp"
 #include "diagnose/report/law.hpp"
 #include "diagnose/report/page_texts.hpp"
@@ -17,11 +18,10 @@ using Json = nlohmann::ordered_json;
 page::NumberStyle style_of(const std::string& pointer) {
   const std::string key = pointer.substr(pointer.rfind('/') + 1);
   if (key == "share" || key == "discrepancy") return page::NumberStyle::share;
-  if (key == "p_value") return page::NumberStyle::chance;
   if (key == "probability" || pointer.find("/explained/") != std::string::npos ||
       pointer.find("/proportional_noise/") != std::string::npos || key.find("ratio") != std::string::npos)
     return page::NumberStyle::percent;
-  if (key == "from" || key == "to" || key == "joint") return page::NumberStyle::count;
+  if (key == "from" || key == "to" || key == "joint" || key == "reading") return page::NumberStyle::count;
   if (key == "value" || key == "low" || key == "high") return page::NumberStyle::precise;
   return key == "expected_log_odds" ? page::NumberStyle::odds : page::NumberStyle::figures;
 }
@@ -56,6 +56,32 @@ Json gap_channels(const GapAnswer& gap, const Json& marked) {
   return list;
 }
 
+/// The noise by channel, and its part in proportion to the readings.
+void add_noise(Json& view, const NoiseEstimate& noise) {
+  const Json& marked = view["gap"]["noise"];
+  Json channels = Json::array();
+  for (const ChannelNoise& one : noise.channels) {
+    const std::string label = one.channel.label();
+    channels.push_back({{"channel", label},
+                        {"scale", marked["scale"][label]},
+                        {"correlation", marked["correlation"][label]},
+                        {"last", false}});
+  }
+  channels.back()["last"] = true;
+  view["noise"] = std::move(channels);
+  for (const auto& [sensor, share] : view["gap"]["proportional_noise"].items())
+    view["proportional"].push_back({{"sensor", sensor}, {"share", share}});
+}
+
+/// What has no weight, the largest first.
+void add_outliers(Json& view, const GapAnswer& gap) {
+  view["outliers"] = section(view["gap"]["outliers"]);
+  if (gap.outliers.empty()) return;
+  view["outliers"]["count"] = std::to_string(gap.outliers.size());
+  view["outliers"]["several"] = gap.outliers.size() > 1;
+  view["outliers"]["largest"] = view["gap"]["outliers"].front();
+}
+
 Json shrink_channels(const Shrink& shrink, const Json& marked) {
   Json list = Json::array();
   for (const auto& one : shrink.channels) {
@@ -71,13 +97,13 @@ Json shrink_channels(const Shrink& shrink, const Json& marked) {
   return list;
 }
 
-/// The parameters of all effects of the best explanation, one a row.
-Json parameters(const Json& effects, const Candidate& best,
-                const std::vector<std::vector<Estimate>>& estimates) {
+/// The parameters of all effects of the leading cause, one a row.
+Json parameters(const Json& effects, const Diagnosis& diagnosis) {
   Json rows = Json::array();
+  const std::vector<EstimatedEffect> estimated = estimated_effects(diagnosis);
   for (std::size_t e = 0; e < effects.size(); ++e) {
-    const EffectAt& at = best.effects[e];
-    for (const Estimate& one : estimates[e]) {
+    const EffectAt& at = estimated[e].at;
+    for (const Estimate& one : estimated[e].values) {
       Json row = effects[e]["parameters"][one.name];
       row["effect"] = at.effect->id;
       row["place"] = at.joint > 0 ? effects[e]["joint"] : Json("–");
@@ -101,29 +127,28 @@ std::string out_of_sight(const Study& study) {
   return joined(parts, ", ", ", ");
 }
 
+/// \param ranking  of the report, numbers marked
 Json not_excluded(const Explained& explained, const Json& ranking) {
+  constexpr double noticeable = 0.01;
   Json list = Json::array();
   const Cause& cause = explained.diagnosis.cause;
   const auto add = [&](const std::string& who, const std::string& why) {
     if (!who.empty()) list.push_back({{"names", who}, {"why", why}});
   };
-  for (const std::size_t place : cause.equivalent)
-    add(cause.ranking[place].hypothesis.fit.candidate.name(),
-        "these readings do not distinguish it from the best");
-  const std::vector<std::size_t> places = listed_places(cause);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::size_t place = places[i];
-    const bool named =
-        place == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), place) > 0;
-    if (!named && cause.verdict != CauseVerdict::unknown && cause.ranking[place].probability >= 0.01)
-      add(cause.ranking[place].hypothesis.fit.candidate.name(),
-          "less probable, with " + ranking[i]["probability"].get<std::string>());
-  }
-  if (cause.reservation != Reservation::none) {
-    add("unknown", reservation_words(cause.reservation));
-  } else if (cause.verdict != CauseVerdict::unknown && cause.unknown >= 0.01) {
-    add("unknown", "a cause outside the catalogue, with probability " +
-                       ranking.back()["probability"].get<std::string>());
+  std::size_t place = 0;
+  for (const Json& entry : ranking) {
+    const std::string probability = entry["probability"].get<std::string>();
+    if (entry["unknown"].get<bool>()) {
+      if (cause.is_explained() && (cause.or_unknown || cause.unknown >= noticeable))
+        add("unknown", "a cause outside the catalogue, with probability " + probability);
+      continue;
+    }
+    const RankedCause& one = cause.ranking[place];
+    if (place > 0 && place < cause.named)
+      add(one.cause.name(), "these readings do not distinguish it from the best; probability " + probability);
+    else if (place >= cause.named && cause.is_explained() && one.probability >= noticeable)
+      add(one.cause.name(), "less probable, with " + probability);
+    ++place;
   }
   std::vector<std::string> idle;
   for (const EffectAt& at : explained.diagnosis.not_excited) idle.push_back(at.name());
@@ -133,39 +158,52 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
   return list;
 }
 
-/// Adds the cause, in the words of the verdict's sentence.
-void add_cause(Json& view, const Json& report, const Explained& explained) {
-  const Cause& cause = explained.diagnosis.cause;
-  view["verdict"] = Json{{verdict_word(cause.verdict), true}};
-  view["best"] = false;
-  if (explained.best != nullptr) {
-    const Candidate& best = explained.best->candidate;
-    view["best"] = {
-        {"names", best.name()},
-        {"words", in_words(best)},
-        {"model", explained.model},
-        {"drawn", explained.diagnosis.offers_law() ? explained.model : explained.model + ": " + best.name()}};
-    Json rows = parameters(view["cause"]["effects"], best, explained.diagnosis.estimates);
-    const bool any = !rows.empty();
-    view["explained"] = {{"any", any}, {"parameters", std::move(rows)}};
-  }
-  std::vector<std::string> alternatives;
-  for (const std::size_t place : cause.equivalent)
-    alternatives.push_back(in_words(cause.ranking[place].hypothesis.fit.candidate));
-  if (cause.reservation != Reservation::none) alternatives.emplace_back("a cause outside the catalogue");
-  view["alternatives"] = joined(alternatives, ", ", " or ");
+/// Adds names, bars and the place of the unknown cause to the ranking.
+void complete_ranking(Json& view, const Json& report) {
   Json& ranking = view["cause"]["ranking"];
   for (Json& one : ranking) {
     std::string names;
     for (const Json& effect : one["effects"])
       names += (names.empty() ? "" : " + ") + effect.get<std::string>();
     one["names"] = names;
+    one["unknown"] = names == "unknown";
+    if (one["unknown"].get<bool>()) view["outside"] = one["probability"];
   }
   add_bars(ranking, report["cause"]["ranking"], "probability");
-  // For `unknown`, that entry comes first.
-  if (cause.verdict == CauseVerdict::unknown) std::rotate(ranking.begin(), ranking.end() - 1, ranking.end());
-  view["ranked"] = {{"any", !ranking.empty()}};
-  view["open"] = section(not_excluded(explained, ranking));
+}
+
+/// Adds the cause, in the words of the verdict's sentence.
+void add_cause(Json& view, const Json& report, const Explained& explained) {
+  const Diagnosis& diagnosis = explained.diagnosis;
+  const Cause& cause = diagnosis.cause;
+  view["verdict"] = Json{{verdict_word(cause.verdict), true}};
+  view["best"] = false;
+  if (explained.best != nullptr) {
+    const Candidate& best = explained.best->cause;
+    view["best"] = {
+        {"names", best.name()},
+        {"words", in_words(best)},
+        {"model", explained.model},
+        {"drawn", diagnosis.offers_law() ? explained.model : explained.model + ": " + best.name()}};
+    view["beside_tolerances"] = shows_tolerances(*explained.best);
+  }
+  Json rows = parameters(view["cause"]["effects"], diagnosis);
+  const bool any = !rows.empty();
+  view["explained"] = {{"any", any}, {"parameters", std::move(rows)}};
+  view["discrepancy"] = cause.discrepancy > 0 ? view["cause"]["discrepancy"] : Json(false);
+  std::vector<std::string> alternatives;
+  for (std::size_t i = 1; i < cause.named; ++i) alternatives.push_back(in_words(cause.ranking[i].cause));
+  if (cause.or_unknown)
+    alternatives.push_back("a cause outside the catalogue" +
+                           std::string(outside_is_likelier(cause) ? ", which is more probable" : ""));
+  view["alternatives"] = joined(alternatives, ", ", " or ");
+  Json parts = Json::array();
+  for (std::size_t i = 0; i < told_effects(cause); ++i)
+    parts.push_back({{"words", effect_in_words(cause, cause.effects[i].label)},
+                     {"probability", view["cause"]["effect_probabilities"][i]["probability"]}});
+  view["parts"] = section(std::move(parts));
+  complete_ranking(view, report);
+  view["open"] = section(not_excluded(explained, view["cause"]["ranking"]));
 }
 
 void add_where(Json& view, const Json& report, const Explained& explained) {
@@ -197,12 +235,8 @@ void add_charts(Json& view, const Explained& explained) {
   if (!view.contains("law")) return;
   view["law"]["charts"] = charts(law_charts(explained), false);
   view["law"]["what_it_does"] = what_it_does(*explained.diagnosis.law);
-  for (std::size_t i = 0; i < explained.diagnosis.law->pictures.size(); ++i) {
-    const LawPicture& picture = explained.diagnosis.law->pictures[i];
-    view["law"]["laws"][i]["whose"] = joint_words(picture.joints);
-    view["law"]["laws"][i]["looks_like"] = resemblance_words(picture);
-    view["law"]["laws"][i]["has_similar"] = !picture.resembles.empty();
-  }
+  for (std::size_t i = 0; i < explained.diagnosis.law->pictures.size(); ++i)
+    view["law"]["laws"][i]["whose"] = joint_words(explained.diagnosis.law->pictures[i].joints);
 }
 
 }  // namespace
@@ -211,29 +245,16 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
   const Explained explained(study, diagnosis);
   const Json report = as_json(diagnosis);
   Json view = page::with_marked_numbers(report, style_of);
-  view["gap_level"] = fmt::format("{:g}", beliefs::gap_level);
-  for (const auto& [sensor, scale] : view["gap"]["noise"].items())
-    if (!sensor.starts_with("correlation")) view["noise"].push_back({{"sensor", sensor}, {"scale", scale}});
-  for (const auto& [sensor, value] : view["gap"]["noise"]["correlations"].items())
-    view["correlations"].push_back({{"sensor", sensor}, {"value", value}, {"last", false}});
-  view["correlations"].back()["last"] = true;
-  view["may_hide_ripple"] = diagnosis.may_hide_ripple();
-  for (const auto& [sensor, share] : view["gap"]["proportional_noise"].items())
-    view["proportional"].push_back({{"sensor", sensor}, {"share", share}});
-  for (const auto& [sensor, times] : view["gap"]["noisier_joints"].items())
-    view["uneven"].push_back({{"sensor", sensor}, {"factor", times}});
+  add_noise(view, diagnosis.noise);
+  add_outliers(view, diagnosis.gap);
   if (const auto& runs = diagnosis.gap.taken_for_weights; !runs.empty())
     view["weights"] = fmt::format("{}", fmt::join(runs, ", "));
   view["channels_rms"] = gap_channels(diagnosis.gap, view["gap"]["rms"]);
   add_where(view, report, explained);
   add_cause(view, report, explained);
-  view["nothing_predicts"] = diagnosis.nothing_predicts;
   if (diagnosis.shrink) {
     view["shrink"]["by_channel"] = shrink_channels(*diagnosis.shrink, view["shrink"]);
-    const CauseVerdict verdict = diagnosis.cause.verdict;
-    view["shrink"]["explains"] = verdict == CauseVerdict::identified || verdict == CauseVerdict::ambiguous;
-    view["shrink"]["of_law"] = diagnosis.offers_law();
-    view["shrink"]["grows"] = !(diagnosis.shrink->ratio < 1);
+    view["shrink"]["model"] = tested_model(diagnosis);
     view["shrink"]["heldout_names"] = joined(diagnosis.shrink->heldout, ", ", ", ");
   }
   view["proposals"] = {{"any", !diagnosis.proposals.empty()}};

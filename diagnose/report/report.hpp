@@ -10,9 +10,6 @@ namespace plumbline::diagnose {
 
 nlohmann::ordered_json as_json(const Diagnosis& diagnosis);
 
-/// The entries of the ranking that reports list: the ten most probable, and named ones behind them.
-std::vector<std::size_t> listed_places(const Cause& cause);
-
 /// The text: the answer first, then the questions in order: gap, where, what, how far, what next.
 std::string as_text(const Diagnosis& diagnosis);
 

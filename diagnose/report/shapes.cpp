@@ -104,7 +104,7 @@ PageChart shape_chart(const Explained& explained, std::size_t r) {
 bool at_joints(const Explained& explained) {
   if (!explained.diagnosis.gap.present) return false;
   if (explained.best == nullptr || explained.diagnosis.cause.verdict == CauseVerdict::unknown) return true;
-  const std::vector<EffectAt>& effects = explained.best->candidate.effects;
+  const std::vector<EffectAt>& effects = explained.best->cause.effects;
   return std::any_of(effects.begin(), effects.end(), [](const EffectAt& at) {
     if (at.effect->at_joint) return true;
     for (const auto& rows : {joint_effects(), common_effects(), joint_law_effects(), friction_effects()})

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "diagnose/discrepancy/unexplained.hpp"
+#include "diagnose/answers/unexplained.hpp"
 
 namespace plumbline::diagnose {
 

@@ -2,14 +2,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
-#include "diagnose/beliefs.hpp"
+#include "diagnose/priors.hpp"
 #include "diagnose/report/law.hpp"
 #include "diagnose/report/noise_text.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/report/sketch.hpp"
 #include "diagnose/report/view.hpp"
-#include "support/page/markup.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -23,6 +23,12 @@ std::string precise_percent(double ratio) {
   return fmt::format("{:.3g} %", 100 * ratio);
 }
 
+/// "0.912", "> 0.999", "< 0.001".
+std::string probability(double value) {
+  if (value > 0.999) return "> 0.999";
+  return value < 0.001 ? "< 0.001" : fmt::format("{:.3f}", value);
+}
+
 std::string by_channel(const std::map<Channel, double>& values) {
   std::string text;
   for (const auto& [channel, value] : values)
@@ -32,10 +38,11 @@ std::string by_channel(const std::map<Channel, double>& values) {
 
 std::string gap(const Diagnosis& diagnosis) {
   const GapAnswer& answer = diagnosis.gap;
-  std::string text =
-      fmt::format("Is there a gap?  {} ({}): the nominal model misses {} rms, chi-square per value {:.3g}\n",
-                  answer.present ? "Yes" : "No", page::p_value(answer.test.p_value), by_channel(answer.rms),
-                  answer.chi2_per_value);
+  std::string text = fmt::format(
+      "Is there a gap?  {} (probability of a gap {}): the nominal model misses {} rms, chi-square per value "
+      "{:.3g}\n",
+      answer.present ? "Yes" : "No", probability(answer.probability), by_channel(answer.rms),
+      answer.chi2_per_value);
   text += noise_as_text(diagnosis);
   if (!answer.taken_for_weights.empty())
     text += fmt::format("  all forces of {} point straight down without noise: assumed to be weights\n",
@@ -43,8 +50,7 @@ std::string gap(const Diagnosis& diagnosis) {
   for (const OtherBranch& one : answer.other_branch)
     text += fmt::format(
         "  from reading {} of {} on the chain is on the other post-critical branch, which imperfections "
-        "choose; "
-        "the model is started on the same one\n",
+        "choose; the model is started on the same one\n",
         one.reading, one.run);
   return text;
 }
@@ -91,97 +97,97 @@ std::string parameter(const Estimate& one) {
 
 std::string parameters(const Diagnosis& diagnosis) {
   std::string text;
-  const Candidate& candidate = diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate;
-  for (std::size_t e = 0; e < candidate.effects.size(); ++e) {
-    const EffectAt& at = candidate.effects[e];
-    text += fmt::format("  {}: {}\n", at.name(), at.in_words());
-    for (const Estimate& one : diagnosis.estimates[e]) text += "    " + parameter(one) + "\n";
+  for (const EstimatedEffect& effect : estimated_effects(diagnosis)) {
+    text += fmt::format("  {}: {}\n", effect.at.name(), effect.at.in_words());
+    for (const Estimate& one : effect.values) text += "    " + parameter(one) + "\n";
   }
   return text;
 }
 
 /// Names, or a count where there are many.
-std::string listed(const std::vector<std::string>& names, const char* what, const char* key) {
-  constexpr std::size_t few = 6;
-  return names.size() <= few ? fmt::format("{}", fmt::join(names, ", "))
-                             : fmt::format("{} {} (--json: {})", names.size(), what, key);
-}
-
 std::string not_excited(const Diagnosis& diagnosis) {
-  if (diagnosis.not_excited.empty()) return "";
+  constexpr std::size_t few = 6;
+  const std::vector<EffectAt>& all = diagnosis.not_excited;
+  if (all.empty()) return "";
   std::vector<std::string> names;
-  for (const EffectAt& at : diagnosis.not_excited) names.push_back(at.name());
+  for (const EffectAt& at : all) names.push_back(at.name());
   return "  not excited by these runs, so neither found nor excluded: " +
-         listed(names, "effects", "cause.not_excited") + "\n";
+         (all.size() <= few ? joined(names, ", ", ", ")
+                            : fmt::format("{} effects (--json: cause.not_excited)", all.size())) +
+         "\n";
 }
 
-std::string unexplained(const Diagnosis& diagnosis) {
-  std::string text = "What?  Unknown: no one or two effects of the catalogue explain the gap\n";
-  if (diagnosis.missing) {
-    const Missing& missing = *diagnosis.missing;
-    text += fmt::format(
-        "  variance of {} explained by {}: {}; by its direction of motion too: {}; by time too: {}\n",
-        missing.what, missing.against, percent(missing.by_position), percent(missing.by_direction),
-        percent(missing.by_time));
-    text += picture(missing);
-  }
-  if (!diagnosis.cause.ranking.empty()) {
-    const Ranked& partial = diagnosis.cause.ranking[diagnosis.cause.best];
-    text += fmt::format("  best partial explanation: {} (chi-square per degree of freedom {:.3g})\n",
-                        partial.hypothesis.fit.candidate.name(), partial.chi2_per_dof);
-  }
-  if (diagnosis.law) text += law_as_text(*diagnosis.law);
-  return text + not_excited(diagnosis);
-}
-
-/// The most probable alternatives, one a line, and the number of the others.
-std::string alternatives(const Cause& cause) {
-  constexpr std::size_t lines = 6;
-  std::vector<std::size_t> places = cause.equivalent;
-  std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
-    return cause.ranking[a].probability > cause.ranking[b].probability;
-  });
-  const std::size_t shown = places.size() <= lines + 1 ? places.size() : lines;
+/// What is sure of single effects where the cause is not.
+std::string parts(const Cause& cause) {
   std::string text;
-  for (std::size_t i = 0; i < shown; ++i)
-    text += "  or " + cause.ranking[places[i]].hypothesis.fit.candidate.name() + "\n";
-  if (shown < places.size())
-    text += fmt::format("  or one of {} less probable explanations (--json: cause.equivalent)\n",
-                        places.size() - shown);
+  for (std::size_t i = 0; i < told_effects(cause); ++i)
+    text += fmt::format("  {} is part of it with probability {}\n",
+                        effect_in_words(cause, cause.effects[i].label),
+                        probability(cause.effects[i].probability));
   return text;
 }
 
-std::string what(const Diagnosis& diagnosis) {
-  const Cause& cause = diagnosis.cause;
-  if (cause.verdict == CauseVerdict::unknown) return unexplained(diagnosis);
-  const Ranked& best = cause.ranking[cause.best];
-  std::string text =
-      fmt::format("What?  {}: {} (probability {:.3f}, chi-square per degree of freedom {:.3g})\n",
-                  cause.verdict == CauseVerdict::identified ? "Identified" : "Ambiguous",
-                  best.hypothesis.fit.candidate.name(), best.probability, best.chi2_per_dof);
-  text += parameters(diagnosis);
-  if (cause.remainder > 0)
-    text += fmt::format("  model discrepancy: {} of the gap remains on held-out readings\n",
-                        percent(cause.remainder));
-  text += alternatives(cause);
-  text += fmt::format("  a cause outside the catalogue: probability {:.2g}\n", cause.unknown);
-  if (cause.reservation != Reservation::none)
-    text += "  caveat: " + reservation_words(cause.reservation) + "\n";
-  if (diagnosis.law) text += law_as_text(*diagnosis.law);
-  return text + not_excited(diagnosis);
+/// What the leading cause leaves, and what stands beside it.
+std::string beside(const Cause& cause) {
+  std::string text;
+  if (shows_tolerances(cause.ranking.front())) text += "  manufacturing tolerances show beside it\n";
+  if (cause.discrepancy > 0)
+    text += fmt::format(
+        "  model discrepancy: {:.2g} N m at the joints, {} of the nominal residual beside the noise\n",
+        cause.discrepancy_torque, percent(cause.discrepancy));
+  return text;
 }
 
-/// The model whose residual reduction was measured.
-std::string corrected_model(const Diagnosis& diagnosis) {
-  if (diagnosis.offers_law()) return "the torque law";
-  return diagnosis.cause.verdict == CauseVerdict::unknown ? "the best partial explanation" : "this cause";
+std::string missing(const Diagnosis& diagnosis) {
+  if (!diagnosis.missing) return "";
+  const Missing& missing = *diagnosis.missing;
+  return fmt::format(
+             "  variance of {} explained by {}: {}; by its direction of motion too: {}; by time too: {}\n",
+             missing.what, missing.against, percent(missing.by_position), percent(missing.by_direction),
+             percent(missing.by_time)) +
+         picture(missing);
+}
+
+std::string leading(const RankedCause& best) {
+  return fmt::format("{} (probability {}, chi-square per value {:.3g})\n", best.cause.name(),
+                     probability(best.probability), best.chi2_per_value);
+}
+
+std::string unexplained(const Diagnosis& diagnosis) {
+  const Cause& cause = diagnosis.cause;
+  std::string text = fmt::format("What?  Unknown: a cause outside the catalogue has probability {}\n",
+                                 probability(cause.unknown));
+  text += missing(diagnosis);
+  if (!cause.ranking.empty())
+    text += (diagnosis.fails_to_predict ? "  fails to predict held-out readings: "
+                                        : "  best partial explanation: ") +
+            leading(cause.ranking.front()) + beside(cause);
+  return text + parts(cause);
+}
+
+std::string explained(const Diagnosis& diagnosis) {
+  const Cause& cause = diagnosis.cause;
+  std::string text = cause.verdict == CauseVerdict::identified ? "What?  Identified: " : "What?  Ambiguous: ";
+  text += leading(cause.ranking.front()) + parameters(diagnosis) + beside(cause);
+  for (std::size_t i = 1; i < cause.named; ++i)
+    text += fmt::format("  or {} (probability {})\n", cause.ranking[i].cause.name(),
+                        probability(cause.ranking[i].probability));
+  text += fmt::format("  {}a cause outside the catalogue {}\n", cause.or_unknown ? "or " : "",
+                      cause.or_unknown ? fmt::format("(probability {})", probability(cause.unknown))
+                                       : "has probability " + probability(cause.unknown));
+  return text + parts(cause);
+}
+
+std::string what(const Diagnosis& diagnosis) {
+  return (diagnosis.cause.is_explained() ? explained(diagnosis) : unexplained(diagnosis)) +
+         (diagnosis.law ? law_as_text(*diagnosis.law) : "") + not_excited(diagnosis);
 }
 
 std::string outliers(const Shrink& shrink) {
-  if (shrink.left_out == 0) return "";
-  return fmt::format("  {} outlier{} of the held-out values excluded; with {} {:.3g}\n", shrink.left_out,
-                     shrink.left_out == 1 ? "" : "s", shrink.left_out == 1 ? "it" : "them",
-                     shrink.ratio_with_left_out);
+  if (shrink.outliers == 0) return "";
+  return fmt::format("  {} outlier{} of the held-out values excluded; with {} {:.3g}\n", shrink.outliers,
+                     shrink.outliers == 1 ? "" : "s", shrink.outliers == 1 ? "it" : "them",
+                     shrink.ratio_with_outliers);
 }
 
 /// "4 runs, in turn", "18 blocks of readings, in turn".
@@ -195,27 +201,21 @@ std::string heldout(const Shrink& shrink) {
 }
 
 std::string how_far(const Diagnosis& diagnosis) {
-  if (diagnosis.nothing_predicts)
-    return "How far?  No explanation predicts held-out readings better than the nominal model\n";
   if (!diagnosis.shrink) return "How far?  Not tested: too few readings to hold some out of the fit\n";
   const Shrink& shrink = *diagnosis.shrink;
   if (!shrink.tested())
     return fmt::format(
         "How far?  Not tested: noise is {} of the residual in the held-out readings ({}), too little of the "
-        "gap is "
-        "left\n",
+        "gap is left\n",
         percent(shrink.noise_floor_ratio), heldout(shrink));
   return fmt::format(
       "How far?  On held-out readings ({}), {} leaves {:.3g} of the residual (95 %: {:.3g} to {:.3g}; noise "
-      "floor "
-      "{:.3g}){}\n"
+      "floor {:.3g})\n"
       "  rms before: {}\n"
       "  rms after:  {}\n{}",
-      heldout(shrink), corrected_model(diagnosis), shrink.ratio, shrink.ratio_low, shrink.ratio_high,
-      shrink.noise_floor_ratio,
-      shrink.chosen_blind ? ""
-                          : "\n  optimistic: without these readings another explanation would be selected",
-      by_channel(shrink.rms_before), by_channel(shrink.rms_after), outliers(shrink));
+      heldout(shrink), tested_model(diagnosis), shrink.ratio, shrink.ratio_low, shrink.ratio_high,
+      shrink.noise_floor_ratio, by_channel(shrink.rms_before), by_channel(shrink.rms_after),
+      outliers(shrink));
 }
 
 std::string odds(double log_odds) {
@@ -229,40 +229,54 @@ std::string what_next(const Diagnosis& diagnosis) {
       "one\n";
   for (const Proposal& one : diagnosis.proposals)
     text += fmt::format("  {}: {}\n", one.description, odds(one.log_odds));
-  if (const double so_far = diagnosis.proposals.front().log_odds_so_far; so_far > beliefs::told_apart)
+  if (const double so_far = diagnosis.proposals.front().log_odds_so_far;
+      so_far > std::log(priors::wrong_over_further_name))
     text += fmt::format("  (for the runs so far the same forecast gives {})\n", odds(so_far));
   return text;
 }
 
 /// The values of the best explanation, where they are few.
-std::string few_values(const Diagnosis& diagnosis, const Candidate& best) {
+std::string few_values(const Diagnosis& diagnosis) {
   constexpr std::size_t few = 4;
   std::size_t count = 0;
   std::string text;
-  for (std::size_t e = 0; e < diagnosis.estimates.size(); ++e)
-    for (const Estimate& one : diagnosis.estimates[e]) {
+  const std::vector<EstimatedEffect> effects = estimated_effects(diagnosis);
+  for (const EstimatedEffect& effect : effects)
+    for (const Estimate& one : effect.values) {
       ++count;
-      text += "  " + (best.effects.size() > 1 ? best.effects[e].name() + ": " : "") + parameter(one) + "\n";
+      text += "  " + (effects.size() > 1 ? effect.at.name() + ": " : "") + parameter(one) + "\n";
     }
   return count <= few ? text : "";
 }
 
-/// The answer in a few lines.
-std::string headline(const Diagnosis& diagnosis) {
+std::string answer(const Diagnosis& diagnosis) {
   const Cause& cause = diagnosis.cause;
-  if (!diagnosis.gap.present) return "No gap: the nominal model fits the readings to within their noise\n";
-  std::string text = "Unknown: the catalogue has no explanation of the gap\n";
-  if (cause.verdict != CauseVerdict::unknown) {
-    const Candidate& best = cause.ranking[cause.best].hypothesis.fit.candidate;
-    const std::size_t others = cause.equivalent.size() + (cause.reservation != Reservation::none ? 1 : 0);
-    text = (cause.verdict == CauseVerdict::identified ? "Identified: " : "Ambiguous: ") + in_words(best);
-    if (others > 0) text += fmt::format(", or one of {} alternative{} below", others, others > 1 ? "s" : "");
-    text += "\n" + few_values(diagnosis, best);
-  }
+  if (!diagnosis.gap.present)
+    return fmt::format(
+        "No gap: the nominal model fits the readings to within noise of {} times the declared one\n",
+        noise_scales(diagnosis.noise));
+  if (diagnosis.fails_to_predict)
+    return fmt::format("Unknown: the most probable cause, {}, fails to predict held-out readings\n",
+                       in_words(cause.ranking.front().cause));
+  if (!cause.is_explained())
+    return fmt::format("Unknown: the cause is outside the catalogue with probability {}\n",
+                       probability(cause.unknown));
+  std::string text = (cause.verdict == CauseVerdict::identified ? "Identified: " : "Ambiguous: ") +
+                     in_words(cause.ranking.front().cause);
+  const std::size_t others = cause.named - 1 + (cause.or_unknown ? 1 : 0);
+  if (others > 0) text += fmt::format(", or one of {} alternative{} below", others, others > 1 ? "s" : "");
+  if (outside_is_likelier(cause)) text += ", a cause outside the catalogue the most probable of all";
+  return text + "\n" + few_values(diagnosis);
+}
+
+/// The answer in a few lines, with what it rests on.
+std::string headline(const Diagnosis& diagnosis) {
+  std::string text = answer(diagnosis);
   if (const auto& shrink = diagnosis.shrink; shrink && shrink->tested() && shrink->ratio < 1)
-    text += fmt::format("  {} leaves {} of the held-out residual; noise alone {}\n",
-                        corrected_model(diagnosis), precise_percent(shrink->ratio),
-                        precise_percent(shrink->noise_floor_ratio));
+    text += fmt::format("  {} leaves {} of the held-out residual; noise alone {}\n", tested_model(diagnosis),
+                        precise_percent(shrink->ratio), precise_percent(shrink->noise_floor_ratio));
+  if (const std::string outliers = outliers_in_words(diagnosis.gap.outliers); !outliers.empty())
+    text += "  " + outliers + "\n";
   return text;
 }
 

@@ -8,9 +8,9 @@
 namespace plumbline::diagnose {
 namespace {
 
-const Fit* best_explanation(const Cause& cause) {
-  if (cause.ranking.empty()) return nullptr;
-  return &cause.ranking[cause.best].hypothesis.fit;
+const RankedCause* best_explanation(const Diagnosis& diagnosis) {
+  if (!diagnosis.gap.present || diagnosis.cause.ranking.empty()) return nullptr;
+  return &diagnosis.cause.ranking.front();
 }
 
 /// "+x", "−y", or "(0.80, −0.60)".
@@ -27,6 +27,47 @@ std::string words_for(const Vector2& direction) {
 
 }  // namespace
 
+std::vector<EstimatedEffect> estimated_effects(const Diagnosis& diagnosis) {
+  std::vector<EstimatedEffect> effects;
+  if (!diagnosis.cause.is_explained()) return effects;
+  const RankedCause& lead = diagnosis.cause.ranking.front();
+  const std::vector<EffectAt>& all = lead.hypothesis.candidate.effects;
+  for (std::size_t e = 0; e < all.size(); ++e)
+    if (lead.cause.has(all[e])) effects.push_back({all[e], diagnosis.estimates[e]});
+  return effects;
+}
+
+bool shows_tolerances(const RankedCause& cause) {
+  return cause.hypothesis.candidate.has_all_tolerances() && cause.cause != cause.hypothesis.candidate;
+}
+
+bool outside_is_likelier(const Cause& cause) {
+  return cause.or_unknown && cause.unknown > cause.ranking.front().probability;
+}
+
+std::size_t told_effects(const Cause& cause) {
+  constexpr std::size_t most = 3;
+  constexpr double noticeable = 0.1;
+  if (cause.verdict == CauseVerdict::identified) return 0;
+  std::size_t count = 0;
+  while (count < std::min(most, cause.effects.size()) && cause.effects[count].probability >= noticeable)
+    ++count;
+  return count;
+}
+
+std::string effect_in_words(const Cause& cause, const std::string& label) {
+  for (const RankedCause& one : cause.ranking)
+    for (const EffectAt& at : one.cause.effects)
+      if (at.label() == label) return at.in_words();
+  return label;
+}
+
+std::string tested_model(const Diagnosis& diagnosis) {
+  if (diagnosis.offers_law()) return "the torque law";
+  if (diagnosis.fails_to_predict) return "the most probable cause";
+  return diagnosis.cause.is_explained() ? "this cause" : "the best partial explanation";
+}
+
 Explained::Explained(const Study& studied, const Diagnosis& diagnosed)
     : study(studied),
       experiment(studied.experiment()),
@@ -36,21 +77,22 @@ Explained::Explained(const Study& studied, const Diagnosis& diagnosed)
       corrected(nominal),
       before(studied.nominal_residual()),
       after(before),
-      best(best_explanation(diagnosed.cause)),
+      best(best_explanation(diagnosed)),
       model("nominal model") {
   if (diagnosed.offers_law()) {
     model = "torque law";
     corrected = predict_with_law(study, diagnosed.law->law);
-    after = measurements.residual(experiment, corrected);
+    after = measurements.residual(corrected);
     return;
   }
   if (best == nullptr) return;
   const bool corrects = !diagnosed.shrink || diagnosed.shrink->ratio < 1;
-  model = diagnosed.cause.verdict == CauseVerdict::unknown ? "best partial explanation"
-          : corrects                                       ? "corrected model"
-                                                           : "best explanation";
-  corrected = predict(study, best->candidate, best->parameters);
-  after = measurements.residual(experiment, corrected);
+  model = diagnosed.fails_to_predict        ? "most probable cause"
+          : !diagnosed.cause.is_explained() ? "best partial explanation"
+          : corrects                        ? "corrected model"
+                                            : "best explanation";
+  corrected = predict(study, best->hypothesis.candidate, best->hypothesis.parameters);
+  after = measurements.residual(corrected);
 }
 
 HeldOut heldout_of(const Explained& explained) {

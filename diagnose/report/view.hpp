@@ -6,6 +6,29 @@
 
 namespace plumbline::diagnose {
 
+/// An effect of the leading cause. Manufacturing tolerances beside other effects are none.
+struct EstimatedEffect {
+  EffectAt at;
+  std::vector<Estimate> values;
+};
+/// Empty where no cause is known.
+std::vector<EstimatedEffect> estimated_effects(const Diagnosis& diagnosis);
+
+/// Whether manufacturing tolerances show beside the effects of a cause.
+bool shows_tolerances(const RankedCause& cause);
+
+/// Whether a cause outside the catalogue is an alternative that is more probable than the leading cause.
+bool outside_is_likelier(const Cause& cause);
+
+/// So many of Cause::effects are worth telling: the few most probable ones, where the cause is not
+/// identified.
+std::size_t told_effects(const Cause& cause);
+/// "dry friction in joint 2"; the label of an effect that no listed cause has.
+std::string effect_in_words(const Cause& cause, const std::string& label);
+
+/// The model whose residual reduction was measured: "this cause", "the torque law", ...
+std::string tested_model(const Diagnosis& diagnosis);
+
 struct Explained {
   Explained(const Study& studied, const Diagnosis& diagnosed);
 
@@ -15,8 +38,8 @@ struct Explained {
   const Prediction& nominal;
   const Diagnosis& diagnosis;
   Prediction corrected;               ///< the nominal one where there is no explanation
-  std::vector<double> before, after;  ///< residuals of both in declared sigmas, flat
-  const Fit* best = nullptr;          ///< the best explanation, partial where the verdict is unknown
+  VectorXd before, after;             ///< residuals of both in declared sigmas, flat
+  const RankedCause* best = nullptr;  ///< the most probable cause; none without a gap
   std::string model;  ///< the name of `corrected`: "corrected model", "best partial explanation", ...
 
   [[nodiscard]] const Series& series(std::size_t place) const { return measurements.series()[place]; }

@@ -17,7 +17,7 @@ from documents import ROOT, SCHEMAS, keys, tables
 from program import plumbline
 
 # Properties that no command below has reason to write: a certificate that fails.
-RARE = {"gap-diagnosis": {"/cause/discrepancy", "/law/laws/relaxation/time_constant", "/law/laws/relaxation/stiffness"},
+RARE = {"gap-diagnosis": {"/law/laws/relaxation/time_constant", "/law/laws/relaxation/stiffness"},
         "path": {"/certificates/failure/load", "/certificates/failure/reason"}}
 
 
@@ -127,6 +127,14 @@ def reports(folder):
     assert not partly["gap"]["present"]
     humming = written("diagnose", "hum", folder=folder)
     assert [one["channel"] for one in humming["gap"]["periodic_interference"]] == ["Fx", "Fy"]
+    two_links.write(folder / "slip", linear, control=("displacement", "displacement"))
+    place, lines = folder / "slip" / "run-1.csv", (folder / "slip" / "run-1.csv").read_text(encoding="utf-8").splitlines()
+    t, x, y, Fx, Fy = lines[12].split(",")
+    lines[12] = ",".join((t, x, y, str(float(Fx) + 50 * two_links.SIGMA["Fx"]), Fy))
+    place.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    slip = written("diagnose", "slip", folder=folder)
+    assert [(one["run"], one["reading"], one["channel"]) for one in slip["gap"]["outliers"]] == [("run-1", 11, "Fx")]
+    assert slip["cause"]["verdict"] == "none"
     bundled = written("diagnose", "--next", "--corrected", "corrected.toml", folder=folder)
     found = {name: report["cause"]["verdict"] for name, report in verdicts.items()}
     assert found == {"no-gap": "none", "ripple": "unknown", "drag": "unknown", "one-spring": "ambiguous"}, found
@@ -137,7 +145,7 @@ def reports(folder):
         assert (len(files) > 1) == (report["cause"]["verdict"] == "ambiguous"), files
     assert bundled["cause"]["verdict"] == "identified"
     edited = written("diagnose", "no-gap", "--model", "no-gap.xml", "--corrected", "edited.xml", folder=folder)
-    hold("gap-diagnosis", [*verdicts.values(), on_its_side, rough, partly, humming, bundled, edited])
+    hold("gap-diagnosis", [*verdicts.values(), on_its_side, rough, partly, humming, slip, bundled, edited])
 
 
 def trial(folder):

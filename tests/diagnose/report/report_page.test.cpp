@@ -33,14 +33,17 @@ TEST_CASE("a page holds the numbers of the JSON at its keys, and says what was f
     CHECK(report.at(ReportJson::json_pointer((*one)[2].str())).get<double>() == std::stod((*one)[1].str()));
   }
   CHECK(found > 60);
-  for (const char* key : {"/gap/p_value",
+  for (const char* key : {"/gap/probability",
                           "/gap/chi2_per_dof",
-                          "/gap/noise/Fx",
-                          "/gap/noise/q",
-                          "/gap/noise/correlations/force",
-                          "/gap/noise/correlations/angle",
+                          "/gap/noise/scale/Fx",
+                          "/gap/noise/scale/q2",
+                          "/gap/noise/correlation/Fy",
+                          "/gap/noise/correlation/q3",
                           "/gap/proportional_noise/Fx",
-                          "/gap/noisier_joints/q2",
+                          "/gap/outliers/0/reading",
+                          "/gap/outliers/0/deviation",
+                          "/gap/outliers/1/reading",
+                          "/gap/outliers/1/deviation",
                           "/gap/noisier_runs/0/factor",
                           "/gap/noisier_segments/0/from",
                           "/gap/noisier_segments/0/to",
@@ -74,7 +77,13 @@ TEST_CASE("a page holds the numbers of the JSON at its keys, and says what was f
   CHECK(has_words(page, "nominal model: Fx " + marked(report, "/gap/rms/Fx") + "0.25</data> N, q2 " +
                             marked(report, "/gap/rms/q2") + "0.0031</data> rad."));
   CHECK(has_words(page, "All forces of load-2 point straight down"));
-  CHECK(has_words(page, "below 0.01 there is a gap"));
+  CHECK(has_words(page, "Yes: the probability of a gap is " + marked(report, "/gap/probability")));
+  CHECK(has_words(page, "2 values have no weight in this verdict: outliers, the largest " +
+                            marked(report, "/gap/outliers/0/deviation") +
+                            "−310</data> standard deviations off, x at "
+                            "reading " +
+                            marked(report, "/gap/outliers/0/reading") + "4</data> of load-2."));
+  CHECK(has_words(page, "equal readings in a row share one rounding error"));
   const std::string effect = "/cause/effects/0/parameters/b/";
   CHECK(has_words(page, "<tr><td><span class=\"id\">backlash</span></td><td>" +
                             marked(report, "/cause/effects/0/joint") +
@@ -102,61 +111,72 @@ TEST_CASE("a page holds the numbers of the JSON at its keys, and says what was f
   CHECK(has_words(page, "saturation</span>: not considered: on this bench"));
   CHECK(has_words(page, "The area of a ring is the joint’s share."));
   CHECK(has_words(page, "corrected model: backlash(2) + gravity"));
-  CHECK_FALSE(has_words(page, "Model discrepancy"));
+  CHECK_FALSE(has_words(page, "model discrepancy"));
+  CHECK_FALSE(has_words(page, "is part of the cause"));
   CHECK_FALSE(has_words(page, "<section id=\"next\">"));
 }
 
 TEST_CASE("a page of an ambiguous cause, of an unknown one, and of none") {
   const Study study(measured(small_bench(), only("backlash", 2), {0.0312}, 4));
-  Diagnosis made = made_up();
-  made.cause.verdict = CauseVerdict::ambiguous;
-  made.cause.equivalent = {1, 2};
-  made.cause.remainder = 0.07;
-  made.cause.reservation = Reservation::many_values;
+  Diagnosis made = made_up_ambiguous();
   made.not_excited = {{"tip_payload"}, {"joint_stop", 1}};
   made.proposals = {proposal("press farther", 5, 4)};
   std::string page = as_html(study, made);
+  ReportJson report = as_json(made);
   CHECK(has_words(
-      page,
-      "cannot distinguish it from a wrong rest angle of joint 2, a scale error of the load cell or a "
-      "cause outside the catalogue."));
-  CHECK(has_words(
-      page, "<span class=\"id\">rest_angle(2)</span>: these readings do not distinguish it from the best<"));
-  CHECK_FALSE(has_words(page, "less probable, with"));
-  CHECK(has_words(page, "<span class=\"id\">unknown</span>: " + reservation_words(Reservation::many_values)));
+      page, "cannot distinguish it from a wrong rest angle of joint 2 or a cause outside the catalogue."));
+  CHECK(has_words(page,
+                  "<span class=\"id\">rest_angle(2)</span>: these readings do not distinguish it from the "
+                  "best; probability " +
+                      marked(report, "/cause/ranking/1/probability")));
+  CHECK(has_words(page, "<span class=\"id\">force_gain</span>: less probable, with "));
+  CHECK(
+      has_words(page, "<span class=\"id\">unknown</span>: a cause outside the catalogue, with probability " +
+                          marked(report, "/cause/ranking/3/probability")));
   CHECK(has_words(page, "<span class=\"id\">tip_payload, joint_stop(1)</span>: not excited"));
-  CHECK(has_words(page, "Model discrepancy: "));
+  CHECK(has_words(page, "A model discrepancy of " + marked(report, "/cause/discrepancy_torque") +
+                            "0.0123</data> N m at the joints remains, " +
+                            marked(report, "/cause/discrepancy")));
+  CHECK(has_words(page, "<li>the weight of the links is part of the cause with probability " +
+                            marked(report, "/cause/effect_probabilities/1/probability")));
   CHECK(has_words(page, "<section id=\"next\">"));
   CHECK(has_words(page, "<li>press farther: "));
 
-  made = made_up();
-  made.cause.verdict = CauseVerdict::unknown;
-  made.cause.unknown = 0.97;
-  made.missing = Missing{"torque at joint 2", "N m", "q2", "rad", {{0.1, 0.2, 0.3, true}}, 0.5, 0.6, 0.7};
+  made.cause.unknown = 0.93;
+  CHECK(has_words(as_html(study, made), "or a cause outside the catalogue, which is more probable."));
+
+  made = made_up_unknown();
+  report = as_json(made);
   page = as_html(study, made);
-  CHECK(has_words(
-      page, "there is a gap, most of it in Fx of run press-1 and at joint 2, and no one or two effects"));
-  CHECK(has_words(page, "The best partial explanation is play in joint 2 and the weight of the links."));
+  CHECK(has_words(page, "the cause is outside the catalogue with probability " +
+                            marked(report, "/cause/ranking/0/probability") +
+                            "97 %</data>. Most of the gap is in Fx of run press-1 and at joint 2."));
+  CHECK(has_words(page,
+                  "The best partial explanation is <span class=\"id\">backlash(2) + gravity</span>, play in "
+                  "joint 2 and the weight of the links."));
   CHECK(has_words(page, "On held-out readings the best partial explanation leaves "));
   CHECK(has_words(page, "Unexplained torque at joint 2 over q2: dots where q2 rises, rings where it falls"));
-  // the unknown leads the candidates
-  const std::size_t candidates = page.find("<h3>Candidates</h3>");
-  CHECK(page.find("<span class=\"id\">unknown</span>", candidates) <
-        page.find("<span class=\"id\">backlash(2) + gravity</span>", candidates));
   made.where.joints[0].share = 0.5;
-  CHECK(has_words(as_html(study, made), "most of it in Fx of run press-1, and no one or two effects"));
+  CHECK(has_words(as_html(study, made), "Most of the gap is in Fx of run press-1."));
 
-  made.gap.present = false;
-  made.cause = {};
-  made.shrink.reset();
-  made.missing.reset();
+  made = made_up();
+  made.cause.verdict = CauseVerdict::unknown;
+  made.cause.named = 0;
+  made.fails_to_predict = true;
   page = as_html(study, made);
-  CHECK(has_words(page, "<strong>No gap.</strong>"));
+  CHECK(has_words(page,
+                  "the most probable cause, play in joint 2 and the weight of the links, fails to predict "
+                  "held-out readings. Most of"));
+  CHECK(has_words(page, "On held-out readings the most probable cause leaves "));
+
+  made = made_up_no_gap();
+  page = as_html(study, made);
+  CHECK(
+      has_words(page, "<strong>No gap.</strong> The nominal model fits the readings to within noise of x "));
+  CHECK(has_words(page, marked(as_json(made), "/gap/noise/scale/q3") + "0.5</data> times the declared one."));
   CHECK_FALSE(has_words(page, "<section id=\"where\">"));
   CHECK_FALSE(has_words(page, "</svg>after: "));
-  CHECK_FALSE(has_words(page, "ripple"));
-  made.noise.scale[2] = 6;  // of Fx, beyond five
-  CHECK(has_words(as_html(study, made), "may hide a ripple of the device finer than the readings"));
+  CHECK_FALSE(has_words(page, "no weight in this verdict"));
 }
 
 TEST_CASE("the command of a run: how far it has gone, along where it goes farthest") {
