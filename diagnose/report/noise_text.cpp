@@ -67,7 +67,7 @@ std::string departures(const GapAnswer& answer, const NoiseShape& shape) {
 }
 
 /// The largest ones, a line each, and the number of the others.
-std::string outliers(const std::vector<Outlier>& all) {
+std::string outlier_lines(const std::vector<Outlier>& all) {
   constexpr std::size_t few = 6;
   std::string text;
   for (std::size_t i = 0; i < std::min(few, all.size()); ++i)
@@ -101,7 +101,7 @@ std::string outliers_in_words(const std::vector<Outlier>& outliers) {
 std::string noise_as_text(const Diagnosis& diagnosis) {
   return fmt::format("  noise over declared: {}; autocorrelation of successive readings: {}\n",
                      noise_scales(diagnosis.noise), by_name(diagnosis.noise, &ChannelNoise::correlation)) +
-         departures(diagnosis.gap, diagnosis.noise.shape) + outliers(diagnosis.gap.outliers);
+         departures(diagnosis.gap, diagnosis.noise.shape) + outlier_lines(diagnosis.gap.outliers);
 }
 
 }  // namespace plumbline::diagnose

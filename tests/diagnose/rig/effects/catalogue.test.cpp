@@ -100,7 +100,7 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
       {"rest_offset", {0.03}},
       {"asymmetric_spring", {0.05}},
       {"piecewise_spring", {0.3, 0.2}},
-      {"joint_stops", {0.3, 4}},
+      {"joint_stops", {0.3, 40}},
       {"hysteresis", {0.2, 0.03, 0.2, 0.03, 0.2, 0.03}},
       {"relaxation_spectrum", {0.2, 1, 0.2, 1}},
       {"plastic_set", {0.36, 0.1}},
@@ -117,7 +117,7 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
       {"joint_stiffness", {0.2}},
       {"rest_angle", {0.05}},
       {"backlash", {0.05}},
-      {"joint_stop", {0.3, 5}},
+      {"joint_stop", {0.3, 50}},
       {"link_length", {0.02}},
       {"hysteresis", {0.2, 0.03, 0.2, 0.03, 0.2, 0.03}},
       {"piecewise_spring", {0.3, 0.2}}};
@@ -131,7 +131,7 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
       const CharacteristicScales size = sizes_by_hand();
       for (const ParameterRange& one : row.parameters({size, 0})) {
         CHECK(one.tolerance == 0);
-        CHECK(one.scale == doctest::Approx(one.name == "k_s" ? 4 : 0.3));
+        CHECK(one.scale == doctest::Approx(one.name == "k_s" ? 40 : 0.3));
       }
       continue;
     }
@@ -154,7 +154,7 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
     check_values(sizeable_values(row.id.c_str(), row.at_joint ? 3 : 0), place->second);
   }
   CHECK(known == of_chain.size() + of_a_joint.size());
-  check_values(sizeable_values("joint_stop", 1), {0.3, 4});  // at a passive joint the mean spring's
+  check_values(sizeable_values("joint_stop", 1), {0.3, 40});  // at a passive joint the mean spring's
 }
 
 TEST_CASE("tolerances are what machining and assembly leave, of elastic joints alone or of every link") {
