@@ -260,9 +260,9 @@ std::string headline(const Diagnosis& diagnosis) {
     text += "\n" + few_values(diagnosis, best);
   }
   if (const auto& shrink = diagnosis.shrink; shrink && shrink->tested() && shrink->ratio < 1)
-    text += fmt::format("  {} leaves {} of the held-out residual; noise alone {}\n",
-                        corrected_model(diagnosis), precise_percent(shrink->ratio),
-                        precise_percent(shrink->noise_floor_ratio));
+    text +=
+        fmt::format("  {} leaves {} of the held-out residual; noise alone {}\n", corrected_model(diagnosis),
+                    precise_percent(shrink->ratio), precise_percent(shrink->noise_floor_ratio));
   return text;
 }
 
