@@ -66,13 +66,13 @@ class Searcher {
     extend(seeds(enough ? 2 : 8), 16);
     tick("extend");
     report(0.6);
-    with_tolerances(enough ? 2 : 6);
+    with_tolerances(5);
     tick("tolerances");
     report(0.7);
     if (!found_.hypotheses.empty() && found_.hypotheses.front().without_discrepancy() < 0.5) extend(pairs(6), 12);
     tick("threes");
     report(0.8);
-    for (int round = 0; round < 2; ++round) close(3);
+    for (int round = 0; round < 2; ++round) close(4);
     in_other_orders();
     tick("close");
     report(0.9);
@@ -233,12 +233,14 @@ class Searcher {
   /// Manufacturing tolerances, alone and beside the best.
   void with_tolerances(std::size_t count) {
     Candidate tolerances;
-    for (const EffectAt& at : possible_)
-      if (at.effect->is_tolerance) tolerances.effects.push_back(at);
-    if (!tolerances.has_all_tolerances()) return;
+    for (const Effect* row : study_.effects())
+      if (row->is_tolerance) tolerances.effects.emplace_back(*row);
     std::vector<Task> tasks{{tolerances, {{std::vector<double>(study_.ranges(tolerances).size(), 0.0)}, 1}}};
-    for (std::size_t i = 0; i < found_.hypotheses.size() && tasks.size() <= count; ++i) {
-      const Hypothesis& h = found_.hypotheses[i];
+    std::vector<Hypothesis> leading;
+    for (const Hypothesis& h : seeds(count)) leading.push_back(h);
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, found_.hypotheses.size()); ++i)
+      if (found_.hypotheses[i].candidate.effects.size() > 1) leading.push_back(found_.hypotheses[i]);
+    for (const Hypothesis& h : leading) {
       if (std::any_of(h.candidate.effects.begin(), h.candidate.effects.end(),
                       [](const EffectAt& at) { return at.effect->is_tolerance; }))
         continue;
@@ -257,8 +259,9 @@ class Searcher {
     std::vector<Task> parts;
     for (std::size_t i = 0; i < std::min(count, found_.hypotheses.size()); ++i) {
       const Hypothesis& h = found_.hypotheses[i];
-      if (h.candidate.effects.size() < 2 || h.candidate.has_all_tolerances()) continue;
+      if (h.candidate.count() < 2) continue;
       for (const EffectAt& gone : h.candidate.effects) {
+        if (h.candidate.has_as_tolerance(gone)) continue;
         const Instance rest = part(study_, h.candidate, h.parameters, [&](const EffectAt& at) { return !(at == gone); });
         if (!known(rest.candidate)) parts.push_back({rest.candidate, {{rest.parameters}, 1}});
       }
@@ -266,7 +269,7 @@ class Searcher {
     fit(parts);
     for (std::size_t i = 0; i < std::min(count, found_.hypotheses.size()); ++i) {
       const Hypothesis& h = found_.hypotheses[i];
-      if (h.candidate.effects.size() < 2 || h.candidate.has_all_tolerances()) continue;
+      if (h.candidate.count() < 2) continue;
       for (const Hypothesis& parent : found_.hypotheses)
         if (parent.candidate.is_part_of(h.candidate) && parent.candidate.effects.size() + 1 == h.candidate.effects.size() &&
             closed_.insert(parent.candidate.label()).second)
