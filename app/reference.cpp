@@ -23,7 +23,7 @@ struct ReferenceOptions {
   [[nodiscard]] verify::ReferenceWish wish() const {
     return {compact ? verify::ReferenceSize::compact : verify::ReferenceSize::full, seed, random};
   }
-  /// That gives the same set again.
+  /// The command that reproduces the set.
   [[nodiscard]] std::string command() const {
     return fmt::format("plumbline reference{}{} --seed {} --out DIR", compact ? " --compact" : "",
                        random > 0 ? fmt::format(" --random {}", random) : "", seed);

@@ -92,7 +92,7 @@ CharacteristicScales characteristic_scales(const Experiment& experiment) {
   }
   size.runs = experiment.run_count;
   find_plateau(experiment, size);
-  // Where no force acts, as in a sag test, the force that turns a joint by a tenth of a radian is typical.
+  // Without forces, as in a sag test, the typical force turns a joint by a tenth of a radian.
   const double force = typical_force(experiment), unit = size.stiffness / size.length;
   size.force = force > 0 ? std::max(force, 1e-4 * unit) : 0.1 * unit;
   size.duration = std::max(size.duration, 1e-3);

@@ -23,7 +23,7 @@ inline Candidate only(const char* effect, std::size_t joint = 0) {
   return {{{effect, joint}}};
 }
 
-/// What an effect's parameters are where zero and half a scale are no good choice.
+/// An effect's parameters where zero and half a scale are no good choice.
 struct Chosen {
   std::vector<double> nothing, sizeable;
 };

@@ -6,7 +6,7 @@ using namespace plumbline;
 using namespace plumbline::diagnose;
 using namespace plumbline::diagnose::test;
 
-TEST_CASE("every number of a diagnosis stands in its JSON, by hand") {
+TEST_CASE("the JSON has every number of a diagnosis, by hand") {
   const ReportJson json = as_json(made_up());
   CHECK(json["format"] == "gap-diagnosis/2");
   CHECK(json["experiment"] == "three links");
@@ -52,7 +52,7 @@ TEST_CASE("every number of a diagnosis stands in its JSON, by hand") {
   CHECK_FALSE(json.contains("law"));
 }
 
-TEST_CASE("what is named is listed however far down the ranking it stands, and once") {
+TEST_CASE("named explanations are listed wherever they rank, once") {
   Diagnosis made = made_up();
   for (int i = 0; i < 20; ++i) made.cause.ranking.push_back(ranked(only("gravity"), {0.1}, 1e-3, 2));
   made.cause.verdict = CauseVerdict::ambiguous;
@@ -66,7 +66,7 @@ TEST_CASE("what is named is listed however far down the ranking it stands, and o
 }
 
 TEST_CASE(
-    "what else the JSON may hold: alternatives, a discrepancy, the unexplained residual, ten of a ranking") {
+    "optional parts of the JSON: alternatives, a discrepancy, the unexplained residual, ten of a ranking") {
   Diagnosis made = made_up();
   made.cause.verdict = CauseVerdict::ambiguous;
   made.cause.remainder = 0.07;

@@ -85,7 +85,7 @@ TEST_CASE("the headline names the cause with few values, the number of alternati
   CHECK_FALSE(has_words(as_text(made), "noise alone"));
 }
 
-TEST_CASE("readings that scatter far less than was declared are told with their digits") {
+TEST_CASE("scatter far below the declared noise is reported with its digits") {
   Diagnosis made = made_up();
   made.noise.scale = {1, 1, 0.15, 1, 0.0333};
   const std::string text = as_text(made);
@@ -96,7 +96,7 @@ TEST_CASE("readings that scatter far less than was declared are told with their 
   CHECK(as_text(made).find("  the noise of Fx is 2.0 times the declared one\n") != std::string::npos);
 }
 
-TEST_CASE("what else the words may say: no gap, interference, discrepancy, alternatives, no excitation") {
+TEST_CASE("optional parts of the text: no gap, interference, discrepancy, alternatives, no excitation") {
   Diagnosis made = made_up();
   made.gap.hum = {{"press-1", of_Fx, 3.7, 1.6}};
   made.gap.present = false;
@@ -147,7 +147,7 @@ TEST_CASE("what else the words may say: no gap, interference, discrepancy, alter
   CHECK(has_words(as_text(made), "neither found nor excluded: 7 effects (--json: cause.not_excited)\n"));
 }
 
-TEST_CASE("of many alternatives the most probable stand on lines of their own, the rest as a number") {
+TEST_CASE("the most probable alternatives are listed, the others counted") {
   Diagnosis made = made_up();
   made.cause.verdict = CauseVerdict::ambiguous;
   for (std::size_t joint = 1; joint <= 6; ++joint)
@@ -163,7 +163,7 @@ TEST_CASE("of many alternatives the most probable stand on lines of their own, t
                 "  or joint_stop(3)\n  or one of 2 less probable explanations (--json: cause.equivalent)\n"));
 }
 
-TEST_CASE("how far, in words: not tested, no reduction, optimistic, nothing that predicts") {
+TEST_CASE("residual reduction in words: not tested, none, optimistic, no model") {
   Diagnosis made = made_up();
   made.shrink->chosen_blind = false;
   made.shrink->ratio = 1;
@@ -203,7 +203,7 @@ TEST_CASE("what to measure next, in words and as JSON") {
   CHECK(list[1] == ReportJson{{"run", "load"}, {"expected_log_odds", 14.1}});
 }
 
-TEST_CASE("an unknown cause in words: what is missing, and the best partial explanation") {
+TEST_CASE("an unknown cause in words: the missing torque, and the best partial explanation") {
   Diagnosis made = made_up();
   made.cause.verdict = CauseVerdict::unknown;
   made.cause.best = 1;
@@ -220,7 +220,7 @@ TEST_CASE("an unknown cause in words: what is missing, and the best partial expl
   CHECK(as_json(made)["shrink"]["of"] == "partial");
 }
 
-TEST_CASE("what is missing as a picture of letters, by hand") {
+TEST_CASE("the missing torque drawn in text, by hand") {
   Missing missing{"Fx", "N", "x", "m", {}, 0, 0, 0};
   CHECK(picture(missing) == "");
   missing.against_unit = "m", missing.unit = "N";

@@ -24,7 +24,7 @@ std::vector<Experiment> committed_experiments() {
   return all;
 }
 
-/// What is said before any fit: the first thing named, and whatever else; empty where nothing is.
+/// The first convention named before any fit, and its alternatives; empty where there is none.
 std::string question(const Experiment& experiment) {
   try {
     require_physical(experiment);
@@ -126,27 +126,26 @@ std::vector<Slip> slips_of_whole_chains() {
 
 }  // namespace
 
-TEST_CASE("planted slips of units are asked about, and what is asked is right" *
-          doctest::test_suite("long")) {
+TEST_CASE("planted wrong units raise a question, and the right one" * doctest::test_suite("long")) {
   const Tally sum = plant_all(slips_of_units());
   CHECK(sum.asked > 0.85 * sum.planted);
   CHECK(sum.right > 0.95 * sum.asked);
   CHECK(sum.first > 0.9 * sum.right);
 }
 
-TEST_CASE("planted slips of axes are asked about, and what is asked is right") {
+TEST_CASE("planted wrong axes raise a question, and the right one") {
   const Tally sum = plant_all(slips_of_axes());
   CHECK(sum.asked > 0.9 * sum.planted);
   CHECK(sum.right > 0.9 * sum.asked);
 }
 
-TEST_CASE("planted slips of joints are asked about, and what is asked is right") {
+TEST_CASE("planted wrong conventions of joints raise a question, and the right one") {
   const Tally sum = plant_all(slips_of_joints());
   CHECK(sum.asked > 0.7 * sum.planted);
   CHECK(sum.right > 0.9 * sum.asked);
 }
 
-TEST_CASE("planted lists of whole chains from the end point on are asked about, and what is asked is right") {
+TEST_CASE("planted reversed chains raise a question, and the right one") {
   const Tally sum = plant_all(slips_of_whole_chains());
   CHECK(sum.planted >= 30);
   CHECK(sum.asked > 0.8 * sum.planted);
@@ -154,7 +153,7 @@ TEST_CASE("planted lists of whole chains from the end point on are asked about, 
   CHECK(sum.first > 0.8 * sum.right);
 }
 
-TEST_CASE("planted lists of links from the end point on are asked about where they differ, and rightly") {
+TEST_CASE("planted reversed lists of links raise a question where they differ, and the right one") {
   const Tally sum = plant_all({{"link_length like a list from the end point on", [](Experiment& e) {
                                   std::reverse(e.link_length.begin(), e.link_length.end());
                                 }}});
@@ -163,8 +162,7 @@ TEST_CASE("planted lists of links from the end point on are asked about where th
   CHECK(sum.right > 0.9 * sum.asked);
 }
 
-TEST_CASE(
-    "one joint that is counted the other way is asked about where it is bent, and what is asked is right") {
+TEST_CASE("a joint of opposite sign raises a question where it is bent, and the right one") {
   const auto turned = [](std::vector<double>& q) { q[1] *= -1; };
   const auto turned_reading = each_reading([&](Reading& r) { turned(r.q); });
   const std::vector<Slip> slips{{"rest of joint 2 like an angle of the opposite sign", each_rest(turned)},
