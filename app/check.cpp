@@ -59,7 +59,7 @@ Chains read_chains(const std::string& path) {
   }
   const ChainTable table = parse_chain_table(files::read_text(path), files::source_name(path));
   refuse(table.errors);
-  for (const NamedChain& entry : table.chains) chains.emplace(entry.name, entry.chain);
+  for (const NamedStructure& entry : table.chains) chains.emplace(entry.name, entry.structure.chain);
   return chains;
 }
 

@@ -3,17 +3,23 @@
 /// Critical forces and shapes of a chain, as text for a person, CSV and JSON.
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <plumbline/structure/structure.hpp>
+
 #include "proofs/exact/critical_modes.hpp"
+#include "proofs/exact/follower.hpp"
 
 namespace plumbline::app {
 
 struct CriticalModes {
   std::string chain;  ///< name
-  Chain<Rational> data;
+  Structure<Rational> data;
   std::vector<proofs::CriticalMode> modes;  ///< ascending by force
+  std::size_t all = 0;                      ///< modes that there are
+  std::optional<proofs::StabilityLoss> loss;  ///< instead of modes, where a load follows the chain
 };
 
 /// Everything about one chain, in 80 columns where its size permits.

@@ -145,14 +145,18 @@ Compression<Real> compression(const Structure<Real>& structure) {
   if (structure.moment != Real(0))
     throw Error("load", "a moment at the end point, which bends the straight chain", "forces along it");
   Compression<Real> N{std::vector<Real>(n, Real(0)), std::vector<Real>(n, Real(0))};
+  // from the end that is held on, each link carries what acts beyond it
   for (const Load<Real>& load : structure.loads) {
     if (load.force.y != Real(0))
       throw Error("load", "a force across the straight chain, which bends it", "forces along it");
-    auto& sums = load.multiplied ? N.multiplied : N.fixed;
-    if (from_base) {
-      for (std::size_t link = 0; link < load.node; ++link) sums[link] -= load.force.x;
-    } else {
-      for (std::size_t link = load.node; link < n; ++link) sums[link] += load.force.x;
+    std::vector<Real>& at = load.multiplied ? N.multiplied : N.fixed;
+    if (from_base) at[load.node - 1] -= load.force.x;
+    if (from_end && load.node < n) at[load.node] += load.force.x;
+  }
+  for (std::vector<Real>* sums : {&N.fixed, &N.multiplied}) {
+    for (std::size_t i = 1; i < n; ++i) {
+      if (from_base) (*sums)[n - 1 - i] += (*sums)[n - i];
+      if (from_end) (*sums)[i] += (*sums)[i - 1];
     }
   }
   return N;

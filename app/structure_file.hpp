@@ -1,0 +1,27 @@
+#pragma once
+/// \file
+/// Ends, supports and loads of a chain as its file says them, and as a person reads them.
+
+#include <array>
+#include <plumbline/structure/structure.hpp>
+#include <string>
+#include <string_view>
+
+#include "support/files/toml_file.hpp"
+
+namespace plumbline::app {
+
+/// The keys of a chain file that say how the chain is held and loaded.
+inline constexpr std::array<std::string_view, 6> structure_keys{"base", "end_point",  "supports",
+                                                                "foundation", "loads", "masses"};
+
+/// What a chain file says of ends, supports, loads and masses; a unit force against x at the end point where
+/// it has no loads. \throws Error that names the source and the line
+void read_structure(const toml::table& table, const std::string& source, Structure<Rational>& structure);
+
+/// "base sprung, end point guided, dead force at the end point".
+std::string case_of(const Structure<Rational>& structure);
+/// Whether the loads are the one of the paper, whose factor is the force.
+bool has_unit_compression(const Structure<Rational>& structure);
+
+}  // namespace plumbline::app
