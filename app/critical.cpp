@@ -14,6 +14,7 @@
 #include "app/example_chain.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
+#include "app/space_file.hpp"
 #include "app/verbs.hpp"
 #include "support/files/printable.hpp"
 #include "support/files/text_file.hpp"
@@ -132,6 +133,29 @@ Result compute(NamedStructure& entry, const CriticalOptions& options) {
 }
 
 /// Computes every chain of the table, which is used up; what cannot be computed joins its errors.
+/// The straight chain in space. \returns its text, or the same as JSON
+void run_space(const CriticalOptions& options, const std::string& name, const std::string& text, Outputs& outputs,
+               files::OutputFile* csv, files::OutputFile* json) {
+  const std::string source = files::source_name(options.input);
+  const SpaceCase space = parse_space_chain(text, source);
+  if (!options.certify.empty())
+    throw Error("--certify", "a chain in space", "a chain in the plane: the counts in space are not written down yet");
+  if (!space.axial) throw Error(source, "loads across the chain, or fixed ones", "multiplied loads along x");
+  const proofs::StraightSpace straight = [&] {
+    try {
+      return proofs::StraightSpace(space.chain, space.straight);
+    } catch (const Error& error) {
+      throw Error(source + ": " + error.what());
+    }
+  }();
+  const SpaceModes modes{name, space.words, space.chain.size(), straight.modes(),
+                         straight.in_decimals(wanted(options), options.digits)};
+  if (csv) csv->write(as_csv(modes));
+  if (json) json->write(page::json_text(as_json(modes, options.digits), outputs.provenance()));
+  outputs.commit();
+  if (!csv && !json) fmt::print("{}", as_text(modes));
+}
+
 Results compute(ChainTable& table, const CriticalOptions& options) {
   const std::size_t count = table.chains.size();
   std::vector<std::optional<Result>> found(count);
@@ -188,6 +212,11 @@ void run(CriticalOptions options, const CLI::App& verb) {
   files::OutputFile *const csv = outputs.open("--csv", options.csv),
                            *const json = outputs.open("--json", options.json),
                            *const certify = outputs.open("--certify", options.certify);
+  if (fs::path(options.input).extension() == ".toml") {
+    const std::string text = files::read_text(options.input);
+    if (is_space_chain(text, files::source_name(options.input)))
+      return run_space(options, files::printable(fs::path(options.input).stem().string()), text, outputs, csv, json);
+  }
   ChainTable table = read(options);
   const bool plain = options.table || table.chains.front().plain;
 

@@ -123,6 +123,40 @@ std::string as_text(const std::vector<CriticalModes>& results) {
   return text;
 }
 
+std::string as_text(const SpaceModes& result) {
+  std::string text = fmt::format("{}: {} links {}\n\nCritical factor of the loads {}\n\nmode  factor\n", result.chain,
+                                 result.links, result.words, result.modes[0].force);
+  for (std::size_t m = 0; m < result.modes.size(); ++m) text += fmt::format("{:4}  {}\n", m + 1, result.modes[m].force);
+  text += "\nmode  angles about all axes, joint by joint, up to a common factor\n";
+  for (std::size_t m = 0; m < result.modes.size(); ++m) {
+    text += fmt::format("{:4}", m + 1);
+    for (const double q : result.modes[m].q) text += fmt::format(" {:8.4f}", q);
+    text += "\n";
+  }
+  const std::size_t more = result.all - result.modes.size();
+  if (more > 0) text += fmt::format("\n{} more modes: --all\n", more);
+  return text;
+}
+
+std::string as_csv(const SpaceModes& result) {
+  std::string text = "chain,mode,force\n";
+  for (std::size_t m = 0; m < result.modes.size(); ++m)
+    text += fmt::format("{},{},{}\n", files::csv_field(result.chain), m + 1, result.modes[m].force);
+  return text;
+}
+
+nlohmann::ordered_json as_json(const SpaceModes& result, int digits) {
+  nlohmann::ordered_json modes = nlohmann::ordered_json::array();
+  for (std::size_t m = 0; m < result.modes.size(); ++m)
+    modes.push_back({{"mode", m + 1}, {"force", result.modes[m].force}, {"q", result.modes[m].q}});
+  nlohmann::ordered_json chain{{"chain", result.chain},
+                               {"links", result.links},
+                               {"case", result.words},
+                               {"digits", digits},
+                               {"modes_in_space", modes}};
+  return {{"chains", {chain}}, {"errors", nlohmann::ordered_json::array()}};
+}
+
 std::string as_csv(const std::vector<CriticalModes>& results) {
   std::string text = "chain,mode,force\n";
   for (const CriticalModes& result : results) {

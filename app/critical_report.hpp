@@ -11,6 +11,7 @@
 
 #include "proofs/exact/critical_modes.hpp"
 #include "proofs/exact/follower.hpp"
+#include "proofs/exact/straight_space.hpp"
 
 namespace plumbline::app {
 
@@ -21,6 +22,16 @@ struct CriticalModes {
   std::size_t all = 0;                      ///< modes that there are
   std::optional<proofs::StabilityLoss> loss;  ///< instead of modes, where a load follows the chain
 };
+
+/// Modes of a straight chain in space.
+struct SpaceModes {
+  std::string chain, words;
+  std::size_t links, all;
+  std::vector<proofs::SpaceMode> modes;
+};
+std::string as_text(const SpaceModes& result);
+std::string as_csv(const SpaceModes& result);
+nlohmann::ordered_json as_json(const SpaceModes& result, int digits);
 
 /// Everything about one chain, in 80 columns where its size permits.
 std::string as_text(const CriticalModes& result);

@@ -27,6 +27,7 @@ struct EquilibriaOptions {
   std::string json, certificate;
   bool certify = false;
   int digits = 12, turns = 0;
+  double factor = 0;
 };
 
 /// One equilibrium as decimals.
@@ -234,6 +235,22 @@ nlohmann::ordered_json answer_json(const Answer& answer, const EquilibriaOptions
       {"equilibria", list},           {"undecided", answer.undecided}};
 }
 
+/// Of a chain whose file says of other ends and loads, at a factor of these.
+void run_other(const EquilibriaOptions& options, Outputs& outputs, files::OutputFile* json) {
+  if (!options.at.empty() || !options.place.empty() || !options.force.empty() || options.factor == 0)
+    throw Error(options.chain.path, "ends and loads of its own", "--factor F: its loads times F");
+  if (options.certify)
+    throw Error("--certify", "a chain with ends and loads of its own", "those of the paper: no census of others");
+  constexpr std::size_t starts = 2000;
+  constexpr double half_turn = 3.1415926535897932;
+  const NamedModel& chain = *options.chain.other;
+  const Progress progress("equilibria", 0);
+  const auto found = proofs::find_equilibria(chain.model, options.factor, starts, (1 + 2 * options.turns) * half_turn, 1);
+  if (json) json->write(page::json_text(as_json(chain, options.factor, found), outputs.provenance()));
+  outputs.commit();
+  if (!json) fmt::print("{}", as_text(chain, options.factor, found, starts));
+}
+
 void run(EquilibriaOptions options, const CLI::App& verb) {
   Outputs outputs(verb, {options.chain.path});
   files::OutputFile *const json = outputs.open("--json", options.json), *const certificate =
@@ -241,6 +258,9 @@ void run(EquilibriaOptions options, const CLI::App& verb) {
                                                                                          options.certificate);
   options.certify = options.certify || certificate;
   options.chain.read();
+  if (options.chain.other) return run_other(options, outputs, json);
+  if (options.factor != 0)
+    throw Error("--factor", "a chain with the ends and loads of the paper", "--at or --force, or loads in its file");
   const proofs::CensusTask task = task_of(options);
   const Answer answer = answer_of(options, task);
   if (json) json->write(page::json_text(answer_json(answer, options, task), outputs.provenance()));
@@ -266,6 +286,12 @@ void add_equilibria(CLI::App& app) {
   auto* place =
       pair("--end-point", options->place, "X,Y", "Instead: the end point held at (X, Y)")->excludes(at);
   pair("--force", options->force, "FX,FY", "Instead: a force on the end point; compression has FX < 0")
+      ->excludes(at)
+      ->excludes(place);
+  verb->add_option("--factor", options->factor,
+                   "Where the file says of other ends and loads: its loads times F")
+      ->type_name("F")
+      ->check(number())
       ->excludes(at)
       ->excludes(place);
   verb->add_flag("--certify", options->certify,
