@@ -41,7 +41,7 @@ NamedStructure parse_row(const files::CsvRow& row, const std::vector<std::size_t
     Structure<Rational> structure(Chain<Rational>(joined_numbers(row.fields[column[1]], "lengths"),
                                                   joined_numbers(row.fields[column[2]], "stiffness")));
     structure.add_compression();
-    return {name, place, std::move(structure), true};
+    return {name, place, std::move(structure), true, {}};
   } catch (const Error& error) {
     throw Error(place + ": " + error.what());
   }
@@ -70,6 +70,13 @@ NamedStructure parse_structure(const std::string& text, const std::string& sourc
   std::vector<std::string_view> known{"lengths", "stiffness", "rest"};
   known.insert(known.end(), structure_keys.begin(), structure_keys.end());
   files::refuse_unknown_keys(table, known, source, {"link_length", "joint_stiffness"});
+  if (table.contains("beam")) {
+    Beam beam;
+    NamedStructure result{"", source, read_beam(table, source, beam), false, {}};
+    result.beam = beam;
+    read_structure(table, source, result.structure);
+    return result;
+  }
   const auto lengths = number_list(table, spelling(table, "lengths", "link_length", source), source);
   const auto stiffness = number_list(table, spelling(table, "stiffness", "joint_stiffness", source), source);
   const auto rest = table.contains("rest") ? number_list(table, "rest", source) : std::vector<Rational>();
@@ -81,7 +88,8 @@ NamedStructure parse_structure(const std::string& text, const std::string& sourc
                           }
                         }()),
                         std::none_of(structure_keys.begin(), structure_keys.end(),
-                                     [&](std::string_view key) { return table.contains(key); })};
+                                     [&](std::string_view key) { return table.contains(key); }),
+                        {}};
   read_structure(table, source, result.structure);
   return result;
 }

@@ -3,9 +3,12 @@
 /// Chains as users write them. Every number is taken as the exact decimal that stands there.
 
 #include <filesystem>
+#include <optional>
 #include <plumbline/structure/structure.hpp>
 #include <string>
 #include <vector>
+
+#include "app/structure_file.hpp"
 
 namespace plumbline::app {
 
@@ -15,6 +18,7 @@ struct NamedStructure {
   std::string place;  ///< "file:line", for messages
   Structure<Rational> structure;
   bool plain;  ///< whether nothing is said of ends and loads: those of the paper
+  std::optional<Beam> beam;  ///< that the chain stands for
 };
 
 /// From TOML text: lists `lengths` (or `link_length`), `stiffness` (or `joint_stiffness`) and (optional)

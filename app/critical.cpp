@@ -101,7 +101,7 @@ Result compute_plain(NamedStructure& entry, const CriticalOptions& options) {
                                       proofs::certify(chain, wanted(options), shapes, options.digits));
   }
   const std::size_t all = chain.size() - 1;
-  return {{std::move(entry.name), std::move(entry.structure), std::move(found), all, {}}, std::move(certificate)};
+  return {{std::move(entry.name), std::move(entry.structure), std::move(found), all, {}, {}}, std::move(certificate)};
 }
 
 /// Of a chain with a load that follows it.
@@ -111,7 +111,7 @@ Result compute_follower(NamedStructure& entry, const CriticalOptions& options) {
   nlohmann::json certificate;
   if (!options.certify.empty())
     certificate = proofs::structure_certificate(entry.name, entry.structure, loss, options.digits);
-  return {{std::move(entry.name), std::move(entry.structure), {}, 0, loss}, std::move(certificate)};
+  return {{std::move(entry.name), std::move(entry.structure), {}, 0, entry.beam, loss}, std::move(certificate)};
 }
 
 /// Of a chain with other ends and loads than the paper's.
@@ -123,7 +123,7 @@ Result compute_structure(NamedStructure& entry, const CriticalOptions& options) 
   if (!options.certify.empty())
     certificate = proofs::structure_certificate(entry.name, entry.structure, straight, wanted(options),
                                                 options.digits);
-  return {{std::move(entry.name), std::move(entry.structure), std::move(found), straight.modes(), {}},
+  return {{std::move(entry.name), std::move(entry.structure), std::move(found), straight.modes(), entry.beam, {}},
           std::move(certificate)};
 }
 

@@ -60,6 +60,19 @@ std::string name_of(proofs::Motion motion) {
   return motion == proofs::Motion::divergence ? "divergence" : "flutter";
 }
 
+/// What the force of a chain of bars says of the rod.
+std::string as_rod(const CriticalModes& result, const std::string& factor) {
+  if (!result.beam) return "";
+  const Rational force = *proofs::parse_decimal(factor), bar = result.beam->bar;
+  const Rational length = bar * result.data.chain.size();
+  const Rational in_EI = force * length * length / result.beam->EI;
+  std::string text = fmt::format("In E I / length^2: {}\n", proofs::to_decimal(in_EI, 10));
+  if (!has_unit_compression(result.data)) return text;
+  const Rational share = force * bar * bar / (12 * result.beam->EI);
+  return text + fmt::format("The rod: {}, by force (1 + e), e = force bar^2 / (12 E I) = {}, which these links lack\n",
+                            proofs::to_decimal(Rational(force * (1 + share)), 6), proofs::to_decimal(share, 2));
+}
+
 std::string heading(const CriticalModes& result) {
   return fmt::format("{}: {} links, {}\n  lengths    {}\n  stiffness  {}\n", result.chain,
                      result.data.chain.size(), case_of(result.data), listing(result.data.chain.length()),
@@ -76,6 +89,7 @@ std::string loss_text(const CriticalModes& result) {
          fmt::format("Critical factor of the loads {}: {}\n", loss.factor,
                      flutter ? "flutter, two frequencies of small motion meet"
                              : "divergence, a frequency of small motion is zero") +
+         as_rod(result, loss.factor) +
          (loss.first ? "Proved: the straight line is stable at every smaller factor, and not above.\n"
                      : "Proved: stable a little below and not above. Smaller factors were tried in steps.\n");
 }
@@ -93,6 +107,7 @@ std::string as_text(const CriticalModes& result) {
   text += fmt::format("Critical {} {}, shape {}\n\n",
                       has_unit_compression(result.data) ? "force" : "factor of the loads",
                       result.modes[0].force, shape_name(result.modes[0].signs));
+  if (result.beam) text.insert(text.size() - 1, as_rod(result, result.modes[0].force));
   text +=
       fmt::format("mode  {:<{}}{:<22}{:<{}}{}\n", "force", wide, "energy factor", "shape", shape, "signs");
   for (std::size_t m = 0; m < result.modes.size(); ++m) {

@@ -1,6 +1,7 @@
 #include "app/structure_file.hpp"
 
 #include <algorithm>
+#include <plumbline/structure/beam.hpp>
 #include <set>
 
 #include "app/decimal_toml.hpp"
@@ -189,12 +190,53 @@ std::string words(const Support<Rational>& support, bool base, const Chain<Ratio
   return text;
 }
 
+RodEnd rod_end(const toml::table& table, const std::string& key, const std::string& source, RodEnd otherwise) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) return otherwise;
+  const std::string kind = word(*node);
+  if (kind == "pinned" || (kind == "guided" && key == "end_point")) return RodEnd::pinned;
+  if (kind == "clamped") return RodEnd::clamped;
+  if (kind == "free" && key == "end_point") return RodEnd::free;
+  throw Error(files::place(*node, source) + ": " + key, files::shown(kind),
+              key == "base" ? "\"pinned\" or \"clamped\", for a beam" : "\"pinned\", \"clamped\" or \"free\", for a beam");
+}
+
+Rational positive(const toml::table& table, const std::string& key, const std::string& where) {
+  const toml::node* node = table.get(key);
+  if (node == nullptr) throw Error(where, "no " + key, "EI, or E and I; length; links");
+  const Rational value = number_of(*node, where + "." + key);
+  if (value <= 0) throw Error(where + "." + key, files::shown(word(*node)), "a positive number");
+  return value;
+}
+
 }  // namespace
 
+Structure<Rational> read_beam(const toml::table& table, const std::string& source, Beam& beam) {
+  const toml::node& node = *table.get("beam");
+  const std::string where = files::place(node, source) + ": beam";
+  const toml::table& said = table_of(node, where, "{ EI = 1, length = 1, links = 20 }");
+  files::refuse_unknown_keys(said, {"E", "I", "EI", "length", "links"}, source);
+  for (const char* key : {"lengths", "stiffness", "link_length", "joint_stiffness", "rest"}) {
+    if (table.contains(key)) throw Error(where, std::string("beside ") + key, "one of the two: a beam has its own");
+  }
+  if (said.contains("EI") == (said.contains("E") || said.contains("I")))
+    throw Error(where, "not one of EI and E with I", "EI, or both E and I");
+  beam.EI = said.contains("EI") ? positive(said, "EI", where) : positive(said, "E", where) * positive(said, "I", where);
+  const Rational length = positive(said, "length", where), links = positive(said, "links", where);
+  if (mp::denominator(links) != 1 || links > 1000000)
+    throw Error(where + ".links", files::shown(word(*said.get("links"))), "a whole number up to a million");
+  beam.bar = length / links;
+  return rod<Rational>(beam.EI, length, links.convert_to<std::size_t>(),
+                       rod_end(table, "base", source, RodEnd::pinned),
+                       rod_end(table, "end_point", source, RodEnd::pinned));
+}
+
 void read_structure(const toml::table& table, const std::string& source, Structure<Rational>& structure) {
-  read_support(table, "base", source, structure.base);
-  require_base(table, source, structure.chain);
-  read_support(table, "end_point", source, structure.end_point);
+  if (!table.contains("beam")) {  // whose ends are springs: half a bar each
+    read_support(table, "base", source, structure.base);
+    require_base(table, source, structure.chain);
+    read_support(table, "end_point", source, structure.end_point);
+  }
   read_supports(table, source, structure);
   if (const toml::node* bed = table.get("foundation")) {
     const std::string where = files::place(*bed, source) + ": foundation";

@@ -12,8 +12,17 @@
 namespace plumbline::app {
 
 /// The keys of a chain file that say how the chain is held and loaded.
-inline constexpr std::array<std::string_view, 6> structure_keys{"base", "end_point",  "supports",
-                                                                "foundation", "loads", "masses"};
+inline constexpr std::array<std::string_view, 7> structure_keys{
+    "base", "end_point", "supports", "foundation", "loads", "masses", "beam"};
+
+/// The rod that a chain stands for: bending stiffness, and length of each of its bars.
+struct Beam {
+  Rational EI, bar;
+};
+
+/// A chain of bars from the key `beam`, its ends being `base` and `end_point`, words here.
+/// \throws Error that names the source and the line
+Structure<Rational> read_beam(const toml::table& table, const std::string& source, Beam& beam);
 
 /// What a chain file says of ends, supports, loads and masses; a unit force against x at the end point where
 /// it has no loads. \throws Error that names the source and the line

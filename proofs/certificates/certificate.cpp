@@ -12,12 +12,6 @@ namespace {
 
 using nlohmann::json;
 
-json to_json(const ForceEnclosure& force, int digits) {
-  return {{"mode", force.index},          {"digits", digits},
-          {"low", to_exact(force.low)},   {"high", to_exact(force.high)},
-          {"below_low", force.below_low}, {"below_high", force.below_high}};
-}
-
 json to_json(const ShapeEnclosure& shape) {
   return {{"first", shape.part.first + 1},
           {"last", shape.part.last + 1},
@@ -36,6 +30,12 @@ json to_json(const Tie& tie) {
 }
 
 }  // namespace
+
+json to_json(const ForceEnclosure& force, int digits) {
+  return {{"mode", force.index},          {"digits", digits},
+          {"low", to_exact(force.low)},   {"high", to_exact(force.high)},
+          {"below_low", force.below_low}, {"below_high", force.below_high}};
+}
 
 json certificate(const std::string& name, const Chain<Rational>& chain, const CertifiedModes& modes) {
   json result{{"chain", name},

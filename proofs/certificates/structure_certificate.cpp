@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "proofs/certificates/certificate.hpp"
 #include "proofs/exact/decimal.hpp"
 #include "proofs/exact/exact_list.hpp"
 
@@ -24,12 +25,6 @@ json to_json(const Load<Rational>& load) {
           {"force", to_exact(load.force.x)},
           {"multiplied", load.multiplied ? 1 : 0},
           {"follows", load.kind == LoadKind::follower ? 1 : 0}};
-}
-
-json to_json(const ForceEnclosure& factor, int digits) {
-  return {{"mode", factor.index},          {"digits", digits},
-          {"low", to_exact(factor.low)},   {"high", to_exact(factor.high)},
-          {"below_low", factor.below_low}, {"below_high", factor.below_high}};
 }
 
 json described(const std::string& name, const Structure<Rational>& structure) {
