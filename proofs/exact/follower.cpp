@@ -1,10 +1,7 @@
 #include "proofs/exact/follower.hpp"
 
-#include <algorithm>
-#include <optional>
-
-#include "proofs/exact/decimal.hpp"
 #include "proofs/exact/exact_matrix.hpp"
+#include "proofs/exact/real_roots.hpp"
 
 namespace plumbline::proofs {
 namespace {
@@ -40,66 +37,18 @@ Polynomial losses(const StraightMotion<Rational>& motion) {
   return product;
 }
 
-/// Beyond all roots: Cauchy's bound.
-Rational beyond_roots(const Polynomial& p) {
-  Rational largest = 0;
-  for (const Rational& c : p) largest = std::max(largest, Rational(abs(Rational(c / p.back()))));
-  Rational power = 1;
-  while (power <= largest + 1) power *= 2;
-  return power;
-}
-
-struct Bracket {
-  Rational low, high;
-};
-
-/// The next root above `from`, alone in its bracket, neither end of which is a root; nothing where there is
-/// none.
-std::optional<Bracket> next_root(const SturmSequence& sturm, const Polynomial& p, const Rational& from,
-                                 const Rational& end) {
-  Bracket bracket{from, end};
-  if (sturm.distinct_roots(from, end) == 0) return std::nullopt;
-  while (sturm.distinct_roots(bracket.low, bracket.high) > 1 || bracket.low == 0 ||
-         evaluate(p, bracket.high) == 0) {
-    Rational middle = (bracket.low + bracket.high) / 2;
-    while (evaluate(p, middle) == 0) middle = (bracket.low + 2 * middle) / 3;
-    (sturm.distinct_roots(bracket.low, middle) > 0 ? bracket.high : bracket.low) = middle;
-  }
-  return bracket;
-}
-
-/// A bracket, halved until both ends round alike, or a root half-way between two decimals is all that is left.
-template <class AboveLoss>
-StabilityLoss narrowed(const StraightMotion<Rational>& motion, Bracket bracket, int digits, bool first,
-                       const AboveLoss& above_loss) {
-  for (;;) {
-    const Rational width = bracket.high - bracket.low;
-    const bool narrow = bracket.low > 0 && 2 * width < unit_in_digit(bracket.low, digits);
-    const std::string text = to_decimal(bracket.low, digits);
-    if (narrow && (text == to_decimal(bracket.high, digits) ||
-                   width < shifted(unit_in_digit(bracket.low, digits), -20)))
-      return {motion_at(motion, bracket.high), bracket.low, bracket.high, text, first};
-    // a short decimal near the middle: what is to be checked by others stays short
-    const Rational middle = (bracket.low + bracket.high) / 2;
-    const auto places = static_cast<int>(
-        mpz_sizeinbase(mpq_denref(Rational(width).backend().data()), 10));
-    Rational decimal = *parse_decimal(to_fixed(middle, places));
-    if (!(bracket.low < decimal && decimal < bracket.high)) decimal = middle;
-    (above_loss(decimal) ? bracket.high : bracket.low) = decimal;
-  }
+StabilityLoss loss_in(const StraightMotion<Rational>& motion, NarrowBracket at, bool first) {
+  return {motion_at(motion, at.high), std::move(at.low), std::move(at.high), std::move(at.decimal), first};
 }
 
 StabilityLoss first_of_all(const StraightMotion<Rational>& motion, int digits) {
-  const Polynomial p = losses(motion);
-  const SturmSequence sturm(p);
-  const Rational end = beyond_roots(p);
+  const PositiveRoots roots(losses(motion));
   Rational from = 0;
-  while (const auto root = next_root(sturm, p, from, end)) {
+  while (const auto root = roots.next(from)) {
     from = root->high;
     if (motion_at(motion, root->high) == Motion::stable) continue;
-    return narrowed(motion, *root, digits, true, [&](const Rational& factor) {
-      return evaluate(p, factor) == 0 || sturm.distinct_roots(root->low, factor) > 0;
-    });
+    const auto reached = [&](const Rational& factor) { return roots.reached(*root, factor); };
+    return loss_in(motion, narrowed(*root, digits, reached), true);
   }
   throw Error("loads", "none that makes the straight line unstable, at any factor",
               "a follower force that does");
@@ -121,9 +70,8 @@ StabilityLoss first_of_steps(const StraightMotion<Rational>& motion, int digits)
   constexpr int most = 400;
   for (int i = 1; i <= most; ++i) {
     if (motion_at(motion, i * step) == Motion::stable) continue;
-    return narrowed(motion, {(i - 1) * step, i * step}, digits, false, [&](const Rational& factor) {
-      return motion_at(motion, factor) != Motion::stable;
-    });
+    const auto lost = [&](const Rational& factor) { return motion_at(motion, factor) != Motion::stable; };
+    return loss_in(motion, narrowed({(i - 1) * step, i * step}, digits, lost), false);
   }
   throw Error("loads", "none that was found to make the straight line unstable up to the factor " +
                            to_decimal(most * step, 6),

@@ -4,7 +4,10 @@
 
 #include <plumbline/structure/beam.hpp>
 
+#include "proofs/exact/critical_modes.hpp"
+#include "proofs/exact/critical_torque.hpp"
 #include "proofs/exact/follower.hpp"
+#include "proofs/exact/straight_space.hpp"
 #include "proofs/exact/straight_structure.hpp"
 
 using namespace plumbline;
@@ -155,4 +158,54 @@ TEST_CASE("elastic end restraints: the chain of bars tends to the column of the 
     (u * std::cos(u / 2) + C * std::sin(u / 2) > 0 ? low : high) = u;
   }
   CHECK(limit(bars(40, 4), bars(80, 4)) == doctest::Approx(low * low).epsilon(1e-6));
+}
+
+namespace {
+
+/// A rod of n bars on universal joints that bend alike both ways, its ends pinned: joint 1 has no spring.
+SpaceChain<Rational> universal_rod(std::size_t n) {
+  std::vector<SpaceJoint<Rational>> joints;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Rational k = i == 0 ? 0 : static_cast<long>(n);
+    joints.push_back({{{{0, 1, 0}, k, 0}, {{0, 0, 1}, k, 0}}});
+  }
+  return SpaceChain<Rational>(std::vector<Rational>(n, Rational(1, static_cast<long>(n))), joints);
+}
+
+}  // namespace
+
+TEST_CASE("a shaft under an end torque, its ends pinned: 2 pi EI / L, Greenhill 1883; Timoshenko and Gere 2.21") {
+  const SpaceLoad<Rational> pinned;
+  const auto torque = [&](std::size_t n, TorqueKind kind) {
+    return std::stod(critical_torque(universal_rod(n), pinned, kind, 15).value.decimal);
+  };
+  for (const std::size_t n : {3u, 5u, 8u}) {
+    const double bars = static_cast<double>(n);  // of n bars: 2 k sin(pi / n), k = n EI / L
+    CHECK(torque(n, TorqueKind::axial) == doctest::Approx(2 * bars * std::sin(pi / bars)).epsilon(1e-13));
+  }
+  CHECK(limit(torque(6, TorqueKind::axial), torque(12, TorqueKind::axial)) == doctest::Approx(2 * pi).epsilon(1e-3));
+}
+
+TEST_CASE("which torques have an energy: the semitangential one, and each where the end's direction is held") {
+  SpaceLoad<Rational> ends;
+  CHECK(!critical_torque(universal_rod(4), ends, TorqueKind::axial, 10).conservative);
+  CHECK(!critical_torque(universal_rod(4), ends, TorqueKind::tangential, 10).conservative);
+  CHECK(critical_torque(universal_rod(4), ends, TorqueKind::semitangential, 10).conservative);
+  ends.base_clamped = true;
+  ends.end_point = clamped<Rational>();
+  for (const TorqueKind kind : {TorqueKind::axial, TorqueKind::tangential, TorqueKind::semitangential}) {
+    const auto found = critical_torque(universal_rod(5), ends, kind, 20);
+    CHECK(found.conservative);
+    CHECK(found.value.decimal == critical_torque(universal_rod(5), ends, TorqueKind::axial, 20).value.decimal);
+  }
+}
+
+TEST_CASE("universal joints with unequal planes: the weaker one, and 2 (n - 1) forces") {
+  std::vector<SpaceJoint<Rational>> joints(4, SpaceJoint<Rational>{{{{0, 0, 1}, 1, 0}, {{0, 1, 0}, 3, 0}}});
+  SpaceLoad<Rational> load;
+  load.compression.assign(4, Rational(1));
+  const StraightSpace space(SpaceChain<Rational>(std::vector<Rational>(4, 1), joints), load);
+  CHECK(space.modes() == 6);
+  const auto planar = modes_in_decimals(Chain<Rational>({1, 1, 1, 1}, {1, 1, 1, 1}), 9, 30);
+  CHECK(space.in_decimals(1, 30)[0].force == planar[0].force);
 }
