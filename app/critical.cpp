@@ -20,6 +20,7 @@
 #include "support/files/text_file.hpp"
 #include "proofs/certificates/certificate.hpp"
 #include "proofs/certificates/structure_certificate.hpp"
+#include "proofs/exact/critical_torque.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -140,6 +141,21 @@ void run_space(const CriticalOptions& options, const std::string& name, const st
   const SpaceCase space = parse_space_chain(text, source);
   if (!options.certify.empty())
     throw Error("--certify", "a chain in space", "a chain in the plane: the counts in space are not written down yet");
+  if (space.torque) {
+    const auto found = [&] {
+      try {
+        return proofs::critical_torque(space.chain, space.straight, *space.torque, options.digits);
+      } catch (const Error& error) {
+        throw Error(source + ": " + error.what());
+      }
+    }();
+    const SpaceTorque torque{name, space.words, space.chain.size(), found.value.decimal, found.conservative};
+    if (csv) csv->write(as_csv(torque));
+    if (json) json->write(page::json_text(as_json(torque, options.digits), outputs.provenance()));
+    outputs.commit();
+    if (!csv && !json) fmt::print("{}", as_text(torque));
+    return;
+  }
   if (!space.axial) throw Error(source, "loads across the chain, or fixed ones", "multiplied loads along x");
   const proofs::StraightSpace straight = [&] {
     try {

@@ -172,6 +172,28 @@ nlohmann::ordered_json as_json(const SpaceModes& result, int digits) {
   return {{"chains", {chain}}, {"errors", nlohmann::ordered_json::array()}};
 }
 
+std::string as_text(const SpaceTorque& result) {
+  return fmt::format("{}: {} links {}\n\nCritical torque {}\n{}\n", result.chain, result.links, result.words, result.torque,
+                     result.conservative
+                         ? "The torque has an energy here: the straight line is stable below, and not above."
+                         : "The torque has no energy here: below, the straight line has no bent equilibrium beside it, but "
+                           "whether it\nflutters depends on masses.");
+}
+
+std::string as_csv(const SpaceTorque& result) {
+  return fmt::format("chain,mode,force\n{},1,{}\n", files::csv_field(result.chain), result.torque);
+}
+
+nlohmann::ordered_json as_json(const SpaceTorque& result, int digits) {
+  nlohmann::ordered_json chain{{"chain", result.chain},
+                               {"links", result.links},
+                               {"case", result.words},
+                               {"digits", digits},
+                               {"torque", result.torque},
+                               {"conservative", result.conservative}};
+  return {{"chains", {chain}}, {"errors", nlohmann::ordered_json::array()}};
+}
+
 std::string as_csv(const std::vector<CriticalModes>& results) {
   std::string text = "chain,mode,force\n";
   for (const CriticalModes& result : results) {

@@ -35,6 +35,17 @@ std::string as_text(const SpaceModes& result);
 std::string as_csv(const SpaceModes& result);
 nlohmann::ordered_json as_json(const SpaceModes& result, int digits);
 
+/// The critical torque of a straight chain in space.
+struct SpaceTorque {
+  std::string chain, words;
+  std::size_t links;
+  std::string torque;
+  bool conservative;
+};
+std::string as_text(const SpaceTorque& result);
+std::string as_csv(const SpaceTorque& result);
+nlohmann::ordered_json as_json(const SpaceTorque& result, int digits);
+
 /// Everything about one chain, in 80 columns where its size permits.
 std::string as_text(const CriticalModes& result);
 /// One line a mode, for a table of chains.

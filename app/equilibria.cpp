@@ -27,6 +27,7 @@ struct EquilibriaOptions {
   std::string json, certificate;
   bool certify = false;
   int digits = 12, turns = 0;
+  std::string factor_text;  ///< exact
   double factor = 0;
 };
 
@@ -235,12 +236,27 @@ nlohmann::ordered_json answer_json(const Answer& answer, const EquilibriaOptions
       {"equilibria", list},           {"undecided", answer.undecided}};
 }
 
+/// The certified census of a planar chain whose file says of other ends and loads.
+void run_census(const EquilibriaOptions& options, Outputs& outputs, files::OutputFile* json) {
+  if (!options.chain.structure)
+    throw Error("--certify", "a chain in space", "a chain in the plane");
+  const auto factor = proofs::parse_decimal(options.factor_text);
+  const Progress progress("census", 0);
+  const auto census = proofs::take_census(*options.chain.structure, *factor, options.turns);
+  const NamedModel& chain = *options.chain.other;
+  if (json) json->write(page::json_text(as_json(chain, options.factor, census), outputs.provenance()));
+  outputs.commit();
+  if (!json) fmt::print("{}", as_text(chain, options.factor, census));
+  if (!census.complete()) throw CLI::RuntimeError(1);
+}
+
 /// Of a chain whose file says of other ends and loads, at a factor of these.
 void run_other(const EquilibriaOptions& options, Outputs& outputs, files::OutputFile* json) {
   if (!options.at.empty() || !options.place.empty() || !options.force.empty() || options.factor == 0)
     throw Error(options.chain.path, "ends and loads of its own", "--factor F: its loads times F");
-  if (options.certify)
-    throw Error("--certify", "a chain with ends and loads of its own", "those of the paper: no census of others");
+  if (!options.certificate.empty())
+    throw Error("--certificate", "a chain with ends and loads of its own", "--certify alone: no file of such proofs");
+  if (options.certify) return run_census(options, outputs, json);
   constexpr std::size_t starts = 2000;
   constexpr double half_turn = 3.1415926535897932;
   const NamedModel& chain = *options.chain.other;
@@ -288,7 +304,7 @@ void add_equilibria(CLI::App& app) {
   pair("--force", options->force, "FX,FY", "Instead: a force on the end point; compression has FX < 0")
       ->excludes(at)
       ->excludes(place);
-  verb->add_option("--factor", options->factor,
+  verb->add_option("--factor", options->factor_text,
                    "Where the file says of other ends and loads: its loads times F")
       ->type_name("F")
       ->check(number())
@@ -317,7 +333,10 @@ void add_equilibria(CLI::App& app) {
       "Type: the number in brackets counts the directions in which the energy falls, with the end point held "
       "or "
       "under the dead force.");
-  verb->callback([options, verb] { run(*options, *verb); });
+  verb->callback([options, verb] {
+    if (!options->factor_text.empty()) options->factor = std::stod(options->factor_text);
+    run(*options, *verb);
+  });
 }
 
 }  // namespace plumbline::app

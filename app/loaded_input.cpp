@@ -44,6 +44,7 @@ void LoadedChain::read() {
   const NamedStructure read = parse_structure(text, source);
   exact = read.structure.chain;
   if (read.plain) return;
+  structure = read.structure;
   try {
     other.emplace(NamedModel{name, case_of(read.structure), bent_structure(from_rational<double>(read.structure))});
   } catch (const Error& error) {

@@ -89,6 +89,14 @@ void add_force(SpaceCase& space, std::size_t node, const std::vector<Rational>& 
   for (std::size_t link = 0; link < node; ++link) space.straight.compression[link] -= f[0];
 }
 
+TorqueKind torque_kind(const toml::node& node, const std::string& where) {
+  const std::string kind = node.value_or(std::string());
+  if (kind == "axial") return TorqueKind::axial;
+  if (kind == "tangential") return TorqueKind::tangential;
+  if (kind == "semitangential") return TorqueKind::semitangential;
+  throw Error(where + ", torque", files::shown(kind), "\"axial\", \"tangential\" or \"semitangential\"");
+}
+
 void read_loads(const toml::table& table, const std::string& source, SpaceCase& space) {
   const std::size_t n = space.chain.size();
   space.straight.compression.assign(n, Rational(0));
@@ -102,7 +110,13 @@ void read_loads(const toml::table& table, const std::string& source, SpaceCase& 
   for (const toml::node& item : *node->as_array()) {
     if (!item.is_table()) throw Error(where, "no table", "{ force = [-1, 0, 0] }");
     const toml::table& load = *item.as_table();
-    files::refuse_unknown_keys(load, {"at", "force", "weight", "fixed"}, source);
+    files::refuse_unknown_keys(load, {"at", "force", "weight", "fixed", "torque"}, source);
+    if (load.contains("torque")) {
+      if (node->as_array()->size() > 1) throw Error(where, "a torque beside other loads", "a torque alone");
+      space.torque = torque_kind(*load.get("torque"), where);
+      space.words += ", " + load["torque"].value_or(std::string()) + " torque at the end point";
+      return;
+    }
     if (load.contains("force") == load.contains("weight")) throw Error(where, "not one of force and weight", "one");
     const bool multiplied = !load["fixed"].value_or(false);
     if (load.contains("weight")) {
@@ -147,7 +161,7 @@ SpaceCase parse_space_chain(const std::string& text, const std::string& source) 
                       throw Error(source + ": " + error.what());
                     }
                   }(),
-                  {}, {}, true, {}};
+                  {}, {}, {}, true, {}};
   read_ends(table, source, space);
   read_foundation(table, source, space);
   read_loads(table, source, space);

@@ -4,7 +4,7 @@
 
 #include <optional>
 #include <plumbline/space/bent_structure.hpp>
-#include <plumbline/space/space_pencil.hpp>
+#include <plumbline/space/end_torque.hpp>
 #include <string>
 
 namespace plumbline::app {
@@ -14,6 +14,7 @@ struct SpaceCase {
   SpaceChain<Rational> chain;
   SpaceSetting<Rational> setting;  ///< for bent ones
   SpaceLoad<Rational> straight;    ///< for the straight one
+  std::optional<TorqueKind> torque;  ///< a unit torque at the end point, instead of forces
   bool axial = true;               ///< whether all loads lie along x
   std::string words;               ///< "base turns in joint 1, end point guided, …"
 };

@@ -1,10 +1,10 @@
 #include "app/structure_report.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
-#include "support/files/csv_file.hpp"
+#include "proofs/exact/certain_digits.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -130,6 +130,72 @@ nlohmann::ordered_json as_json(const NamedModel& chain, double factor,
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const auto& point : found) list.push_back(to_json(chain.model, point));
   return {{"chain", chain.name}, {"case", chain.words}, {"factor", factor}, {"complete", false}, {"equilibria", list}};
+}
+
+namespace {
+
+/// As many digits as the bounds share, twelve at most; "0" where it may be zero.
+std::string certain(const proofs::Span& x) {
+  return proofs::certain_digits(hull(Interval::from_double(x.low), Interval::from_double(x.high)), 12);
+}
+std::string type_of(const proofs::StructureEquilibrium& one) {
+  if (!one.negative_directions) return "undecided";
+  return *one.negative_directions == 0 ? "stable" : fmt::format("unstable ({})", *one.negative_directions);
+}
+std::vector<std::string> certain_angles(const proofs::StructureEquilibrium& one) {
+  std::vector<std::string> q;
+  for (const proofs::Span& angle : one.q) q.push_back(certain(angle));
+  return q;
+}
+
+}  // namespace
+
+std::string as_text(const NamedModel& chain, double factor, const proofs::StructureCensus& census) {
+  std::string text = fmt::format("{}: {} links, {}; loads times {}\n{} equilibria, by energy; {} ({} boxes searched)\n",
+                                 chain.name, chain.model.chain().size(), chain.words, factor,
+                                 census.equilibria.size(),
+                                 census.complete() ? "certified: these are all in the window"
+                                                   : "certified, but for the undecided boxes",
+                                 census.boxes);
+  text += fmt::format("window: each joint within {:.4f} rad of its rest", census.widest_turn);
+  if (census.largest_force > 0)
+    text += fmt::format(", the force across the end point up to {:.6g}", census.largest_force);
+  text += "\n";
+  for (std::size_t i = 0; i < census.equilibria.size(); ++i) {
+    const auto& one = census.equilibria[i];
+    text += fmt::format("\n{:3}  {}, energy {}\n     end point {}, {}; force across it {}\n     angles    {}\n", i + 1,
+                        type_of(one), certain(one.energy), certain(one.x), certain(one.y), certain(one.across),
+                        fmt::join(certain_angles(one), ", "));
+  }
+  for (const auto& box : census.undecided) {
+    text += "\nundecided: joint angles in";
+    for (const proofs::Span& q : box) text += " " + proofs::text(q, 8);
+    text += "\n";
+  }
+  return text;
+}
+
+nlohmann::ordered_json as_json(const NamedModel& chain, double factor, const proofs::StructureCensus& census) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array(), undecided = list;
+  for (const auto& one : census.equilibria)
+    list.push_back({{"type", type_of(one)},
+                    {"energy", certain(one.energy)},
+                    {"end_point", {certain(one.x), certain(one.y)}},
+                    {"force_across", certain(one.across)},
+                    {"q", certain_angles(one)}});
+  for (const auto& box : census.undecided) {
+    nlohmann::ordered_json q = nlohmann::ordered_json::array();
+    for (const proofs::Span& angle : box) q.push_back({angle.low, angle.high});
+    undecided.push_back(q);
+  }
+  return {{"chain", chain.name},
+          {"case", chain.words},
+          {"factor", factor},
+          {"complete", census.complete()},
+          {"widest_turn", census.widest_turn},
+          {"largest_force_across", census.largest_force},
+          {"equilibria", list},
+          {"undecided", undecided}};
 }
 
 }  // namespace plumbline::app

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "proofs/census/structure_census.hpp"
 #include "proofs/paths/structure_path.hpp"
 
 namespace plumbline::app {
@@ -26,5 +27,9 @@ std::string as_text(const NamedModel& chain, double factor, const std::vector<Be
                     std::size_t starts);
 nlohmann::ordered_json as_json(const NamedModel& chain, double factor,
                                const std::vector<BentPoint<double>>& found);
+
+/// A certified census.
+std::string as_text(const NamedModel& chain, double factor, const proofs::StructureCensus& census);
+nlohmann::ordered_json as_json(const NamedModel& chain, double factor, const proofs::StructureCensus& census);
 
 }  // namespace plumbline::app
