@@ -28,7 +28,7 @@ std::vector<Rational> joined_numbers(const std::string& field, const std::string
 }
 
 NamedStructure parse_row(const files::CsvRow& row, const std::vector<std::size_t>& column,
-                     const std::string& where, std::set<std::string>& names) {
+                         const std::string& where, std::set<std::string>& names) {
   if (row.fields.size() != column.size()) {
     throw Error(where, std::to_string(row.fields.size()) + " fields", std::to_string(column.size()));
   }
@@ -80,7 +80,9 @@ NamedStructure parse_structure(const std::string& text, const std::string& sourc
   const auto lengths = number_list(table, spelling(table, "lengths", "link_length", source), source);
   const auto stiffness = number_list(table, spelling(table, "stiffness", "joint_stiffness", source), source);
   const auto rest = table.contains("rest") ? number_list(table, "rest", source) : std::vector<Rational>();
-  NamedStructure result{"", source, Structure<Rational>([&] {
+  NamedStructure result{"",
+                        source,
+                        Structure<Rational>([&] {
                           try {
                             return Chain<Rational>(lengths, stiffness, rest);
                           } catch (const Error& error) {
@@ -92,11 +94,6 @@ NamedStructure parse_structure(const std::string& text, const std::string& sourc
                         {}};
   read_structure(table, source, result.structure);
   return result;
-}
-
-Chain<Rational> parse_chain(const std::string& text, const std::string& source) {
-  NamedStructure read = parse_structure(text, source);
-  return std::move(read.structure.chain);
 }
 
 bool is_chain_table(const std::string& text) {

@@ -10,11 +10,11 @@
 #include "app/progress.hpp"
 #include "app/submitted_values.hpp"
 #include "app/verbs.hpp"
-#include "support/files/json_file.hpp"
-#include "support/files/text_file.hpp"
 #include "proofs/certificates/certificate.hpp"
 #include "proofs/certificates/equilibria_certificate.hpp"
 #include "proofs/certificates/path_certificate.hpp"
+#include "support/files/json_file.hpp"
+#include "support/files/text_file.hpp"
 #include "verify/reference/agreement.hpp"
 #include "verify/reference/chains.hpp"
 
@@ -42,8 +42,9 @@ void refuse_certificates(const std::string& text, const std::string& path) {
     if (format == document.end() || *format != name) continue;
     throw Error(
         path, "certificates",
-        fmt::format("values as CSV; certificates are checked without this program: python3 proofs/certificates/{} {}",
-                    checker, path));
+        fmt::format(
+            "values as CSV; certificates are checked without this program: python3 proofs/certificates/{} {}",
+            checker, path));
   }
   throw Error(path, "JSON", "values as CSV, with the columns chain,mode,force");
 }

@@ -16,11 +16,11 @@
 #include "app/progress.hpp"
 #include "app/space_file.hpp"
 #include "app/verbs.hpp"
-#include "support/files/printable.hpp"
-#include "support/files/text_file.hpp"
 #include "proofs/certificates/certificate.hpp"
 #include "proofs/certificates/structure_certificate.hpp"
 #include "proofs/exact/critical_torque.hpp"
+#include "support/files/printable.hpp"
+#include "support/files/text_file.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -58,8 +58,7 @@ ChainTable one(const std::string& name, NamedStructure structure) {
 
 ChainTable read(CriticalOptions& options) {
   const std::string& path = options.input;
-  if (path.empty())
-    return one("four-link", parse_structure(example_chain, example_chain_name));
+  if (path.empty()) return one("four-link", parse_structure(example_chain, example_chain_name));
   const std::string extension = fs::path(path).extension(), source = files::source_name(path);
   const bool piped = files::is_standard_input(path);
   if (extension != ".csv" && extension != ".toml" && !piped && !fs::is_directory(path))
@@ -102,7 +101,8 @@ Result compute_plain(NamedStructure& entry, const CriticalOptions& options) {
                                       proofs::certify(chain, wanted(options), shapes, options.digits));
   }
   const std::size_t all = chain.size() - 1;
-  return {{std::move(entry.name), std::move(entry.structure), std::move(found), all, {}, {}}, std::move(certificate)};
+  return {{std::move(entry.name), std::move(entry.structure), std::move(found), all, {}, {}},
+          std::move(certificate)};
 }
 
 /// Of a chain with a load that follows it.
@@ -112,7 +112,8 @@ Result compute_follower(NamedStructure& entry, const CriticalOptions& options) {
   nlohmann::json certificate;
   if (!options.certify.empty())
     certificate = proofs::structure_certificate(entry.name, entry.structure, loss, options.digits);
-  return {{std::move(entry.name), std::move(entry.structure), {}, 0, entry.beam, loss}, std::move(certificate)};
+  return {{std::move(entry.name), std::move(entry.structure), {}, 0, entry.beam, loss},
+          std::move(certificate)};
 }
 
 /// Of a chain with other ends and loads than the paper's.
@@ -122,10 +123,11 @@ Result compute_structure(NamedStructure& entry, const CriticalOptions& options) 
   auto found = straight.in_decimals(wanted(options), options.digits, needs_shapes(options));
   nlohmann::json certificate;
   if (!options.certify.empty())
-    certificate = proofs::structure_certificate(entry.name, entry.structure, straight, wanted(options),
-                                                options.digits);
-  return {{std::move(entry.name), std::move(entry.structure), std::move(found), straight.modes(), entry.beam, {}},
-          std::move(certificate)};
+    certificate =
+        proofs::structure_certificate(entry.name, entry.structure, straight, wanted(options), options.digits);
+  return {
+      {std::move(entry.name), std::move(entry.structure), std::move(found), straight.modes(), entry.beam, {}},
+      std::move(certificate)};
 }
 
 Result compute(NamedStructure& entry, const CriticalOptions& options) {
@@ -135,12 +137,13 @@ Result compute(NamedStructure& entry, const CriticalOptions& options) {
 
 /// Computes every chain of the table, which is used up; what cannot be computed joins its errors.
 /// The straight chain in space. \returns its text, or the same as JSON
-void run_space(const CriticalOptions& options, const std::string& name, const std::string& text, Outputs& outputs,
-               files::OutputFile* csv, files::OutputFile* json) {
+void run_space(const CriticalOptions& options, const std::string& name, const std::string& text,
+               Outputs& outputs, files::OutputFile* csv, files::OutputFile* json) {
   const std::string source = files::source_name(options.input);
   const SpaceCase space = parse_space_chain(text, source);
   if (!options.certify.empty())
-    throw Error("--certify", "a chain in space", "a chain in the plane: the counts in space are not written down yet");
+    throw Error("--certify", "a chain in space",
+                "a chain in the plane: the counts in space are not written down yet");
   if (space.torque) {
     const auto found = [&] {
       try {
@@ -231,7 +234,8 @@ void run(CriticalOptions options, const CLI::App& verb) {
   if (fs::path(options.input).extension() == ".toml") {
     const std::string text = files::read_text(options.input);
     if (is_space_chain(text, files::source_name(options.input)))
-      return run_space(options, files::printable(fs::path(options.input).stem().string()), text, outputs, csv, json);
+      return run_space(options, files::printable(fs::path(options.input).stem().string()), text, outputs, csv,
+                       json);
   }
   ChainTable table = read(options);
   const bool plain = options.table || table.chains.front().plain;
@@ -252,8 +256,9 @@ void run(CriticalOptions options, const CLI::App& verb) {
 }  // namespace
 
 void add_critical(CLI::App& app) {
-  CLI::App* verb =
-      app.add_subcommand("critical", "Critical forces and shapes of a straight chain, whatever its ends and loads, to any digits");
+  CLI::App* verb = app.add_subcommand(
+      "critical",
+      "Critical forces and shapes of a straight chain, whatever its ends and loads, to any digits");
   const auto options = std::make_shared<CriticalOptions>();
   verb->add_option("chain", options->input,
                    "CHAIN.toml with the lists lengths and stiffness, and\n"
@@ -274,7 +279,8 @@ void add_critical(CLI::App& app) {
   add_printed_output(*verb, "--csv", options->csv, "Write chain,mode,force, a row a mode, ascending");
   add_printed_output(*verb, "--json", options->json, "Write forces, shapes and joint angles as JSON");
   add_output(*verb, "--certify", options->certify,
-             "Write certificates that proofs/certificates/check_certificates.py\n(check_structures.py: of other ends and loads) checks with\nintegers alone");
+             "Write certificates that proofs/certificates/check_certificates.py\n(check_structures.py: of "
+             "other ends and loads) checks with\nintegers alone");
   verb->footer(
       "Ends and loads: base sprung by the stiffness of joint 1 (pinned where it is 0), end\n"
       "point guided along the line, a dead force there, unless the chain's file says otherwise:\n"

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "app/structure_file.hpp"
-#include "support/files/csv_file.hpp"
 #include "proofs/exact/decimal.hpp"
+#include "support/files/csv_file.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -69,8 +69,10 @@ std::string as_rod(const CriticalModes& result, const std::string& factor) {
   std::string text = fmt::format("In E I / length^2: {}\n", proofs::to_decimal(in_EI, 10));
   if (!has_unit_compression(result.data)) return text;
   const Rational share = force * bar * bar / (12 * result.beam->EI);
-  return text + fmt::format("The rod: {}, by force (1 + e), e = force bar^2 / (12 E I) = {}, which these links lack\n",
-                            proofs::to_decimal(Rational(force * (1 + share)), 6), proofs::to_decimal(share, 2));
+  return text +
+         fmt::format(
+             "The rod: {}, by force (1 + e), e = force bar^2 / (12 E I) = {}, which these links lack\n",
+             proofs::to_decimal(Rational(force * (1 + share)), 6), proofs::to_decimal(share, 2));
 }
 
 std::string heading(const CriticalModes& result) {
@@ -131,17 +133,18 @@ std::string as_text(const std::vector<CriticalModes>& results) {
   std::string text = fmt::format("{:<{}}  links  mode  {:<{}}  shape\n", "chain", name, "force", force);
   for (const CriticalModes& result : results) {
     for (std::size_t m = 0; m < result.modes.size(); ++m) {
-      text += fmt::format("{:<{}}  {:5}  {:4}  {:<{}}  {}\n", result.chain, name, result.data.chain.size(), m + 1,
-                          result.modes[m].force, force, shape_name(result.modes[m].signs));
+      text += fmt::format("{:<{}}  {:5}  {:4}  {:<{}}  {}\n", result.chain, name, result.data.chain.size(),
+                          m + 1, result.modes[m].force, force, shape_name(result.modes[m].signs));
     }
   }
   return text;
 }
 
 std::string as_text(const SpaceModes& result) {
-  std::string text = fmt::format("{}: {} links {}\n\nCritical factor of the loads {}\n\nmode  factor\n", result.chain,
-                                 result.links, result.words, result.modes[0].force);
-  for (std::size_t m = 0; m < result.modes.size(); ++m) text += fmt::format("{:4}  {}\n", m + 1, result.modes[m].force);
+  std::string text = fmt::format("{}: {} links {}\n\nCritical factor of the loads {}\n\nmode  factor\n",
+                                 result.chain, result.links, result.words, result.modes[0].force);
+  for (std::size_t m = 0; m < result.modes.size(); ++m)
+    text += fmt::format("{:4}  {}\n", m + 1, result.modes[m].force);
   text += "\nmode  angles about all axes, joint by joint, up to a common factor\n";
   for (std::size_t m = 0; m < result.modes.size(); ++m) {
     text += fmt::format("{:4}", m + 1);
@@ -173,11 +176,12 @@ nlohmann::ordered_json as_json(const SpaceModes& result, int digits) {
 }
 
 std::string as_text(const SpaceTorque& result) {
-  return fmt::format("{}: {} links {}\n\nCritical torque {}\n{}\n", result.chain, result.links, result.words, result.torque,
-                     result.conservative
-                         ? "The torque has an energy here: the straight line is stable below, and not above."
-                         : "The torque has no energy here: below, the straight line has no bent equilibrium beside it, but "
-                           "whether it\nflutters depends on masses.");
+  return fmt::format(
+      "{}: {} links {}\n\nCritical torque {}\n{}\n", result.chain, result.links, result.words, result.torque,
+      result.conservative
+          ? "The torque has an energy here: the straight line is stable below, and not above."
+          : "The torque has no energy here: below, the straight line has no bent equilibrium beside it, but "
+            "whether it\nflutters depends on masses.");
 }
 
 std::string as_csv(const SpaceTorque& result) {
@@ -185,12 +189,9 @@ std::string as_csv(const SpaceTorque& result) {
 }
 
 nlohmann::ordered_json as_json(const SpaceTorque& result, int digits) {
-  nlohmann::ordered_json chain{{"chain", result.chain},
-                               {"links", result.links},
-                               {"case", result.words},
-                               {"digits", digits},
-                               {"torque", result.torque},
-                               {"conservative", result.conservative}};
+  nlohmann::ordered_json chain{{"chain", result.chain},   {"links", result.links},
+                               {"case", result.words},    {"digits", digits},
+                               {"torque", result.torque}, {"conservative", result.conservative}};
   return {{"chains", {chain}}, {"errors", nlohmann::ordered_json::array()}};
 }
 

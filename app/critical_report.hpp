@@ -19,9 +19,9 @@ namespace plumbline::app {
 struct CriticalModes {
   std::string chain;  ///< name
   Structure<Rational> data;
-  std::vector<proofs::CriticalMode> modes;  ///< ascending by force
-  std::size_t all = 0;                      ///< modes that there are
-  std::optional<Beam> beam;  ///< that the chain stands for
+  std::vector<proofs::CriticalMode> modes;    ///< ascending by force
+  std::size_t all = 0;                        ///< modes that there are
+  std::optional<Beam> beam;                   ///< that the chain stands for
   std::optional<proofs::StabilityLoss> loss;  ///< instead of modes, where a load follows the chain
 };
 

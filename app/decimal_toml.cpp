@@ -5,8 +5,8 @@
 #include <cstring>
 #include <sstream>
 
-#include "support/files/printable.hpp"
 #include "proofs/exact/decimal.hpp"
+#include "support/files/printable.hpp"
 
 namespace plumbline::app {
 namespace {

@@ -28,7 +28,7 @@ void LoadedChain::add_to(CLI::App& verb) {
 
 void LoadedChain::read() {
   if (path.empty()) {
-    exact = parse_chain(table1_z, name);
+    exact = parse_structure(table1_z, name).structure.chain;
     return;
   }
   const bool piped = files::is_standard_input(path);
@@ -46,7 +46,8 @@ void LoadedChain::read() {
   if (read.plain) return;
   structure = read.structure;
   try {
-    other.emplace(NamedModel{name, case_of(read.structure), bent_structure(from_rational<double>(read.structure))});
+    other.emplace(
+        NamedModel{name, case_of(read.structure), bent_structure(from_rational<double>(read.structure))});
   } catch (const Error& error) {
     throw Error(source + ": " + error.what());
   }

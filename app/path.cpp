@@ -66,9 +66,11 @@ std::string certificate_of(const PathOptions& options, const proofs::JoinedBranc
 }
 
 /// The path of a chain whose file says of other ends and loads: as the factor of these grows.
-void run_other(const PathOptions& options, Outputs& outputs, files::OutputFile* csv, files::OutputFile* json) {
+void run_other(const PathOptions& options, Outputs& outputs, files::OutputFile* csv,
+               files::OutputFile* json) {
   if (options.factor == 0)
-    throw Error(options.chain.path, "ends and loads of its own", "--factor F: its loads grow from 0 to F times");
+    throw Error(options.chain.path, "ends and loads of its own",
+                "--factor F: its loads grow from 0 to F times");
   const proofs::StructureTask task{options.factor, std::max(options.step, 0.005), options.side};
   const NamedModel& chain = *options.chain.other;
   const Progress progress("path", 0);
@@ -90,13 +92,15 @@ void run(PathOptions options, const CLI::App& verb) {
   options.certify = options.certify || certificate;
   options.chain.read();
   if (options.chain.other) {
-    if (svg || certificate || options.certify || options.digits > 0 || !options.force.empty() || options.to != 0.5)
+    if (svg || certificate || options.certify || options.digits > 0 || !options.force.empty() ||
+        options.to != 0.5)
       throw Error(options.chain.path, "ends and loads of its own",
                   "--factor, --branches, --side, --step, --csv and --json alone");
     return run_other(options, outputs, csv, json);
   }
   if (options.factor != 0)
-    throw Error("--factor", "a chain with the ends and loads of the paper", "--to or --force, or loads in its file");
+    throw Error("--factor", "a chain with the ends and loads of the paper",
+                "--to or --force, or loads in its file");
   const proofs::PathTask task =
       proofs::path_task(options.chain.exact, load_of(options), options.step, options.side);
   const auto [report, located, certified] = follow(options, task);
@@ -141,9 +145,10 @@ void add_path(CLI::App& app) {
       ->expected(2)
       ->excludes(to)
       ->excludes(dy);
-  verb->add_option("--factor", options->factor,
-                   "Where the file says of other ends and loads: let its loads grow from 0 to F times what stands "
-                   "there")
+  verb->add_option(
+          "--factor", options->factor,
+          "Where the file says of other ends and loads: let its loads grow from 0 to F times what stands "
+          "there")
       ->type_name("F")
       ->check(number())
       ->excludes(to)

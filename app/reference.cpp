@@ -6,8 +6,8 @@
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "verify/reference/work.hpp"
 #include "support/work/journal.hpp"
+#include "verify/reference/work.hpp"
 
 namespace plumbline::app {
 namespace {

@@ -33,8 +33,10 @@ SpaceJoint<Rational> read_joint(const toml::node& node, const std::string& sourc
   const auto rest = table.contains("rest") ? number_list(table, "rest", source)
                                            : std::vector<Rational>(stiffness.size(), Rational(0));
   if (stiffness.size() != axes->size() || rest.size() != axes->size())
-    throw Error(where, std::to_string(stiffness.size()) + " stiffnesses and " + std::to_string(axes->size()) + " axes",
-                "as many");
+    throw Error(
+        where,
+        std::to_string(stiffness.size()) + " stiffnesses and " + std::to_string(axes->size()) + " axes",
+        "as many");
   SpaceJoint<Rational> joint;
   for (std::size_t a = 0; a < axes->size(); ++a) {
     const auto d = vector_of(*axes->get(a), where + ", axes");
@@ -54,7 +56,8 @@ void read_ends(const toml::table& table, const std::string& source, SpaceCase& s
   if (end == "free") {
     space.straight.end_point = {};
   } else if (end == "guided" || end == "clamped") {
-    for (const int coordinate : {1, 2}) space.setting.holds.push_back({n, coordinate, Restraint<Rational>::held()});
+    for (const int coordinate : {1, 2})
+      space.setting.holds.push_back({n, coordinate, Restraint<Rational>::held()});
     if (end == "clamped") {
       space.straight.end_point = clamped<Rational>();
       space.setting.directions = {1, 2};
@@ -75,7 +78,8 @@ void read_foundation(const toml::table& table, const std::string& source, SpaceC
   for (std::size_t i = 0; i < n; ++i) {
     const bool last = i + 1 == n;
     if (last && space.straight.end_point.across.is_held()) break;
-    const Rational share = bed * (space.chain.length[i] + (last ? Rational(0) : space.chain.length[i + 1])) / 2;
+    const Rational share =
+        bed * (space.chain.length[i] + (last ? Rational(0) : space.chain.length[i + 1])) / 2;
     const auto spring = Restraint<Rational>::sprung(share);
     (last ? space.straight.end_point.across : space.straight.across[i]) = spring;
     for (const int coordinate : {1, 2}) space.setting.holds.push_back({i + 1, coordinate, spring});
@@ -117,7 +121,8 @@ void read_loads(const toml::table& table, const std::string& source, SpaceCase& 
       space.words += ", " + load["torque"].value_or(std::string()) + " torque at the end point";
       return;
     }
-    if (load.contains("force") == load.contains("weight")) throw Error(where, "not one of force and weight", "one");
+    if (load.contains("force") == load.contains("weight"))
+      throw Error(where, "not one of force and weight", "one");
     const bool multiplied = !load["fixed"].value_or(false);
     if (load.contains("weight")) {
       auto half = vector_of(*load.get("weight"), where + ", weight");
@@ -132,7 +137,8 @@ void read_loads(const toml::table& table, const std::string& source, SpaceCase& 
     if (load.contains("at")) {
       const Rational joint = number_of(*load.get("at"), where + ", at");
       if (mp::denominator(joint) != 1 || joint < 2 || joint > n)
-        throw Error(where + ", at", "no joint from 2 to " + std::to_string(n), "one; without it the end point");
+        throw Error(where + ", at", "no joint from 2 to " + std::to_string(n),
+                    "one; without it the end point");
       at = joint.convert_to<std::size_t>() - 1;
     }
     add_force(space, at, vector_of(*load.get("force"), where + ", force"), multiplied);
@@ -148,7 +154,8 @@ bool is_space_chain(const std::string& text, const std::string& source) {
 
 SpaceCase parse_space_chain(const std::string& text, const std::string& source) {
   const toml::table table = parse_decimal_toml(text, source);
-  files::refuse_unknown_keys(table, {"lengths", "joints", "base", "end_point", "foundation", "loads"}, source);
+  files::refuse_unknown_keys(table, {"lengths", "joints", "base", "end_point", "foundation", "loads"},
+                             source);
   const toml::array* list = table["joints"].as_array();
   if (list == nullptr) throw Error(source, "no list joints", "one of tables with axes and stiffness");
   std::vector<SpaceJoint<Rational>> joints;
@@ -161,7 +168,11 @@ SpaceCase parse_space_chain(const std::string& text, const std::string& source) 
                       throw Error(source + ": " + error.what());
                     }
                   }(),
-                  {}, {}, {}, true, {}};
+                  {},
+                  {},
+                  {},
+                  true,
+                  {}};
   read_ends(table, source, space);
   read_foundation(table, source, space);
   read_loads(table, source, space);
@@ -172,7 +183,8 @@ BentStructure<double> bent_structure(const SpaceCase& space) {
   const auto one = [](const Rational& x) { return from_rational<double>(x); };
   SpaceSetting<double> setting;
   for (const auto& hold : space.setting.holds)
-    setting.holds.push_back({hold.node, hold.coordinate, {hold.restraint.hold, one(hold.restraint.stiffness)}});
+    setting.holds.push_back(
+        {hold.node, hold.coordinate, {hold.restraint.hold, one(hold.restraint.stiffness)}});
   for (const auto& force : space.setting.forces)
     setting.forces.push_back(
         {force.node, {one(force.force(0)), one(force.force(1)), one(force.force(2))}, force.multiplied});

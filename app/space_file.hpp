@@ -12,11 +12,11 @@ namespace plumbline::app {
 /// A chain in space with its ends and loads, exact.
 struct SpaceCase {
   SpaceChain<Rational> chain;
-  SpaceSetting<Rational> setting;  ///< for bent ones
-  SpaceLoad<Rational> straight;    ///< for the straight one
+  SpaceSetting<Rational> setting;    ///< for bent ones
+  SpaceLoad<Rational> straight;      ///< for the straight one
   std::optional<TorqueKind> torque;  ///< a unit torque at the end point, instead of forces
-  bool axial = true;               ///< whether all loads lie along x
-  std::string words;               ///< "base turns in joint 1, end point guided, …"
+  bool axial = true;                 ///< whether all loads lie along x
+  std::string words;                 ///< "base turns in joint 1, end point guided, …"
 };
 
 /// Whether the text is of a chain in space.

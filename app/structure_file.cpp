@@ -56,7 +56,8 @@ void read_support(const toml::table& table, const std::string& key, const std::s
   if (node->is_table()) {
     files::refuse_unknown_keys(*node->as_table(), {"along", "across", "turn"}, source);
     for (const auto& [name, restraint] :
-         {std::pair("along", &support.along), std::pair("across", &support.across), std::pair("turn", &support.turn)}) {
+         {std::pair("along", &support.along), std::pair("across", &support.across),
+          std::pair("turn", &support.turn)}) {
       if (const toml::node* said = node->as_table()->get(name))
         *restraint = read_restraint(*said, files::place(*said, source) + ": " + key + "." + name);
     }
@@ -95,7 +96,8 @@ void read_supports(const toml::table& table, const std::string& source, Structur
   for (const toml::node& item : *node->as_array()) {
     const toml::table& one = table_of(item, where, "a table { at = JOINT, across = … }");
     files::refuse_unknown_keys(one, {"at", "across"}, source);
-    if (!one.contains("at") || !one.contains("across")) throw Error(where, "one without at or across", "both");
+    if (!one.contains("at") || !one.contains("across"))
+      throw Error(where, "one without at or across", "both");
     const std::size_t node_number = place_of(*one.get("at"), where + ", at", structure.chain.size());
     if (node_number == structure.chain.size())
       throw Error(where, "one at the end point", "end_point = { across = … } for that");
@@ -147,10 +149,12 @@ void read_load(const toml::table& load, const std::string& source, const std::st
     structure.loads.push_back({node, {-size, 0}, multiplied, LoadKind::follower});
   } else if (load.contains("moment")) {
     if (!multiplied || node != n)
-      throw Error(where, "a moment that is fixed, or not at the end point", "one at the end point, multiplied");
+      throw Error(where, "a moment that is fixed, or not at the end point",
+                  "one at the end point, multiplied");
     structure.moment += number_of(*load.get("moment"), where + ", moment");
   } else {
-    if (load.contains("at")) throw Error(where, "a weight at a joint", "a force for that: weight is of links");
+    if (load.contains("at"))
+      throw Error(where, "a weight at a joint", "a force for that: weight is of links");
     const auto weight = numbers(load, "weight", source, n);
     const Point<Rational> d = direction_of(load, source);
     for (std::size_t link = 1; link <= n; ++link)
@@ -190,7 +194,8 @@ std::string words(const Support<Rational>& support, bool base, const Chain<Ratio
   return text;
 }
 
-RodEnd rod_end(const toml::table& table, const std::string& key, const std::string& source, RodEnd otherwise) {
+RodEnd rod_end(const toml::table& table, const std::string& key, const std::string& source,
+               RodEnd otherwise) {
   const toml::node* node = table.get(key);
   if (node == nullptr) return otherwise;
   const std::string kind = word(*node);
@@ -198,7 +203,8 @@ RodEnd rod_end(const toml::table& table, const std::string& key, const std::stri
   if (kind == "clamped") return RodEnd::clamped;
   if (kind == "free" && key == "end_point") return RodEnd::free;
   throw Error(files::place(*node, source) + ": " + key, files::shown(kind),
-              key == "base" ? "\"pinned\" or \"clamped\", for a beam" : "\"pinned\", \"clamped\" or \"free\", for a beam");
+              key == "base" ? "\"pinned\" or \"clamped\", for a beam"
+                            : "\"pinned\", \"clamped\" or \"free\", for a beam");
 }
 
 Rational positive(const toml::table& table, const std::string& key, const std::string& where) {
@@ -217,11 +223,13 @@ Structure<Rational> read_beam(const toml::table& table, const std::string& sourc
   const toml::table& said = table_of(node, where, "{ EI = 1, length = 1, links = 20 }");
   files::refuse_unknown_keys(said, {"E", "I", "EI", "length", "links"}, source);
   for (const char* key : {"lengths", "stiffness", "link_length", "joint_stiffness", "rest"}) {
-    if (table.contains(key)) throw Error(where, std::string("beside ") + key, "one of the two: a beam has its own");
+    if (table.contains(key))
+      throw Error(where, std::string("beside ") + key, "one of the two: a beam has its own");
   }
   if (said.contains("EI") == (said.contains("E") || said.contains("I")))
     throw Error(where, "not one of EI and E with I", "EI, or both E and I");
-  beam.EI = said.contains("EI") ? positive(said, "EI", where) : positive(said, "E", where) * positive(said, "I", where);
+  beam.EI = said.contains("EI") ? positive(said, "EI", where)
+                                : positive(said, "E", where) * positive(said, "I", where);
   const Rational length = positive(said, "length", where), links = positive(said, "links", where);
   if (mp::denominator(links) != 1 || links > 1000000)
     throw Error(where + ".links", files::shown(word(*said.get("links"))), "a whole number up to a million");
@@ -273,8 +281,10 @@ std::string case_of(const Structure<Rational>& structure) {
     fixed = fixed || !load.multiplied;
   }
   if (follower) text += ", follower force";
-  if (dead == std::set<std::size_t>{n}) text += ", dead force at the end point";
-  else if (!dead.empty()) text += ", dead forces at " + std::to_string(dead.size()) + " joints";
+  if (dead == std::set<std::size_t>{n})
+    text += ", dead force at the end point";
+  else if (!dead.empty())
+    text += ", dead forces at " + std::to_string(dead.size()) + " joints";
   if (structure.moment != 0) text += ", moment at the end point";
   if (fixed) text += ", some of it fixed";
   return text;

@@ -18,10 +18,14 @@ const char* name_of(BentEventKind kind) {
 }
 const char* name_of(BentEnd end) {
   switch (end) {
-    case BentEnd::factor: return "end of the loads";
-    case BentEnd::closed: return "closed";
-    case BentEnd::stuck: return "could not be followed further";
-    default: return "as many points as are allowed";
+    case BentEnd::factor:
+      return "end of the loads";
+    case BentEnd::closed:
+      return "closed";
+    case BentEnd::stuck:
+      return "could not be followed further";
+    default:
+      return "as many points as are allowed";
   }
 }
 
@@ -42,10 +46,11 @@ void each(const BentBranch<double>& branch, const Row& row) {
   }
 }
 
-std::string line(const BentStructure<double>& model, const BentPoint<double>& point, const std::string& note) {
+std::string line(const BentStructure<double>& model, const BentPoint<double>& point,
+                 const std::string& note) {
   const Eigen::Vector3d p = end_point(model, point);
-  return fmt::format("{:12.6g} {:11.6f} {:11.6f} {:11.6f} {:12.6g}  {:<14}{}\n", point.factor, p(0), p(1), p(2),
-                     model.potential(point.x, point.factor), type_of(point), note);
+  return fmt::format("{:12.6g} {:11.6f} {:11.6f} {:11.6f} {:12.6g}  {:<14}{}\n", point.factor, p(0), p(1),
+                     p(2), model.potential(point.x, point.factor), type_of(point), note);
 }
 
 nlohmann::ordered_json to_json(const BentStructure<double>& model, const BentPoint<double>& point) {
@@ -63,11 +68,13 @@ std::string as_text(const NamedModel& chain, const proofs::StructurePath& path) 
   std::string text = fmt::format("{}: {} links, {}\n", chain.name, chain.model.chain().size(), chain.words);
   for (std::size_t b = 0; b < path.branches.size(); ++b) {
     const BentBranch<double>& branch = path.branches[b];
-    text += fmt::format("\n{} {}: {}\n{:>12} {:>11} {:>11} {:>11} {:>12}  {}\n", path.history ? "stretch" : "branch",
-                        b + 1, name_of(branch.end), "factor", "x", "y", "z", "energy", "equilibrium");
+    text += fmt::format("\n{} {}: {}\n{:>12} {:>11} {:>11} {:>11} {:>12}  {}\n",
+                        path.history ? "stretch" : "branch", b + 1, name_of(branch.end), "factor", "x", "y",
+                        "z", "energy", "equilibrium");
     const std::size_t stride = std::max<std::size_t>(1, branch.points.size() / 12);
     each(branch, [&](std::size_t i, const BentPoint<double>& point, const std::string& note) {
-      if (!note.empty() || i % stride == 0 || i + 1 == branch.points.size()) text += line(chain.model, point, note);
+      if (!note.empty() || i % stride == 0 || i + 1 == branch.points.size())
+        text += line(chain.model, point, note);
     });
   }
   return text;
@@ -112,12 +119,14 @@ nlohmann::ordered_json as_json(const NamedModel& chain, const proofs::StructureP
 std::string as_text(const NamedModel& chain, double factor, const std::vector<BentPoint<double>>& found,
                     std::size_t starts) {
   std::string text = fmt::format(
-      "{}: {} links, {}; loads times {}\n{} equilibria, by energy; found from {} random shapes: there may be others\n",
+      "{}: {} links, {}; loads times {}\n{} equilibria, by energy; found from {} random shapes: there may be "
+      "others\n",
       chain.name, chain.model.chain().size(), chain.words, factor, found.size(), starts);
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Eigen::Vector3d p = end_point(chain.model, found[i]);
-    text += fmt::format("\n{:3}  {}, energy {:.12g}\n     end point {:.12g}, {:.12g}, {:.12g}\n     angles    ", i + 1,
-                        type_of(found[i]), chain.model.potential(found[i].x, factor), p(0), p(1), p(2));
+    text +=
+        fmt::format("\n{:3}  {}, energy {:.12g}\n     end point {:.12g}, {:.12g}, {:.12g}\n     angles    ",
+                    i + 1, type_of(found[i]), chain.model.potential(found[i].x, factor), p(0), p(1), p(2));
     const auto q = chain.model.angles(found[i].x);
     for (std::size_t j = 0; j < q.size(); ++j) text += fmt::format("{}{:.12g}", j > 0 ? ", " : "", q[j]);
     text += "\n";
@@ -129,7 +138,11 @@ nlohmann::ordered_json as_json(const NamedModel& chain, double factor,
                                const std::vector<BentPoint<double>>& found) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const auto& point : found) list.push_back(to_json(chain.model, point));
-  return {{"chain", chain.name}, {"case", chain.words}, {"factor", factor}, {"complete", false}, {"equilibria", list}};
+  return {{"chain", chain.name},
+          {"case", chain.words},
+          {"factor", factor},
+          {"complete", false},
+          {"equilibria", list}};
 }
 
 namespace {
@@ -151,21 +164,21 @@ std::vector<std::string> certain_angles(const proofs::StructureEquilibrium& one)
 }  // namespace
 
 std::string as_text(const NamedModel& chain, double factor, const proofs::StructureCensus& census) {
-  std::string text = fmt::format("{}: {} links, {}; loads times {}\n{} equilibria, by energy; {} ({} boxes searched)\n",
-                                 chain.name, chain.model.chain().size(), chain.words, factor,
-                                 census.equilibria.size(),
-                                 census.complete() ? "certified: these are all in the window"
-                                                   : "certified, but for the undecided boxes",
-                                 census.boxes);
+  std::string text = fmt::format(
+      "{}: {} links, {}; loads times {}\n{} equilibria, by energy; {} ({} boxes searched)\n", chain.name,
+      chain.model.chain().size(), chain.words, factor, census.equilibria.size(),
+      census.complete() ? "certified: these are all in the window" : "certified, but for the undecided boxes",
+      census.boxes);
   text += fmt::format("window: each joint within {:.4f} rad of its rest", census.widest_turn);
   if (census.largest_force > 0)
     text += fmt::format(", the force across the end point up to {:.6g}", census.largest_force);
   text += "\n";
   for (std::size_t i = 0; i < census.equilibria.size(); ++i) {
     const auto& one = census.equilibria[i];
-    text += fmt::format("\n{:3}  {}, energy {}\n     end point {}, {}; force across it {}\n     angles    {}\n", i + 1,
-                        type_of(one), certain(one.energy), certain(one.x), certain(one.y), certain(one.across),
-                        fmt::join(certain_angles(one), ", "));
+    text +=
+        fmt::format("\n{:3}  {}, energy {}\n     end point {}, {}; force across it {}\n     angles    {}\n",
+                    i + 1, type_of(one), certain(one.energy), certain(one.x), certain(one.y),
+                    certain(one.across), fmt::join(certain_angles(one), ", "));
   }
   for (const auto& box : census.undecided) {
     text += "\nundecided: joint angles in";
@@ -175,7 +188,8 @@ std::string as_text(const NamedModel& chain, double factor, const proofs::Struct
   return text;
 }
 
-nlohmann::ordered_json as_json(const NamedModel& chain, double factor, const proofs::StructureCensus& census) {
+nlohmann::ordered_json as_json(const NamedModel& chain, double factor,
+                               const proofs::StructureCensus& census) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array(), undecided = list;
   for (const auto& one : census.equilibria)
     list.push_back({{"type", type_of(one)},

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Paths and equilibria of chains with other ends and loads, in the plane and in space, as text, CSV and JSON.
+/// Paths and equilibria of chains with other ends and loads, in the plane and in space, as text, CSV and
+/// JSON.
 
 #include <nlohmann/json.hpp>
 #include <string>

@@ -14,7 +14,7 @@ using Ranges = std::vector<Span>;  ///< of the unknowns: directions of links tha
 constexpr std::size_t most_boxes = 4000000, most_undecided = 1000, most_turning = 10;
 constexpr double smallest = 1e-7;
 constexpr double half_turn = 3.1415926535897936;  // above pi
-constexpr double uneven = 0.4876543;  // where a box is halved: no symmetric shape lies there
+constexpr double uneven = 0.4876543;              // where a box is halved: no symmetric shape lies there
 
 Span enclosed(const Rational& x) {
   return Span(Interval(x));
@@ -27,8 +27,10 @@ class StructureBox {
       : n_(structure.chain.size()), held_(structure.end_point.across.is_held()) {
     structure.require_sound();
     if (structure.follower()) throw Error("load", "a follower force, which has no energy", "dead loads");
-    if (!structure.base.across.is_held() || !structure.base.along.is_held() || !structure.end_point.along.is_free())
-      throw Error("census", "a base that moves, or an end point held along", "a base that is held, an end point that is not held along");
+    if (!structure.base.across.is_held() || !structure.base.along.is_held() ||
+        !structure.end_point.along.is_free())
+      throw Error("census", "a base that moves, or an end point held along",
+                  "a base that is held, an end point that is not held along");
     Span direction(0), reach(0);
     const double turn = (1 + 2 * turns) * half_turn;
     for (std::size_t i = 0; i < n_; ++i) {
@@ -47,7 +49,8 @@ class StructureBox {
     fixed_.assign(n_, false);
     fixed_.front() = structure.base.turn.is_held();
     fixed_.back() = fixed_.back() || structure.end_point.turn.is_held();
-    if (structure.end_point.turn.hold == Hold::sprung) end_turn_ = enclosed(structure.end_point.turn.stiffness);
+    if (structure.end_point.turn.hold == Hold::sprung)
+      end_turn_ = enclosed(structure.end_point.turn.stiffness);
     moment_ = enclosed(structure.moment * factor);
     fx_.assign(n_, Span(0)), fy_.assign(n_, Span(0));
     for (const Load<Rational>& load : structure.loads) {
@@ -61,7 +64,8 @@ class StructureBox {
       if (!fixed_[i]) unknown_.push_back(i);
     }
     if (unknown_.size() > most_turning)
-      throw Error("census", std::to_string(unknown_.size()) + " links that turn", "at most " + std::to_string(most_turning));
+      throw Error("census", std::to_string(unknown_.size()) + " links that turn",
+                  "at most " + std::to_string(most_turning));
     bound_force(reach);
     y_rest_ = place_across(slack_, n_);
   }
@@ -166,8 +170,8 @@ class StructureBox {
   void bound_force(const Span& reach) {
     double moment = moment_.magnitude() + (end_turn_ * Span(half_turn)).magnitude();
     for (std::size_t i = 0; i < n_; ++i)
-      moment += (stiffness_[i] * turn_[i]).magnitude() + (length_[i] * fx_[i]).magnitude() + (length_[i] * fy_[i]).magnitude() +
-                (spring_[i] * reach * reach).magnitude();
+      moment += (stiffness_[i] * turn_[i]).magnitude() + (length_[i] * fx_[i]).magnitude() +
+                (length_[i] * fy_[i]).magnitude() + (spring_[i] * reach * reach).magnitude();
     largest_force_ = held_ ? 100 * moment / reach.low : 0;
   }
 
@@ -346,7 +350,8 @@ StructureCensus take_census(const Structure<Rational>& structure, const Rational
   std::vector<Ranges> open{system.everything()}, found;
   while (!open.empty()) {
     if (++census.boxes > most_boxes)
-      throw Error("census", "no end after " + std::to_string(most_boxes) + " boxes", "fewer links, or a smaller load");
+      throw Error("census", "no end after " + std::to_string(most_boxes) + " boxes",
+                  "fewer links, or a smaller load");
     Ranges box = std::move(open.back());
     open.pop_back();
     if (!system.contract(box)) continue;

@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "support/files/sha256.hpp"
 #include "proofs/exact/decimal.hpp"
 #include "proofs/exact/exact_chain.hpp"
 #include "proofs/exact/exact_list.hpp"
+#include "support/files/sha256.hpp"
 
 namespace plumbline::proofs {
 namespace {

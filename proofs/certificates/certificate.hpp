@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Certificates that need none of our code to check, in the format of proofs/certificates/certificate-format.md.
+/// Certificates that need none of our code to check, in the format of
+/// proofs/certificates/certificate-format.md.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>

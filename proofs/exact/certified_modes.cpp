@@ -53,7 +53,8 @@ bool round_alike(const CertifiedModes& modes) {
 
 }  // namespace
 
-CertifiedModes certify(const StraightChain<Rational>& chain, std::size_t forces, std::size_t shapes, int digits) {
+CertifiedModes certify(const StraightChain<Rational>& chain, std::size_t forces, std::size_t shapes,
+                       int digits) {
   CertifiedModes modes{digits, {}, {}, {}};
   for (int spare = shapes > 0 ? 8 : 0;; spare += spare / 2 + 8) {
     modes.forces = enclose_critical_forces(chain, forces, digits + spare);

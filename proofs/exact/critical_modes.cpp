@@ -89,7 +89,8 @@ ShapeInLanes shape_in_digits(const Mode<Mpfr>& mode, const Mode<Mpfr>& with_more
 }
 
 /// The shapes of the lowest modes, all in numbers of as many digits as tell their order.
-std::vector<ShapeInLanes> shapes_in_digits(const StraightChain<Rational>& chain, std::size_t lowest, int digits) {
+std::vector<ShapeInLanes> shapes_in_digits(const StraightChain<Rational>& chain, std::size_t lowest,
+                                           int digits) {
   for (int working_digits = digits + 30;; working_digits *= 2) {
     const auto modes = modes_with(working_digits, chain, lowest);
     const auto again = modes_with(working_digits + 20, chain, lowest);
@@ -156,7 +157,8 @@ std::optional<std::vector<ShapeInLanes>> shapes_mostly_in_lanes(const StraightCh
 
 }  // namespace
 
-std::vector<CriticalMode> modes_in_decimals(const StraightChain<Rational>& chain, std::size_t lowest, int digits) {
+std::vector<CriticalMode> modes_in_decimals(const StraightChain<Rational>& chain, std::size_t lowest,
+                                            int digits) {
   std::vector<CriticalMode> modes = forces_in_decimals(chain, lowest, digits);
   std::optional<std::vector<ShapeInLanes>> shapes;
   if (chain.chain.size() >= long_chain) shapes = shapes_mostly_in_lanes(chain, lowest, digits);
@@ -169,7 +171,8 @@ std::vector<CriticalMode> modes_in_decimals(const StraightChain<Rational>& chain
   return modes;
 }
 
-std::vector<CriticalMode> forces_in_decimals(const StraightChain<Rational>& chain, std::size_t lowest, int digits) {
+std::vector<CriticalMode> forces_in_decimals(const StraightChain<Rational>& chain, std::size_t lowest,
+                                             int digits) {
   std::vector<CriticalMode> modes;
   for (const ForceEnclosure& force : enclose_critical_forces(chain, lowest, digits)) {
     const std::string text = rounded(force, chain, digits);

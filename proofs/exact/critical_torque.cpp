@@ -12,7 +12,8 @@ CriticalTorque critical_torque(const SpaceChain<Rational>& chain, const SpaceLoa
                 "ends, springs and stiffnesses that hold it");
   const PositiveRoots roots(pencil_determinant(pencil.stiffness, -pencil.torque));
   const auto root = roots.next(0);
-  if (!root) throw Error("load", "a torque that bends the straight chain at no value", "joints about two axes");
+  if (!root)
+    throw Error("load", "a torque that bends the straight chain at no value", "joints about two axes");
   return {narrowed(*root, digits, [&](const Rational& torque) { return roots.reached(*root, torque); }),
           pencil.conservative};
 }

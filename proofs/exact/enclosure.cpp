@@ -13,7 +13,8 @@ namespace {
 
 /// Roots to so many digits from those to a third of them, and so on down to what double leads to: a run with
 /// three derivatives makes more than three times as many digits right, and the last one costs most.
-detail::RootsOfPieces<Mpfr> roots_in_steps(const StraightChain<Rational>& chain, std::size_t lowest, int digits) {
+detail::RootsOfPieces<Mpfr> roots_in_steps(const StraightChain<Rational>& chain, std::size_t lowest,
+                                           int digits) {
   constexpr int few = 80, lost = 8;
   if (digits <= few) {
     const WorkingPrecision precision(digits);
@@ -51,8 +52,8 @@ std::vector<Mpfr> forces_in_steps(const StraightChain<Rational>& chain, std::siz
 
 }  // namespace
 
-std::vector<ForceEnclosure> enclose_critical_forces(const StraightChain<Rational>& chain,
-                                                    std::size_t lowest, int digits) {
+std::vector<ForceEnclosure> enclose_critical_forces(const StraightChain<Rational>& chain, std::size_t lowest,
+                                                    int digits) {
   const ExactCount count(chain);
   FoundForces found(std::min(lowest, mode_count(chain.chain)), digits,
                     [&](const std::vector<Rational>& forces) { return count.below(forces); });

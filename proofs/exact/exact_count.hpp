@@ -7,10 +7,10 @@
 ///
 ///     t = D z_{i+1} M_i - P L_i h_i;   h_{i+1} = D z_i k_{i+1} h_i + z_{i+1} t,   M_{i+1} = k_{i+1} t.
 ///
-/// With a free end point all z are one (straight_chain.hpp). No common factor is ever sought, which is what exact fractions spend their time on; still the integers
-/// grow along the chain, and a count costs O(n^2) operations on words. They decide what is left open by
-/// counts in rounded arithmetic on either side of the force, of more and more digits: where these agree,
-/// theorem "Rounded counts" makes them the exact count.
+/// With a free end point all z are one (straight_chain.hpp). No common factor is ever sought, which is what
+/// exact fractions spend their time on; still the integers grow along the chain, and a count costs O(n^2)
+/// operations on words. They decide what is left open by counts in rounded arithmetic on either side of the
+/// force, of more and more digits: where these agree, theorem "Rounded counts" makes them the exact count.
 
 #include <plumbline/straight/straight_chain.hpp>
 #include <vector>

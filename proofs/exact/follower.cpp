@@ -73,9 +73,10 @@ StabilityLoss first_of_steps(const StraightMotion<Rational>& motion, int digits)
     const auto lost = [&](const Rational& factor) { return motion_at(motion, factor) != Motion::stable; };
     return loss_in(motion, narrowed({(i - 1) * step, i * step}, digits, lost), false);
   }
-  throw Error("loads", "none that was found to make the straight line unstable up to the factor " +
-                           to_decimal(most * step, 6),
-              "a follower force that does");
+  throw Error(
+      "loads",
+      "none that was found to make the straight line unstable up to the factor " + to_decimal(most * step, 6),
+      "a follower force that does");
 }
 
 }  // namespace

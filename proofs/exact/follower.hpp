@@ -24,10 +24,10 @@ Motion motion_at(const StraightMotion<Rational>& motion, const Rational& factor)
 
 /// The loss of stability: stable at low, not at high.
 struct StabilityLoss {
-  Motion kind;          ///< what sets in
-  Rational low, high;   ///< around the factor at which it does, to the digits that were asked for
-  std::string factor;   ///< as a decimal, rounded to nearest
-  bool first;           ///< whether it is proved that the line is stable at every factor below
+  Motion kind;         ///< what sets in
+  Rational low, high;  ///< around the factor at which it does, to the digits that were asked for
+  std::string factor;  ///< as a decimal, rounded to nearest
+  bool first;          ///< whether it is proved that the line is stable at every factor below
 };
 
 /// Up to so many unknowns the first loss is found among all roots of det(K - factor A) and of the

@@ -16,7 +16,8 @@ Rational beyond_all_roots(const Polynomial& p) {
 
 }  // namespace
 
-PositiveRoots::PositiveRoots(Polynomial p) : p_(trimmed(std::move(p))), sturm_(p_), end_(beyond_all_roots(p_)) {}
+PositiveRoots::PositiveRoots(Polynomial p)
+    : p_(trimmed(std::move(p))), sturm_(p_), end_(beyond_all_roots(p_)) {}
 
 std::optional<RootBracket> PositiveRoots::next(const Rational& from) const {
   RootBracket bracket{from, end_};

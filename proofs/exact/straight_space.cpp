@@ -99,7 +99,8 @@ std::vector<SpaceMode> StraightSpace::in_decimals(std::size_t lowest, int digits
     }
     const auto first = std::find_if(modes[m].q.begin(), modes[m].q.end(),
                                     [&](double q) { return std::abs(q) > 1e-12 * largest; });
-    for (double& q : modes[m].q) q = std::abs(q) < 1e-15 * largest ? 0 : q / (*first < 0 ? -largest : largest);
+    for (double& q : modes[m].q)
+      q = std::abs(q) < 1e-15 * largest ? 0 : q / (*first < 0 ? -largest : largest);
   }
   return modes;
 }

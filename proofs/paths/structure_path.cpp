@@ -7,8 +7,7 @@ namespace plumbline::proofs {
 namespace {
 
 BentPoint<double> unloaded(BentTracer<double>& tracer, const BentStructure<double>& model) {
-  const auto found =
-      tracer.solver().at_factor(model.rest(), 0, Vector<double>::Constant(model.held(), 0.0));
+  const auto found = tracer.solver().at_factor(model.rest(), 0, Vector<double>::Constant(model.held(), 0.0));
   return found && found->negative_directions == 0 ? *found : tracer.solver().settle(model.rest(), 0);
 }
 
@@ -55,9 +54,8 @@ StructurePath follow_all(const BentStructure<double>& model, const StructureTask
   while (!starts.empty() && path.branches.size() < most) {
     const auto [start, growing] = starts.front();
     starts.pop_front();
-    const bool known = std::any_of(path.branches.begin(), path.branches.end(), [&](const auto& branch) {
-      return on(branch, start, task.last);
-    });
+    const bool known = std::any_of(path.branches.begin(), path.branches.end(),
+                                   [&](const auto& branch) { return on(branch, start, task.last); });
     if (known) continue;
     BentBranch<double> branch = tracer.run(start, growing);
     if (branch.end == BentEnd::stuck) path.warnings.emplace_back("a branch could not be followed to its end");
@@ -88,7 +86,8 @@ std::vector<BentPoint<double>> find_equilibria(const BentStructure<double>& mode
         x(i) += turn * (2.0 * static_cast<double>(random() >> 11) / 9007199254740992.0 - 1);
     }
     const auto point = solver.at_factor(x, factor, none);
-    if (point && (point->x - rest).cwiseAbs().maxCoeff() <= turn && is_new(found, *point)) found.push_back(*point);
+    if (point && (point->x - rest).cwiseAbs().maxCoeff() <= turn && is_new(found, *point))
+      found.push_back(*point);
   }
   std::stable_sort(found.begin(), found.end(), [&](const auto& a, const auto& b) {
     return model.potential(a.x, factor) < model.potential(b.x, factor);

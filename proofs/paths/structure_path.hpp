@@ -10,16 +10,16 @@ namespace plumbline::proofs {
 
 /// What was followed, and what of it cannot be trusted to be complete.
 struct StructurePath {
-  bool history;                              ///< stretches of what really happens, in order; else branches
+  bool history;  ///< stretches of what really happens, in order; else branches
   std::vector<BentBranch<double>> branches;
   std::vector<std::string> warnings;
 };
 
 /// How it is followed.
 struct StructureTask {
-  double last;    ///< the factor grows from 0 to here
-  double step;    ///< longest way between points, in radians
-  int side = 1;   ///< where a symmetric structure buckles
+  double last;   ///< the factor grows from 0 to here
+  double step;   ///< longest way between points, in radians
+  int side = 1;  ///< where a symmetric structure buckles
 };
 
 /// What the slowly loaded structure does, from its unloaded shape: fixed loads are there from the beginning.

@@ -22,11 +22,14 @@ BentStructure<double> random_structure() {
   for (SpaceJoint<double>& joint : joints) {
     length.push_back(random_hundredths(1, 3));
     for (int axes = *rc::gen::inRange(1, 4); axes > 0; --axes)
-      joint.axes.push_back({{random_number(), random_number(), random_number()}, random_hundredths(0, 3), random_number()});
+      joint.axes.push_back(
+          {{random_number(), random_number(), random_number()}, random_hundredths(0, 3), random_number()});
   }
   SpaceSetting<double> setting;
-  setting.holds = {{n, 1, Restraint<double>::held()}, {n, 2, Restraint<double>::held()},
-                   {1, 1, Restraint<double>::sprung(1.5)}, {n, 0, Restraint<double>::sprung(0.75)}};
+  setting.holds = {{n, 1, Restraint<double>::held()},
+                   {n, 2, Restraint<double>::held()},
+                   {1, 1, Restraint<double>::sprung(1.5)},
+                   {n, 0, Restraint<double>::sprung(0.75)}};
   setting.forces = {{n, {-1, 0.25, 0.5}, true}, {1, {0.5, -1, 0.25}, false}};
   setting.slides = {{0, 0, Restraint<double>::sprung(2)}};
   setting.directions = {1};
@@ -51,7 +54,8 @@ TEST_CASE("gradient and Hessian of a chain in space are the derivatives of its e
     const double factor = random_number(), h = 1e-5;
     BentExpansion<double> at, ahead, behind;
     model.expand(x, factor, multiplier, at);
-    // central differences err by h^2 of third derivatives, and by rounding over h: forces and angles of order 10
+    // central differences err by h^2 of third derivatives, and by rounding over h: forces and angles of order
+    // 10
     const double slack = 1e-6;
     for (Eigen::Index i = 0; i < x.size(); ++i) {
       Vector<double> more = x, less = x;
@@ -61,8 +65,10 @@ TEST_CASE("gradient and Hessian of a chain in space are the derivatives of its e
       const double rise = model.potential(more, factor) - multiplier.dot(ahead.held) -
                           model.potential(less, factor) + multiplier.dot(behind.held);
       RC_ASSERT(std::abs(rise / (2 * h) - at.gradient(i)) < slack);
-      RC_ASSERT(((ahead.gradient - behind.gradient) / (2 * h) - at.hessian.col(i)).cwiseAbs().maxCoeff() < slack);
-      RC_ASSERT(((ahead.held - behind.held) / (2 * h) - at.held_gradient.col(i)).cwiseAbs().maxCoeff() < slack);
+      RC_ASSERT(((ahead.gradient - behind.gradient) / (2 * h) - at.hessian.col(i)).cwiseAbs().maxCoeff() <
+                slack);
+      RC_ASSERT(((ahead.held - behind.held) / (2 * h) - at.held_gradient.col(i)).cwiseAbs().maxCoeff() <
+                slack);
     }
   });
 }
@@ -120,7 +126,8 @@ TEST_CASE("a chain of universal joints in space buckles towards its weaker side"
   SpaceSetting<double> setting;
   setting.holds = {{3, 1, Restraint<double>::held()}, {3, 2, Restraint<double>::held()}};
   setting.forces = {{3, {-1, 0, 0}, true}};
-  const BentStructure<double> model(SpaceChain<double>({1, 1, 1}, {universal, universal, universal}), setting);
+  const BentStructure<double> model(SpaceChain<double>({1, 1, 1}, {universal, universal, universal}),
+                                    setting);
   const double critical = lowest_critical_force(Chain<double>({1, 1, 1}, {1, 1, 1}));
   const BentLimits<double> limits{0, 2 * critical};
   BentTracer<double> tracer(model, limits);

@@ -26,7 +26,8 @@ TEST_CASE("a cantilever of a million links has its lowest force to the last digi
   REQUIRE(form);
   const double half = std::acos(-1.0) / (2.0 * (2.0 * static_cast<double>(n) + 1));
   // a few units in the last place, growing like the square root of n in practice: lowest_force.test.cpp
-  CHECK(lowest_critical_force(form->straight()) == close_to(4 * std::sin(half) * std::sin(half)).epsilon(1e-12));
+  CHECK(lowest_critical_force(form->straight()) ==
+        close_to(4 * std::sin(half) * std::sin(half)).epsilon(1e-12));
 }
 
 TEST_CASE("a heavy cantilever of a million links tends to the column of 7.837 EI / L^3") {
@@ -36,7 +37,8 @@ TEST_CASE("a heavy cantilever of a million links tends to the column of 7.837 EI
   const auto form = string_form(structure);
   REQUIRE(form);
   const double bars = static_cast<double>(n), factor = lowest_critical_force(form->straight());
-  // k = EI / l, weight 1 a link: factor L^3 / EI = factor n^3; the base has k where a rod has 2 k: off by O(1 / n)
+  // k = EI / l, weight 1 a link: factor L^3 / EI = factor n^3; the base has k where a rod has 2 k: off by O(1
+  // / n)
   CHECK(factor * bars * bars * bars == close_to(7.837347).epsilon(1e-5));
 }
 

@@ -2,5 +2,5 @@
 #include "tests/fuzz/target.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
-  return offer(bytes, size, [](const std::string& text) { plumbline::app::parse_chain(text, "f"); });
+  return offer(bytes, size, [](const std::string& text) { plumbline::app::parse_structure(text, "f"); });
 }

@@ -4,13 +4,13 @@
 
 #include <plumbline/straight/buckling_mode.hpp>
 
-#include "support/files/sha256.hpp"
-#include "proofs/exact/decimal.hpp"
 #include "proofs/certificates/equilibria_certificate.hpp"
-#include "proofs/exact/exactly.hpp"
 #include "proofs/certificates/path_certificate.hpp"
-#include "proofs/exact/working_precision.hpp"
 #include "proofs/certificates/structure_certificate.hpp"
+#include "proofs/exact/decimal.hpp"
+#include "proofs/exact/exactly.hpp"
+#include "proofs/exact/working_precision.hpp"
+#include "support/files/sha256.hpp"
 #include "verify/reference/loaded.hpp"
 #include "verify/reference/structures.hpp"
 #include "verify/reference/texts.hpp"

@@ -63,8 +63,10 @@ void add_ends(Cases& cases, std::size_t n) {
   if (n > 1) cases.add_compressed("fixed-fixed", with_ends(n, "fixed-fixed"));
   if (n > 3) cases.add_compressed("clamped-clamped", with_ends(n, "clamped-clamped"));
   cases.add_compressed("rod-clamped-free", rod<Rational>(1, 1, n, RodEnd::clamped, RodEnd::free));
-  if (n > 1) cases.add_compressed("rod-clamped-pinned", rod<Rational>(1, 1, n, RodEnd::clamped, RodEnd::pinned));
-  if (n > 1) cases.add_compressed("rod-clamped-clamped", rod<Rational>(1, 1, n, RodEnd::clamped, RodEnd::clamped));
+  if (n > 1)
+    cases.add_compressed("rod-clamped-pinned", rod<Rational>(1, 1, n, RodEnd::clamped, RodEnd::pinned));
+  if (n > 1)
+    cases.add_compressed("rod-clamped-clamped", rod<Rational>(1, 1, n, RodEnd::clamped, RodEnd::clamped));
 }
 
 void add_springs_and_loads(Cases& cases, std::size_t n) {
@@ -127,11 +129,14 @@ void add_random(Cases& cases, const std::string& name, std::uint64_t seed) {
     structure.end_point.across = random_restraint(draw, true);
     structure.end_point.turn = random_restraint(draw, true);
     for (std::size_t i = 1; i < n; ++i)
-      structure.across.push_back(draw.whole(0, 3) == 0 ? random_restraint(draw, true) : Restraint<Rational>());
+      structure.across.push_back(draw.whole(0, 3) == 0 ? random_restraint(draw, true)
+                                                       : Restraint<Rational>());
     for (int load = draw.whole(1, 3); load > 0; --load)
       structure.loads.push_back(
-          {draw.count(1, n), {draw.whole(0, 3) == 0 ? draw.decimal(-1, 0) : Rational(-draw.decimal(-1, 1)), 0},
-           draw.whole(0, 4) > 0, LoadKind::dead});
+          {draw.count(1, n),
+           {draw.whole(0, 3) == 0 ? draw.decimal(-1, 0) : Rational(-draw.decimal(-1, 1)), 0},
+           draw.whole(0, 4) > 0,
+           LoadKind::dead});
     try {
       const proofs::StraightStructure sound(structure);
       return cases.add(name, structure, modes_of(n));
@@ -172,7 +177,8 @@ StructureEntry structure_entry(const StructureCase& one) {
     const proofs::StraightStructure straight(one.structure);
     certificate =
         proofs::structure_certificate(one.name, one.structure, straight, one.modes, reference_digits);
-    for (const auto& mode : straight.in_decimals(one.modes, reference_digits, false)) factors.push_back(mode.force);
+    for (const auto& mode : straight.in_decimals(one.modes, reference_digits, false))
+      factors.push_back(mode.force);
   }
   json entry = certificate;
   entry.erase("factors");

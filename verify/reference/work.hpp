@@ -2,10 +2,10 @@
 /// \file
 /// The reference values as work that many share.
 
+#include "support/work/work_list.hpp"
 #include "verify/reference/loaded.hpp"
 #include "verify/reference/set.hpp"
 #include "verify/reference/structures.hpp"
-#include "support/work/work_list.hpp"
 
 namespace plumbline::verify {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Branches of equilibria of a bent structure as the factor of its loads grows: pseudo-arclength continuation,
-/// with stability, folds and bifurcations.
+/// Branches of equilibria of a bent structure as the factor of its loads grows: pseudo-arclength
+/// continuation, with stability, folds and bifurcations.
 
 #include <plumbline/space/bent_equilibrium.hpp>
 
@@ -13,8 +13,8 @@ enum class BentEventKind { fold, bifurcation };
 template <Number Real>
 struct BentEvent {
   BentEventKind kind;
-  std::size_t before;     ///< the event lies before the point of this number
-  BentPoint<Real> point;  ///< where it is
+  std::size_t before;      ///< the event lies before the point of this number
+  BentPoint<Real> point;   ///< where it is
   Vector<Real> direction;  ///< at a bifurcation, in which the structure can move at no change of the factor
 };
 
@@ -30,8 +30,9 @@ struct BentBranch {
 /// How far a branch is followed, and in what steps.
 template <Number Real>
 struct BentLimits {
-  Real from, to;                      ///< factors
-  Real longest = Real(1) / Real(20);  ///< step: root mean square turn of the axes in radians, and share of `to`
+  Real from, to;  ///< factors
+  Real longest =
+      Real(1) / Real(20);  ///< step: root mean square turn of the axes in radians, and share of `to`
   std::size_t points = 20000;
 };
 
@@ -162,8 +163,8 @@ class BentTracer {
       if (high - low < Real(64) * epsilon<Real>()) break;
     }
     const auto kind = turned ? BentEventKind::fold : BentEventKind::bifurcation;
-    branch.events.push_back({kind, branch.points.size(), at,
-                             turned ? Vector<Real>() : solver_.weakest_direction(at)});
+    branch.events.push_back(
+        {kind, branch.points.size(), at, turned ? Vector<Real>() : solver_.weakest_direction(at)});
   }
 
   BentSolver<Real> solver_;
@@ -190,7 +191,8 @@ std::vector<BentBranch<Real>> load_slowly(BentTracer<Real>& tracer, BentPoint<Re
     if (!lost) return history;
     BentPoint<Real> last = branch.events.empty() ? branch.points.back() : branch.events.back().point;
     Vector<Real> way = tracer.solver().weakest_direction(last);
-    const auto first = std::find_if(way.begin(), way.end(), [](const Real& x) { return x > Real(1e-6) || x < Real(-1e-6); });
+    const auto first =
+        std::find_if(way.begin(), way.end(), [](const Real& x) { return x > Real(1e-6) || x < Real(-1e-6); });
     if (first != way.end() && (*first < Real(0)) != (side < 0)) way = -way;
     const Real factor = last.factor + nudge * nudge * limits.to;
     if (factor > limits.to) return history;

@@ -26,10 +26,10 @@ namespace plumbline {
 template <Number Real>
 struct BentPoint {
   Real factor;
-  Vector<Real> x;           ///< the model's unknowns
-  Vector<Real> multiplier;  ///< forces and moments that hold what is held
+  Vector<Real> x;                       ///< the model's unknowns
+  Vector<Real> multiplier;              ///< forces and moments that hold what is held
   std::size_t negative_directions = 0;  ///< in which the energy falls, of those that what is held permits
-  Vector<Real> tangent_x;      ///< of the branch through it; with
+  Vector<Real> tangent_x;               ///< of the branch through it; with
   Vector<Real> tangent_multiplier;
   Real tangent_factor{0};  ///< of length one in the branch's measure
 };
@@ -48,8 +48,8 @@ class BentSolver {
   };
   /// A change that keeps the factor.
   [[nodiscard]] Row keep_factor() const {
-    return {Vector<Real>::Constant(model_->size(), Real(0)), Vector<Real>::Constant(model_->held(), Real(0)), Real(1),
-            Real(0)};
+    return {Vector<Real>::Constant(model_->size(), Real(0)), Vector<Real>::Constant(model_->held(), Real(0)),
+            Real(1), Real(0)};
   }
 
   /// The equilibrium near a point that satisfies row . (change from there) = right. Nothing where Newton's
@@ -112,7 +112,8 @@ class BentSolver {
       damping /= Real(2);
       if (damping < stiffest / Real(1000)) {
         const auto rest = at_factor(x, factor, multiplier);
-        if (rest && rest->negative_directions == 0 && (rest->x - x).cwiseAbs().maxCoeff() < longest) return *rest;
+        if (rest && rest->negative_directions == 0 && (rest->x - x).cwiseAbs().maxCoeff() < longest)
+          return *rest;
       }
     }
     throw Error("flow", "no stable equilibrium within 5000 steps", "a structure that comes to rest");

@@ -29,23 +29,23 @@ struct SpaceSetting {
     Place force;
     bool multiplied;
   };
-  std::vector<Hold> holds;            ///< of nodes 1 … n
-  std::vector<Hold> slides;           ///< of the base: coordinates that are not held there
-  std::vector<Force> forces;          ///< dead
-  std::vector<int> directions;        ///< coordinates of the last link's direction that are held
-  Restraint<Real> turn;               ///< of the last link, where all axes are along z
-  Real moment{0};                     ///< at the end point, about z, multiplied, where all axes are along z
-  bool base_clamped = false;          ///< joint 1 does not turn
+  std::vector<Hold> holds;      ///< of nodes 1 … n
+  std::vector<Hold> slides;     ///< of the base: coordinates that are not held there
+  std::vector<Force> forces;    ///< dead
+  std::vector<int> directions;  ///< coordinates of the last link's direction that are held
+  Restraint<Real> turn;         ///< of the last link, where all axes are along z
+  Real moment{0};               ///< at the end point, about z, multiplied, where all axes are along z
+  bool base_clamped = false;    ///< joint 1 does not turn
 };
 
 /// A model at one shape: everything to second order.
 template <Number Real>
 struct BentExpansion {
-  Real energy;               ///< of springs, less what fixed loads have done
-  Vector<Real> gradient;     ///< of the energy at the factor
-  Vector<Real> load;         ///< minus its derivative by the factor: what a unit of the factor does
-  Matrix<Real> hessian;      ///< of the energy, less the multipliers' part of what is held
-  Vector<Real> held;         ///< how far what is held is from where it is to be
+  Real energy;                 ///< of springs, less what fixed loads have done
+  Vector<Real> gradient;       ///< of the energy at the factor
+  Vector<Real> load;           ///< minus its derivative by the factor: what a unit of the factor does
+  Matrix<Real> hessian;        ///< of the energy, less the multipliers' part of what is held
+  Vector<Real> held;           ///< how far what is held is from where it is to be
   Matrix<Real> held_gradient;  ///< a row for each
   std::vector<Eigen::Matrix<Real, 3, 1>> place;  ///< of nodes 0 … n
 };
@@ -62,8 +62,8 @@ class BentStructure {
     for (std::size_t i = 0; i < chain_.size(); ++i) {
       for (const Axis<Real>& axis : chain_.joint[i].axes) {
         const Place d(axis.direction[0], axis.direction[1], axis.direction[2]);
-        axes_.push_back({d / sqrt(d.dot(d)), axis.stiffness, axis.rest, i,
-                         !(i == 0 && setting_.base_clamped)});
+        axes_.push_back(
+            {d / sqrt(d.dot(d)), axis.stiffness, axis.rest, i, !(i == 0 && setting_.base_clamped)});
       }
     }
     for (std::size_t a = 0; a < axes_.size(); ++a) {
@@ -82,7 +82,8 @@ class BentStructure {
   [[nodiscard]] Eigen::Index held() const {
     const auto of_nodes = std::count_if(setting_.holds.begin(), setting_.holds.end(),
                                         [](const auto& hold) { return hold.restraint.is_held(); });
-    return of_nodes + static_cast<Eigen::Index>(setting_.directions.size()) + (setting_.turn.is_held() ? 1 : 0);
+    return of_nodes + static_cast<Eigen::Index>(setting_.directions.size()) +
+           (setting_.turn.is_held() ? 1 : 0);
   }
   /// The unknowns where all springs are slack.
   [[nodiscard]] Vector<Real> rest() const {
@@ -110,7 +111,8 @@ class BentStructure {
     at.held_gradient.resize(held(), size());
     at.energy = Real(0);
     springs(x, at);
-    std::vector<Place> pull(k.place.size(), Place::Constant(Real(0)));  // on each node, all that has a potential
+    std::vector<Place> pull(k.place.size(),
+                            Place::Constant(Real(0)));  // on each node, all that has a potential
     for (const auto& force : setting_.forces) {
       const Real share = force.multiplied ? factor : Real(1);
       pull[force.node] += share * force.force;
@@ -151,9 +153,9 @@ class BentStructure {
     bool turns;
   };
   struct Kinematics {
-    std::vector<Place> place;      ///< of nodes 0 … n
-    std::vector<Place> axis;       ///< of all axes, as they are turned
-    Place direction;               ///< of the last link
+    std::vector<Place> place;  ///< of nodes 0 … n
+    std::vector<Place> axis;   ///< of all axes, as they are turned
+    Place direction;           ///< of the last link
   };
 
   [[nodiscard]] Kinematics kinematics(const Vector<Real>& x) const {
@@ -191,7 +193,8 @@ class BentStructure {
     for (std::size_t f = 0; f < free_.size(); ++f) {
       const TurningAxis& axis = axes_[free_[f]];
       if (axis.joint < node)
-        g(static_cast<Eigen::Index>(f)) = k.axis[free_[f]].dot((k.place[node] - k.place[axis.joint]).cross(force));
+        g(static_cast<Eigen::Index>(f)) =
+            k.axis[free_[f]].dot((k.place[node] - k.place[axis.joint]).cross(force));
     }
     for (std::size_t s = 0; s < setting_.slides.size(); ++s)
       g(static_cast<Eigen::Index>(free_.size() + s)) = force(setting_.slides[s].coordinate);
@@ -222,8 +225,9 @@ class BentStructure {
     }
   }
 
-  void hold_node(const Kinematics& k, const typename SpaceSetting<Real>::Hold& hold, const Vector<Real>& multiplier,
-                 BentExpansion<Real>& at, std::vector<Place>& pull, Eigen::Index& row) const {
+  void hold_node(const Kinematics& k, const typename SpaceSetting<Real>::Hold& hold,
+                 const Vector<Real>& multiplier, BentExpansion<Real>& at, std::vector<Place>& pull,
+                 Eigen::Index& row) const {
     Place e = Place::Constant(Real(0));
     e(hold.coordinate) = Real(1);
     const Real off = k.place[hold.node](hold.coordinate) - rest_place_[hold.node](hold.coordinate);
@@ -282,7 +286,8 @@ class BentStructure {
         if (node < n) P += beyond * (k.place[node + 1] - k.place[node]).transpose();
         beyond += pull[node];
       }
-      const Eigen::Matrix<Real, 3, 3> about = P + beyond * (k.place[outer.joint + 1] - k.place[outer.joint]).transpose();
+      const Eigen::Matrix<Real, 3, 3> about =
+          P + beyond * (k.place[outer.joint + 1] - k.place[outer.joint]).transpose();
       const Real trace = about.trace();
       const Place along = about.transpose() * k.axis[free_[f]];
       for (std::size_t g = 0; g <= f; ++g) {
@@ -311,7 +316,8 @@ BentStructure<Real> bent_structure(const Structure<Real>& structure) {
   const std::size_t n = structure.chain.size();
   std::vector<SpaceJoint<Real>> joints;
   for (std::size_t i = 0; i < n; ++i)
-    joints.push_back({{{{Real(0), Real(0), Real(1)}, structure.chain.stiffness()[i], structure.chain.rest()[i]}}});
+    joints.push_back(
+        {{{{Real(0), Real(0), Real(1)}, structure.chain.stiffness()[i], structure.chain.rest()[i]}}});
   SpaceSetting<Real> setting;
   const auto add = [&](auto& list, std::size_t node, int coordinate, const Restraint<Real>& restraint) {
     list.push_back({node, coordinate, restraint});
@@ -328,7 +334,8 @@ BentStructure<Real> bent_structure(const Structure<Real>& structure) {
   setting.turn = structure.end_point.turn;
   setting.moment = structure.moment;
   setting.base_clamped = structure.base.turn.is_held();
-  return BentStructure<Real>(SpaceChain<Real>(structure.chain.length(), std::move(joints)), std::move(setting));
+  return BentStructure<Real>(SpaceChain<Real>(structure.chain.length(), std::move(joints)),
+                             std::move(setting));
 }
 
 }  // namespace plumbline

@@ -44,14 +44,16 @@ struct SpaceChain {
       throw Error("joints", std::to_string(joint.size()) + " of them", "one for each link, one or more");
     for (std::size_t i = 0; i < size(); ++i) {
       const std::string number = std::to_string(i + 1);
-      if (!(length[i] > Real(0))) throw Error("lengths, entry " + number, "a value that is not positive", "a length");
+      if (!(length[i] > Real(0)))
+        throw Error("lengths, entry " + number, "a value that is not positive", "a length");
       if (joint[i].axes.empty() || joint[i].axes.size() > 3)
         throw Error("joint " + number, std::to_string(joint[i].axes.size()) + " axes", "one to three");
       for (const Axis<Real>& axis : joint[i].axes) {
         const auto& d = axis.direction;
         if (d[0] == Real(0) && d[1] == Real(0) && d[2] == Real(0))
           throw Error("joint " + number, "an axis without a direction", "a vector that is not zero");
-        if (axis.stiffness < Real(0)) throw Error("joint " + number, "a negative stiffness", "zero or positive");
+        if (axis.stiffness < Real(0))
+          throw Error("joint " + number, "a negative stiffness", "zero or positive");
       }
     }
   }

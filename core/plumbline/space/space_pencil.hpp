@@ -5,9 +5,9 @@
 ///
 /// To second order in the joint angles q the link j leans by t_j = sum of q a x e over the axes a up to it, e
 /// along the chain, and shortens the chain by L_j t_j^2 / 2, in whatever order a joint's axes are turned
-/// about. So K = diag(k) and G = sum N_j L_j t_j^T t_j, on the q that what holds the end point permits; twist,
-/// a along e, does not enter. An axis of length |a| stands for the spring k |a|^2, so that any decimals are
-/// directions.
+/// about. So K = diag(k) and G = sum N_j L_j t_j^T t_j, on the q that what holds the end point permits;
+/// twist, a along e, does not enter. An axis of length |a| stands for the spring k |a|^2, so that any
+/// decimals are directions.
 
 #include <plumbline/space/space_chain.hpp>
 #include <plumbline/structure/support.hpp>
@@ -18,8 +18,8 @@ namespace plumbline {
 template <Number Real>
 struct SpacePencil {
   Matrix<Real> stiffness, load;
-  Matrix<Real> basis;                  ///< a row for each axis that is not along the chain
-  std::vector<std::size_t> axis;       ///< the axis of each row, counted over all joints
+  Matrix<Real> basis;             ///< a row for each axis that is not along the chain
+  std::vector<std::size_t> axis;  ///< the axis of each row, counted over all joints
   [[nodiscard]] Matrix<Real> at(const Real& factor) const { return stiffness - factor * load; }
 };
 
@@ -27,8 +27,8 @@ struct SpacePencil {
 /// is clamped.
 template <Number Real>
 struct SpaceLoad {
-  std::vector<Real> compression;    ///< N_1 … N_n at factor 1
-  bool base_clamped = false;        ///< link 1 does not turn
+  std::vector<Real> compression;             ///< N_1 … N_n at factor 1
+  bool base_clamped = false;                 ///< link 1 does not turn
   Support<Real> end_point = guided<Real>();  ///< alike in both directions; `turn` free or held
   std::vector<Restraint<Real>> across;       ///< at joints 2 … n, alike in both directions; may be empty
 };
@@ -60,7 +60,8 @@ Matrix<Real> null_space(Matrix<Real> C) {
   for (Eigen::Index column = 0, next = 0; column < columns; ++column) {
     if (std::find(pivots.begin(), pivots.end(), column) != pivots.end()) continue;
     basis(column, next) = Real(1);
-    for (Eigen::Index row = 0; row < rank; ++row) basis(pivots[static_cast<std::size_t>(row)], next) = -C(row, column);
+    for (Eigen::Index row = 0; row < rank; ++row)
+      basis(pivots[static_cast<std::size_t>(row)], next) = -C(row, column);
     ++next;
   }
   return basis;

@@ -128,8 +128,7 @@ Mode<Real> mode_of(const StraightChain<Real>& straight, const StringPiece<Real>&
   const Chain<Real>& chain = straight.chain;
   std::vector<Real> q = joint_angles(straight, string, force);
   Real fy(0);
-  if (straight.end_point == EndPoint::guided)
-    fy = -(chain.stiffness()[0] / distance_to_end(chain)[0] * q[0]);
+  if (straight.end_point == EndPoint::guided) fy = -(chain.stiffness()[0] / distance_to_end(chain)[0] * q[0]);
   Real largest = abs(fy), squares(0);
   for (const Real& angle : q) largest = std::max(largest, Real(abs(angle)));
   for (const Real& angle : q) squares += (angle / largest) * (angle / largest);

@@ -17,9 +17,9 @@ namespace plumbline {
 /// M w'' + (K - factor A) w = 0.
 template <Number Real>
 struct StraightMotion {
-  Matrix<Real> stiffness;   ///< K, symmetric
-  Matrix<Real> load;        ///< A
-  std::vector<Real> mass;   ///< the diagonal of M
+  Matrix<Real> stiffness;             ///< K, symmetric
+  Matrix<Real> load;                  ///< A
+  std::vector<Real> mass;             ///< the diagonal of M
   std::vector<Eigen::Index> unknown;  ///< of each node, -1 for one that is held
 };
 
@@ -57,7 +57,8 @@ StraightMotion<Real> straight_motion(const Structure<Real>& structure) {
     if (i >= 0) motion.mass[static_cast<std::size_t>(i)] += mass[node - 1];
   }
   if (!std::all_of(motion.mass.begin(), motion.mass.end(), [](const Real& m) { return m > Real(0); }))
-    throw Error("masses", "a place without a mass that can move", "a positive mass at each joint and the end point");
+    throw Error("masses", "a place without a mass that can move",
+                "a positive mass at each joint and the end point");
   for (const Load<Real>& load : structure.loads) {
     const Eigen::Index at = pencil.unknown[load.node], before = pencil.unknown[load.node - 1];
     if (load.kind != LoadKind::follower || at < 0) continue;

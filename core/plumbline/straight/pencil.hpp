@@ -18,9 +18,9 @@ namespace plumbline {
 /// K - factor G.
 template <Number Real>
 struct StraightPencil {
-  Band<Real, 2> stiffness;                 ///< K: springs and fixed loads
-  Band<Real, 2> load;                      ///< G: loads that the factor multiplies
-  std::vector<Eigen::Index> unknown;       ///< of each node, -1 for one that is held
+  Band<Real, 2> stiffness;            ///< K: springs and fixed loads
+  Band<Real, 2> load;                 ///< G: loads that the factor multiplies
+  std::vector<Eigen::Index> unknown;  ///< of each node, -1 for one that is held
 
   [[nodiscard]] Eigen::Index size() const { return stiffness.cols(); }
   /// The matrix at a factor.
@@ -81,7 +81,8 @@ template <Ordered Real>
 StraightPencil<Real> straight_pencil(const Structure<Real>& structure) {
   structure.require_sound();
   if (structure.follower())
-    throw Error("load", "a follower force, which has no energy", "dead forces: the symmetric pencil is theirs");
+    throw Error("load", "a follower force, which has no energy",
+                "dead forces: the symmetric pencil is theirs");
   const auto [fixed, multiplied] = compression(structure);
   const Chain<Real>& chain = structure.chain;
   const std::size_t n = chain.size();

@@ -120,7 +120,8 @@ namespace plumbline {
 /// The lowest positive eigenvalues of a pencil whose K is positive definite, ascending, each as often as it
 /// occurs. \param modes  how many there are: kind_of()
 template <Floating Real>
-std::vector<Real> critical_factors(const StraightPencil<Real>& pencil, std::size_t lowest, std::size_t modes) {
+std::vector<Real> critical_factors(const StraightPencil<Real>& pencil, std::size_t lowest,
+                                   std::size_t modes) {
   if (modes == 0) return {};
   return detail::roots_by_brackets(detail::SweptPencil<Real>{pencil, modes}, lowest);
 }

@@ -24,8 +24,8 @@ enum class EndPoint {
 /// a length without meaning. In a mode, the last angle is then that of the ground against the last link.
 template <Number Real>
 struct StraightChain {
-  const Chain<Real>& chain;            ///< lengths and stiffnesses
-  EndPoint end_point;  ///< what it may do
+  const Chain<Real>& chain;  ///< lengths and stiffnesses
+  EndPoint end_point;        ///< what it may do
 
   /// With the end point guided, as in the paper.
   StraightChain(const Chain<Real>& guided) : StraightChain(guided, EndPoint::guided) {}  // NOLINT
@@ -33,8 +33,7 @@ struct StraightChain {
 
   /// The lever arms z_1 … z_n.
   [[nodiscard]] std::vector<Real> arms() const {
-    return end_point == EndPoint::guided ? distance_to_end(chain)
-                                         : std::vector<Real>(chain.size(), Real(1));
+    return end_point == EndPoint::guided ? distance_to_end(chain) : std::vector<Real>(chain.size(), Real(1));
   }
 };
 

@@ -60,23 +60,22 @@ std::optional<StringForm<Real>> string_form(const Structure<Real>& structure) {
   const auto is_zero = [](const Real& x) { return x == Real(0); };
   const bool on_joints = std::any_of(structure.across.begin(), structure.across.end(),
                                      [](const Restraint<Real>& r) { return !r.is_free(); });
-  if (structure.follower() || on_joints || !structure.base.across.is_held() ||
-      structure.base.along.is_free())
+  if (structure.follower() || on_joints || !structure.base.across.is_held() || structure.base.along.is_free())
     return std::nullopt;
   const auto [fixed, N] = compression(structure);
   if (!std::all_of(fixed.begin(), fixed.end(), is_zero)) return std::nullopt;
   const std::size_t first = structure.base.turn.is_held() ? 1 : 0;
   const Support<Real>& end = structure.end_point;
   if (end.across.is_held()) {
-    const bool even = N[0] > Real(0) && std::all_of(N.begin(), N.end(), [&](const Real& x) { return x == N[0]; });
+    const bool even =
+        N[0] > Real(0) && std::all_of(N.begin(), N.end(), [&](const Real& x) { return x == N[0]; });
     if (!even || !end.turn.is_free() || n < first + 2) return std::nullopt;
     return detail::guided_form(structure, N[0], first);
   }
   if (!end.across.is_free()) return std::nullopt;
   const auto pushed = static_cast<std::size_t>(
       std::find_if(N.begin(), N.end(), [](const Real& x) { return !(x > Real(0)); }) - N.begin());
-  const bool rest_unloaded =
-      std::all_of(N.begin() + static_cast<std::ptrdiff_t>(pushed), N.end(), is_zero);
+  const bool rest_unloaded = std::all_of(N.begin() + static_cast<std::ptrdiff_t>(pushed), N.end(), is_zero);
   const bool all_loaded = pushed == n;
   if (!rest_unloaded || (!all_loaded && !end.turn.is_free())) return std::nullopt;
   for (std::size_t i = pushed; i < n; ++i) {

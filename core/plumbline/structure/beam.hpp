@@ -3,8 +3,8 @@
 /// A rod as a chain: Hencky's bars, each as long as the others, whose joints bend like the rod between the
 /// middles of two bars.
 ///
-/// A joint stands for the piece of rod around it, half a bar to either side: k = E I / l, l = length / n. At a
-/// clamped end there is half a bar alone, whose stiffness is 2 E I / l: a clamp that held the first bar
+/// A joint stands for the piece of rod around it, half a bar to either side: k = E I / l, l = length / n. At
+/// a clamped end there is half a bar alone, whose stiffness is 2 E I / l: a clamp that held the first bar
 /// itself would leave the rod half a bar too stiff, one with k half a bar too soft. With these ends the
 /// discrete problem is the rod's with second differences for second derivatives, so that under an end force P
 ///

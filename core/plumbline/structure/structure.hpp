@@ -37,13 +37,13 @@ struct Load {
 /// require_sound() first.
 template <Number Real>
 struct Structure {
-  Chain<Real> chain;                                ///< its links and springs; joint 1 is at the base
-  Support<Real> base = pinned<Real>();              ///< `turn` is free (k_1 holds link 1) or held (clamped)
-  Support<Real> end_point = guided<Real>();         ///< `turn` is of link n against the ground
-  std::vector<Restraint<Real>> across;              ///< at nodes 1 … n - 1; none where it is empty
-  std::vector<Load<Real>> loads;                    ///< all of them
-  std::vector<Real> mass;                           ///< at nodes 1 … n, for motion; empty where none is given
-  Real moment{0};                                   ///< at the end point, turning from x to y, multiplied
+  Chain<Real> chain;                         ///< its links and springs; joint 1 is at the base
+  Support<Real> base = pinned<Real>();       ///< `turn` is free (k_1 holds link 1) or held (clamped)
+  Support<Real> end_point = guided<Real>();  ///< `turn` is of link n against the ground
+  std::vector<Restraint<Real>> across;       ///< at nodes 1 … n - 1; none where it is empty
+  std::vector<Load<Real>> loads;             ///< all of them
+  std::vector<Real> mass;                    ///< at nodes 1 … n, for motion; empty where none is given
+  Real moment{0};                            ///< at the end point, turning from x to y, multiplied
 
   explicit Structure(Chain<Real> of) : chain(std::move(of)) {}
 

@@ -35,7 +35,8 @@ double limit(double at_n, double at_twice) {
 
 Structure<Rational> heavy_rod(std::size_t n) {
   Structure<Rational> structure = rod<Rational>(1, 1, n, RodEnd::clamped, RodEnd::free);
-  for (std::size_t link = 1; link <= n; ++link) structure.add_weight(link, {Rational(-1, static_cast<long>(n)), 0});
+  for (std::size_t link = 1; link <= n; ++link)
+    structure.add_weight(link, {Rational(-1, static_cast<long>(n)), 0});
   return structure;
 }
 
@@ -51,12 +52,14 @@ Structure<Rational> beck(std::size_t n) {
 
 }  // namespace
 
-TEST_CASE("Euler's columns: 1/4, 1, 2.0457, 4 times pi^2 EI / L^2, approached as n^-2 with the known constant") {
+TEST_CASE(
+    "Euler's columns: 1/4, 1, 2.0457, 4 times pi^2 EI / L^2, approached as n^-2 with the known constant") {
   // Timoshenko and Gere, Theory of Elastic Stability, 1961, 2.1 to 2.3; fixed and pinned: tan u = u, 4.4934^2
   for (const std::size_t n : {4u, 7u, 20u}) {
     const double bars = static_cast<double>(n);
     const auto exactly = [&](double rod) {
-      return doctest::Approx(4 * bars * bars * std::pow(std::sin(std::sqrt(rod) / (2 * bars)), 2)).epsilon(1e-12);
+      return doctest::Approx(4 * bars * bars * std::pow(std::sin(std::sqrt(rod) / (2 * bars)), 2))
+          .epsilon(1e-12);
     };
     CHECK(rod_in_bars(n, RodEnd::clamped, RodEnd::free) == exactly(pi * pi / 4));
     CHECK(rod_in_bars(n, RodEnd::pinned, RodEnd::pinned) == exactly(pi * pi));
@@ -64,12 +67,14 @@ TEST_CASE("Euler's columns: 1/4, 1, 2.0457, 4 times pi^2 EI / L^2, approached as
   }
   const double pinned = rod_in_bars(20, RodEnd::pinned, RodEnd::pinned);
   CHECK(rod_force(pinned, 1.0, 1.0 / 20) == doctest::Approx(pi * pi).epsilon(1e-5));
-  const double fixed_pinned =
-      limit(rod_in_bars(40, RodEnd::clamped, RodEnd::pinned), rod_in_bars(80, RodEnd::clamped, RodEnd::pinned));
+  const double fixed_pinned = limit(rod_in_bars(40, RodEnd::clamped, RodEnd::pinned),
+                                    rod_in_bars(80, RodEnd::clamped, RodEnd::pinned));
   CHECK(fixed_pinned == doctest::Approx(20.1907).epsilon(5e-6));  // left: (20.19 / 12 / 40^2)^2, 1e-6
 }
 
-TEST_CASE("a column under its own weight: 7.837 EI / L^3 per unit length, Greenhill 1881; Timoshenko and Gere 2.12") {
+TEST_CASE(
+    "a column under its own weight: 7.837 EI / L^3 per unit length, Greenhill 1881; Timoshenko and Gere "
+    "2.12") {
   const double at_limit = limit(lowest(heavy_rod(40)), lowest(heavy_rod(80)));
   CHECK(at_limit == doctest::Approx(7.837347).epsilon(1e-6));
 }
@@ -105,7 +110,9 @@ TEST_CASE("Beck's column: flutter at 20.05 EI / L^2 as n grows" * doctest::test_
   CHECK(limit(coarse, fine) == doctest::Approx(20.05).epsilon(2.5e-4));
 }
 
-TEST_CASE("a force that follows the last link of a chain whose end point is guided has no flutter, but divergence") {
+TEST_CASE(
+    "a force that follows the last link of a chain whose end point is guided has no flutter, but "
+    "divergence") {
   Structure<Rational> structure{Chain<Rational>({1, 1, 1}, {0, 1, 1})};
   structure.loads.push_back({3, {-1, 0}, true, LoadKind::follower});
   const auto loss = stability_loss(straight_motion(structure), 20);
@@ -115,14 +122,17 @@ TEST_CASE("a force that follows the last link of a chain whose end point is guid
   CHECK(loss.high >= 1);
 }
 
-TEST_CASE("a column on an elastic bed buckles in m half-waves: pi^2 (m^2 + b / (m^2 pi^4)), Timoshenko and Gere 2.10") {
+TEST_CASE(
+    "a column on an elastic bed buckles in m half-waves: pi^2 (m^2 + b / (m^2 pi^4)), Timoshenko and Gere "
+    "2.10") {
   const auto column = [](const Rational& bed, std::size_t n) {
     Structure<Rational> structure = rod<Rational>(1, 1, n, RodEnd::pinned, RodEnd::pinned);
     structure.add_compression();
     structure.add_foundation(bed);
     return structure;
   };
-  for (const auto& [m, bed] : {std::pair(1, 100), std::pair(2, 1500), std::pair(3, 8000), std::pair(4, 20000)}) {
+  for (const auto& [m, bed] :
+       {std::pair(1, 100), std::pair(2, 1500), std::pair(3, 8000), std::pair(4, 20000)}) {
     // b between (m - 1)^2 m^2 pi^4 and m^2 (m + 1)^2 pi^4 makes m half-waves the fewest in force
     const double b = bed, square = m * m * pi * pi;
     const double expected = square + b / square;
@@ -133,14 +143,16 @@ TEST_CASE("a column on an elastic bed buckles in m half-waves: pi^2 (m^2 + b / (
     int waves = 1;
     std::vector<double> w;
     for (const double angle : q) w.push_back(deflection += slope += angle);
-    for (std::size_t i = 1; i + 1 < w.size(); ++i) waves += (w[i] > 0) != (w[i - 1] > 0) && std::abs(w[i]) > 1e-9 ? 1 : 0;
+    for (std::size_t i = 1; i + 1 < w.size(); ++i)
+      waves += (w[i] > 0) != (w[i - 1] > 0) && std::abs(w[i]) > 1e-9 ? 1 : 0;
     CHECK(waves == m);
   }
 }
 
 TEST_CASE("elastic end restraints: the chain of bars tends to the column of the transcendental equation") {
-  // Wang, Zhang, Gao, Duan, Challamel, Hencky bar-chain model for buckling and vibration of beams with elastic
-  // end restraints, Int. J. Struct. Stab. Dyn. 15 (2015) 1540007: an end spring C in series with half a bar
+  // Wang, Zhang, Gao, Duan, Challamel, Hencky bar-chain model for buckling and vibration of beams with
+  // elastic end restraints, Int. J. Struct. Stab. Dyn. 15 (2015) 1540007: an end spring C in series with half
+  // a bar
   const auto bars = [](std::size_t n, const Rational& c) {
     Structure<Rational> structure = rod<Rational>(1, 1, n, RodEnd::clamped, RodEnd::pinned);
     auto stiffness = structure.chain.stiffness();
@@ -174,7 +186,8 @@ SpaceChain<Rational> universal_rod(std::size_t n) {
 
 }  // namespace
 
-TEST_CASE("a shaft under an end torque, its ends pinned: 2 pi EI / L, Greenhill 1883; Timoshenko and Gere 2.21") {
+TEST_CASE(
+    "a shaft under an end torque, its ends pinned: 2 pi EI / L, Greenhill 1883; Timoshenko and Gere 2.21") {
   const SpaceLoad<Rational> pinned;
   const auto torque = [&](std::size_t n, TorqueKind kind) {
     return std::stod(critical_torque(universal_rod(n), pinned, kind, 15).value.decimal);
@@ -183,10 +196,12 @@ TEST_CASE("a shaft under an end torque, its ends pinned: 2 pi EI / L, Greenhill 
     const double bars = static_cast<double>(n);  // of n bars: 2 k sin(pi / n), k = n EI / L
     CHECK(torque(n, TorqueKind::axial) == doctest::Approx(2 * bars * std::sin(pi / bars)).epsilon(1e-13));
   }
-  CHECK(limit(torque(6, TorqueKind::axial), torque(12, TorqueKind::axial)) == doctest::Approx(2 * pi).epsilon(1e-3));
+  CHECK(limit(torque(6, TorqueKind::axial), torque(12, TorqueKind::axial)) ==
+        doctest::Approx(2 * pi).epsilon(1e-3));
 }
 
-TEST_CASE("which torques have an energy: the semitangential one, and each where the end's direction is held") {
+TEST_CASE(
+    "which torques have an energy: the semitangential one, and each where the end's direction is held") {
   SpaceLoad<Rational> ends;
   CHECK(!critical_torque(universal_rod(4), ends, TorqueKind::axial, 10).conservative);
   CHECK(!critical_torque(universal_rod(4), ends, TorqueKind::tangential, 10).conservative);
@@ -196,7 +211,8 @@ TEST_CASE("which torques have an energy: the semitangential one, and each where 
   for (const TorqueKind kind : {TorqueKind::axial, TorqueKind::tangential, TorqueKind::semitangential}) {
     const auto found = critical_torque(universal_rod(5), ends, kind, 20);
     CHECK(found.conservative);
-    CHECK(found.value.decimal == critical_torque(universal_rod(5), ends, TorqueKind::axial, 20).value.decimal);
+    CHECK(found.value.decimal ==
+          critical_torque(universal_rod(5), ends, TorqueKind::axial, 20).value.decimal);
   }
 }
 

@@ -26,7 +26,8 @@ std::vector<Rational> random_decimals(std::size_t n, int low) {
 Restraint<Rational> random_restraint(bool may_be_held) {
   const int kind = *rc::gen::inRange(0, may_be_held ? 4 : 3);
   if (kind == 3) return Restraint<Rational>::held();
-  return kind == 2 ? Restraint<Rational>::sprung(Rational(*rc::gen::inRange(1, 300), 100)) : Restraint<Rational>();
+  return kind == 2 ? Restraint<Rational>::sprung(Rational(*rc::gen::inRange(1, 300), 100))
+                   : Restraint<Rational>();
 }
 
 /// Any ends, supports and dead loads along a chain of up to seven links.
@@ -47,8 +48,10 @@ Structure<Rational> random_structure() {
   const int loads = *rc::gen::inRange(1, 4);
   for (int l = 0; l < loads; ++l) {
     const auto node = static_cast<std::size_t>(*rc::gen::inRange(1, static_cast<int>(n) + 1));
-    structure.loads.push_back({node, {Rational(*rc::gen::inRange(-300, 100), 100), 0},
-                               *rc::gen::inRange(0, 4) > 0, LoadKind::dead});
+    structure.loads.push_back({node,
+                               {Rational(*rc::gen::inRange(-300, 100), 100), 0},
+                               *rc::gen::inRange(0, 4) > 0,
+                               LoadKind::dead});
   }
   return structure;
 }
@@ -84,12 +87,14 @@ std::vector<Mpfr50> dense_factors(const Structure<Rational>& exact) {
     for (const auto& load : structure.loads) {
       if (load.node < j + 1) continue;
       const Mpfr50 push = -load.force.x * structure.chain.length()[j];
-      (load.multiplied ? G : K) += (load.multiplied ? push : Mpfr50(-push)) * (slope(i) * slope(i).transpose());
+      (load.multiplied ? G : K) +=
+          (load.multiplied ? push : Mpfr50(-push)) * (slope(i) * slope(i).transpose());
     }
   }
   const Matrix<Mpfr50> held_rows = held.topRows(rows);
   const Eigen::FullPivLU<Matrix<Mpfr50>> lu(held_rows);
-  const Matrix<Mpfr50> N = rows == 0 ? Matrix<Mpfr50>(Matrix<Mpfr50>::Identity(n + 1, n + 1)) : Matrix<Mpfr50>(lu.kernel());
+  const Matrix<Mpfr50> N =
+      rows == 0 ? Matrix<Mpfr50>(Matrix<Mpfr50>::Identity(n + 1, n + 1)) : Matrix<Mpfr50>(lu.kernel());
   const Matrix<Mpfr50> k = N.transpose() * K * N, g = N.transpose() * G * N;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix<Mpfr50>> solver(g, k);
   std::vector<Mpfr50> factors;
@@ -135,7 +140,8 @@ TEST_CASE("the string and the pencil of one structure count the same") {
     structure.end_point = *rc::gen::inRange(0, 2) == 0 && n > 1 ? guided<Rational>() : Support<Rational>();
     if (!structure.end_point.across.is_held() && *rc::gen::inRange(0, 2) == 0) {
       structure.end_point.turn = random_restraint(n > 1);
-      for (std::size_t link = 1; link <= n; ++link) structure.add_weight(link, {Rational(-*rc::gen::inRange(1, 9), 4), 0});
+      for (std::size_t link = 1; link <= n; ++link)
+        structure.add_weight(link, {Rational(-*rc::gen::inRange(1, 9), 4), 0});
     } else {
       structure.add_compression();
     }
@@ -152,7 +158,8 @@ TEST_CASE("shapes by the string and by the pencil agree") {
   Structure<Rational> structure{Chain<Rational>({1, 2, 1, Rational(1, 2)}, {1, 3, 1, 2})};
   structure.add_compression();
   const auto by_string = StraightStructure(structure).in_decimals(9, 20, true);
-  structure.end_point.turn = Restraint<Rational>::sprung(shifted(Rational(1), -30));  // next to nothing: no string
+  structure.end_point.turn =
+      Restraint<Rational>::sprung(shifted(Rational(1), -30));  // next to nothing: no string
   const StraightStructure straight(structure);
   REQUIRE(!straight.has_string());
   const auto by_pencil = straight.in_decimals(9, 20, true);
@@ -177,7 +184,8 @@ TEST_CASE("equal links, fixed and free: 2 - 2 cos((2 m - 1) pi / (2 n + 1)), tex
     const auto modes = StraightStructure(cantilever(n)).in_decimals(99, 15, true);
     REQUIRE(modes.size() == n);
     for (std::size_t m = 1; m <= n; ++m) {
-      const double expected = 2 - 2 * std::cos((2.0 * static_cast<double>(m) - 1) * std::acos(-1.0) / (2.0 * static_cast<double>(n) + 1));
+      const double expected = 2 - 2 * std::cos((2.0 * static_cast<double>(m) - 1) * std::acos(-1.0) /
+                                               (2.0 * static_cast<double>(n) + 1));
       CHECK(std::stod(modes[m - 1].force) == doctest::Approx(expected).epsilon(1e-13));
     }
   }
