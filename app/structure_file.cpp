@@ -273,7 +273,7 @@ std::string case_of(const Structure<Rational>& structure) {
                      words(structure.end_point, false, structure.chain);
   const auto supports = std::count_if(structure.across.begin(), structure.across.end(),
                                       [](const Restraint<Rational>& r) { return !r.is_free(); });
-  if (supports > 0) text += ", " + std::to_string(supports) + " joints held or sprung across";
+  if (supports > 0) text += ", " + std::to_string(supports) + (supports == 1 ? " joint" : " joints") + " held or sprung across";
   std::set<std::size_t> dead;
   bool fixed = false, follower = false;
   for (const Load<Rational>& load : structure.loads) {
@@ -284,7 +284,7 @@ std::string case_of(const Structure<Rational>& structure) {
   if (dead == std::set<std::size_t>{n})
     text += ", dead force at the end point";
   else if (!dead.empty())
-    text += ", dead forces at " + std::to_string(dead.size()) + " joints";
+    text += ", dead forces at " + std::to_string(dead.size()) + (dead.size() == 1 ? " place" : " places");
   if (structure.moment != 0) text += ", moment at the end point";
   if (fixed) text += ", some of it fixed";
   return text;

@@ -21,10 +21,10 @@ TEST_CASE("the first line of critical says its case") {
       {"lengths = [1, 1, 1]\nstiffness = [1, 1, 1]\nend_point = \"clamped\"\n", "end point clamped",
        "Critical force"},
       {"lengths = [1, 1, 1]\nstiffness = [0, 1, 1]\nbase = \"clamped\"\n", "base clamped", "Critical force"},
-      {"lengths = [1, 1]\nstiffness = [1, 1]\nfoundation = 0.5\n", "1 joints held or sprung across",
+      {"lengths = [1, 1]\nstiffness = [1, 1]\nfoundation = 0.5\n", "1 joint held or sprung across",
        "Critical force"},
       {"lengths = [1, 1]\nstiffness = [1, 1]\nend_point = \"free\"\nloads = [{ weight = 1 }]\n",
-       "dead forces at 2 joints", "Critical factor of the loads"},
+       "dead forces at 2 places", "Critical factor of the loads"},
       {"lengths = [1, 1]\nstiffness = [1, 1]\nend_point = \"free\"\nmasses = [2, 1]\nloads = [{ follower = 1 "
        "}]\n",
        "follower force", "2.08578643762690: flutter"},
