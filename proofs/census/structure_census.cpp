@@ -11,12 +11,12 @@ namespace {
 
 using Ranges = std::vector<Span>;  ///< of the unknowns: directions of links that turn, then the force across
 
-constexpr std::size_t most_boxes = 4000000, most_undecided = 1000, most_turning = 10;
+constexpr std::size_t boxes_at_most = 4000000, most_undecided = 1000, most_turning = 10;
 constexpr double smallest = 1e-7;
-constexpr double half_turn = 3.1415926535897936;  // above pi
-constexpr double uneven = 0.4876543;              // where a box is halved: no symmetric shape lies there
+constexpr double above_pi = 3.1415926535897936;
+constexpr double uneven = 0.4876543;  // where a box is halved: no symmetric shape lies there
 
-Span enclosed(const Rational& x) {
+Span span_of(const Rational& x) {
   return Span(Interval(x));
 }
 
@@ -32,17 +32,17 @@ class StructureBox {
       throw Error("census", "a base that moves, or an end point held along",
                   "a base that is held, an end point that is not held along");
     Span direction(0), reach(0);
-    const double turn = (1 + 2 * turns) * half_turn;
+    const double turn = (1 + 2 * turns) * above_pi;
     for (std::size_t i = 0; i < n_; ++i) {
-      length_.push_back(enclosed(structure.chain.length()[i]));
-      stiffness_.push_back(enclosed(structure.chain.stiffness()[i]));
-      rest_.push_back(enclosed(structure.chain.rest()[i]));
+      length_.push_back(span_of(structure.chain.length()[i]));
+      stiffness_.push_back(span_of(structure.chain.stiffness()[i]));
+      rest_.push_back(span_of(structure.chain.rest()[i]));
       direction += rest_.back();
       slack_.push_back(direction);
       turn_.push_back(Span(-turn, turn));
       reach += length_.back();
       const Restraint<Rational> across = structure.across_at(i + 1);
-      spring_.push_back(across.hold == Hold::sprung ? enclosed(across.stiffness) : Span(0));
+      spring_.push_back(across.hold == Hold::sprung ? span_of(across.stiffness) : Span(0));
       if (across.is_held() && i + 1 < n_)
         throw Error("census", "a joint between the ends held across", "springs there, or none");
     }
@@ -50,14 +50,14 @@ class StructureBox {
     fixed_.front() = structure.base.turn.is_held();
     fixed_.back() = fixed_.back() || structure.end_point.turn.is_held();
     if (structure.end_point.turn.hold == Hold::sprung)
-      end_turn_ = enclosed(structure.end_point.turn.stiffness);
-    moment_ = enclosed(structure.moment * factor);
+      end_turn_ = span_of(structure.end_point.turn.stiffness);
+    moment_ = span_of(structure.moment * factor);
     fx_.assign(n_, Span(0)), fy_.assign(n_, Span(0));
     for (const Load<Rational>& load : structure.loads) {
       const Rational share = load.multiplied ? factor : Rational(1);
       for (std::size_t i = 0; i < load.node; ++i) {
-        fx_[i] += enclosed(share * load.force.x);
-        fy_[i] += enclosed(share * load.force.y);
+        fx_[i] += span_of(share * load.force.x);
+        fy_[i] += span_of(share * load.force.y);
       }
     }
     for (std::size_t i = 0; i < n_; ++i) {
@@ -168,7 +168,7 @@ class StructureBox {
 
   /// A hundred times what the springs and loads can turn the chain with.
   void bound_force(const Span& reach) {
-    double moment = moment_.magnitude() + (end_turn_ * Span(half_turn)).magnitude();
+    double moment = moment_.magnitude() + (end_turn_ * Span(above_pi)).magnitude();
     for (std::size_t i = 0; i < n_; ++i)
       moment += (stiffness_[i] * turn_[i]).magnitude() + (length_[i] * fx_[i]).magnitude() +
                 (length_[i] * fy_[i]).magnitude() + (spring_[i] * reach * reach).magnitude();
@@ -317,7 +317,7 @@ std::pair<Ranges, Ranges> halved(const Ranges& box, const StructureBox& system) 
   std::size_t widest = 0;
   double most = -1;
   for (std::size_t j = 0; j < box.size(); ++j) {
-    const double unit = j < system.turning() ? 1 : half_turn / system.largest_force();
+    const double unit = j < system.turning() ? 1 : above_pi / system.largest_force();
     if (box[j].width() * unit > most) most = box[j].width() * unit, widest = j;
   }
   Ranges low = box, high = box;
@@ -349,8 +349,8 @@ StructureCensus take_census(const Structure<Rational>& structure, const Rational
   StructureCensus census{{}, {}, system.widest_turn(), system.largest_force(), 0};
   std::vector<Ranges> open{system.everything()}, found;
   while (!open.empty()) {
-    if (++census.boxes > most_boxes)
-      throw Error("census", "no end after " + std::to_string(most_boxes) + " boxes",
+    if (++census.boxes > boxes_at_most)
+      throw Error("census", "no end after " + std::to_string(boxes_at_most) + " boxes",
                   "fewer links, or a smaller load");
     Ranges box = std::move(open.back());
     open.pop_back();
