@@ -105,23 +105,26 @@ void read_supports(const toml::table& table, const std::string& source, Structur
   }
 }
 
-std::vector<Rational> numbers(const toml::table& table, const std::string& key, const std::string& source,
+std::vector<Rational> list_of(const toml::table& table, const std::string& key, const std::string& source,
                               std::size_t count) {
-  const toml::node* node = table.get(key);
-  const std::string where = files::place(*node, source) + ": " + key;
-  if (!node->is_array()) {
-    if (count == 2) throw Error(where, "a single value", "two numbers in brackets: along x and along y");
-    return std::vector<Rational>(count, number_of(*node, where));
-  }
   std::vector<Rational> values = number_list(table, key, source);
   if (values.size() != count)
-    throw Error(where, std::to_string(values.size()) + " values", std::to_string(count));
+    throw Error(files::place(*table.get(key), source) + ": " + key, std::to_string(values.size()) + " values",
+                std::to_string(count));
   return values;
+}
+
+/// One number stands for all links.
+std::vector<Rational> of_links(const toml::table& table, const std::string& key, const std::string& source,
+                               std::size_t links) {
+  const toml::node& node = *table.get(key);
+  if (node.is_array()) return list_of(table, key, source, links);
+  return std::vector<Rational>(links, number_of(node, files::place(node, source) + ": " + key));
 }
 
 Point<Rational> direction_of(const toml::table& load, const std::string& source) {
   if (!load.contains("direction")) return {-1, 0};
-  const auto d = numbers(load, "direction", source, 2);
+  const auto d = list_of(load, "direction", source, 2);
   const std::string where = files::place(*load.get("direction"), source) + ": direction";
   const Rational square = d[0] * d[0] + d[1] * d[1];
   if (square != 1) throw Error(where, "a vector whose length is not 1", "a unit vector, such as [-1, 0]");
@@ -142,7 +145,7 @@ void read_load(const toml::table& load, const std::string& source, const std::st
   const std::size_t node = load.contains("at") ? place_of(*load.get("at"), where + ", at", n) : n;
   const bool multiplied = !load["fixed"].value_or(false);
   if (load.contains("force")) {
-    const auto f = numbers(load, "force", source, 2);
+    const auto f = list_of(load, "force", source, 2);
     structure.loads.push_back({node, {f[0], f[1]}, multiplied, LoadKind::dead});
   } else if (load.contains("follower")) {
     const Rational size = number_of(*load.get("follower"), where + ", follower");
@@ -155,7 +158,7 @@ void read_load(const toml::table& load, const std::string& source, const std::st
   } else {
     if (load.contains("at"))
       throw Error(where, "a weight at a joint", "a force for that: weight is of links");
-    const auto weight = numbers(load, "weight", source, n);
+    const auto weight = of_links(load, "weight", source, n);
     const Point<Rational> d = direction_of(load, source);
     for (std::size_t link = 1; link <= n; ++link)
       structure.add_weight(link, {weight[link - 1] * d.x, weight[link - 1] * d.y}, multiplied);
@@ -273,7 +276,9 @@ std::string case_of(const Structure<Rational>& structure) {
                      words(structure.end_point, false, structure.chain);
   const auto supports = std::count_if(structure.across.begin(), structure.across.end(),
                                       [](const Restraint<Rational>& r) { return !r.is_free(); });
-  if (supports > 0) text += ", " + std::to_string(supports) + (supports == 1 ? " joint" : " joints") + " held or sprung across";
+  if (supports > 0)
+    text +=
+        ", " + std::to_string(supports) + (supports == 1 ? " joint" : " joints") + " held or sprung across";
   std::set<std::size_t> dead;
   bool fixed = false, follower = false;
   for (const Load<Rational>& load : structure.loads) {
