@@ -1,6 +1,7 @@
 #include "proofs/exact/straight_structure.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <plumbline/straight/critical_force.hpp>
 
 #include "proofs/exact/decimal.hpp"
 #include "tests/property.hpp"
