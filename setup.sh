@@ -38,7 +38,7 @@ python=(
   # what it uses where it finds it, and its notebooks
   python3-pandas python3-matplotlib python3-mpmath jupyter-nbconvert python3-ipykernel
 )
-# the site: the reference, and the drawings of the gallery
+# the site; figures of the program need gnuplot when it runs
 docs=(doxygen gnuplot-nox)
 tests=(
   ccache doctest-dev librapidcheck-dev python3-jsonschema python3-mpmath
@@ -54,7 +54,7 @@ tests=(
   "${proofs[@]}"
   # packages and what is installed, as a user meets them
   dpkg-dev man-db zsh
-  # the site; what draws for it draws at run time too
+  # the site, and figures
   "${docs[@]}"
 )
 fuzz=(clang)

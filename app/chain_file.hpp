@@ -36,7 +36,8 @@ struct ChainTable {
 bool is_chain_table(const std::string& text);
 
 /// A table from CSV text with the columns `chain,lengths,stiffness`, the latter two decimals joined by `;`.
-/// A row whose name has occurred before is wrong. \throws Error when the header line is wrong or no row
+/// A row whose name has occurred before is wrong.
+/// \throws Error when the header line is wrong or no row
 /// follows
 ChainTable parse_chain_table(const std::string& text, const std::string& source);
 

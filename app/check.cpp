@@ -32,7 +32,7 @@ void refuse(const std::vector<std::string>& errors) {
   if (!errors.empty()) throw CLI::RuntimeError(2);
 }
 
-/// Certificates are checked by programs that share nothing with this one, or it would vouch for itself.
+/// Certificates are checked by independent programs.
 void refuse_certificates(const std::string& text, const std::string& path) {
   const auto document = nlohmann::json::parse(text, nullptr, false);
   if (!document.is_object()) return;
@@ -51,7 +51,7 @@ void refuse_certificates(const std::string& text, const std::string& path) {
   throw Error(path, "JSON", "values as CSV, with the columns chain,mode,force");
 }
 
-/// The chains that values may be about: of a table, or of the reference set.
+/// The chains of the values: a table, or the reference set.
 Chains read_chains(const std::string& path) {
   Chains chains;
   if (path.empty()) {

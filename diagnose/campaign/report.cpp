@@ -96,8 +96,8 @@ std::string same_cause(const std::vector<Outcome>& outcomes, const Comparison& c
       first.effects == std::vector<std::string>{"none"} ? "no gap" : effects(first.effects);
   if (first.named_by.size() == diagnosed) return fmt::format("yes: {} in all {}", what, diagnosed);
   if (first.named_by.size() + first.allowed_by.size() == diagnosed)
-    return fmt::format("it may be: {} is named in {} of {}, and among what explains alike in the others ({})",
-                       what, first.named_by.size(), diagnosed, names(outcomes, first.allowed_by));
+    return fmt::format("it may be: {} is named in {} of {}, and in the class of the others ({})", what,
+                       first.named_by.size(), diagnosed, names(outcomes, first.allowed_by));
   std::string text = "no";
   for (const Cause& cause : comparison.causes) {
     if (cause.named_by.empty()) continue;
@@ -108,21 +108,21 @@ std::string same_cause(const std::vector<Outcome>& outcomes, const Comparison& c
 }
 
 std::string words(const Parameter& parameter, bool by_date) {
-  std::string text = with_bounds(parameter.mean, parameter.unit) + "; from session to session ";
+  std::string text = with_bounds(parameter.mean, parameter.unit) + "; ";
   constexpr double level = 0.01;
-  text += parameter.alike < level
-              ? fmt::format("+- {:.2g} beyond these bounds ({})", parameter.spread,
-                            page::p_value(parameter.alike))
-              : fmt::format("no more than each one's bounds say ({})", page::p_value(parameter.alike));
+  text += parameter.alike < level ? fmt::format("spread between sessions {:.2g} beyond their bounds ({})",
+                                                parameter.spread, page::p_value(parameter.alike))
+                                  : fmt::format("no spread between sessions beyond their bounds ({})",
+                                                page::p_value(parameter.alike));
   if (!parameter.drift) return text;
-  const char* step = by_date ? "by day" : "from one to the next";
+  const char* step = by_date ? "a day" : "from one to the next";
   const bool drifts = parameter.drift->low > 0 || parameter.drift->high < 0;
-  return text + fmt::format("; {} {} {}", drifts ? "drifts by" : "no drift seen,",
+  return text + fmt::format("; {} {} {}", drifts ? "drift" : "no significant drift,",
                             with_bounds(*parameter.drift, parameter.unit), step);
 }
 
 std::string as_text(const std::vector<Outcome>& outcomes, const Comparison& comparison) {
-  trial::Table table{{"experiment", "date", "what", "residual over noise floor"}, {}};
+  trial::Table table{{"experiment", "date", "verdict", "residual over noise floor"}, {}};
   for (const Outcome& one : outcomes)
     table.rows.push_back(
         {one.name, one.date ? date_text(one) : "-", said(one),

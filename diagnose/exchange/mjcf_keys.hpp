@@ -10,7 +10,8 @@
 namespace plumbline::exchange {
 
 /// Says in every keyframe what it lacks of joints and actuators that were added: joints at ease, the drive
-/// led to where it starts. \param own  the model as it was
+/// led to where it starts.
+/// \param own  the model as it was
 void extend_keys(MjcfDocument& document, const mjModel& own, Pair start);
 
 }  // namespace plumbline::exchange

@@ -19,7 +19,8 @@ constexpr double rounding = 1e-5;
 /// Simulators demand a mass, kg, of a body that weighs nothing.
 constexpr double no_mass = 1e-4;
 
-/// From the base on. \throws Error where one joint carries two, or none is at the base
+/// From the base on.
+/// \throws Error where one joint carries two, or none is at the base
 std::vector<const ReadJoint*> in_series(const ReadModel& model, const std::string& source) {
   std::vector<const ReadJoint*> order;
   std::string carrier;

@@ -7,7 +7,7 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Puts a free law beside the spring of its joint.
+/// Adds a free law in parallel with the spring of its joint.
 void add(const FreeLaw& own, const std::vector<double>& times, JointLaw& law) {
   if (!own.knots.empty()) law.table.emplace_back(own.knots);
   for (const FreeLaw::Slider& one : own.sliders) {
@@ -38,7 +38,10 @@ JointLaw joint_law(const Rig& rig, const std::vector<double>& times, std::size_t
   for (std::size_t a = 0; a < rig.arms.size(); ++a)
     law.arm_stiffness.at(a) = rig.arms[a].ratio * law.stiffness;
   if (law.stiffness > 0) {
-    law.slider.push_back({JointLaw::sticking * law.stiffness, rig.friction[i], rig.friction_law});
+    const double stiff = JointLaw::sticking * law.stiffness;
+    const bool gives = rig.presliding > 0 && rig.friction[i] > 0;
+    law.slider.push_back({gives ? std::min(stiff, rig.friction[i] / rig.presliding) : stiff, rig.friction[i],
+                          rig.friction_law});
     for (const Slider& one : rig.sliders[i]) law.slider.push_back({one.ratio * law.stiffness, one.yield});
   }
   for (const FreeLaw& one : rig.laws)

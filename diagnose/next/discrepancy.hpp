@@ -1,0 +1,49 @@
+#pragma once
+/// \file
+/// What a device has beside any model of it: a smooth function of what was commanded, of the direction in
+/// which it was commanded, and of the run; nothing at rest.
+
+#include "diagnose/next/data.hpp"
+
+namespace plumbline::diagnose::next {
+
+/// Where a reading stands, for the discrepancy.
+struct State {
+  Eigen::Vector2d command{0, 0};  ///< from rest, over the largest of its kind of control
+  double direction = 1;           ///< 1 away from rest, -1 back
+  double progress = 0;            ///< way covered in the run until then, over the longest of any run
+};
+
+/// The states of all readings, and which runs are alike.
+struct States {
+  explicit States(const Experiment& experiment);
+  std::vector<std::vector<State>> of;  ///< [run][reading]
+  MatrixXd alike;                        ///< of runs, in [0, 1]
+  std::vector<bool> at_rest;             ///< by run: its command begins where nothing is loaded
+};
+
+/// Covariance of a discrepancy of size one at two readings.
+class Kernel {
+ public:
+  Kernel(const States& states, double length) : states_(states), length_(length) {}
+  [[nodiscard]] double operator()(std::size_t run, std::size_t reading, std::size_t other_run,
+                                  std::size_t other_reading) const;
+
+ private:
+  const States& states_;
+  double length_;
+};
+
+/// A basis for the discrepancies of a block at several lengths: phi G phi' is the covariance of each length at the
+/// values, but for a share of its trace that is left out at the shortest.
+struct Basis {
+  MatrixXd phi;                    ///< values x columns: an incomplete Cholesky factor at the shortest length
+  std::vector<MatrixXd> covariance;  ///< G of each length
+};
+
+/// \param lengths  ascending
+/// \param most     so many columns at most
+Basis basis(const States& states, const Block& block, const std::vector<double>& lengths, Eigen::Index most,
+            double left_out);
+
+}  // namespace plumbline::diagnose::next

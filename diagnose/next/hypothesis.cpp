@@ -1,0 +1,206 @@
+#include "diagnose/next/hypothesis.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "diagnose/next/prior.hpp"
+
+namespace plumbline::diagnose::next {
+namespace {
+
+double log_density(const std::vector<ParameterRange>& ranges, const std::vector<double>& parameters,
+                   const Effort& effort) {
+  double sum = 0;
+  for (std::size_t p = 0; p < ranges.size(); ++p)
+    if (ranges[p].tolerance > 0 || !effort.likelihood_alone)
+      sum += ParameterPrior(ranges[p]).log_density(parameters[p]);
+  return sum;
+}
+
+/// Residual and Jacobian at parameters. \returns whether the rig can follow the experiment there
+bool predict_into(const Study& study, const Data& data, Hypothesis& h, bool with_jacobian) {
+  const Prediction predicted = predict(study, h.candidate, h.parameters, with_jacobian);
+  h.converged = predicted.reached;
+  if (!h.converged) return false;
+  h.residual = data.residual(predicted);
+  h.jacobian.clear();
+  for (const VectorXd& r : h.residual) h.converged = h.converged && r.allFinite();
+  if (!with_jacobian || !h.converged) return h.converged;
+  const auto count = static_cast<Eigen::Index>(h.parameters.size());
+  for (const VectorXd& r : h.residual) h.jacobian.emplace_back(r.size(), count);
+  for (Eigen::Index p = 0; p < count; ++p) {
+    const std::vector<VectorXd> change = data.in_sigmas(predicted.sensitivity[static_cast<std::size_t>(p)]);
+    for (std::size_t b = 0; b < change.size(); ++b) {
+      h.jacobian[b].col(p) = -change[b];
+      h.converged = h.converged && change[b].allFinite();
+    }
+  }
+  return h.converged;
+}
+
+void mark_bounds(const std::vector<ParameterRange>& ranges, Hypothesis& h) {
+  h.at_bound.assign(ranges.size(), false);
+  for (std::size_t p = 0; p < ranges.size(); ++p) {
+    const double margin = 1e-6 * ranges[p].scale;
+    h.at_bound[p] = h.parameters[p] <= ranges[p].low + margin || h.parameters[p] >= ranges[p].high - margin;
+  }
+}
+
+/// Gradient and curvature of the log posterior by the parameters.
+struct Slope {
+  VectorXd gradient;
+  MatrixXd curvature;
+};
+
+Slope slope_of(const std::vector<ParameterRange>& ranges, const Hypothesis& h, const Effort& effort) {
+  Slope slope{h.look.gradient, h.look.information};
+  for (std::size_t p = 0; p < ranges.size(); ++p) {
+    const auto k = static_cast<Eigen::Index>(p);
+    if (effort.likelihood_alone && !(ranges[p].tolerance > 0)) continue;
+    const double c = ParameterPrior(ranges[p]).curvature(h.parameters[p]);
+    slope.gradient(k) -= c * h.parameters[p];
+    slope.curvature(k, k) += c;
+  }
+  return slope;
+}
+
+/// Parameters that may move: not at a bound beyond which they would go.
+std::vector<Eigen::Index> free_parameters(const std::vector<ParameterRange>& ranges, const Hypothesis& h,
+                                          const VectorXd& gradient) {
+  std::vector<Eigen::Index> free;
+  for (std::size_t p = 0; p < ranges.size(); ++p) {
+    const auto k = static_cast<Eigen::Index>(p);
+    const double margin = 1e-9 * ranges[p].scale;
+    const bool held = (h.parameters[p] <= ranges[p].low + margin && gradient(k) < 0) ||
+                      (h.parameters[p] >= ranges[p].high - margin && gradient(k) > 0);
+    if (!held) free.push_back(k);
+  }
+  return free;
+}
+
+}  // namespace
+
+Hypothesis maximised(const Study& study, const Likelihood& likelihood, const Candidate& candidate,
+                     const std::vector<double>& start, const Effort& effort) {
+  const std::vector<ParameterRange> ranges = study.ranges(candidate);
+  Hypothesis best;
+  best.candidate = candidate;
+  best.parameters = start;
+  const auto evaluate = [&](Hypothesis& h) {
+    if (!predict_into(study, likelihood.data(), h, true)) return false;
+    h.look = likelihood.look(h.residual, h.jacobian);
+    h.log_posterior = h.look.log_likelihood + log_density(ranges, h.parameters, effort);
+    return std::isfinite(h.log_posterior);
+  };
+  if (!evaluate(best)) {
+    best.converged = false;
+    return best;
+  }
+  double damping = 1e-4;
+  for (int iteration = 0; iteration < effort.iterations && !ranges.empty(); ++iteration) {
+    const Slope slope = slope_of(ranges, best, effort);
+    const std::vector<Eigen::Index> free = free_parameters(ranges, best, slope.gradient);
+    if (free.empty()) break;
+    double gain = 0;
+    for (int attempt = 0; attempt < 5; ++attempt) {
+      MatrixXd curvature = slope.curvature(free, free);
+      for (std::size_t f = 0; f < free.size(); ++f) {
+        const auto k = static_cast<Eigen::Index>(f);
+        const double scale = ranges[static_cast<std::size_t>(free[f])].scale;
+        curvature(k, k) += damping * std::max(curvature(k, k), 1 / (scale * scale));
+      }
+      const VectorXd step = curvature.ldlt().solve(VectorXd(slope.gradient(free)));
+      Hypothesis next;
+      next.candidate = candidate;
+      next.parameters = best.parameters;
+      for (std::size_t f = 0; f < free.size(); ++f) {
+        const auto p = static_cast<std::size_t>(free[f]);
+        next.parameters[p] = std::clamp(best.parameters[p] + step(static_cast<Eigen::Index>(f)), ranges[p].low, ranges[p].high);
+      }
+      if (step.allFinite() && evaluate(next) && next.log_posterior > best.log_posterior) {
+        gain = next.log_posterior - best.log_posterior;
+        best = std::move(next);
+        damping = std::max(1e-9, damping / 10);
+        break;
+      }
+      damping *= 10;
+    }
+    if (gain < effort.gain) break;
+  }
+  mark_bounds(ranges, best);
+  return best;
+}
+
+Hypothesis maximised(const Study& study, const Likelihood& likelihood, const Candidate& candidate,
+                     const InitialGuesses& starts, const Effort& effort) {
+  std::vector<std::pair<double, const std::vector<double>*>> order;
+  const std::vector<ParameterRange> ranges = study.ranges(candidate);
+  for (const std::vector<double>& start : starts.points) {
+    if (starts.points.size() == 1) {
+      order.emplace_back(0, &start);
+      break;
+    }
+    Hypothesis h;
+    h.candidate = candidate;
+    h.parameters = start;
+    if (predict_into(study, likelihood.data(), h, false))
+      order.emplace_back(-likelihood.look(h.residual, {}).log_likelihood - log_density(ranges, start, effort), &start);
+  }
+  std::sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  if (order.size() > starts.refined) order.resize(starts.refined);
+  Hypothesis best;
+  best.candidate = candidate;
+  for (const auto& [cost, start] : order) {
+    Hypothesis one = maximised(study, likelihood, candidate, *start, effort);
+    if (one.converged && (!best.converged || one.log_posterior > best.log_posterior)) best = std::move(one);
+  }
+  return best;
+}
+
+void look_again(const Study& study, const Likelihood& likelihood, Hypothesis& h) {
+  h.look = likelihood.look(h.residual, h.jacobian);
+  h.log_posterior = h.look.log_likelihood + log_density(study.ranges(h.candidate), h.parameters, {});
+}
+
+double Volume::log_at(double temper) const {
+  double sum = 0;
+  for (const double precision : precisions) sum -= 0.5 * std::log1p(temper * precision);
+  for (const double slope : slopes) sum -= std::log1p(temper * slope);
+  return density + sum;
+}
+
+void weigh(const Study& study, Hypothesis& h) {
+  const std::vector<ParameterRange> ranges = study.ranges(h.candidate);
+  h.volume = {};
+  std::vector<Eigen::Index> inside;
+  std::vector<double> width;
+  for (std::size_t p = 0; p < ranges.size(); ++p) {
+    const auto k = static_cast<Eigen::Index>(p);
+    const ParameterPrior prior(ranges[p]);
+    const double log_density = prior.log_density(h.parameters[p]);
+    if (h.at_bound[p]) {
+      h.volume.slopes.push_back(std::abs(h.look.gradient(k)) / std::exp(log_density));
+      continue;
+    }
+    if (!(h.look.information(k, k) > 0)) continue;  // the readings do not tell it
+    inside.push_back(k);
+    width.push_back(prior.width());
+    h.volume.density += log_density + std::log(2 * std::numbers::pi) / 2;
+  }
+  if (!inside.empty()) {
+    // Posterior precisions along the principal axes, in units of the prior's width: the readings never make a
+    // parameter less certain than it was.
+    const VectorXd unit = Eigen::Map<const VectorXd>(width.data(), static_cast<Eigen::Index>(width.size()));
+    const MatrixXd scaled = unit.asDiagonal() * MatrixXd(h.look.information(inside, inside)) * unit.asDiagonal();
+    for (const double precision : VectorXd(Eigen::SelfAdjointEigenSolver<MatrixXd>(scaled).eigenvalues()))
+      h.volume.precisions.push_back(std::max(0.0, precision));
+    h.volume.density += unit.array().log().sum();
+  }
+  h.log_prior = log_prior(study, h.candidate);
+  h.log_evidence = h.log_prior + h.look.log_likelihood + h.volume.log_at(1);
+}
+
+}  // namespace plumbline::diagnose::next

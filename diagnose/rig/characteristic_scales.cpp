@@ -1,0 +1,109 @@
+#include "diagnose/rig/characteristic_scales.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline::diagnose {
+namespace {
+
+double or_zero(double value) {
+  return std::isfinite(value) ? value : 0.0;
+}
+
+/// The force that nine readings of ten stay below.
+double typical_force(const Experiment& experiment) {
+  std::vector<double> force;
+  for (const Run& run : experiment.runs)
+    for (const Reading& reading : run.readings)
+      force.push_back(std::hypot(or_zero(reading.Fx), or_zero(reading.Fy)));
+  if (force.empty()) return 0;
+  const auto place = force.begin() + static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(force.size()));
+  std::nth_element(force.begin(), place, force.end());
+  return *place;
+}
+
+template <class Says>
+bool any_reading(const Run& run, Says says) {
+  return std::any_of(run.readings.begin(), run.readings.end(), says);
+}
+
+bool reads_force(const Run& run) {
+  return run.holds_end_point() && any_reading(run, [](const Reading& reading) {
+           return std::isfinite(reading.Fx) || std::isfinite(reading.Fy);
+         });
+}
+
+bool reads_both_forces(const Run& run) {
+  return run.holds_end_point() &&
+         any_reading(run, [](const Reading& reading) { return std::isfinite(reading.Fx); }) &&
+         any_reading(run, [](const Reading& reading) { return std::isfinite(reading.Fy); });
+}
+
+/// The largest force component that is read, and how many readings come as near to it as noise allows.
+void find_plateau(const Experiment& experiment, CharacteristicScales& size) {
+  const auto each_component = [&](auto use) {
+    for (const Run& run : experiment.runs)
+      for (const Reading& reading : run.readings) {
+        if (!run.holds_end_point()) continue;
+        use(std::abs(or_zero(reading.Fx)), experiment.noise.Fx);
+        use(std::abs(or_zero(reading.Fy)), experiment.noise.Fy);
+      }
+  };
+  each_component([&](double force, double) { size.largest_reading = std::max(size.largest_reading, force); });
+  constexpr double scatter = 5;  // sigma: of the largest of many readings, and of one at its side
+  each_component([&](double force, double sigma) {
+    size.at_largest += force > 0 && force >= size.largest_reading - scatter * sigma;
+  });
+}
+
+}  // namespace
+
+CharacteristicScales characteristic_scales(const Experiment& experiment) {
+  CharacteristicScales size;
+  size.joint_stiffness = experiment.joint_stiffness;
+  size.link_length = experiment.link_length;
+  double elastic = 0;
+  for (const double k : experiment.joint_stiffness) {
+    size.stiffness += k;
+    elastic += k > 0;
+  }
+  size.stiffness /= std::max(1.0, elastic);
+  for (const double length : experiment.link_length) size.length += length;
+  size.link = size.length / static_cast<double>(experiment.link_length.size());
+  for (const Run& run : experiment.runs) {
+    if (!run.readings.empty())
+      size.duration = std::max(size.duration, run.readings.back().t - run.readings.front().t);
+    if (const double pause = run.sampling_interval(); pause > 0)
+      size.sampling_interval = size.sampling_interval > 0 ? std::min(size.sampling_interval, pause) : pause;
+    size.measures_force = size.measures_force || reads_force(run);
+    size.imposes_force = size.imposes_force || (!run.holds_end_point() && any_reading(run, [&](const Reading& one) {
+                                                 return run.command(one).norm() > 0;
+                                               }));
+    size.pivot = size.pivot || !run.by_weights;
+    size.load_cell = size.load_cell || reads_force(run) || !(run.holds_end_point() || run.by_weights);
+    size.clock = size.clock || !run.counts_readings();
+    size.measures_both_forces = size.measures_both_forces || reads_both_forces(run);
+    for (const Channel& channel : run.measured())
+      if (any_reading(run, [&](const Reading& reading) { return std::isfinite(channel.of(reading)); }))
+        size.measured[static_cast<std::size_t>(channel.name)] = true;
+    size.turns_back = size.turns_back || run.turns_back();
+    size.bent_at_rest = size.bent_at_rest || std::any_of(run.rest.begin() + 1, run.rest.end(),
+                                                         [](double angle) { return angle != 0; });
+  }
+  size.runs = experiment.run_count;
+  find_plateau(experiment, size);
+  // Where no force acts, as in a sag test, the force that turns a joint by a tenth of a radian is typical.
+  const double force = typical_force(experiment), unit = size.stiffness / size.length;
+  size.force = force > 0 ? std::max(force, 1e-4 * unit) : 0.1 * unit;
+  size.duration = std::max(size.duration, 1e-3);
+  size.sampling_interval = size.sampling_interval > 0 ? size.sampling_interval : size.duration;
+  // The deflection that the force gives a lever of half the chain, kept to what angles can be.
+  size.deflection = std::clamp(0.3 * size.force * size.length / size.stiffness, 1e-4, 1.0);
+  const bool falls = experiment.gravity[0] != 0 || experiment.gravity[1] != 0;
+  size.nominal_weight = falls && std::any_of(experiment.link_mass.begin(), experiment.link_mass.end(),
+                                             [](double mass) { return mass > 0; });
+  size.weighs = experiment.bench.plane != Bench::Plane::horizontal;
+  return size;
+}
+
+}  // namespace plumbline::diagnose

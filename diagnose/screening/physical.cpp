@@ -1,0 +1,211 @@
+#include "diagnose/screening/physical.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <plumbline/base/error.hpp>
+#include <plumbline/chain/kinematics.hpp>
+
+#include "diagnose/bench/conversion.hpp"
+
+namespace plumbline::diagnose {
+namespace {
+
+std::string metres(double value) {
+  return fmt::format("{:.6g} m", value);
+}
+
+std::string place(const Run& run, std::size_t reading) {
+  return "run \"" + run.id + "\", reading " + std::to_string(reading + 1);
+}
+
+/// Distance between the end point by the joint angles and by the reading; NaN where either is missing.
+double contradiction(const std::vector<double>& q, const Reading& reading, const Chain<double>& chain) {
+  const Point<double> end = end_point(chain, q);
+  return std::hypot(end.x - reading.x, end.y - reading.y);
+}
+
+/// Median distance between the end points by the joint angles and by the readings; 0 without joint angles.
+double middle_contradiction(const Run& run, const Chain<double>& chain) {
+  std::vector<double> gaps;
+  for (const Reading& reading : run.readings) {
+    if (reading.q.empty()) return 0;
+    const double gap = contradiction(reading.q, reading, chain);
+    if (!std::isnan(gap)) gaps.push_back(gap);
+  }
+  if (gaps.empty()) return 0;
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+  std::nth_element(gaps.begin(), middle, gaps.end());
+  return *middle;
+}
+
+/// The first reading whose end point is out of reach. A commanded one is exact up to rounding. A measured one
+/// has noise, and lengths and offsets are what is in question: only a distance beyond all tolerance counts.
+std::optional<std::size_t> out_of_reach(const Run& run, const Reach<double>& limits) {
+  const double slack = (run.holds_end_point() ? 1e-4 : 0.25) * limits.largest;
+  for (std::size_t r = 0; r < run.readings.size(); ++r) {
+    const double distance = std::hypot(run.readings[r].x, run.readings[r].y);
+    if (distance > limits.largest + slack || distance < limits.smallest - slack) return r;
+  }
+  return {};
+}
+
+/// The unit, order or sense in which the end points, angles or links of an impossible run become possible: ";
+/// x, y look like mm (columns.x.unit = …)". Empty where no conversion brings the run within reach, to its
+/// unloaded shape at the start and into agreement with its joint angles, each to a tenth of the chain.
+std::string as_if(const Experiment& experiment, const Run& run) {
+  std::string best;
+  double least = 0.1;
+  for (const Conversion& conversion : conversions(experiment)) {
+    const std::string& what = conversion.what;
+    if (what == "Fx, Fy" || what == "x, y, Fx, Fy") continue;
+    Experiment alone = experiment;
+    alone.runs = {run};
+    alone = converted(std::move(alone), conversion);
+    const Run& other = alone.runs.front();
+    const Reach<double> limits = reach(alone.link_length);
+    if (out_of_reach(other, limits)) continue;
+    const auto start = std::find_if(other.readings.begin(), other.readings.end(), [](const Reading& r) {
+      return std::isfinite(r.x) && std::isfinite(r.y);
+    });
+    if (start == other.readings.end()) continue;
+    const Chain<double> chain(alone.link_length, alone.joint_stiffness);
+    const double gap =
+        std::max(contradiction(other.rest, *start, chain), middle_contradiction(other, chain)) /
+        limits.largest;
+    if (gap >= least) continue;
+    least = gap;
+    const bool several = what.find(", ") != std::string::npos;
+    best = "; " + what + (several ? " look like " : " looks like ") + conversion.looks_like + ": if so, " +
+           conversion.remedy;
+  }
+  return best;
+}
+
+void require_reach(const Experiment& experiment, const Run& run, const Reach<double>& limits) {
+  const std::optional<std::size_t> r = out_of_reach(run, limits);
+  if (!r) return;
+  const double distance = std::hypot(run.readings[*r].x, run.readings[*r].y);
+  const std::string expected =
+      distance > limits.largest
+          ? "at most the length of the chain, " + metres(limits.largest)
+          : "at least " + metres(limits.smallest) + ", what the links reach when folded";
+  throw Error(place(run, *r), "an end point " + metres(distance) + " from the base",
+              expected + as_if(experiment, run));
+}
+
+/// \throws Error for joint angles in degrees, in another order or of another chain: no effect moves the end point of
+///         most readings by a quarter of the chain
+void require_geometry(const Experiment& experiment, const Run& run, const Reach<double>& limits) {
+  const double gap =
+      middle_contradiction(run, Chain<double>(experiment.link_length, experiment.joint_stiffness));
+  if (gap > 0.25 * limits.largest)
+    throw Error("run \"" + run.id + "\"",
+                "joint angles that put the end point " + metres(gap) + " from where x and y say it is",
+                "joint angles of this chain, relative and in radians" + as_if(experiment, run));
+}
+
+void require_noise(const Run& run, const Noise& noise) {
+  for (const Channel& channel : run.measured()) {
+    const bool read = std::any_of(run.readings.begin(), run.readings.end(),
+                                  [&](const Reading& r) { return !std::isnan(channel.of(r)); });
+    if (!read || channel.sigma(noise) > 0) continue;
+    const std::string name = channel.sensor() == Sensor::angle ? "q" : channel.label();
+    throw Error("noise." + name, "0, or nothing", "a positive figure: run \"" + run.id + "\" measures it");
+  }
+}
+
+/// Noise below the rounding of the measured values is none, and residuals in its units overflow. The sizes of
+/// measured values are the reach, a radian, and the force that turns a joint by a radian.
+void require_resolved(const Experiment& experiment, double reach) {
+  double turning = 0;
+  for (const double k : experiment.joint_stiffness) turning = std::max(turning, k / reach);
+  Noise size{reach, reach, turning, turning, 1};
+  for (const Run& run : experiment.runs)
+    for (const Reading& r : run.readings) {
+      size.x = std::fmax(size.x, std::abs(r.x)), size.y = std::fmax(size.y, std::abs(r.y));
+      size.Fx = std::fmax(size.Fx, std::abs(r.Fx)), size.Fy = std::fmax(size.Fy, std::abs(r.Fy));
+      for (const double q : r.q) size.q = std::fmax(size.q, std::abs(q));
+    }
+  const auto require = [](const char* name, double sigma, double measured, const char* beside) {
+    const double least = measured * std::numeric_limits<double>::epsilon();
+    if (sigma > 0 && sigma < least)
+      throw Error(
+          std::string("noise.") + name, fmt::format("{:.4g}", sigma),
+          fmt::format(
+              "more than the rounding of what it is the noise of, {:.2g}: a reading, or {}, is {:.2g}", least,
+              beside, measured));
+  };
+  const Noise& noise = experiment.noise;
+  constexpr const char *reaching = "the length of the chain",
+                       *turns = "the force that turns a joint by a radian";
+  require("x", noise.x, size.x, reaching), require("y", noise.y, size.y, reaching);
+  require("Fx", noise.Fx, size.Fx, turns), require("Fy", noise.Fy, size.Fy, turns);
+  require("q", noise.q, size.q, "a radian");
+}
+
+std::size_t measured_values(const Run& run) {
+  std::ptrdiff_t count = 0;
+  for (const Channel& channel : run.measured())
+    count += std::count_if(run.readings.begin(), run.readings.end(),
+                           [&](const Reading& r) { return std::isfinite(channel.of(r)); });
+  return static_cast<std::size_t>(count);
+}
+
+/// A channel with a noise is measured, and there must be one.
+void require_anything_measured(const Run& run, const Noise& noise) {
+  const bool force = noise.Fx > 0 || noise.Fy > 0, position = noise.x > 0 || noise.y > 0;
+  if (noise.q > 0 || (run.holds_end_point() ? force : position)) return;
+  throw Error("noise", "no figure for anything that run \"" + run.id + "\" measures",
+              run.holds_end_point() ? "a positive one for Fx, Fy or q" : "a positive one for x, y or q");
+}
+
+/// A rest angle of thousands of turns, also in degrees: its sine would be rounding.
+void require_turns(const Run& run) {
+  constexpr double most = 1e4;
+  for (std::size_t j = 0; j < run.rest.size(); ++j)
+    if (std::abs(run.rest[j]) > most)
+      throw Error("run \"" + run.id + "\"", fmt::format("rest of joint {}: {:.4g} rad", j + 1, run.rest[j]),
+                  fmt::format("an angle within {:.0f} rad", most));
+}
+
+void require_chain(const Experiment& experiment) {
+  const auto passive = std::count(experiment.joint_stiffness.begin(), experiment.joint_stiffness.end(), 0.0);
+  if (passive > 2)
+    throw Error("nominal.joint_stiffness", std::to_string(passive) + " passive joints",
+                "at most two: with more the chain is a mechanism even with its end point held");
+  const Reach<double> limits = reach(experiment.link_length);
+  require_resolved(experiment, limits.largest);
+  for (const Run& run : experiment.runs) {
+    require_turns(run);
+    require_reach(experiment, run, limits);
+  }
+}
+
+}  // namespace
+
+void require_bench(const Experiment& bench) {
+  require_chain(bench);
+  for (const Run& run : bench.runs) require_anything_measured(run, bench.noise);
+}
+
+void require_physical(const Experiment& experiment) {
+  require_chain(experiment);
+  const Reach<double> limits = reach(experiment.link_length);
+  std::size_t values = 0;
+  for (const Run& run : experiment.runs) {
+    require_geometry(experiment, run, limits);
+    require_noise(run, experiment.noise);
+    values += measured_values(run);
+  }
+  const std::size_t needed = 3;  // one more than the two parameters of a single effect
+  if (values < needed)
+    throw Error("experiment \"" + experiment.name + "\"", std::to_string(values) + " measured values",
+                "at least " + std::to_string(needed) + ", more than an effect has parameters");
+}
+
+}  // namespace plumbline::diagnose

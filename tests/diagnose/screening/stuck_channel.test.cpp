@@ -1,0 +1,135 @@
+#include "diagnose/screening/stuck_channel.hpp"
+
+#include <doctest/doctest.h>
+
+#include <plumbline/base/error.hpp>
+
+#include "diagnose/screening/conventions.hpp"
+#include "tests/close_to.hpp"
+#include "tests/diagnose/bench.hpp"
+#include "tests/diagnose/screening/slips.hpp"
+
+using namespace plumbline;
+using namespace plumbline::diagnose;
+using namespace plumbline::diagnose::test;
+
+namespace {
+
+/// Pressed twice by three centimetres, as the nominal model goes, with noise of the declared size.
+Experiment still_bench(int steps = 10) {
+  Experiment experiment = three_links();
+  press(experiment, {0.3, -0.5, 0.4}, {-0.03, 0}, steps, false);
+  press(experiment, {0.3, -0.5, 0.4}, {-0.03, 0.01}, steps, false);
+  return measured(experiment, {}, {}, 3);
+}
+
+void hold(Run& run, const Channel& channel, double value) {
+  for (Reading& reading : run.readings) channel.in(reading) = value;
+}
+
+const Channel Fy{Channel::Name::Fy};
+
+std::string question(const Experiment& experiment) {
+  try {
+    require_conventions(Study(experiment));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a column of noughts is asked about, in all runs or in those that have it, and no other") {
+  Experiment experiment = still_bench();
+  CHECK_FALSE(stuck_channel(Study(experiment)));
+  hold(experiment.runs[1], Fy, 0);
+  const auto one = stuck_channel(Study(experiment));
+  REQUIRE(one);
+  CHECK(one->channel == Fy);
+  CHECK(one->runs == std::vector<std::string>{"press-2"});
+  CHECK(one->values == std::set<double>{0});
+  CHECK(one->readings == 11);
+  const Trace& nominal = Study(experiment).nominal().runs[1];
+  CHECK(one->predicted_range ==
+        close_to(nominal.col(column_of(Fy)).maxCoeff() - nominal.col(column_of(Fy)).minCoeff()));
+  CHECK(says(question(experiment), "three links, run press-2, Fy: found 0 N in all 11 readings"));
+  CHECK(says(question(experiment), "leave its fields empty there"));
+  hold(experiment.runs[0], Fy, 0);
+  const auto both = stuck_channel(Study(experiment));
+  REQUIRE(both);
+  CHECK(both->runs.empty());
+  CHECK(both->readings == 22);
+  CHECK(says(question(experiment), "three links, Fy: found 0 N in all 22 readings"));
+  CHECK(says(question(experiment), "leave its column out"));
+  hold(experiment.runs[0], Fy, 0.3);
+  CHECK(says(question(experiment), "Fy: found one value a run in all 22 readings"));
+}
+
+TEST_CASE("an angle that stands still is asked about, by its name") {
+  Experiment experiment = still_bench();
+  const Channel q2{Channel::Name::q, 1};
+  hold(experiment.runs[0], q2, 0);
+  hold(experiment.runs[1], q2, 0);
+  CHECK(says(question(experiment), "three links, q2: found 0 rad in all 22 readings"));
+}
+
+TEST_CASE("nothing is asked of seven readings, of readings that are empty, nor of one that moves") {
+  const auto held = [](int steps) {
+    Experiment experiment = still_bench(steps);
+    for (Run& run : experiment.runs) hold(run, Fy, 0.01);
+    return experiment;
+  };
+  CHECK_FALSE(stuck_channel(Study(held(6))));
+  CHECK(stuck_channel(Study(held(7))));
+  Experiment experiment = held(7);
+  for (Run& run : experiment.runs) run.readings[3].Fy = nan_value();
+  CHECK_FALSE(stuck_channel(Study(experiment)));
+  experiment = held(10);
+  for (Run& run : experiment.runs) run.readings[3].Fy = nan_value();
+  CHECK(stuck_channel(Study(experiment)));
+  for (Run& run : experiment.runs) run.readings[5].Fy = 0.02;
+  CHECK_FALSE(stuck_channel(Study(experiment)));
+  for (Run& run : experiment.runs) hold(run, Fy, nan_value());
+  CHECK_FALSE(stuck_channel(Study(experiment)));
+}
+
+TEST_CASE("a channel may stand still where the nominal model goes through twenty times its noise or less") {
+  Experiment experiment = still_bench();
+  for (Run& run : experiment.runs) hold(run, Fy, 0);
+  const auto found = stuck_channel(Study(experiment));
+  REQUIRE(found);
+  experiment.noise.Fy = found->predicted_range / 19;
+  CHECK_FALSE(stuck_channel(Study(experiment)));
+  experiment.noise.Fy = found->predicted_range / 21;
+  CHECK(stuck_channel(Study(experiment)));
+}
+
+TEST_CASE("a channel may stand still where it is small beside the other of its sensor") {
+  // The farther up a press goes, the more of the force is along y; noise is small, so that it alone decides
+  // nothing.
+  const auto held = [](double by) {
+    Experiment experiment = three_links();
+    press(experiment, {0.3, -0.5, 0.4}, {-0.03, by}, 10, false);
+    const Trace nominal = Study(experiment).nominal().runs[0];
+    const auto range = [&](Channel::Name name) {
+      const auto column = nominal.col(column_of({name}));
+      return column.maxCoeff() - column.minCoeff();
+    };
+    const double share = range(Channel::Name::Fy) / range(Channel::Name::Fx);
+    experiment = measured(experiment, {}, {}, 3);
+    experiment.noise.Fy = 1e-3;
+    hold(experiment.runs[0], Fy, 0);
+    return std::pair(share, stuck_channel(Study(experiment)).has_value());
+  };
+  const auto [little, asked_of_little] = held(-0.024);
+  CHECK(little < 0.02);
+  CHECK_FALSE(asked_of_little);
+  const auto [enough, asked_of_enough] = held(-0.014);
+  CHECK(enough > 0.02);
+  CHECK(asked_of_enough);
+}
