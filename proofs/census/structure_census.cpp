@@ -113,6 +113,17 @@ class StructureBox {
     return true;
   }
 
+  /// Whether two boxes that overlap, each around one root, are around the same: their hull has one as well.
+  [[nodiscard]] bool around_one(const Ranges& a, const Ranges& b) const {
+    Ranges hull;
+    for (std::size_t j = 0; j < size(); ++j) {
+      const double low = std::min(a[j].low, b[j].low), high = std::max(a[j].high, b[j].high);
+      const double margin = high - low + 1e-12 * std::max(std::abs(low), std::abs(high)) + 1e-300;
+      hull.emplace_back(low - margin, high + margin);
+    }
+    return isolates(hull);
+  }
+
   [[nodiscard]] StructureEquilibrium described(const Ranges& box) const {
     const Ranges theta = directions(box);
     StructureEquilibrium one{angles(theta), held_ ? box.back() : Span(0), Span(0), Span(0), Span(0), {}};
@@ -332,14 +343,21 @@ double widest_of(const Ranges& box, std::size_t turning) {
   return widest;
 }
 
-/// Equilibria on the border between two boxes are found in both.
-bool known(const std::vector<Ranges>& found, const Ranges& box) {
-  return std::any_of(found.begin(), found.end(), [&](const Ranges& other) {
-    for (std::size_t j = 0; j < box.size(); ++j) {
-      if (intersection(other[j], box[j]).empty()) return false;
-    }
-    return true;
-  });
+bool overlap(const Ranges& a, const Ranges& b) {
+  for (std::size_t j = 0; j < a.size(); ++j) {
+    if (intersection(a[j], b[j]).empty()) return false;
+  }
+  return true;
+}
+
+/// Adds a box around an equilibrium; those on the border between two boxes are found in both.
+/// \returns false where it is open whether it is a new one
+bool add(std::vector<Ranges>& found, const Ranges& box, const StructureBox& system) {
+  for (const Ranges& other : found) {
+    if (overlap(other, box)) return system.around_one(other, box);
+  }
+  found.push_back(box);
+  return true;
 }
 
 }  // namespace
@@ -357,7 +375,8 @@ StructureCensus take_census(const Structure<Rational>& structure, const Rational
     if (!system.contract(box)) continue;
     Ranges one = box;
     if (system.isolates(one)) {
-      if (system.counted(one) && !known(found, one)) found.push_back(one);
+      if (system.counted(one) && !add(found, one, system))
+        census.undecided.push_back(system.angles(system.directions(one)));
       continue;
     }
     if (widest_of(box, system.turning()) < smallest) {
