@@ -135,8 +135,7 @@ Result compute(NamedStructure& entry, const CriticalOptions& options) {
   return entry.plain ? compute_plain(entry, options) : compute_structure(entry, options);
 }
 
-/// Computes every chain of the table, which is used up; what cannot be computed joins its errors.
-/// The straight chain in space. \returns its text, or the same as JSON
+/// The straight chain in space.
 void run_space(const CriticalOptions& options, const std::string& name, const std::string& text,
                Outputs& outputs, files::OutputFile* csv, files::OutputFile* json) {
   const std::string source = files::source_name(options.input);
@@ -159,7 +158,7 @@ void run_space(const CriticalOptions& options, const std::string& name, const st
     if (!csv && !json) fmt::print("{}", as_text(torque));
     return;
   }
-  if (!space.axial) throw Error(source, "loads across the chain, or fixed ones", "multiplied loads along x");
+  if (!space.axial) throw Error(source, "loads across the chain, which bend it", "loads along x");
   const proofs::StraightSpace straight = [&] {
     try {
       return proofs::StraightSpace(space.chain, space.straight);
@@ -175,6 +174,7 @@ void run_space(const CriticalOptions& options, const std::string& name, const st
   if (!csv && !json) fmt::print("{}", as_text(modes));
 }
 
+/// Computes every chain of the table, which is used up; what cannot be computed joins its errors.
 Results compute(ChainTable& table, const CriticalOptions& options) {
   const std::size_t count = table.chains.size();
   std::vector<std::optional<Result>> found(count);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/decimal_toml.hpp"
+#include "app/structure_file.hpp"
 #include "support/files/printable.hpp"
 
 namespace plumbline::app {
@@ -69,28 +70,56 @@ void read_ends(const toml::table& table, const std::string& source, SpaceCase& s
   space.words = "in space, base " + base + ", end point " + end;
 }
 
+void hold_across(SpaceCase& space, std::size_t node, const Restraint<Rational>& restraint) {
+  if (restraint.is_free()) return;
+  for (const int coordinate : {1, 2}) space.setting.holds.push_back({node, coordinate, restraint});
+}
+
+void read_supports(const toml::table& table, const std::string& source, SpaceCase& space) {
+  const toml::node* node = table.get("supports");
+  if (node == nullptr) return;
+  const std::string where = place_of(*node, source, "supports"),
+                    expected = "tables { at = JOINT, across = … }";
+  if (!node->is_array()) throw Error(where, "no list", expected);
+  space.straight.across.resize(space.chain.size() - 1);
+  for (const toml::node& item : *node->as_array()) {
+    const toml::table* one = item.as_table();
+    if (one == nullptr || !one->contains("at") || !one->contains("across"))
+      throw Error(where, "something else", expected);
+    files::refuse_unknown_keys(*one, {"at", "across"}, source);
+    const std::size_t at = read_node(*one->get("at"), where + ", at", space.chain.size());
+    if (at == space.chain.size()) throw Error(where, "one at the end point", "end_point for that");
+    space.straight.across[at - 1] = read_restraint(*one->get("across"), where + ", across");
+    hold_across(space, at, space.straight.across[at - 1]);
+  }
+  space.words += ", " + std::to_string(node->as_array()->size()) + " supports";
+}
+
 void read_foundation(const toml::table& table, const std::string& source, SpaceCase& space) {
   const toml::node* node = table.get("foundation");
   if (node == nullptr) return;
   const Rational bed = number_of(*node, place_of(*node, source, "foundation"));
   const std::size_t n = space.chain.size();
-  space.straight.across.assign(n - 1, {});
+  if (bed < 0)
+    throw Error(place_of(*node, source, "foundation"), "a negative value", "a stiffness per length");
+  space.straight.across.resize(n - 1);
   for (std::size_t i = 0; i < n; ++i) {
     const bool last = i + 1 == n;
-    if (last && space.straight.end_point.across.is_held()) break;
+    Restraint<Rational>& across = last ? space.straight.end_point.across : space.straight.across[i];
+    if (across.is_held()) continue;
     const Rational share =
         bed * (space.chain.length[i] + (last ? Rational(0) : space.chain.length[i + 1])) / 2;
-    const auto spring = Restraint<Rational>::sprung(share);
-    (last ? space.straight.end_point.across : space.straight.across[i]) = spring;
-    for (const int coordinate : {1, 2}) space.setting.holds.push_back({i + 1, coordinate, spring});
+    across = Restraint<Rational>::sprung(across.stiffness + share);
+    hold_across(space, i + 1, Restraint<Rational>::sprung(share));
   }
   space.words += ", elastic bed";
 }
 
 void add_force(SpaceCase& space, std::size_t node, const std::vector<Rational>& f, bool multiplied) {
   space.setting.forces.push_back({node, {f[0], f[1], f[2]}, multiplied});
-  space.axial = space.axial && f[1] == 0 && f[2] == 0 && multiplied;
-  for (std::size_t link = 0; link < node; ++link) space.straight.compression[link] -= f[0];
+  space.axial = space.axial && f[1] == 0 && f[2] == 0;
+  auto& N = multiplied ? space.straight.compression.multiplied : space.straight.compression.fixed;
+  for (std::size_t link = 0; link < node; ++link) N[link] -= f[0];
 }
 
 TorqueKind torque_kind(const toml::node& node, const std::string& where) {
@@ -103,7 +132,7 @@ TorqueKind torque_kind(const toml::node& node, const std::string& where) {
 
 void read_loads(const toml::table& table, const std::string& source, SpaceCase& space) {
   const std::size_t n = space.chain.size();
-  space.straight.compression.assign(n, Rational(0));
+  space.straight.compression = {std::vector<Rational>(n), std::vector<Rational>(n)};
   const toml::node* node = table.get("loads");
   if (node == nullptr) {
     space.words += ", dead force at the end point";
@@ -133,14 +162,7 @@ void read_loads(const toml::table& table, const std::string& source, SpaceCase& 
       }
       continue;
     }
-    std::size_t at = n;
-    if (load.contains("at")) {
-      const Rational joint = number_of(*load.get("at"), where + ", at");
-      if (mp::denominator(joint) != 1 || joint < 2 || joint > n)
-        throw Error(where + ", at", "no joint from 2 to " + std::to_string(n),
-                    "one; without it the end point");
-      at = joint.convert_to<std::size_t>() - 1;
-    }
+    const std::size_t at = load.contains("at") ? read_node(*load.get("at"), where + ", at", n) : n;
     add_force(space, at, vector_of(*load.get("force"), where + ", force"), multiplied);
   }
   space.words += ", " + std::to_string(node->as_array()->size()) + " loads";
@@ -154,8 +176,8 @@ bool is_space_chain(const std::string& text, const std::string& source) {
 
 SpaceCase parse_space_chain(const std::string& text, const std::string& source) {
   const toml::table table = parse_decimal_toml(text, source);
-  files::refuse_unknown_keys(table, {"lengths", "joints", "base", "end_point", "foundation", "loads"},
-                             source);
+  files::refuse_unknown_keys(
+      table, {"lengths", "joints", "base", "end_point", "supports", "foundation", "loads"}, source);
   const toml::array* list = table["joints"].as_array();
   if (list == nullptr) throw Error(source, "no list joints", "one of tables with axes and stiffness");
   std::vector<SpaceJoint<Rational>> joints;
@@ -174,6 +196,7 @@ SpaceCase parse_space_chain(const std::string& text, const std::string& source) 
                   true,
                   {}};
   read_ends(table, source, space);
+  read_supports(table, source, space);
   read_foundation(table, source, space);
   read_loads(table, source, space);
   return space;

@@ -15,7 +15,7 @@ struct SpaceCase {
   SpaceSetting<Rational> setting;    ///< for bent ones
   SpaceLoad<Rational> straight;      ///< for the straight one
   std::optional<TorqueKind> torque;  ///< a unit torque at the end point, instead of forces
-  bool axial = true;                 ///< whether all loads lie along x
+  bool axial = true;                 ///< whether all forces lie along x
   std::string words;                 ///< "base turns in joint 1, end point guided, …"
 };
 

@@ -14,37 +14,9 @@ std::string word(const toml::node& node) {
   return node.value_or(std::string());
 }
 
-/// "free", "held" or the stiffness of a spring.
-Restraint<Rational> read_restraint(const toml::node& node, const std::string& where) {
-  if (word(node) == "free") return {};
-  if (word(node) == "held") return Restraint<Rational>::held();
-  try {
-    const Rational stiffness = number_of(node, where);
-    if (stiffness >= 0) return Restraint<Rational>::sprung(stiffness);
-  } catch (const Error&) {
-  }
-  throw Error(where, files::shown(word(node)), "\"free\", \"held\" or the stiffness of a spring");
-}
-
 const toml::table& table_of(const toml::node& node, const std::string& where, const std::string& expected) {
   if (!node.is_table()) throw Error(where, files::shown(word(node)), expected);
   return *node.as_table();
-}
-
-/// Whole numbers have become strings, like all.
-std::size_t place_of(const toml::node& node, const std::string& where, std::size_t n) {
-  if (word(node) == "end_point") return n;
-  const std::string expected = "\"end_point\" or the number of a joint from 2 to " + std::to_string(n);
-  const Rational joint = [&] {
-    try {
-      return number_of(node, where);
-    } catch (const Error&) {
-      throw Error(where, files::shown(word(node)), expected);
-    }
-  }();
-  if (mp::denominator(joint) != 1 || joint < 2 || joint > n)
-    throw Error(where, files::shown(word(node)), expected);
-  return joint.convert_to<std::size_t>() - 1;
 }
 
 void read_support(const toml::table& table, const std::string& key, const std::string& source,
@@ -98,7 +70,7 @@ void read_supports(const toml::table& table, const std::string& source, Structur
     files::refuse_unknown_keys(one, {"at", "across"}, source);
     if (!one.contains("at") || !one.contains("across"))
       throw Error(where, "one without at or across", "both");
-    const std::size_t node_number = place_of(*one.get("at"), where + ", at", structure.chain.size());
+    const std::size_t node_number = read_node(*one.get("at"), where + ", at", structure.chain.size());
     if (node_number == structure.chain.size())
       throw Error(where, "one at the end point", "end_point = { across = … } for that");
     structure.across[node_number - 1] = read_restraint(*one.get("across"), where + ", across");
@@ -142,7 +114,7 @@ void read_load(const toml::table& load, const std::string& source, const std::st
   if (load.contains("direction") && !load.contains("weight"))
     throw Error(where, "a direction without a weight", "the direction in the force itself");
   const std::size_t n = structure.chain.size();
-  const std::size_t node = load.contains("at") ? place_of(*load.get("at"), where + ", at", n) : n;
+  const std::size_t node = load.contains("at") ? read_node(*load.get("at"), where + ", at", n) : n;
   const bool multiplied = !load["fixed"].value_or(false);
   if (load.contains("force")) {
     const auto f = list_of(load, "force", source, 2);
@@ -219,6 +191,32 @@ Rational positive(const toml::table& table, const std::string& key, const std::s
 }
 
 }  // namespace
+
+Restraint<Rational> read_restraint(const toml::node& node, const std::string& where) {
+  if (word(node) == "free") return {};
+  if (word(node) == "held") return Restraint<Rational>::held();
+  try {
+    const Rational stiffness = number_of(node, where);
+    if (stiffness >= 0) return Restraint<Rational>::sprung(stiffness);
+  } catch (const Error&) {
+  }
+  throw Error(where, files::shown(word(node)), "\"free\", \"held\" or the stiffness of a spring");
+}
+
+std::size_t read_node(const toml::node& node, const std::string& where, std::size_t n) {
+  if (word(node) == "end_point") return n;
+  const std::string expected = "\"end_point\" or the number of a joint from 2 to " + std::to_string(n);
+  const Rational joint = [&] {
+    try {
+      return number_of(node, where);
+    } catch (const Error&) {
+      throw Error(where, files::shown(word(node)), expected);
+    }
+  }();
+  if (mp::denominator(joint) != 1 || joint < 2 || joint > n)
+    throw Error(where, files::shown(word(node)), expected);
+  return joint.convert_to<std::size_t>() - 1;
+}
 
 Structure<Rational> read_beam(const toml::table& table, const std::string& source, Beam& beam) {
   const toml::node& node = *table.get("beam");

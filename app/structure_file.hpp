@@ -15,6 +15,12 @@ namespace plumbline::app {
 inline constexpr std::array<std::string_view, 7> structure_keys{
     "base", "end_point", "supports", "foundation", "loads", "masses", "beam"};
 
+/// "free", "held" or the stiffness of a spring. \throws Error at the place where it is none of them
+Restraint<Rational> read_restraint(const toml::node& node, const std::string& where);
+/// The node of a chain of n links that "end_point", or the number of a joint from 2 on, is.
+/// \throws Error at the place where it is none of them
+std::size_t read_node(const toml::node& node, const std::string& where, std::size_t n);
+
 /// The rod that a chain stands for: bending stiffness, and length of each of its bars.
 struct Beam {
   Rational EI, bar;

@@ -52,6 +52,9 @@ StraightSpace::StraightSpace(const SpaceChain<Rational>& chain, const SpaceLoad<
           std::sqrt(Rational(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]).convert_to<double>()));
     }
   }
+  if (negative(pencil_.stiffness) > 0)
+    throw Error("structure", "one that the fixed loads alone make give way",
+                "fixed loads below the critical ones");
   if (negative(-pencil_.stiffness) < static_cast<std::size_t>(pencil_.stiffness.rows()))
     throw Error("structure", "a mechanism, which moves across without any force",
                 "ends, springs and stiffnesses that hold it");

@@ -17,7 +17,8 @@ struct SpaceMode {
 
 class StraightSpace {
  public:
-  /// \throws Error for a mechanism, and where no positive factor makes the chain give way
+  /// \throws Error for a mechanism, for a chain that gives way before the factor grows, and where no positive
+  ///         factor makes it give way
   StraightSpace(const SpaceChain<Rational>& chain, const SpaceLoad<Rational>& load);
 
   [[nodiscard]] std::size_t modes() const { return modes_; }

@@ -26,7 +26,7 @@ Decimals factors_in_space(const std::string& text, std::size_t lowest, int digit
   const app::SpaceCase space = app::parse_space_chain(text, source);
   if (space.torque)
     return {proofs::critical_torque(space.chain, space.straight, *space.torque, digits).value.decimal};
-  if (!space.axial) throw Error("loads", "loads across the chain, or fixed ones", "multiplied loads along x");
+  if (!space.axial) throw Error("loads", "loads across the chain, which bend it", "loads along x");
   Decimals all;
   for (const proofs::SpaceMode& mode :
        proofs::StraightSpace(space.chain, space.straight).in_decimals(lowest, digits))

@@ -211,7 +211,7 @@ void attack_in_space(StructureAdversary& adversary) {
     if (adversary.one_in(3)) joints.back().axes.push_back({{1, 0, 0}, adversary.size()});  // twist
   }
   SpaceLoad<Rational> load;
-  load.compression.assign(n, 1);
+  load.compression.multiplied.assign(n, 1);
   std::vector<Rational> planar;
   for (const auto* stiffness : {&weak, &strong}) {
     for (const auto& mode : forces_in_decimals(Chain<Rational>(length, *stiffness), 99, 15))

@@ -32,7 +32,7 @@ struct TorquePencil {
 /// \throws Error for an axis along the chain, or oblique, which a torque twists at once
 template <Ordered Real>
 TorquePencil<Real> torque_pencil(const SpaceChain<Real>& chain, SpaceLoad<Real> ends, TorqueKind kind) {
-  ends.compression.assign(chain.size(), Real(0));
+  ends.compression = {};
   const SpacePencil<Real> pencil = space_pencil(chain, ends);
   std::vector<std::array<Real, 3>> axes;
   const auto& first = chain.joint[0].axes;

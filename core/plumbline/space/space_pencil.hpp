@@ -5,12 +5,13 @@
 ///
 /// To second order in the joint angles q the link j leans by t_j = sum of q a x e over the axes a up to it, e
 /// along the chain, and shortens the chain by L_j t_j^2 / 2, in whatever order a joint's axes are turned
-/// about. So K = diag(k) and G = sum N_j L_j t_j^T t_j, on the q that what holds the end point permits;
-/// twist, a along e, does not enter. An axis of length |a| stands for the spring k |a|^2, so that any
-/// decimals are directions.
+/// about. So K = diag(k) + sum s_i w_i^T w_i - sum N_j L_j t_j^T t_j with the springs s_i against deflections
+/// w_i and the compression N_j of fixed loads, and G = sum N_j L_j t_j^T t_j with that of multiplied ones, on
+/// the q that what holds the chain permits; twist, a along e, does not enter. An axis of length |a| stands
+/// for the spring k |a|^2, so that any decimals are directions.
 
 #include <plumbline/space/space_chain.hpp>
-#include <plumbline/structure/support.hpp>
+#include <plumbline/structure/structure.hpp>
 
 namespace plumbline {
 
@@ -27,10 +28,10 @@ struct SpacePencil {
 /// is clamped.
 template <Number Real>
 struct SpaceLoad {
-  std::vector<Real> compression;             ///< N_1 … N_n at factor 1
+  Compression<Real> compression;             ///< a list may be empty: no such load
   bool base_clamped = false;                 ///< link 1 does not turn
   Support<Real> end_point = guided<Real>();  ///< alike in both directions; `turn` free or held
-  std::vector<Restraint<Real>> across;       ///< at joints 2 … n, alike in both directions; may be empty
+  std::vector<Restraint<Real>> across;       ///< at nodes 1 … n - 1, alike in both directions; may be empty
 };
 
 namespace detail {
@@ -101,20 +102,31 @@ SpacePencil<Real> space_pencil(const SpaceChain<Real>& chain, const SpaceLoad<Re
     return t;
   };
   Matrix<Real> K = Matrix<Real>::Constant(m, m, Real(0)), G = K, w = Matrix<Real>::Constant(2, m, Real(0));
+  Matrix<Real> held = Matrix<Real>::Constant(2 * static_cast<Eigen::Index>(chain.size() + 1), m, Real(0));
+  Eigen::Index rows = 0;
+  const auto hold = [&](const Matrix<Real>& what) {
+    held.middleRows(rows, 2) = what;
+    rows += 2;
+  };
+  const auto add_push = [&](Matrix<Real>& to, const std::vector<Real>& N, std::size_t i,
+                            const Matrix<Real>& t) {
+    if (!N.empty()) to += N[i] * chain.length[i] * (t.transpose() * t);
+  };
   for (Eigen::Index a = 0; a < m; ++a) K(a, a) = springs[static_cast<std::size_t>(a)];
+  Matrix<Real> fixed = G;
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Matrix<Real> t = slopes(i);
-    const Real push = load.compression[i] * chain.length[i];
-    G += push * (t.transpose() * t);
+    add_push(G, load.compression.multiplied, i, t);
+    add_push(fixed, load.compression.fixed, i, t);
     w += chain.length[i] * t;
     const Restraint<Real> across = i + 1 == chain.size() ? load.end_point.across
                                    : load.across.empty() ? Restraint<Real>()
                                                          : load.across[i];
     if (across.hold == Hold::sprung) K += across.stiffness * (w.transpose() * w);
+    if (across.is_held()) hold(w);
   }
-  Matrix<Real> held = Matrix<Real>::Constant(4, m, Real(0));
-  if (load.end_point.across.is_held()) held.topRows(2) = w;
-  if (load.end_point.turn.is_held()) held.bottomRows(2) = slopes(chain.size() - 1);
+  K -= fixed;
+  if (load.end_point.turn.is_held()) hold(slopes(chain.size() - 1));
   pencil.basis = detail::null_space<Real>(held);
   const Matrix<Real>& N = pencil.basis;
   pencil.stiffness = N.transpose() * K * N;

@@ -223,7 +223,7 @@ TEST_CASE(
 TEST_CASE("universal joints with unequal planes: the weaker one, and 2 (n - 1) forces") {
   std::vector<SpaceJoint<Rational>> joints(4, SpaceJoint<Rational>{{{{0, 0, 1}, 1, 0}, {{0, 1, 0}, 3, 0}}});
   SpaceLoad<Rational> load;
-  load.compression.assign(4, Rational(1));
+  load.compression.multiplied.assign(4, Rational(1));
   const StraightSpace space(SpaceChain<Rational>(std::vector<Rational>(4, 1), joints), load);
   CHECK(space.modes() == 6);
   const auto planar = modes_in_decimals(Chain<Rational>({1, 1, 1, 1}, {1, 1, 1, 1}), 9, 30);
