@@ -135,15 +135,20 @@ Result compute(NamedStructure& entry, const CriticalOptions& options) {
   return entry.plain ? compute_plain(entry, options) : compute_structure(entry, options);
 }
 
+std::string certificates(const std::vector<nlohmann::json>& entries, const char* format,
+                         const page::Provenance& from) {
+  const proofs::Provenance provenance{from.command + " --certify FILE", from.program, ""};
+  return proofs::certificate_file(format, provenance, entries).dump(1, ' ', true) + "\n";
+}
+
 /// The straight chain in space.
 void run_space(const CriticalOptions& options, const std::string& name, const std::string& text,
-               Outputs& outputs, files::OutputFile* csv, files::OutputFile* json) {
+               Outputs& outputs, files::OutputFile* csv, files::OutputFile* json,
+               files::OutputFile* certify) {
   const std::string source = files::source_name(options.input);
   const SpaceCase space = parse_space_chain(text, source);
-  if (!options.certify.empty())
-    throw Error("--certify", "a chain in space",
-                "a chain in the plane: the counts in space are not written down yet");
   if (space.torque) {
+    if (certify) throw Error("--certify", "a torque", "forces: no certificate is made of a torque");
     const auto found = [&] {
       try {
         return proofs::critical_torque(space.chain, space.straight, *space.torque, options.digits);
@@ -168,6 +173,10 @@ void run_space(const CriticalOptions& options, const std::string& name, const st
   }();
   const SpaceModes modes{name, space.words, space.chain.size(), straight.modes(),
                          straight.in_decimals(wanted(options), options.digits)};
+  if (certify)
+    certify->write(certificates({proofs::structure_certificate(name, space.chain, space.straight, straight,
+                                                               wanted(options), options.digits)},
+                                proofs::structure_certificates, outputs.provenance()));
   if (csv) csv->write(as_csv(modes));
   if (json) json->write(page::json_text(as_json(modes, options.digits), outputs.provenance()));
   outputs.commit();
@@ -200,14 +209,6 @@ Results compute(ChainTable& table, const CriticalOptions& options) {
   return results;
 }
 
-std::string certificates(const Results& results, bool plain, const page::Provenance& from) {
-  const proofs::Provenance provenance{from.command + " --certify FILE", from.program, ""};
-  return proofs::certificate_file(plain ? proofs::critical_certificates : proofs::structure_certificates,
-                                  provenance, results.certificates)
-             .dump(1, ' ', true) +
-         "\n";
-}
-
 /// Whether a file is a chain or a table of chains, not what was written here before.
 bool holds_chains(const std::string& path) {
   std::error_code ignored;
@@ -235,7 +236,7 @@ void run(CriticalOptions options, const CLI::App& verb) {
     const std::string text = files::read_text(options.input);
     if (is_space_chain(text, files::source_name(options.input)))
       return run_space(options, files::printable(fs::path(options.input).stem().string()), text, outputs, csv,
-                       json);
+                       json, certify);
   }
   ChainTable table = read(options);
   const bool plain = options.table || table.chains.front().plain;
@@ -246,7 +247,10 @@ void run(CriticalOptions options, const CLI::App& verb) {
     if (csv) csv->write(as_csv(results.chains));
     const page::Provenance& from = outputs.provenance();
     if (json) json->write(page::json_text(as_json(results.chains, table.errors, options.digits), from));
-    if (certify) certify->write(certificates(results, plain, from));
+    if (certify)
+      certify->write(certificates(results.certificates,
+                                  plain ? proofs::critical_certificates : proofs::structure_certificates,
+                                  from));
     outputs.commit();
     if (!csv && !json) fmt::print("{}", options.table ? as_text(results.chains) : as_text(results.chains[0]));
   }

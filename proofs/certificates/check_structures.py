@@ -144,8 +144,58 @@ class Structure:
                                for i, row in enumerate(rows)]) for x in map(Fraction, range(self.size + 1))]
         return interpolated(values)
 
-    def below(self, factor):
-        return inertia(self.matrix(1, factor))[0]
+class SpaceStructure:
+    """A chain in space, in the turns about the axes that bend it: a sum of squares of linear forms in them."""
+    def __init__(self, entry):
+        L, axes = [number(x) for x in entry["lengths"]], []
+        n = len(L)
+        require(n == len(entry["joints"]) > 0 and min(L) > 0 and entry["clamped"] in (0, 1), "no such chain")
+        for i, joint in enumerate(entry["joints"]):
+            require(1 <= len(joint) <= 3, "axes")
+            for axis in joint:
+                fields(axis, "axis stiffness")
+                a, k = [number(x) for x in axis["axis"]], number(axis["stiffness"])
+                require(len(a) == 3 and any(a) and k >= 0, "no such axis")
+                if a[1:] != [0, 0] and not (i == 0 and entry["clamped"]):
+                    axes.append((i, k * sum(x * x for x in a), (a[2], -a[1])))
+        fields(entry["end_point"], "across turn")
+        fields(entry["compression"], "fixed multiplied")
+        N = [[number(x) for x in entry["compression"][kind]] for kind in ("fixed", "multiplied")]
+        across = [Motion(x) for x in entry["across"] + [entry["end_point"]["across"]]]
+        require(len(across) == n == len(N[0]) == len(N[1]) and entry["end_point"]["turn"] in ("free", "held"), "ends and loads")
+        slopes = [[[lean[d] * (joint <= i) for joint, _, lean in axes] for d in (0, 1)] for i in range(n)]
+        deflections = [[[sum(L[j] * slopes[j][d][a] for j in range(i + 1)) for a in range(len(axes))] for d in (0, 1)] for i in range(n)]
+        held = [w for i in range(n) if across[i].held for w in deflections[i]]
+        basis = kernel(held + (slopes[-1] if entry["end_point"]["turn"] == "held" else []), len(axes))
+        squares = [(k, 0, [Fraction(a == b) for b in range(len(axes))]) for a, (_, k, _) in enumerate(axes)]
+        for i in range(n):
+            squares += [(across[i].spring, 0, w) for w in deflections[i]]
+            squares += [(-L[i] * N[0][i], -L[i] * N[1][i], t) for t in slopes[i]]
+        self.size = len(basis)
+        self.squares = [(c, d, [sum(x * y for x, y in zip(form, b)) for b in basis]) for c, d, form in squares if c or d]
+
+    def matrix(self, springs, factor):
+        """As that of Structure."""
+        return [{j: sum((springs * c + factor * d) * form[i] * form[j] for c, d, form in self.squares) for j in range(self.size)}
+                for i in range(self.size)]
+
+def kernel(rows, columns):
+    """A basis of what the rows map to zero."""
+    pivots = []
+    for column in range(columns):
+        row = next((row for row in rows if row[column]), None)
+        if row is None: continue
+        pivot = [x / row[column] for x in row]
+        eliminated = [[x - other[column] * y for x, y in zip(other, pivot)] for other in rows if other is not row]
+        pivots = [(at, [x - other[column] * y for x, y in zip(other, pivot)]) for at, other in pivots] + [(column, pivot)]
+        rows = eliminated
+    basis, leading = [], {at for at, _ in pivots}
+    for column in range(columns):
+        if column in leading: continue
+        vector = [Fraction(i == column) for i in range(columns)]
+        for at, pivot in pivots: vector[at] = -pivot[column]
+        basis.append(vector)
+    return basis
 
 def check_loss(entry):
     fields(entry, "structure lengths stiffness base end_point across loads masses loss")
@@ -160,9 +210,13 @@ def check_loss(entry):
 
 def check_structure(entry):
     if "loss" in entry: return check_loss(entry)
-    fields(entry, "structure lengths stiffness base end_point across loads modes factors")
-    structure = Structure(entry)
-    require(not any(load["follows"] for load in entry["loads"]), "a load without energy")
+    if "joints" in entry:
+        fields(entry, "structure lengths joints clamped end_point across compression modes factors")
+        structure = SpaceStructure(entry)
+    else:
+        fields(entry, "structure lengths stiffness base end_point across loads modes factors")
+        structure = Structure(entry)
+        require(not any(load["follows"] for load in entry["loads"]), "a load without energy")
     require(inertia(structure.matrix(1, 0)) == (0, structure.size), "not stable before the loads grow")
     require(inertia(structure.matrix(0, 1))[0] == entry["modes"] > 0, "modes")
     modes = [factor["mode"] for factor in entry["factors"]]
@@ -171,7 +225,7 @@ def check_structure(entry):
         fields(factor, "mode digits low high below_low below_high")
         low, high = number(factor["low"]), number(factor["high"])
         require(0 < low < high and 2 * (high - low) < unit(low, factor["digits"]) <= low, "bounds too wide")
-        below = [structure.below(low), structure.below(high)]
+        below = [inertia(structure.matrix(1, x))[0] for x in (low, high)]
         require(below == [factor["below_low"], factor["below_high"]], "counts")
         require(below[0] < factor["mode"] <= below[1], "mode not within the bounds")
 

@@ -41,17 +41,57 @@ json described(const std::string& name, const Structure<Rational>& structure) {
           {"loads", loads}};
 }
 
+json to_json(const SpaceJoint<Rational>& joint) {
+  json axes = json::array();
+  for (const Axis<Rational>& axis : joint.axes) {
+    const auto& a = axis.direction;
+    axes.push_back({{"axis", exact_list({a[0], a[1], a[2]})}, {"stiffness", to_exact(axis.stiffness)}});
+  }
+  return axes;
+}
+
+/// The compression of all links.
+json all_links(const std::vector<Rational>& compression, std::size_t links) {
+  return exact_list(compression.empty() ? std::vector<Rational>(links, Rational(0)) : compression);
+}
+
+json described(const std::string& name, const SpaceChain<Rational>& chain, const SpaceLoad<Rational>& load) {
+  json joints = json::array(), across = json::array();
+  for (const SpaceJoint<Rational>& joint : chain.joint) joints.push_back(to_json(joint));
+  for (std::size_t node = 1; node < chain.size(); ++node)
+    across.push_back(load.across.empty() ? "free" : text(load.across[node - 1]));
+  return {{"structure", name},
+          {"lengths", exact_list(chain.length)},
+          {"joints", joints},
+          {"clamped", load.base_clamped ? 1 : 0},
+          {"end_point", {{"across", text(load.end_point.across)}, {"turn", text(load.end_point.turn)}}},
+          {"across", across},
+          {"compression",
+           {{"fixed", all_links(load.compression.fixed, chain.size())},
+            {"multiplied", all_links(load.compression.multiplied, chain.size())}}}};
+}
+
+template <class Straight>
+json with_factors(json entry, const Straight& straight, std::size_t lowest, int digits) {
+  json factors = json::array();
+  for (const ForceEnclosure& factor : straight.enclose(lowest, digits))
+    factors.push_back(to_json(factor, digits));
+  entry["modes"] = straight.modes();
+  entry["factors"] = factors;
+  return entry;
+}
+
 }  // namespace
 
 json structure_certificate(const std::string& name, const Structure<Rational>& structure,
                            const StraightStructure& straight, std::size_t lowest, int digits) {
-  json factors = json::array();
-  for (const ForceEnclosure& factor : straight.enclose(lowest, digits))
-    factors.push_back(to_json(factor, digits));
-  json entry = described(name, structure);
-  entry["modes"] = straight.modes();
-  entry["factors"] = factors;
-  return entry;
+  return with_factors(described(name, structure), straight, lowest, digits);
+}
+
+json structure_certificate(const std::string& name, const SpaceChain<Rational>& chain,
+                           const SpaceLoad<Rational>& load, const StraightSpace& straight, std::size_t lowest,
+                           int digits) {
+  return with_factors(described(name, chain, load), straight, lowest, digits);
 }
 
 json structure_certificate(const std::string& name, const Structure<Rational>& structure,

@@ -22,11 +22,26 @@ Structure<Rational> straight_structure(const std::string& text) {
   return structure;
 }
 
+app::SpaceCase straight_in_space(const std::string& text) {
+  app::SpaceCase space = app::parse_space_chain(text, source);
+  if (!space.axial) throw Error("loads", "loads across the chain, which bend it", "loads along x");
+  return space;
+}
+
+std::string certificate_in_space(const std::string& name, const std::string& text, std::size_t lowest,
+                                 int digits, const std::string& command) {
+  const app::SpaceCase space = straight_in_space(text);
+  if (space.torque) throw Error("loads", "a torque", "forces: no certificate is made of a torque");
+  const proofs::StraightSpace straight(space.chain, space.straight);
+  return certificate_text(
+      proofs::structure_certificates, command,
+      proofs::structure_certificate(name, space.chain, space.straight, straight, lowest, digits));
+}
+
 Decimals factors_in_space(const std::string& text, std::size_t lowest, int digits) {
-  const app::SpaceCase space = app::parse_space_chain(text, source);
+  const app::SpaceCase space = straight_in_space(text);
   if (space.torque)
     return {proofs::critical_torque(space.chain, space.straight, *space.torque, digits).value.decimal};
-  if (!space.axial) throw Error("loads", "loads across the chain, which bend it", "loads along x");
   Decimals all;
   for (const proofs::SpaceMode& mode :
        proofs::StraightSpace(space.chain, space.straight).in_decimals(lowest, digits))
@@ -57,6 +72,7 @@ py::dict stability_loss(const std::string& text, int digits) {
 std::string certificate(const std::string& name, const std::string& text, std::size_t lowest, int digits,
                         const std::string& command) {
   return unlocked([&] {
+    if (app::is_space_chain(text, source)) return certificate_in_space(name, text, lowest, digits, command);
     const Structure<Rational> structure = straight_structure(text);
     const nlohmann::json entry =
         structure.follower()

@@ -66,7 +66,7 @@ def stability_loss(chain: Chain, *, digits: int | None = None,
 
 def structure_certificate(chain: Chain, *, digits: int = 15, lowest: int | None = None, name: str = "chain") -> str:
     """A file of certificates (JSON) of critical factors, or of the loss of stability, to so many digits, which
-    `proofs/certificates/check_structures.py` checks with fractions alone. In the plane.
+    `proofs/certificates/check_structures.py` checks with fractions alone.
 
     :raises Error: as critical_factors and stability_loss
     """

@@ -13,6 +13,8 @@ ROOT = pathlib.Path(__file__).parents[2]
 CANTILEVER = {"lengths": [1, 1], "stiffness": [1, 1], "end_point": "free"}
 FOLLOWER = {**CANTILEVER, "masses": [2, 1], "loads": [{"follower": 1}]}
 
+UNIVERSAL = {"lengths": [1, 1, 1], "joints": [{"axes": [[0, 0, 1], [0, 1, 0]], "stiffness": [1, 3]}] * 3}
+
 
 def test_equal_links_fixed_and_free_are_the_textbook_s():
     for n in (1, 2, 7, 30):
@@ -37,8 +39,7 @@ def test_every_kind_of_end_support_and_load_is_read():
 
 
 def test_in_space_the_weaker_plane_gives_way_first():
-    universal = {"axes": [[0, 0, 1], [0, 1, 0]], "stiffness": [1, 3]}
-    found = plumbline.critical_factors({"lengths": [1, 1, 1], "joints": [universal] * 3})
+    found = plumbline.critical_factors(UNIVERSAL)
     plane = [plumbline.critical_forces([1, 1, 1], [k] * 3) for k in (1, 3)]
     np.testing.assert_allclose(found, np.sort(np.concatenate(plane)), rtol=1e-14)
 
@@ -49,7 +50,7 @@ def test_a_follower_force_makes_ziegler_s_pendulum_flutter():
     assert loss.factor == pytest.approx(3.5 - 2 ** 0.5, rel=1e-15)
 
 
-@pytest.mark.parametrize("chain", [CANTILEVER, FOLLOWER])
+@pytest.mark.parametrize("chain", [CANTILEVER, FOLLOWER, UNIVERSAL])
 def test_certificates_hold(chain, tmp_path):
     text = plumbline.structure_certificate(chain, digits=30, name="two links")
     assert json.loads(text)["certificates"][0]["structure"] == "two links"

@@ -33,7 +33,11 @@ def lies(document, path):
         digit = unit(low, parent["digits"])
         x = Fraction(old)
         yield from (str(-x), str(x - outwards * 2 * (high - low)), str(x + outwards * digit * Fraction(6, 10)))
-    elif path[-2] in ("lengths", "stiffness", "masses") or key == "force":
+    elif path[-2] == "axis":
+        yield "-1/0"
+        if not Fraction(old):  # longer, an axis would be the same
+            yield "0.1"
+    elif path[-2] in ("lengths", "stiffness", "masses", "fixed", "multiplied") or key in ("force", "stiffness"):
         x = Fraction(old)
         yield from (str(x + Fraction(1, 10**30)), str(-x) if x else "-1")
     else:  # a restraint
@@ -45,6 +49,8 @@ def lies(document, path):
 def true_too(entry, path, old, new):
     """What a change leaves true: a spring along or across, in place of a rod, at the end that alone is held so; and whatever
     concerns only a link that a clamp keeps from turning."""
+    if "joints" in entry:
+        return False
     links, place = len(entry["lengths"]), path[-1]
     clamped = [link for link, end in ((0, "base"), (links - 1, "end_point")) if entry[end]["turn"] == "held"]
     across = [entry["base"]["across"], *entry["across"], entry["end_point"]["across"]]
@@ -114,6 +120,17 @@ def follower(low, high, kind="flutter", **members):
     return entry
 
 
+def in_space(**members):
+    """Two unit links on universal joints, the springs (2, 1) in one plane and (2, 3) in the other: F = (k_1 + 4 k_2) / 2 = 3, 7."""
+    def joint(*stiffness):
+        return [{"axis": axis.split(), "stiffness": k} for axis, k in zip(("0 0 1", "0 1 0"), stiffness)]
+    nines, zeros = "9" * 40, "0" * 39
+    return {"structure": "by hand", "lengths": ["1", "1"], "joints": [joint("2", "2"), joint("1", "3")], "clamped": 0,
+            "end_point": {"across": "held", "turn": "free"}, "across": ["free"],
+            "compression": {"fixed": ["0", "0"], "multiplied": ["1", "1"]}, "modes": 2,
+            "factors": [factor(1, f"2.{nines}", f"3.{zeros}1", (0, 1), 39), factor(2, f"6.{nines}", f"7.{zeros}1", (1, 2), 39)], **members}
+
+
 def by_hand():
     """Pairs of certificates, the first true and the second a forgery, with a name."""
     true = cantilever()
@@ -137,6 +154,13 @@ def by_hand():
     yield "a support left out", \
         cantilever(across=["held"], modes=1, factors=[factor(1, "1.99", "2.01", (0, 1))], end_point=FREE, stiffness=["0", "2"]), \
         cantilever(across=["free"], modes=1, factors=[factor(1, "1.99", "2.01", (0, 1))], end_point=FREE, stiffness=["0", "2"])
+    stiff = in_space()["joints"]
+    yield "the planes of one joint exchanged", in_space(), in_space(joints=[stiff[0], stiff[1][::-1]], factors=in_space()["factors"][:1], modes=1)
+    yield "one axis twice", in_space(), in_space(joints=[stiff[0], [stiff[1][0]] * 2])
+    # half of the compression fixed: (3 - 1/2) and (7 - 1/2) remain
+    half = {"fixed": ["0.5", "0.5"], "multiplied": ["1", "1"]}
+    yield "a fixed load left out", in_space(compression=half, factors=[factor(1, "2.49", "2.51", (0, 1))]), \
+        in_space(factors=[factor(1, "2.49", "2.51", (0, 1))])
     flutter = follower("2.08", "2.1")
     yield "flutter called divergence", flutter, follower("2.08", "2.1", "divergence")
     yield "a loss below the first", flutter, follower("2.06", "2.08")
@@ -154,7 +178,7 @@ def main():
     def of_one(entry):
         return sealed({**document, "certificates": [entry]})
 
-    for certificate in kinds(document["certificates"]):
+    for certificate in [*kinds(document["certificates"]), in_space()]:
         judge.true(of_one(certificate), certificate["structure"])
         judge.by_machine(forgeries(of_one(certificate)))
     judge.by_machine(misspelt(of_one(certificate)))
