@@ -36,7 +36,7 @@ BentStructure<double> random_structure() {
   return BentStructure<double>(SpaceChain<double>(std::move(length), std::move(joints)), std::move(setting));
 }
 
-Structure<double> cantilever(std::size_t n) {
+Structure<double> pushed_cantilever(std::size_t n) {
   Structure<double> structure{Chain<double>(std::vector<double>(n, 1.0), std::vector<double>(n, 1.0))};
   structure.end_point = {};
   structure.add_compression();
@@ -91,7 +91,7 @@ TEST_CASE("a planar chain with the end point held is the nominal chain") {
 }
 
 TEST_CASE("the straight chain bifurcates at its critical forces, and leaves them stable and forked") {
-  const Structure<double> structure = cantilever(3);
+  const Structure<double> structure = pushed_cantilever(3);
   const auto model = bent_structure(structure);
   const BentLimits<double> limits{0, 4};
   BentTracer<double> tracer(model, limits);
@@ -114,7 +114,7 @@ TEST_CASE("the straight chain bifurcates at its critical forces, and leaves them
 }
 
 TEST_CASE("a single leaning link carries k q / (L sin q)") {
-  Structure<double> structure = cantilever(1);
+  Structure<double> structure = pushed_cantilever(1);
   const auto model = bent_structure(structure);
   BentSolver<double> solver(model);
   const auto rest = solver.settle(Vector<double>::Constant(1, 0.1), 1.25);
@@ -140,7 +140,7 @@ TEST_CASE("a chain of universal joints in space buckles towards its weaker side"
 }
 
 TEST_CASE("an unstable start of slow loading is refused") {
-  const auto model = bent_structure(cantilever(2));
+  const auto model = bent_structure(pushed_cantilever(2));
   const BentLimits<double> limits{0, 2};
   BentTracer<double> tracer(model, limits);
   const auto start = tracer.solver().at_factor(model.rest(), 1, Vector<double>(0));
