@@ -46,6 +46,7 @@ PYBIND11_MODULE(_engine, module) {
   module.attr("version") = PLUMBLINE_VERSION;
   pybind11::register_exception<plumbline::Error>(module, "Error", PyExc_ValueError);
   python::add_straight(module);
+  python::add_structures(module);
   python::add_loaded(module);
   python::add_diagnosis(module);
 }

@@ -10,9 +10,11 @@ from plumbline.diagnosis import Curve, Diagnosis, diagnose, diagnose_folder
 from plumbline.loaded import (Branch, Equilibria, Path, Points, Proof, equilibria, equilibria_certificate, path,
                               path_certificate)
 from plumbline.straight import (Modes, critical_certificate, critical_forces, critical_modes, lowest_critical_forces)
+from plumbline.structures import Chain, StabilityLoss, critical_factors, stability_loss, structure_certificate
 
 __all__ = [
-    "Branch", "Curve", "Diagnosis", "Equilibria", "Error", "Modes", "Path", "Points", "Proof", "__version__",
-    "critical_certificate", "critical_forces", "critical_modes", "diagnose", "diagnose_folder", "equilibria",
+    "Branch", "Chain", "Curve", "Diagnosis", "Equilibria", "Error", "Modes", "Path", "Points", "Proof", "StabilityLoss",
+    "__version__", "critical_certificate", "critical_factors", "critical_forces", "critical_modes", "diagnose", "diagnose_folder", "equilibria",
     "equilibria_certificate", "lowest_critical_forces", "path", "path_certificate",
+    "stability_loss", "structure_certificate",
 ]
