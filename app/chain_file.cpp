@@ -6,10 +6,10 @@
 #include <set>
 #include <sstream>
 
+#include "proofs/exact/decimal.hpp"
 #include "support/files/csv_file.hpp"
 #include "support/files/printable.hpp"
 #include "support/files/toml_file.hpp"
-#include "proofs/exact/decimal.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -173,12 +173,25 @@ std::vector<std::size_t> find_columns(const files::CsvRow& header, const std::st
   return column;
 }
 
+/// Where the lists of a chain stand: in the table [nominal], as experiments and `plumbline chain` have it, or
+/// in the file itself.
+const toml::table& chain_table(const toml::table& file, const std::string& source) {
+  const toml::table* const nominal = file["nominal"].as_table();
+  if (nominal == nullptr) return file;
+  files::refuse_unknown_keys(file, {"nominal"}, source);
+  for (const char* beyond : {"effect", "torque_law"})
+    if (const toml::node* const more = nominal->get(beyond))
+      throw Error(files::place(*more, source), std::string("[[nominal.") + beyond + "]]", "springs alone");
+  return *nominal;
+}
+
 }  // namespace
 
 Chain<Rational> parse_chain(const std::string& text, const std::string& source) {
-  const toml::table table = files::parse_toml(quote_decimals(text), source);
+  const toml::table file = files::parse_toml(quote_decimals(text), source);
+  const toml::table& table = chain_table(file, source);
   files::refuse_unknown_keys(table, {"lengths", "stiffness", "rest"}, source,
-                             {"link_length", "joint_stiffness"});
+                             {"link_length", "joint_stiffness", "link_mass", "gravity"});
   const auto lengths = number_list(table, spelling(table, "lengths", "link_length", source), source);
   const auto stiffness = number_list(table, spelling(table, "stiffness", "joint_stiffness", source), source);
   const auto rest = table.contains("rest") ? number_list(table, "rest", source) : std::vector<Rational>();

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/chain_file.hpp"
+#include "app/model_chain.hpp"
 #include "support/files/printable.hpp"
 #include "support/files/text_file.hpp"
 
@@ -30,9 +31,9 @@ void LoadedChain::read() {
     return;
   }
   const bool piped = files::is_standard_input(path);
-  if (!piped && std::filesystem::path(path).extension() != ".toml" && !std::filesystem::is_directory(path))
-    throw Error(path, "a name that does not end in .toml", "CHAIN.toml");
-  exact = parse_chain(files::read_text(path), files::source_name(path));
+  if (!piped && !names_chain_file(path) && !std::filesystem::is_directory(path))
+    throw Error(path, "a name that ends otherwise", "CHAIN.toml, or a model: .xml (MJCF), .urdf, .sdf");
+  exact = parse_chain(read_chain_text(path), files::source_name(path));
   name = piped ? "chain" : files::printable(std::filesystem::path(path).stem().string());
 }
 

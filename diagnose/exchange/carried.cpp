@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "diagnose/exchange/ways.hpp"
 #include "diagnose/rig/effect.hpp"
 #include "diagnose/rig/nominal.hpp"
-#include "diagnose/exchange/ways.hpp"
 
 namespace plumbline::exchange {
 namespace {

@@ -6,9 +6,9 @@
 #include <fmt/ranges.h>
 
 #include "diagnose/bench/read_experiment.hpp"
+#include "diagnose/exchange/read_model.hpp"
 #include "diagnose/rig/nominal.hpp"
 #include "diagnose/rig/run_rig.hpp"
-#include "diagnose/exchange/read_model.hpp"
 #include "tests/diagnose/exchange/proof.hpp"
 #include "tests/folder.hpp"
 
