@@ -36,10 +36,10 @@ class Look {
       return;
     }
     constexpr double much = 20;
-    const double usual = run_->usual_pause();
+    const double typical = run_->usual_pause();
     for (std::size_t i = 1; i < readings.size(); ++i)
-      if (const double pause = readings[i].t - readings[i - 1].t; pause > much * usual)
-        remark("a pause of {:.3g} s after reading {}, where {:.3g} s is usual", pause, i, usual);
+      if (const double pause = readings[i].t - readings[i - 1].t; pause > much * typical)
+        remark("a pause of {:.3g} s after reading {}, where {:.3g} s is usual", pause, i, typical);
   }
 
   void at(const Channel& channel) {
