@@ -15,10 +15,6 @@ namespace {
 using Eigen::Vector3d;
 using pugi::xml_node;
 
-std::string text_in(const xml_node element, const char* child) {
-  return element.child(child).text().get();
-}
-
 /// The first three numbers of a pose, the others as they stand.
 void move(xml_node pose, const Vector3d& by) {
   std::vector<double> all = numbers_in(pose.text().get(), "pose", 0, 7);

@@ -53,6 +53,13 @@ void add_what_is_silent(xml_node element) {
   for (const xml_node child : element.children()) add_what_is_silent(child);
 }
 
+/// By which a file is known, whatever way leads to it.
+std::string whole_name(const std::filesystem::path& file) {
+  std::error_code none;
+  const std::filesystem::path whole = std::filesystem::weakly_canonical(file, none);
+  return none ? file.string() : whole.string();
+}
+
 }  // namespace
 
 MjcfDocument::MjcfDocument(const std::filesystem::path& file) : file_(file.string()) {
@@ -62,7 +69,7 @@ MjcfDocument::MjcfDocument(const std::filesystem::path& file) : file_(file.strin
     throw Error(file_, name == "robot" ? "a URDF" : "the root <" + files::shown(name) + ">",
                 name == "robot" ? "MJCF in a file that ends in .xml: URDF ends in .urdf"
                                 : "the root <mujoco> of MJCF");
-  std::set<std::string> included{std::filesystem::weakly_canonical(file).string()};
+  std::set<std::string> included{whole_name(file)};
   include(root(), file.parent_path(), included);
 }
 
@@ -79,8 +86,8 @@ void MjcfDocument::include(xml_node parent, const std::filesystem::path& folder,
     if (*child.attribute("file").value() == '\0')
       throw Error(place_of(file_, child), "no file", "the name of one");
     const std::filesystem::path other_file = folder / child.attribute("file").value();
-    if (!included.insert(std::filesystem::weakly_canonical(other_file).string()).second)
-      throw Error(file_, other_file.string() + " included twice", "each file once");
+    if (!included.insert(whole_name(other_file)).second)
+      throw Error(file_, files::shown(other_file.string()) + " included twice", "each file once");
     pugi::xml_document other;
     parse(other_file, other);
     include(other.document_element(), folder, included);

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <plumbline/base/error.hpp>
 #include <set>
-#include <string>
 
 #include "diagnose/exchange/series.hpp"
 
@@ -38,6 +38,8 @@ Plane plane_of(const ReadJoint& first) {
 void require_planar(const std::vector<ReadJoint>& joints, const Plane& plane, const std::string& source,
                     const ReadModel& model) {
   for (const ReadJoint& joint : joints) {
+    if (joint.stiffness < 0)
+      throw Error(source, "joint " + joint.name + " with a negative stiffness", "zero or a positive one");
     if (!joint.hinge)
       throw Error(source, "joint " + joint.name + ", which is no hinge", "hinges alone" + how_to_keep(model));
     const double turned = std::acos(std::min(1.0, std::abs(joint.axis.normalized().dot(plane.normal()))));
@@ -95,7 +97,15 @@ std::vector<std::string> words_of(const std::string& name) {
 /// \param scale  that of the value, where it may be as good as nought; or 0
 double rounded(double value, double scale) {
   constexpr double last = 1e-12;
-  return std::abs(value) < last * scale ? 0 : std::stod(fmt::format("{:.12g}", value));
+  return std::abs(value) < last * scale ? 0 : std::strtod(fmt::format("{:.12g}", value).c_str(), nullptr);
+}
+
+/// Numbers of a file are finite, but their squares and sums need not be.
+void require_finite(const diagnose::NominalChain& chain, const std::string& source) {
+  double sum = chain.gravity[0] + chain.gravity[1];
+  for (const auto* list : {&chain.link_length, &chain.joint_stiffness, &chain.link_mass, &chain.rest})
+    for (const double value : *list) sum += value;
+  if (!std::isfinite(sum)) throw Error(source, "numbers too large to compute with", "SI units, radians");
 }
 
 void add_notes(const ReadModel& model, const std::vector<ReadJoint>& joints, double moved,
@@ -138,9 +148,9 @@ PlanarChain planar_chain(const ReadModel& model, const std::string& source,
   require_planar(joints, plane, source, model);
   PlanarChain result;
   result.plane = plane;
-  std::vector<std::string> names;
-  for (const ReadJoint& joint : joints) names.push_back(joint.name);
-  result.notes.push_back(fmt::format("joints: {}", fmt::join(names, ", ")));
+  for (const ReadJoint& joint : joints) result.names.push_back(joint.name);
+  result.weighs = model.gravity.norm() > 0;
+  result.notes.push_back(fmt::format("joints: {}", fmt::join(result.names, ", ")));
   if (const std::vector<std::string> held = series.held(); !held.empty())
     result.notes.push_back(fmt::format("held: {}", fmt::join(held, ", ")));
   result.end = named_end(model, series, joints.back());
@@ -170,6 +180,7 @@ PlanarChain planar_chain(const ReadModel& model, const std::string& source,
   }
   const Eigen::Vector2d gravity = plane.of(model.gravity);
   chain.gravity = {rounded(gravity.x(), 1), rounded(gravity.y(), 1)};
+  require_finite(chain, source);
   add_notes(model, joints, moved, result);
   return result;
 }

@@ -36,6 +36,8 @@ struct PlanarChain {
   std::vector<std::string> notes;  ///< which joints were taken, what was assumed, what was left out
   Plane plane = {};
   std::vector<TakenJoint> joints = {};  ///< from the base on
+  std::vector<std::string> names = {};  ///< of the joints, likewise
+  bool weighs = false;                  ///< whether the model has gravity at all
   std::optional<ReadPoint> end = {};    ///< where the model names the end point
 };
 

@@ -16,9 +16,9 @@ std::size_t elements_in(xml_node root, const char* section) {
   return count;
 }
 
-class Reader {
+class MjcfReader {
  public:
-  Reader(const MjcfScene& scene, const MjcfActuators& actuators) : scene_(scene), actuators_(actuators) {}
+  MjcfReader(const MjcfScene& scene, const MjcfActuators& actuators) : scene_(scene), actuators_(actuators) {}
 
   ReadModel read() {
     result_.left_out = scene_.left_out;
@@ -105,7 +105,7 @@ class Reader {
 }  // namespace
 
 ReadModel model_in(const MjcfScene& scene, const MjcfActuators& actuators) {
-  return Reader(scene, actuators).read();
+  return MjcfReader(scene, actuators).read();
 }
 
 ReadModel read_mjcf(const std::filesystem::path& file) {

@@ -10,9 +10,9 @@ namespace {
 using Eigen::Vector3d;
 using pugi::xml_node;
 
-class Reader {
+class SdfReader {
  public:
-  explicit Reader(const std::filesystem::path& file) : tree_(file) {}
+  explicit SdfReader(const std::filesystem::path& file) : tree_(file) {}
 
   ReadModel read() {
     for (const auto& [name, part] : tree_.parts())
@@ -132,7 +132,7 @@ class Reader {
 }  // namespace
 
 ReadModel read_sdf(const std::filesystem::path& file) {
-  return Reader(file).read();
+  return SdfReader(file).read();
 }
 
 }  // namespace plumbline::exchange

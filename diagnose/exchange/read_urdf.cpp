@@ -109,9 +109,9 @@ xml_node UrdfTree::gazebo_of(const std::string& joint) const {
 
 namespace {
 
-class Reader {
+class UrdfReader {
  public:
-  explicit Reader(const std::filesystem::path& file) : tree_(file) {}
+  explicit UrdfReader(const std::filesystem::path& file) : tree_(file) {}
 
   ReadModel read() {
     for (const xml_node joint : tree_.root().children("joint"))
@@ -191,7 +191,7 @@ class Reader {
 }  // namespace
 
 ReadModel read_urdf(const std::filesystem::path& file) {
-  return Reader(file).read();
+  return UrdfReader(file).read();
 }
 
 }  // namespace plumbline::exchange

@@ -10,10 +10,6 @@ namespace {
 using Eigen::Isometry3d, Eigen::Vector3d;
 using pugi::xml_node;
 
-std::string text_in(xml_node element, const char* child) {
-  return element.child(child).text().get();
-}
-
 bool is_on(xml_node element, const char* child) {
   const std::string text = text_in(element, child);
   return text == "true" || text == "1";

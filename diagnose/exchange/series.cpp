@@ -74,6 +74,8 @@ std::vector<std::string> planar_part(const ReadModel& model) {
 std::string how_to_keep(const ReadModel& model) {
   const std::vector<std::string> part = planar_part(model);
   if (part.empty()) return "";
+  constexpr std::size_t most = 8;  // names that an error has room for
+  if (part.size() > most) return "; plumbline chain --joints NAMES keeps some joints, the others held";
   return fmt::format("; plumbline chain --joints {} keeps a part that is one, the others held",
                      fmt::join(part, ","));
 }

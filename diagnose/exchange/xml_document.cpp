@@ -65,6 +65,10 @@ void set_child(xml_node element, const char* child, const std::string& text) {
   own.text() = text.c_str();
 }
 
+std::string text_in(xml_node element, const char* child) {
+  return element.child(child).text().get();
+}
+
 xml_node append(xml_node parent, const Xml& element) {
   const std::string text = element.text(0);
   parent.append_buffer(text.c_str(), text.size());

@@ -22,6 +22,9 @@ void parse(const std::filesystem::path& file, pugi::xml_document& document);
 void set(pugi::xml_node element, const char* attribute, const std::string& value);
 void set_child(pugi::xml_node element, const char* child, const std::string& text);
 
+/// The text of a child; empty where it is not there.
+std::string text_in(pugi::xml_node element, const char* child);
+
 pugi::xml_node append(pugi::xml_node parent, const Xml& element);
 
 /// The child of such a name= ; or none.

@@ -48,4 +48,5 @@ PYBIND11_MODULE(_engine, module) {
   python::add_straight(module);
   python::add_loaded(module);
   python::add_diagnosis(module);
+  python::add_models(module);
 }

@@ -6,13 +6,16 @@ count from the base. A wrong input raises `plumbline.Error`, a `ValueError` of o
 was expected.
 """
 from plumbline._engine import Error, version as __version__
-from plumbline.diagnosis import Curve, Diagnosis, diagnose, diagnose_folder
+from plumbline.diagnosis import CorrectedModel, Curve, Diagnosis, diagnose, diagnose_folder
 from plumbline.loaded import (Branch, Equilibria, Path, Points, Proof, equilibria, equilibria_certificate, path,
                               path_certificate)
+from plumbline.models import Draft, Guess, NominalChain, draft, read_chain
+from plumbline.program import check, check_experiment, figure, reference, trial, verify
 from plumbline.straight import (Modes, critical_certificate, critical_forces, critical_modes, lowest_critical_forces)
 
 __all__ = [
-    "Branch", "Curve", "Diagnosis", "Equilibria", "Error", "Modes", "Path", "Points", "Proof", "__version__",
-    "critical_certificate", "critical_forces", "critical_modes", "diagnose", "diagnose_folder", "equilibria",
-    "equilibria_certificate", "lowest_critical_forces", "path", "path_certificate",
+    "Branch", "CorrectedModel", "Curve", "Diagnosis", "Draft", "Equilibria", "Error", "Guess", "Modes", "NominalChain", "Path",
+    "Points", "Proof", "__version__", "check", "check_experiment", "critical_certificate", "critical_forces", "critical_modes",
+    "diagnose", "diagnose_folder", "draft", "equilibria", "equilibria_certificate", "figure", "lowest_critical_forces", "path",
+    "path_certificate", "read_chain", "reference", "trial", "verify",
 ]
