@@ -1,12 +1,13 @@
 #include "app/serve/server.hpp"
 
+#include <fmt/format.h>
 #include <httplib.h>
 #include <openssl/rand.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <csignal>
+#include <mutex>
 #include <plumbline/base/error.hpp>
 
 #include "app/serve/page_files.hpp"
@@ -49,8 +50,7 @@ class Page {
     server_.set_write_timeout(std::chrono::seconds(20));
     server_.set_keep_alive_max_count(100);
     server_.new_task_queue = [] { return new httplib::ThreadPool(8); };
-    // Another program's port must not be shared.
-    server_.set_socket_options([](socket_t) {});
+    server_.set_socket_options([](socket_t) {});  // by itself it would share a port that is taken
     port_ = port == 0 ? server_.bind_to_any_port("127.0.0.1") : server_.bind_to_port("127.0.0.1", port) ? port : -1;
     if (port_ <= 0) throw Error("--port", std::to_string(port) + ", which is taken", "a free one, or none");
     root_ = "/" + token_ + "/";
@@ -150,7 +150,6 @@ class Page {
   void add_results() {
     server_.Get(root_ + "report", [this](const Request&, Response& response) {
       // The report has its style within, and no script; whatever stands in it can reach nothing.
-      response.set_header("Content-Security-Policy", "");
       response.headers.erase("Content-Security-Policy");
       response.set_header("Content-Security-Policy",
                           "sandbox; default-src 'none'; style-src 'unsafe-inline'; img-src data:; frame-ancestors 'self'");
