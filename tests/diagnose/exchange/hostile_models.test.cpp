@@ -17,7 +17,7 @@ std::string repeated(const std::string& text, int times) {
   return all;
 }
 
-std::string refusal(const Folder& folder, const std::string& name) {
+std::string answer_to(const Folder& folder, const std::string& name) {
   try {
     static_cast<void>(read_model(folder / name));
   } catch (const Error& error) {
@@ -26,14 +26,14 @@ std::string refusal(const Folder& folder, const std::string& name) {
   return "read without a word";
 }
 
-std::string refusal(const std::string& name, const std::string& text) {
+std::string answer_to(const std::string& name, const std::string& text) {
   const Folder folder;
   folder.write(name, text);
-  return refusal(folder, name);
+  return answer_to(folder, name);
 }
 
 void check_refused(const std::string& name, const std::string& text, const std::string& words) {
-  const std::string said = refusal(name, text);
+  const std::string said = answer_to(name, text);
   CAPTURE(text.substr(0, 300));
   CAPTURE(said);
   CHECK(said.find(words) != std::string::npos);
@@ -88,12 +88,12 @@ TEST_CASE("a file that includes itself, another twice, or one that is not there"
   folder.write("twice.xml", R"(<mujoco><include file="part.xml"/><include file="part.xml"/></mujoco>)");
   folder.write("part.xml", "<mujocoinclude/>");
   for (const char* name : {"self.xml", "a.xml", "twice.xml"})
-    CHECK(refusal(folder, name).find("included twice") != std::string::npos);
+    CHECK(answer_to(folder, name).find("included twice") != std::string::npos);
   check_refused("m.xml", R"(<mujoco><include/></mujoco>)", "no file");
   folder.write("none.xml", R"(<mujoco><include file="gone.xml"/></mujoco>)");
-  CHECK(refusal(folder, "none.xml").find("gone.xml: found No such file") != std::string::npos);
+  CHECK(answer_to(folder, "none.xml").find("gone.xml: found No such file") != std::string::npos);
   folder.write("device.xml", R"(<mujoco><include file="/dev/zero"/></mujoco>)");
-  CHECK(refusal(folder, "device.xml") == "/dev/zero: found a device, expected a file");
+  CHECK(answer_to(folder, "device.xml") == "/dev/zero: found a device, expected a file");
 }
 
 TEST_CASE("numbers that are none, too few, too many, or nothing that can be turned about") {
@@ -164,7 +164,7 @@ TEST_CASE("what stands for several bodies is refused, and so is another format u
 }
 
 TEST_CASE("control characters and marks that turn the writing stay out of messages") {
-  const std::string said = refusal("m.xml", mjcf("<joint class=\"a\x01\xe2\x80\xae&#10;b\"/>"));
+  const std::string said = answer_to("m.xml", mjcf("<joint class=\"a\x01\xe2\x80\xae&#10;b\"/>"));
   for (const char* raw : {"\x01", "\xe2\x80\xae", "\n"}) CHECK(said.find(raw) == std::string::npos);
 }
 
