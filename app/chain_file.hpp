@@ -10,7 +10,8 @@
 namespace plumbline::app {
 
 /// A chain from TOML text: lists `lengths` (or `link_length`), `stiffness` (or `joint_stiffness`) and
-/// (optional) `rest`, of numbers or of decimals in quotes. \throws Error that names the source and the line
+/// (optional) `rest`, of numbers or of decimals in quotes.
+/// \throws Error that names the source and the line
 /// or key
 Chain<Rational> parse_chain(const std::string& text, const std::string& source);
 
@@ -30,7 +31,8 @@ struct ChainTable {
 bool is_chain_table(const std::string& text);
 
 /// A table from CSV text with the columns `chain,lengths,stiffness`, the latter two decimals joined by `;`.
-/// A row whose name has occurred before is wrong. \throws Error when the header line is wrong or no row
+/// A row whose name has occurred before is wrong.
+/// \throws Error when the header line is wrong or no row
 /// follows
 ChainTable parse_chain_table(const std::string& text, const std::string& source);
 

@@ -10,11 +10,11 @@
 #include "app/progress.hpp"
 #include "app/submitted_values.hpp"
 #include "app/verbs.hpp"
-#include "support/files/json_file.hpp"
-#include "support/files/text_file.hpp"
 #include "proofs/certificates/certificate.hpp"
 #include "proofs/certificates/equilibria_certificate.hpp"
 #include "proofs/certificates/path_certificate.hpp"
+#include "support/files/json_file.hpp"
+#include "support/files/text_file.hpp"
 #include "verify/reference/agreement.hpp"
 #include "verify/reference/chains.hpp"
 
@@ -31,7 +31,7 @@ void refuse(const std::vector<std::string>& errors) {
   if (!errors.empty()) throw CLI::RuntimeError(2);
 }
 
-/// Certificates are checked by programs that share nothing with this one, or it would vouch for itself.
+/// Certificates are checked by independent programs.
 void refuse_certificates(const std::string& text, const std::string& path) {
   const auto document = nlohmann::json::parse(text, nullptr, false);
   if (!document.is_object()) return;
@@ -42,13 +42,14 @@ void refuse_certificates(const std::string& text, const std::string& path) {
     if (format == document.end() || *format != name) continue;
     throw Error(
         path, "certificates",
-        fmt::format("values as CSV; certificates are checked without this program: python3 proofs/certificates/{} {}",
-                    checker, path));
+        fmt::format(
+            "values as CSV; certificates are checked without this program: python3 proofs/certificates/{} {}",
+            checker, path));
   }
   throw Error(path, "JSON", "values as CSV, with the columns chain,mode,force");
 }
 
-/// The chains that values may be about: of a table, or of the reference set.
+/// The chains of the values: a table, or the reference set.
 Chains read_chains(const std::string& path) {
   Chains chains;
   if (path.empty()) {

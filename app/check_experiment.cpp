@@ -10,7 +10,7 @@
 #include "app/experiment_input.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "diagnose/screening/oddities.hpp"
+#include "diagnose/screening/anomalies.hpp"
 #include "diagnose/screening/conventions.hpp"
 
 namespace plumbline::app {
@@ -86,7 +86,7 @@ std::string what_was_read(const Experiment& experiment) {
   for (const Run& run : experiment.runs) {
     text += fmt::format("  {}: {} imposed, {} readings{}\n", run.id,
                         run.holds_end_point()  ? "the end point is"
-                        : run.weights_inferred ? "the force, taken for that of weights, is"
+                        : run.weights_inferred ? "the force, assumed to be that of weights, is"
                                                : "the force is",
                         run.readings.size(), run.turns_back() ? ", there and back" : "");
     text += fmt::format("    rest {:.4g} rad\n", fmt::join(run.rest, ", "));
@@ -107,7 +107,7 @@ struct Seen {
 Seen looked_at(const ExperimentInput& input) {
   const Progress progress("experiment", 0);
   Seen seen{experiment_of(input), {}, ""};
-  seen.odd = diagnose::oddities(seen.experiment);
+  seen.odd = diagnose::anomalies(seen.experiment);
   const diagnose::Study study = study_of(input, seen.experiment);
   try {
     diagnose::require_conventions(study);
@@ -133,13 +133,13 @@ void run(const ExperimentInput& input) {
 void add_check_experiment(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
       "check-experiment",
-      "What is read from an experiment, in which units, and what looks odd; nothing is fitted");
+      "What is read from an experiment, in which units, with anomalies; nothing is fitted");
   const auto input = std::make_shared<ExperimentInput>();
   verb->add_option("experiment", input->folder, "A folder with experiment.toml and its sample files")
       ->type_name("FOLDER")
       ->required();
   verb->add_option("--model", input->model, "The nominal model, as for diagnose")->type_name("FILE");
-  verb->add_option("--effects", input->effects, "Effects of your own that this model has, as for diagnose")
+  verb->add_option("--effects", input->effects, "Your own effects in this model, as for diagnose")
       ->type_name("FILE");
   verb->footer("Exit status 1 where numbers look like another unit, sign, axis or order.");
   verb->callback([input] { run(*input); });

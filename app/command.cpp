@@ -54,7 +54,10 @@ std::string program_name() {
 }
 
 std::unique_ptr<CLI::App> bare_command() {
-  auto command = std::make_unique<CLI::App>("What is true of elastic serial chains under load.", "plumbline");
+  auto command = std::make_unique<CLI::App>(
+      "Why a real elastic chain differs from its model; buckling loads with proof; a paper, checked claim by "
+      "claim.",
+      "plumbline");
   command->require_subcommand(0, 1);
   command->set_version_flag("--version", program_name());
   command->footer("Exit status: 0 done, 1 a claim or a check failed, 2 bad input.");

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The command around the verbs.
+/// The command line program.
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -11,12 +11,13 @@ namespace plumbline::app {
 /// Name, version and, where it is known, the commit.
 std::string program_name();
 
-/// `plumbline`, yet without a verb.
+/// `plumbline` without verbs.
 std::unique_ptr<CLI::App> bare_command();
 /// `plumbline` with all its verbs.
 std::unique_ptr<CLI::App> whole_command();
 
-/// Does what the arguments say. \returns the exit status: 0 done, 1 a claim or a check failed, 2 bad input
+/// Runs a command line.
+/// \returns the exit status: 0 done, 1 a claim or a check failed, 2 bad input
 int run(CLI::App& command, int argc, char** argv);
 
 }  // namespace plumbline::app

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What is wrong, on standard error: a line each, fit for a terminal.
+/// Messages on standard error, one line each.
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@ namespace plumbline::app {
 /// "plumbline: TEXT", in one line whatever the text holds.
 void complain(const std::string& text);
 
-/// All of them, up to a number that a person reads; then how many more there are.
+/// All messages up to a limit, then the number of the others.
 void complain(const std::vector<std::string>& errors);
 
 }  // namespace plumbline::app

@@ -13,11 +13,11 @@ class CorrectedFiles {
   /// \throws Error for an ending of no format, and where the file could not be written
   CorrectedFiles(Outputs& outputs, std::filesystem::path path);
 
-  /// Writes a file a model: at the path where there is one, beside it where there are several.
+  /// Writes one file a model: at the path, or beside it for several.
   void write(const std::vector<exchange::Corrected>& models);
 
   [[nodiscard]] bool wanted() const { return !path_.empty(); }
-  /// What was written and what became of each effect, for the report.
+  /// The files that were written and the fate of each effect, for the report.
   [[nodiscard]] nlohmann::ordered_json as_json() const;
   [[nodiscard]] std::string as_text() const;
 

@@ -10,9 +10,9 @@
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "diagnose/screening/conventions.hpp"
 #include "diagnose/report/plan.hpp"
 #include "diagnose/report/report.hpp"
+#include "diagnose/screening/conventions.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -27,7 +27,7 @@ struct DiagnoseOptions {
   }
 };
 
-/// \param work  is given what to call with the share that is done
+/// \param work  called with a function that reports the fraction of work done
 auto with_progress(const std::string& name, auto work) {
   constexpr std::size_t steps = 100;
   Progress progress(name, steps);
@@ -64,12 +64,12 @@ void run_many(const DiagnoseOptions& options, const CLI::App& verb) {
   diagnose_many(many, verb);
 }
 
-/// Why --next has no answer.
+/// The reason why --next has no proposal.
 const char* nothing_next(const diagnose::Diagnosis& diagnosis) {
   if (!diagnosis.gap.present)
-    return "What next?  There is no gap to explain; --plan says which effects the bench could show\n";
-  if (diagnosis.cause.ranking.size() < 2) return "What next?  There are no two explanations to tell apart\n";
-  return "What next?  No press or load that the explanations could follow would tell them apart\n";
+    return "What next?  No gap to explain; --plan says which effects the bench can show\n";
+  if (diagnosis.cause.ranking.size() < 2) return "What next?  Only one explanation is left\n";
+  return "What next?  No feasible run distinguishes the explanations\n";
 }
 
 void run_diagnosis(const DiagnoseOptions& options, const CLI::App& verb) {
@@ -104,9 +104,9 @@ void run(const DiagnoseOptions& options, const CLI::App& verb) {
 }  // namespace
 
 void add_diagnose(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand(
-      "diagnose",
-      "Where the gap between an experiment and its model lies, what causes it, how far it shrinks");
+  CLI::App* verb = app.add_subcommand("diagnose",
+                                      "Where the gap between an experiment and its model lies, what causes "
+                                      "it, how far a correction reduces it");
   const auto options = std::make_shared<DiagnoseOptions>();
   verb->add_option(
           "experiment", options->experiments,
@@ -115,7 +115,7 @@ void add_diagnose(CLI::App& app) {
           "parameter scatters and whether it drifts")
       ->type_name("FOLDER");
   verb->add_option("--effects", options->effects,
-                   "A TOML file with effects of your own, as expressions, to look for beside the catalogue")
+                   "A TOML file with your own effects, as expressions, beside those of the catalogue")
       ->type_name("FILE");
   verb->add_option(
           "--model", options->model,
@@ -128,18 +128,16 @@ void add_diagnose(CLI::App& app) {
                  "or .sdf. One file a candidate where the cause is ambiguous");
   add_printed_output(*verb, "--json", options->json,
                      "Write the report as JSON too (without FILE: to standard output alone)");
-  auto* html = add_output(
-      *verb, "--html", options->html,
-      "Write a page with the curves, the residuals and the chain drawn: one file, to print or send");
+  auto* html = add_output(*verb, "--html", options->html,
+                          "Write a page with curves, residuals and the chain: one file, to print or send");
   auto* reports = add_output(
       *verb, "--reports", options->reports,
       "Keep the report of each of several experiments in this folder, as NAME.json and NAME.html", "DIR");
   auto* next =
       verb->add_flag("--next", options->next,
-                     "Say which run to make next even where the cause is clear: to tell the best two apart");
+                     "Propose the next run even where the cause is clear: to distinguish the best two");
   auto* as_is =
-      verb->add_flag("--as-is", options->as_is,
-                     "Take the numbers as they stand, even where they look like another unit, sign or axis");
+      verb->add_flag("--as-is", options->as_is, "Accept numbers that look like another unit, sign or axis");
   auto* plan = verb->add_flag(
       "--plan", options->plan,
       "Before any data, from experiment.toml, whose runs may be without samples or hold commands "

@@ -11,8 +11,8 @@
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/results_folder.hpp"
-#include "diagnose/campaign/report.hpp"
 #include "diagnose/bench/read_date.hpp"
+#include "diagnose/campaign/report.hpp"
 #include "support/files/experiment_files.hpp"
 #include "support/files/output_file.hpp"
 
@@ -43,7 +43,7 @@ std::vector<campaign::Outcome> diagnosed(const ManyExperiments& many, const std:
   return outcomes;
 }
 
-/// \throws Error for a folder that is there twice: it would count as two benches that agree
+/// \throws Error for a repeated folder, which would count as two benches that agree
 void require_different(const std::vector<fs::path>& folders) {
   std::set<fs::path> known;
   for (const fs::path& folder : folders) {

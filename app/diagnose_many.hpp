@@ -9,10 +9,10 @@
 namespace plumbline::app {
 
 struct ManyExperiments {
-  std::vector<std::string> folders;  ///< what is no folder is passed over, and said
-  std::string reports;               ///< folder for the report of each; empty for none
-  std::string json, html;            ///< of the report for all
-  std::vector<std::string> words;    ///< that each diagnosis is called with
+  std::vector<std::string> folders;  ///< other arguments are skipped, with a remark
+  std::string reports;               ///< folder for the reports; empty for none
+  std::string json, html;            ///< of the comparison
+  std::vector<std::string> words;    ///< further arguments of each diagnosis
   std::vector<std::string> inputs;   ///< files that these words name
 };
 

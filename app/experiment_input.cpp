@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "app/example_files.hpp"
-#include "diagnose/bench/condense.hpp"
+#include "diagnose/bench/decimate.hpp"
 #include "diagnose/bench/read_experiment.hpp"
-#include "diagnose/rig/user_effects/read_effects.hpp"
 #include "diagnose/exchange/read_model.hpp"
+#include "diagnose/rig/user_effects/read_effects.hpp"
 #include "support/files/experiment_files.hpp"
 
 namespace plumbline::app {
@@ -49,7 +49,7 @@ diagnose::Experiment bench_of(const ExperimentInput& input) {
 }
 
 diagnose::Study study_of(const ExperimentInput& input, const diagnose::Experiment& experiment) {
-  return diagnose::study_with(condensed(experiment), input.effects.empty()
+  return diagnose::study_with(decimated(experiment), input.effects.empty()
                                                          ? std::vector<diagnose::StatedEffect>{}
                                                          : diagnose::read_effects(input.effects));
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Where a verb has its experiment from, and the nominal model that it is compared with.
+/// The experiment of a verb, and the nominal model with which it is compared.
 
 #include <filesystem>
 #include <string>
@@ -11,20 +11,20 @@
 namespace plumbline::app {
 
 struct ExperimentInput {
-  std::string folder;   ///< without one: the experiment in docs/examples/experiment
-  std::string model;    ///< file that has the nominal model; or none: the experiment's own
-  std::string effects;  ///< file with effects of the user's own; or none
+  std::string folder;   ///< empty: the experiment in docs/examples/experiment
+  std::string model;    ///< file with the nominal model; empty: the experiment's own
+  std::string effects;  ///< file with user effects; or empty
 
   /// Every file that is read.
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
 };
 
 diagnose::Experiment experiment_of(const ExperimentInput& input);
-/// The bench, before anything was measured.
+/// The bench before any measurement.
 diagnose::Experiment bench_of(const ExperimentInput& input);
 
-/// The experiment or bench, condensed, in which the user's effects are looked for too.
-/// \throws Error where one of them has no value along the nominal model's runs
+/// The decimated experiment or bench, with the user's effects among the candidates.
+/// \throws Error where one of them is undefined along the nominal model's runs
 diagnose::Study study_of(const ExperimentInput& input, const diagnose::Experiment& experiment);
 
 }  // namespace plumbline::app

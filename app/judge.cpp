@@ -1,4 +1,4 @@
-// The verb `verify` alone: what the first verdict needs, without the rest of the program.
+// The verb `verify` alone: the part of the program that the first verdict needs.
 #include "app/command.hpp"
 #include "app/verbs.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// The files that a verb writes: none is one that it reads, no two are the same, and all are found to be
-/// writable before the work.
+/// The files that a verb writes: none is an input, no two are the same, and all are writable before the work
+/// begins.
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -21,20 +21,20 @@ class Outputs {
   /// \param inputs  every file that the verb reads; an empty path is none
   Outputs(const CLI::App& verb, std::vector<std::filesystem::path> inputs);
 
-  /// \param option  that names the file, for messages
+  /// \param option  the option of the file, for messages
   /// \param path    "-" for standard output
   /// \returns nothing for an empty path
   /// \throws Error where the file is read or written already, by whatever name or link, or cannot be written
   files::OutputFile* open(const std::string& option, const std::filesystem::path& path);
 
-  /// Of what is written: the inputs as they were when the first file was opened.
+  /// The digest of the inputs when the first file was opened.
   [[nodiscard]] const page::Provenance& provenance() const { return provenance_; }
 
-  /// Lets go of a file that was opened: it will not be written.
+  /// Releases a file without writing it.
   void withdraw(const files::OutputFile* file);
 
-  /// Lets all files appear, once all are on the disk, and says so to a terminal. \throws Error when one does
-  /// not fit: then none does
+  /// Publishes all files once they are on the disk, and says so to a terminal.
+  /// \throws Error when one does not fit; then none is published
   void commit();
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A sign of life for people who wait.
+/// Progress for people who wait.
 
 #include <atomic>
 #include <chrono>
@@ -10,20 +10,18 @@
 
 namespace plumbline::app {
 
-/// Shows on standard error how much of the work is done and how long it has taken: only when that is a
-/// terminal, and only after a second; from a thread of its own, so that it lives where a step takes long.
-/// Gone when it is destroyed; where the process is interrupted, the line stays and the next begins below it.
-/// Any thread may report.
+/// Shows on standard error the fraction of work done and the time taken, if that is a terminal and after a
+/// second, from its own thread. The line disappears at the end; after an interruption it stays. Thread-safe.
 class Progress {
  public:
-  /// \param what   a word or two for what is being done
-  /// \param total  how many steps there are; 0 where nobody knows
+  /// \param what   a word or two for the work
+  /// \param total  number of steps; 0 if unknown
   Progress(std::string what, std::size_t total);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// More steps are done.
+  /// Reports finished steps.
   void advance(std::size_t steps = 1) { done_ += steps; }
 
  private:

@@ -6,8 +6,8 @@
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/verbs.hpp"
-#include "verify/reference/work.hpp"
 #include "support/work/journal.hpp"
+#include "verify/reference/work.hpp"
 
 namespace plumbline::app {
 namespace {
@@ -58,7 +58,7 @@ void add_reference(CLI::App& app) {
   CLI::App* verb =
       app.add_subcommand("reference", "Write the reference values for other implementations, certified");
   const auto options = std::make_shared<ReferenceOptions>();
-  add_output(*verb, "--out", options->out, "Directory to write into; what was cut off goes on there", "DIR")
+  add_output(*verb, "--out", options->out, "Folder to write into; interrupted work continues there", "DIR")
       ->required();
   verb->add_flag("--compact", options->compact, "About a hundred chains instead of a few thousand");
   verb->add_option("--seed", options->seed, "Of the random chains")

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Where a verb with much to do leaves its results.
+/// The folder for the results of long work.
 
 #include <filesystem>
 #include <optional>
@@ -11,17 +11,17 @@
 
 namespace plumbline::app {
 
-/// The folder that the user names, with a journal of what is done in it, or one for a while, without.
+/// The folder that the user names, with a journal, or else a temporary one.
 class ResultsFolder {
  public:
-  /// \param option   that names the folder
-  /// \param wanted   the folder; empty where none is named
-  /// \param command  what is done, as the user would say it
-  /// \throws Error where ranks of mpirun have no folder that all of them see, or as work::Journal does
+  /// \param option   the option of the folder
+  /// \param wanted   the folder; empty for a temporary one
+  /// \param command  the work, as the user would type it
+  /// \throws Error where ranks of mpirun have no common folder, or as work::Journal does
   ResultsFolder(const std::string& option, const std::string& wanted, const std::string& command);
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Nothing of a folder for a while.
+  /// Null for a temporary folder.
   [[nodiscard]] work::Journal* journal() { return journal_ ? &*journal_ : nullptr; }
 
  private:

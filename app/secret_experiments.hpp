@@ -7,8 +7,8 @@
 #include <functional>
 #include <map>
 
-#include "trial/seal.hpp"
 #include "support/work/work_list.hpp"
+#include "trial/seal.hpp"
 
 namespace plumbline::app {
 
@@ -17,11 +17,10 @@ struct SecretExperiments {
   std::vector<double> nominal_errors;                ///< of the rigs without effect, in sigmas
 };
 
-/// Which blind trial: the first draws from the catalogue, the second from what benches bring
-/// (trial/README.md).
+/// The blind trial: the first draws from the catalogue, the second from a wider range (trial/README.md).
 enum class BlindTrial { first, second };
 
-/// What another process is told.
+/// The item for another process.
 extern const work::Task experiment_task;
 
 /// Writes the experiments trial-001, trial-002, … of this seed into the folder, and seals.json beside them.
@@ -29,7 +28,7 @@ extern const work::Task experiment_task;
 SecretExperiments make_experiments(BlindTrial which, std::size_t trials, std::uint64_t seed,
                                    const std::filesystem::path& folder, const std::function<void()>& advance);
 
-/// Writes labels/NAME.json for every envelope: the seals are open from then on.
+/// Writes labels/NAME.json for every envelope: the seals are then open.
 void publish(const SecretExperiments& secret, const std::filesystem::path& folder);
 
 }  // namespace plumbline::app

@@ -6,9 +6,9 @@
 #include <charconv>
 #include <set>
 
+#include "proofs/exact/decimal.hpp"
 #include "support/files/csv_file.hpp"
 #include "support/files/printable.hpp"
-#include "proofs/exact/decimal.hpp"
 
 namespace plumbline::app {
 namespace {

@@ -21,8 +21,8 @@ struct SubmittedValues {
   std::vector<std::string> errors;  ///< one line for each wrong row
 };
 
-/// A table from CSV text with the columns chain, mode and force, and whatever others. A row is wrong whose
-/// chain is not among the chains, whose mode it does not have or had before, or whose force is no number.
+/// Values from CSV text with the columns chain, mode and force among others. A row is wrong if its chain is
+/// unknown, its mode does not exist or is repeated, or its force is no number.
 /// \throws Error when a column is missing or no row follows the header
 SubmittedValues parse_values(const std::string& text, const std::string& source, const Chains& chains);
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Every kind of work that the verbs share among processes.
+/// The kinds of work that verbs share among processes.
 
 #include <vector>
 

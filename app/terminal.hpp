@@ -1,13 +1,13 @@
 #pragma once
 /// \file
-/// Where what is printed ends.
+/// The width of the terminal.
 
 #include <cstddef>
 
 namespace plumbline::app {
 
-/// How many columns the terminal behind standard output (1) or standard error (2) has; 0 where there is none:
-/// a pipe, a file. Under mpirun, which passes both on, it is mpirun's own that counts.
+/// Number of columns of the terminal behind standard output (1) or standard error (2), or of mpirun's; 0 for
+/// a pipe or file.
 std::size_t terminal_columns(int stream);
 
 }  // namespace plumbline::app

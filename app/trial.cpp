@@ -33,7 +33,7 @@ struct TrialOptions {
   double patience = usual_patience;
 };
 
-/// The command that gives the same result again.
+/// The command that reproduces the result.
 std::string command(const TrialOptions& options) {
   const std::string patience =
       options.patience == usual_patience ? "" : fmt::format(" --patience {}", options.patience);
@@ -42,8 +42,7 @@ std::string command(const TrialOptions& options) {
                      options.trials, options.seed, patience);
 }
 
-/// Where the trial takes place: the folder that the user names, new, empty or with the same trial unfinished
-/// in it, or one for a while.
+/// The folder of the trial: the user's, new, empty or with the same trial unfinished, or a temporary one.
 ResultsFolder place_of(const TrialOptions& options) {
   const fs::path folder = options.out;
   if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / work::unfinished_name))
@@ -64,7 +63,7 @@ std::vector<trial::Diagnosed> diagnose_all(const TrialOptions& options, const tr
                              [&] { progress.advance(); });
 }
 
-/// What the diagnosis of this program can name.
+/// The effects that this program's diagnosis can name.
 trial::Catalogue catalogue() {
   trial::Catalogue all;
   for (const diagnose::Effect& row : diagnose::catalogue())
@@ -120,12 +119,12 @@ void run(const TrialOptions& options, const CLI::App& verb) {
 
 void add_trial(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
-      "trial",
-      "The blind trial: experiments whose effect is withheld from the diagnosis, then unsealed and scored");
+      "trial", "The blind trial: experiments with sealed causes are diagnosed, unsealed and scored");
   const auto options = std::make_shared<TrialOptions>();
-  auto* trials = verb->add_option("--trials", options->trials, "How many experiments the simulated rig makes")
-                     ->check(whole_number(1, 100000))
-                     ->capture_default_str();
+  auto* trials =
+      verb->add_option("--trials", options->trials, "Number of experiments that the simulated rig makes")
+          ->check(whole_number(1, 100000))
+          ->capture_default_str();
   auto* seed = verb->add_option("--seed", options->seed, "Of the random numbers")
                    ->check(whole_number(0))
                    ->capture_default_str();
@@ -142,7 +141,7 @@ void add_trial(CLI::App& app) {
       ->excludes(second);
   add_output(
       *verb, "--out", options->out,
-      "Keep experiments, seals, reports and labels in this folder; a trial that was cut off goes on there",
+      "Keep experiments, seals, reports and labels in this folder; an interrupted trial continues there",
       "DIR");
   verb->add_option("--patience", options->patience, "Seconds after which a diagnosis is given up")
       ->check(number(0.001, 1e6))

@@ -1,6 +1,7 @@
 /// \file
 /// `bench-census`: all equilibria of a chain, beside PHCpack, which follows all complex roots of a polynomial
-/// system that is nearly the same. Prints a table and puts it between the markers in benchmarks/RESULTS-census.md.
+/// system that is nearly the same. Prints a table and puts it between the markers in
+/// benchmarks/RESULTS-census.md.
 
 #include <fmt/format.h>
 #include <sys/resource.h>

@@ -1,6 +1,7 @@
 /// \file
 /// `bench-digits`: all critical forces to 50 and to 1000 proved digits, as `critical --all --digits` computes
-/// them, beside FLINT and Arb. Prints a table and puts it between the markers in benchmarks/RESULTS-digits.md.
+/// them, beside FLINT and Arb. Prints a table and puts it between the markers in
+/// benchmarks/RESULTS-digits.md.
 
 #include <fmt/format.h>
 

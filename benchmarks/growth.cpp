@@ -1,8 +1,8 @@
 /// \file
 /// `bench-growth`: what critical forces, modes, tables of chains, paths, censuses and diagnoses cost in time
-/// and memory as they grow. Prints a table, puts it between the markers in benchmarks/RESULTS-growth.md and draws
-/// it beside it. `bench-growth --check` writes nothing: it fails where a power has risen above the one in
-/// that table.
+/// and memory as they grow. Prints a table, puts it between the markers in benchmarks/RESULTS-growth.md and
+/// draws it beside it. `bench-growth --check` writes nothing: it fails where a power has risen above the one
+/// in that table.
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -23,7 +23,7 @@
 #include "benchmarks/random_chain.hpp"
 #include "benchmarks/results.hpp"
 #include "diagnose/answers/diagnosis.hpp"
-#include "diagnose/bench/condense.hpp"
+#include "diagnose/bench/decimate.hpp"
 #include "proofs/census/census.hpp"
 #include "proofs/exact/critical_modes.hpp"
 
@@ -142,7 +142,7 @@ std::vector<Work> all_work() {
   const auto census = [](std::size_t links) -> Job { return [=] { take_censuses(links); }; };
   const auto diagnosis = [](diagnose::Experiment experiment) -> Job {
     return [experiment = std::move(experiment)] {
-      diagnose::diagnose(diagnose::Study(diagnose::condensed(experiment)));
+      diagnose::diagnose(diagnose::Study(diagnose::decimated(experiment)));
     };
   };
   const auto of_readings = [=](std::size_t readings) { return diagnosis(pressed(4, 1, readings)); };

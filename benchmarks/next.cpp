@@ -16,9 +16,9 @@
 #include <random>
 #include <string>
 
-#include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/answers/diagnosis.hpp"
 #include "diagnose/beliefs.hpp"
+#include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/noise/gap.hpp"
 
 namespace plumbline::bench {
@@ -57,7 +57,8 @@ Experiment chain(std::mt19937& random, double noise) {
   return bench;
 }
 
-/// Adds a run to the bench as the truth measures it. \returns false where the rig could not follow
+/// Adds a run to the bench as the truth measures it.
+/// \returns false where the rig could not follow
 bool make(Experiment& experiment, const Instance& truth, Run run, std::mt19937& random) {
   run.id = fmt::format("run-{}", experiment.runs.size() + 1);
   Experiment one = experiment;

@@ -9,7 +9,8 @@
 
 namespace plumbline::bench {
 
-/// Replaces what stands between "<!-- NAME:begin -->" and "<!-- NAME:end -->". \throws Error without markers
+/// Replaces what stands between "<!-- NAME:begin -->" and "<!-- NAME:end -->".
+/// \throws Error without markers
 inline void put_into(const std::string& file, const std::string& name, const std::string& table) {
   const std::string begin = "<!-- " + name + ":begin -->\n", end = "<!-- " + name + ":end -->\n";
   std::ostringstream old;

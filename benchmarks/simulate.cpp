@@ -16,9 +16,9 @@
 #include <random>
 
 #include "benchmarks/write_labelled.hpp"
+#include "diagnose/inference/study.hpp"
 #include "diagnose/noise/measurement.hpp"
 #include "diagnose/rig/nominal.hpp"
-#include "diagnose/inference/study.hpp"
 
 namespace plumbline::bench {
 using namespace diagnose;

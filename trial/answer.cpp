@@ -20,7 +20,8 @@ std::string without_joint(const std::string& key) {
   return key.substr(0, key.find('('));
 }
 
-/// Whether what was said is the truth, in any order. A truth without a joint accepts any joint.
+/// Whether the effects that were said are the true ones, in any order; a truth without a joint accepts any
+/// joint.
 bool same(Names said, const Names& truth) {
   if (said.size() != truth.size()) return false;
   for (const std::string& one : truth) {
@@ -39,7 +40,7 @@ bool share_one(const Names& said, const Names& truth) {
   });
 }
 
-/// Where it is unknown what, it does not matter at which joint.
+/// The true effects by key; an unknown cause without its joint.
 Names truth_of(const Label& label) {
   if (outside_catalogue(label)) return {"unknown"};
   Names truth;
@@ -47,7 +48,7 @@ Names truth_of(const Label& label) {
   return truth;
 }
 
-const char* const expected = "a report in the format \"gap-diagnosis/1\"";
+const char* const expected = "a report in the format \"gap-diagnosis/2\"";
 
 JsonValue at(const JsonValue& object, const char* key) {
   return object.at(key, expected);
@@ -93,7 +94,7 @@ std::string words(const Report& report) {
   return text;
 }
 
-/// Ids in the order of the alphabet.
+/// Ids in alphabetical order.
 std::string kinds(const Names& effects) {
   Names ids;
   for (const std::string& effect : effects) ids.push_back(without_joint(effect));
@@ -109,7 +110,7 @@ Answer answer_outside(const Report& report) {
   if (report.verdict == "unknown") return Answer::right;
   if (report.verdict == "none") return Answer::missed_gap;
   if (report.verdict == "identified") return Answer::wrong_sure;
-  return report.effects == Names{"unknown"} ? Answer::in_class : Answer::wrong_hedged;
+  return report.effects == Names{"unknown"} ? Answer::in_class : Answer::wrong_ambiguous;
 }
 
 Answer answer_in_catalogue(const Names& truth, const Report& report, const std::vector<Names>& listed,
@@ -122,10 +123,10 @@ Answer answer_in_catalogue(const Names& truth, const Report& report, const std::
                         return share_one(said, truth);
                       });
   if (partly) return Answer::part;
-  return sure ? Answer::wrong_sure : Answer::wrong_hedged;
+  return sure ? Answer::wrong_sure : Answer::wrong_ambiguous;
 }
 
-/// Nothing where the label does not say where.
+/// Whether the joint or channel with the largest share is right; nothing where the label names none.
 std::optional<bool> place_right(const Label& label, const Report& report) {
   const std::size_t joint = label.effects.front().joint;
   if (joint > 0) return report.joint == joint;
@@ -133,8 +134,7 @@ std::optional<bool> place_right(const Label& label, const Report& report) {
   return (label.channel + ",").find(report.channel + ",") != std::string::npos;
 }
 
-/// A truth with elements that the answer has not, five for its three, has no parameter that is the same one
-/// in both.
+/// A truth with more elements than the answer has no parameters to compare.
 void judge_parameters(const Label& label, const Report& report, Judgement& judgement) {
   for (const TrueEffect& effect : label.effects) {
     const auto bounds_of = [&](const std::string& name) {
@@ -150,8 +150,7 @@ void judge_parameters(const Label& label, const Report& report, Judgement& judge
   }
 }
 
-/// Explanations outside the ranking have no probability; where the truth is among them, all of the stated
-/// probability went astray.
+/// A truth outside the ranking counts as one on which no probability was placed.
 void judge_probabilities(const Report& report, const std::function<bool(const Names&)>& right,
                          Judgement& judgement) {
   if (report.ranking.empty() || report.verdict == "none") return;
@@ -198,8 +197,8 @@ const char* answer_word(Answer answer) {
       return "unknown";
     case Answer::missed_gap:
       return "missed gap";
-    case Answer::wrong_hedged:
-      return "wrong, hedged";
+    case Answer::wrong_ambiguous:
+      return "wrong, ambiguous";
     case Answer::wrong_sure:
       return "wrong, sure";
     case Answer::false_alarm:
@@ -236,7 +235,7 @@ Judgement judge(const Label& label, const Report& report) {
   const bool found = judgement.answer == Answer::right || judgement.answer == Answer::in_class;
   if (judgement.answer == Answer::right) judge_parameters(label, report, judgement);
   if (found && !outside_catalogue(label)) judgement.shrunk = report.shrunk;
-  judgement.over_hedged = found && listed.size() > 1 + label.equivalent.size();
+  judgement.oversized_class = found && listed.size() > 1 + label.equivalent.size();
   judge_probabilities(report, right, judgement);
   return judgement;
 }

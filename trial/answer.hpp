@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A diagnosis beside the truth.
+/// A diagnosis compared with the truth.
 
 #include <map>
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace plumbline::trial {
 
-/// What a report in the format "gap-diagnosis/1" says, as far as it is scored.
+/// The scored part of a report in the format "gap-diagnosis/2".
 struct Report {
   struct Bounds {
     double low, high;
@@ -31,20 +31,20 @@ struct Report {
   std::optional<double> shrunk;      ///< held-out residual after, over the noise floor
 };
 
-/// \throws Error that names the source and says what is missing
+/// \throws Error that names the source and what is missing
 Report report_from(const nlohmann::json& json, const std::string& source);
 
-/// One word for what the diagnosis was worth.
+/// How an answer counts.
 enum class Answer {
-  right,         ///< the cause, or none where there is none, or unknown where no catalogue has it
-  in_class,      ///< ambiguous, and the cause is in the listed class (or unknown is its best)
-  part,          ///< one of two causes
-  unknown,       ///< a gap seen, its cause not named
-  missed_gap,    ///< a gap not seen
-  wrong_hedged,  ///< ambiguous, and the cause is not in the class
-  wrong_sure,    ///< identified, and wrong
-  false_alarm,   ///< a gap seen where there is none
-  no_report      ///< crash, timeout or invalid JSON
+  right,            ///< the cause; none without an effect; unknown for a cause outside the catalogue
+  in_class,         ///< ambiguous, and the cause is in the listed class (or unknown is its best)
+  part,             ///< one of two causes
+  unknown,          ///< a gap seen, its cause not named
+  missed_gap,       ///< a gap not seen
+  wrong_ambiguous,  ///< ambiguous, and the cause is not in the class
+  wrong_sure,       ///< identified, and wrong
+  false_alarm,      ///< a gap seen where there is none
+  no_report         ///< crash, timeout or invalid JSON
 };
 const char* answer_word(Answer answer);
 
@@ -52,8 +52,8 @@ struct Judgement {
   Answer answer = Answer::no_report;
   std::string said;            ///< verdict and effects, or what went wrong
   std::string best;            ///< the best explanation without its joints: "none", "unknown", "id", "id+id"
-  std::size_t class_size = 0;  ///< explanations that were listed as alike
-  bool over_hedged = false;    ///< right, but with a class that lists more than the experiment's own
+  std::size_t class_size = 0;  ///< explanations in the class
+  bool oversized_class = false;  ///< right, with a class larger than the experiment's own
   std::vector<std::pair<std::string, bool>>
       covered;                      ///< parameters, and whether they are inside their bounds
   std::optional<bool> place_right;  ///< outside the catalogue: the true joint, or else channel, named first

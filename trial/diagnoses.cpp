@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Of everything that a diagnosis reads.
+/// The digest of everything that a diagnosis reads.
 std::string digest_of_inputs(const Assignment& one) {
   std::vector<fs::path> files = files::files_read(one.experiment);
   files.insert(files.end(), one.inputs.begin(), one.inputs.end());

@@ -1,30 +1,30 @@
 #pragma once
 /// \file
-/// Many diagnoses, shared among whoever works (work/), each a process of its own.
+/// Many diagnoses, each in its own process, shared among threads or ranks (support/work).
 
 #include <functional>
 
-#include "trial/diagnosis_process.hpp"
 #include "support/work/journal.hpp"
 #include "support/work/work_list.hpp"
+#include "trial/diagnosis_process.hpp"
 
 namespace plumbline::trial {
 
 /// One of many diagnoses.
 struct Assignment {
   std::filesystem::path experiment;           ///< the folder
-  std::filesystem::path report;               ///< the file in JSON that it writes
+  std::filesystem::path report;               ///< the JSON file that it writes
   std::vector<std::string> words;             ///< further arguments
   std::vector<std::filesystem::path> inputs;  ///< the files that these name
-  /// The trial's diagnosis sees a copy of the experiment's own files and nothing else, for so long at most.
+  /// The trial's diagnosis gets a copy of the experiment's own files alone, and a time limit.
   std::optional<std::chrono::duration<double>> alone = std::nullopt;
 };
 
-/// What another process is told.
+/// The item for another process.
 extern const work::Task diagnosis_task;
 
-/// What came of each, in their order. A journal holds a diagnosis that ended well, as long as experiment,
-/// inputs and words are the same and its report is there.
+/// The outcomes, in order. A journal keeps a successful diagnosis while experiment, inputs and words are
+/// unchanged and its report exists.
 std::vector<Diagnosed> diagnose_all(const std::vector<Assignment>& assignments, work::Journal* journal,
                                     const std::function<void()>& advance);
 

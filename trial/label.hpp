@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What is withheld from the diagnosis: the true effects of an experiment.
+/// The label of an experiment: its true effects, withheld from the diagnosis.
 
 #include <cstddef>
 #include <set>
@@ -13,39 +13,40 @@
 namespace plumbline::trial {
 
 struct TrueEffect {
-  std::string id;         ///< of the effect catalogue; "unknown" where it is in no catalogue
-  std::size_t joint = 0;  ///< counted from 1; 0 where it is not at one joint
+  std::string id;         ///< of the catalogue; "unknown" for a cause outside it
+  std::size_t joint = 0;  ///< from 1; 0 where it is not at one joint
   std::vector<std::pair<std::string, double>> parameters;
   double strength = 0;  ///< of this effect alone, as in Label
 };
 
 struct Label {
   std::string name;
-  std::vector<TrueEffect> effects;                   ///< empty: nothing but noise
-  std::vector<std::vector<std::string>> equivalent;  ///< what this experiment cannot tell from them
-  double strength = 0;       ///< rms over all measured values of the gap over its sigma
-  std::string noise;         ///< declared, misdeclared, outliers, ar1
-  double noise_scale = 1;    ///< true sigma over declared
-  std::string description;   ///< of an effect outside the catalogue
-  std::string family = {};   ///< of experiments: what results are counted by first; or none
-  std::string channel = {};  ///< "Fx" or "Fx, Fy": where such an effect shows most
+  std::vector<TrueEffect> effects;                   ///< empty for noise alone
+  std::vector<std::vector<std::string>> equivalent;  ///< aliases in this experiment
+  double strength = 0;                               ///< rms change of the measured values, in sigmas
+  std::string noise;                                 ///< declared, misdeclared, outliers, ar1
+  double noise_scale = 1;                            ///< true over declared sigma
+  std::string description;                           ///< of an effect outside the catalogue
+  std::string family = {};   ///< a group of experiments, by which results are counted first; or empty
+  std::string channel = {};  ///< "Fx" or "Fx, Fy": the channels where an unknown cause shows most
 };
 
 /// "id" or "id(joint)".
 std::string effect_key(const std::string& id, std::size_t joint);
-/// The key of an effect in JSON, where it is its key or an object with "id" and "joint"; the keys of a list
-/// of them, or of one alone. \throws Error at the place of anything else
+/// The key of an effect from JSON: a text, or an object with "id" and "joint". The keys of a list of effects,
+/// or of one alone.
+/// \throws Error at the place of anything else
 std::string effect_key(const files::JsonValue& effect);
 std::vector<std::string> effect_keys(const files::JsonValue& effects);
 
-/// Whether the one effect is in no catalogue.
+/// Whether the effect is outside the catalogue.
 bool outside_catalogue(const Label& label);
 
-/// The effects that a diagnosis can name: "id", and "id(j)" where it sits at one joint.
+/// The effects that a diagnosis can name: "id", and "id(j)" for one at a joint.
 using Catalogue = std::set<std::string>;
 
-/// The label as a diagnosis with this catalogue can know it: where it lacks one of the effects, the cause is
-/// unknown, and described by what it lacks.
+/// The label for a diagnosis with this catalogue: an effect that it lacks becomes an unknown cause with its
+/// description.
 Label in_terms_of(const Catalogue& catalogue, Label label);
 
 nlohmann::ordered_json as_json(const Label& label);

@@ -24,7 +24,7 @@ bool failed(const Case& one) {
   return one.judgement.answer != Answer::right && one.judgement.answer != Answer::in_class;
 }
 
-/// The worse first: what is wrong and sure of itself, then what gave no answer at all.
+/// Order of failures: wrong and sure first, then answers that are missing.
 int gravity(Answer answer) {
   switch (answer) {
     case Answer::no_report:
@@ -33,7 +33,7 @@ int gravity(Answer answer) {
       return 1;
     case Answer::false_alarm:
       return 2;
-    case Answer::wrong_hedged:
+    case Answer::wrong_ambiguous:
       return 3;
     case Answer::part:
       return 4;
@@ -77,7 +77,7 @@ Table headline(const Score& s) {
   add("... and its joint, or else its channel, named first", ">= 90 %", s.place);
   add("two effects at once: both found", ">= 80 %", s.pairs);
   add("true parameter inside its 95 % bounds", "90 to 99 %", s.covered);
-  add("found, in a class that lists more than it must", "<= 15 %", s.over_hedged);
+  add("found, in a class that lists more than it must", "<= 15 %", s.oversized_class);
   return table;
 }
 
@@ -100,7 +100,7 @@ Table answers(const std::string& what, const std::vector<Row>& rows) {
   return table;
 }
 
-/// Wrong and sure first.
+/// Order of families: wrong and sure first.
 Table families(const std::vector<Row>& rows) {
   Table table{
       {"family", "n", "wrong and sure", "95 % interval", "found", "unknown", "missed gap", "false alarm"},
@@ -167,7 +167,7 @@ std::string numbers(const Circumstances& c, const Score& s) {
   return text;
 }
 
-/// For the terminal alone: files are the same whoever makes them again.
+/// Durations, for the terminal alone.
 std::string times(const Spread& seconds) {
   return fmt::format("Time of a diagnosis: median {:.2f} s, nine in ten below {:.2f} s, longest {:.2f} s.\n",
                      seconds.median, seconds.ninth_decile, seconds.worst);
@@ -253,7 +253,7 @@ nlohmann::ordered_json as_json(const Circumstances& c, const std::vector<Case>& 
                     {"stated", bin.stated},
                     {"right", proportion(bin.right)}});
   for (const Case& one : cases) list.push_back(case_json(one));
-  return {{"format", "blind-trial/1"},
+  return {{"format", "blind-trial/2"},
           {"command", c.command},
           {"seals", {{"sealed", c.sealed}, {"sha256", c.seals_digest}, {"broken", s.broken_seals}}},
           {"found", proportion(s.all.found)},
@@ -265,7 +265,7 @@ nlohmann::ordered_json as_json(const Circumstances& c, const std::vector<Case>& 
           {"outside_joint", proportion(s.place)},
           {"pairs", proportion(s.pairs)},
           {"covered", proportion(s.covered)},
-          {"over_hedged", proportion(s.over_hedged)},
+          {"oversized_class", proportion(s.oversized_class)},
           {"no_report", s.no_report},
           {"heldout_over_noise_floor", spread(s.shrunk)},
           {"brier", s.brier},

@@ -9,13 +9,14 @@
 
 namespace plumbline::trial {
 
-/// Diagnoses every experiment; the reports go to reports/NAME.json. \returns what came of each, in the order
-/// of the names
+/// Diagnoses every experiment into reports/NAME.json.
+/// \returns the outcomes in the order of the names
 std::vector<Diagnosed> diagnose_all(const SealedFolder& folder, const std::filesystem::path& reports,
                                     std::chrono::duration<double> patience, work::Journal* journal,
                                     const std::function<void()>& advance);
 
-/// Opens every seal and compares. \param catalogue  what this diagnosis can name
+/// Opens every seal and scores.
+/// \param catalogue  the effects that this diagnosis can name
 std::vector<Case> unseal(const SealedFolder& folder, const std::filesystem::path& reports,
                          const std::vector<Diagnosed>& diagnosed, const Catalogue& catalogue);
 

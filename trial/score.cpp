@@ -18,7 +18,7 @@ bool found(const Case& one) {
   return one.judgement.answer == Answer::right || one.judgement.answer == Answer::in_class;
 }
 
-/// Identified, and wrong: also where there is nothing to identify.
+/// Whether an answer is identified and wrong, also without an effect.
 bool wrong_and_sure(const Case& one) {
   const Answer answer = one.judgement.answer;
   return one.judgement.said.starts_with("identified") &&
@@ -50,12 +50,12 @@ std::vector<Row> rows_by_strength(const std::vector<Case>& cases) {
   return rows;
 }
 
-/// "said" for the confusion table: the right kind at a wrong joint is worth a word of its own.
+/// The answer in the confusion table; the right kind at a wrong joint has its own entry.
 std::string said_best(const Case& one) {
   const Judgement& judged = one.judgement;
   if (judged.answer == Answer::no_report) return answer_word(judged.answer);
   const bool misplaced = judged.best == truth_kind(one.label) &&
-                         (judged.answer == Answer::wrong_sure || judged.answer == Answer::wrong_hedged);
+                         (judged.answer == Answer::wrong_sure || judged.answer == Answer::wrong_ambiguous);
   return misplaced ? judged.best + " at another joint" : judged.best;
 }
 
@@ -67,7 +67,7 @@ std::vector<Row> in_order(std::map<std::string, Row> by_key) {
   return rows;
 }
 
-/// First what has no effect, then single effects by name, two at once, outside the catalogue.
+/// Order of rows: no effect, single effects by name, two effects, outside the catalogue.
 std::vector<Row> rows_by_truth(const std::vector<Case>& cases) {
   std::map<std::string, Row> kinds;
   for (const Case& one : cases) {
@@ -92,7 +92,7 @@ std::vector<Row> rows_by_noise(const std::vector<Case>& cases) {
   return in_order(std::move(kinds));
 }
 
-/// What is outside the catalogue is many families: each has its description.
+/// The family of a cause outside the catalogue is its description.
 std::vector<Row> rows_by_family(const std::vector<Case>& cases) {
   std::map<std::string, Row> families;
   for (const Case& one : cases) {
@@ -132,7 +132,7 @@ std::vector<Reliability> reliability(const std::vector<Case>& cases) {
   return bins;
 }
 
-/// The proportions that a case counts for.
+/// Adds a case to the proportions in which it counts.
 void count_proportions(Score& total, const Case& one) {
   const Label& label = one.label;
   const Judgement& judged = one.judgement;
@@ -145,7 +145,7 @@ void count_proportions(Score& total, const Case& one) {
   if (label.effects.size() > 1) total.pairs.add(found(one));
   for (const auto& [name, inside] : judged.covered) total.covered.add(inside);
   if (found(one) && !label.effects.empty() && !outside_catalogue(label))
-    total.over_hedged.add(judged.over_hedged);
+    total.oversized_class.add(judged.oversized_class);
   total.no_report += judged.answer == Answer::no_report;
   total.broken_seals += !one.seal_holds;
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a trial shows, counted.
+/// The scores of a trial.
 
 #include <map>
 #include <string>
@@ -15,11 +15,11 @@ namespace plumbline::trial {
 struct Case {
   Label label;
   Judgement judgement;
-  double seconds = 0;      ///< that the diagnosis took
+  double seconds = 0;      ///< duration of the diagnosis
   bool seal_holds = true;  ///< false where label and salt do not give the published seal
 };
 
-/// "none", "id", "id+id": the kind of truth, without joints; what is outside the catalogue is "unknown".
+/// "none", "id", "id+id": the kind of truth without joints; "unknown" outside the catalogue.
 std::string truth_kind(const Label& label);
 /// The same with joints.
 std::string truth_words(const Label& label);
@@ -28,10 +28,10 @@ std::string truth_words(const Label& label);
 struct Band {
   double low, high;
 };
-/// Bands whose limits a reader looks for: 2.5, 5, 10, 20.
+/// Bands with the limits 2.5, 5, 10, 20.
 const std::vector<Band>& bands();
 
-/// A row of the tables: some cases and what became of them.
+/// A row of the tables: cases and their answers.
 struct Row {
   std::string name;
   std::vector<std::size_t> answers;  ///< by Answer
@@ -39,14 +39,14 @@ struct Row {
   Proportion wrong_sure = {};        ///< identified, and wrong
 };
 
-/// Stated probabilities in [low, high) against how often they were right.
+/// Stated probabilities in [low, high) and their frequency of being right.
 struct Reliability {
   double low, high;
   double stated = 0;  ///< their mean
   Proportion right{};
 };
 
-/// How often what was said best, by the truth; both without joints.
+/// Confusion: the best explanation by the truth, both without joints.
 using Confusion = std::map<std::string, std::map<std::string, std::size_t>>;
 
 struct Spread {
@@ -61,15 +61,15 @@ struct Score {
   std::vector<Row> by_noise;
   std::vector<Row> by_family;  ///< of labels that name one; the most often wrong and sure first
   Confusion confusion;
-  Proportion strong;       ///< one effect, 5 sigma or more: found
-  Proportion weak;         ///< one effect, 2.5 to 5 sigma: found
-  Proportion wrong_sure;   ///< identified and wrong, of all that were identified
-  Proportion false_alarm;  ///< of the experiments without an effect
-  Proportion outside;      ///< effects outside the catalogue: called unknown
-  Proportion place;        ///< of those: the joint, or else the channel, named first
-  Proportion pairs;        ///< two effects: both found
-  Proportion covered;      ///< true parameters inside their 95 % bounds
-  Proportion over_hedged;  ///< found, but in a class larger than the experiment's own
+  Proportion strong;           ///< one effect, 5 sigma or more: found
+  Proportion weak;             ///< one effect, 2.5 to 5 sigma: found
+  Proportion wrong_sure;       ///< identified and wrong, of all that were identified
+  Proportion false_alarm;      ///< of the experiments without an effect
+  Proportion outside;          ///< effects outside the catalogue: called unknown
+  Proportion place;            ///< of those: the joint, or else the channel, named first
+  Proportion pairs;            ///< two effects: both found
+  Proportion covered;          ///< true parameters inside their 95 % bounds
+  Proportion oversized_class;  ///< found, but in a class larger than the experiment's own
   std::size_t no_report = 0, broken_seals = 0;
   std::vector<Reliability> reliability;
   double brier = 0;  ///< mean, 0 is best, 2 worst

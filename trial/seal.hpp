@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Seals: a label is committed to before the diagnosis and shown after it.
+/// Seals: commitments to labels before the diagnosis.
 
 #include <map>
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace plumbline::trial {
 
-/// What is kept elsewhere until the diagnosis is over.
+/// A label with its salt, kept until the diagnosis is over.
 struct Envelope {
-  std::string salt;   ///< hexadecimal digits that nobody can guess
+  std::string salt;   ///< unpredictable hexadecimal digits
   std::string label;  ///< the label's JSON, byte for byte
 };
 
-/// The salt of an experiment: who knows the secret can make it again, and nobody else.
+/// The salt of an experiment, a function of a secret and its name.
 std::string salt(const std::string& secret, const std::string& name);
 
 /// The seal of an envelope: SHA-256 of salt, line feed, label, as 64 hexadecimal digits.

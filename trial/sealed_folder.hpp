@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A folder of experiments whose labels are withheld:
+/// A folder of experiments with withheld labels:
 ///
 ///     NAME/experiment.toml, NAME/*.csv   an experiment, in the format "chain-experiment/1"
 ///     seals.json                         {"format": "experiment-seals/1", "seals": {"NAME": "SHA-256 …", …}}
@@ -27,9 +27,8 @@ class SealedFolder {
   /// SHA-256 of the file of the seals; empty without one.
   [[nodiscard]] const std::string& digest() const { return digest_; }
 
-  /// Opens what was sealed. Best tried before the diagnoses where the labels are there: a label that is none
-  /// shows at once then.
-  /// \throws Error for a label that is missing or none
+  /// Opens the seals. Before the diagnoses, where labels are present, it finds malformed ones.
+  /// \throws Error for a missing or malformed label
   [[nodiscard]] Case open(const std::string& name) const;
 
  private:

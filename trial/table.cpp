@@ -18,7 +18,7 @@ bool has_word(const std::string& cell) {
   return false;
 }
 
-/// A column of words stands to the left.
+/// Columns of words are left-aligned.
 bool wordy(const Table& table, std::size_t column) {
   return std::any_of(table.rows.begin(), table.rows.end(),
                      [&](const auto& row) { return has_word(row[column]); });

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A table as a terminal or Markdown shows it.
+/// A table for a terminal or Markdown.
 
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// Columns aligned by blanks: words to the left, numbers to the right.
+/// Columns aligned by blanks: words left, numbers right.
 std::string terminal_table(const Table& table);
 std::string markdown_table(const Table& table);
 

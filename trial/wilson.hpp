@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How sure a proportion is.
+/// A proportion with its confidence interval.
 
 #include <cstddef>
 
@@ -11,10 +11,10 @@ struct Proportion {
   std::size_t count = 0, total = 0;
 
   void add(bool one) { ++total, count += one; }
-  /// NaN for none of none.
+  /// NaN for 0 of 0.
   [[nodiscard]] double share() const;
-  [[nodiscard]] double low() const;   ///< 0 for none of none
-  [[nodiscard]] double high() const;  ///< 1 for none of none
+  [[nodiscard]] double low() const;   ///< 0 for 0 of 0
+  [[nodiscard]] double high() const;  ///< 1 for 0 of 0
 };
 
 }  // namespace plumbline::trial

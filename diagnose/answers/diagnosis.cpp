@@ -4,11 +4,11 @@
 #include <limits>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/decision/acceptance.hpp"
-#include "diagnose/discrepancy/implied_shares.hpp"
-#include "diagnose/decision/rotation.hpp"
-#include "diagnose/discrepancy/single_joint.hpp"
 #include "diagnose/beliefs.hpp"
+#include "diagnose/decision/acceptance.hpp"
+#include "diagnose/decision/rotation.hpp"
+#include "diagnose/discrepancy/implied_shares.hpp"
+#include "diagnose/discrepancy/single_joint.hpp"
 #include "diagnose/noise/hum.hpp"
 #include "diagnose/noise/outliers.hpp"
 
@@ -31,7 +31,7 @@ void require_reached(const Study& study) {
 
 /// What the runs never touched: a nominal parameter's change that no measured value shows; and what the user
 /// stated of time, or of readings, that this bench has not.
-std::vector<EffectAt> never_exercised(const Study& study, const Findings& findings, const Cause& cause) {
+std::vector<EffectAt> not_excited(const Study& study, const Findings& findings, const Cause& cause) {
   const std::vector<EffectAt> possible = possible_effects(study);
   std::vector<EffectAt> result;
   for (std::size_t stated = catalogue().size(); stated < study.effects().size(); ++stated) {
@@ -230,7 +230,7 @@ void explain(const Study& study, Diagnosis& diagnosis, const Report& progress, H
   if (diagnosis.cause.verdict == CauseVerdict::unknown || diagnosis.cause.reservation != Reservation::none)
     offer_law_to(study, chosen, diagnosis);
   offer_only_what_predicts(diagnosis);
-  diagnosis.not_exercised = never_exercised(study, chosen, diagnosis.cause);
+  diagnosis.not_excited = not_excited(study, chosen, diagnosis.cause);
   if (diagnosis.cause.verdict != CauseVerdict::unknown)
     diagnosis.estimates =
         estimate(study, diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit, diagnosis.allowed);
@@ -255,7 +255,7 @@ std::vector<Fit> to_separate(const Cause& cause, bool on_request) {
 Aim aim_of(const Cause& cause) {
   const bool hardly_shown =
       cause.reservation == Reservation::not_tested || cause.reservation == Reservation::small_gap;
-  return hardly_shown ? Aim::to_show : Aim::to_tell;
+  return hardly_shown ? Aim::detect : Aim::discriminate;
 }
 
 /// Shares of the joints where nothing measured shows them: from what was found, else by the best torque law.

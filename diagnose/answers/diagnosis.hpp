@@ -7,11 +7,11 @@
 
 #include "diagnose/answers/estimates.hpp"
 #include "diagnose/answers/gap_answer.hpp"
+#include "diagnose/decision/shrink.hpp"
+#include "diagnose/decision/verdict.hpp"
 #include "diagnose/design/next_run.hpp"
 #include "diagnose/discrepancy/offered_law.hpp"
-#include "diagnose/decision/shrink.hpp"
 #include "diagnose/discrepancy/unexplained.hpp"
-#include "diagnose/decision/verdict.hpp"
 
 namespace plumbline::diagnose {
 
@@ -23,8 +23,8 @@ struct Diagnosis {
   NoiseModel noise;    ///< that the best explanation leaves
   NoiseModel allowed;  ///< what is named was let leave: the noise, of a single joint's law more
   std::vector<std::vector<Estimate>>
-      estimates;                        ///< [effect of the best explanation][parameter]; of a known cause
-  std::vector<EffectAt> not_exercised;  ///< effects that these runs could not have shown
+      estimates;                      ///< [effect of the best explanation][parameter]; of a known cause
+  std::vector<EffectAt> not_excited;  ///< effects that these runs could not have shown
   std::optional<Shrink> shrink;
   /// For `unknown`: on readings held out neither a law nor the best partial explanation leaves less than the
   /// nominal model does, so that nothing is offered and there is no shrink.

@@ -54,7 +54,7 @@ std::vector<std::vector<Estimate>> estimate(const Study& study, const Fit& found
                                fit.at_bound[p]});
       ++p;
     }
-    if (at.effect->element > 0) put_in_order(result.back(), at.effect->element);
+    if (at.effect->element_size > 0) put_in_order(result.back(), at.effect->element_size);
   }
   return result;
 }

@@ -59,7 +59,7 @@ GapAnswer ask_for_gap(const Study& study, const std::vector<double>& residual) {
   tell_where_rough(study, gap);
   for (const Run& run : study.experiment().runs) {
     if (run.weights_inferred) gap.taken_for_weights.push_back(run.id);
-    if (run.side) gap.other_side.push_back({run.id, run.first_taken(run.side->first())});
+    if (run.branch) gap.other_branch.push_back({run.id, run.first_taken(run.branch->first())});
   }
   for (const Series& series : measurements.series()) {
     if (series.proportion == 0) continue;

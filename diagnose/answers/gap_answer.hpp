@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/noise/gap.hpp"
 #include "diagnose/inference/study.hpp"
+#include "diagnose/noise/gap.hpp"
 
 namespace plumbline::diagnose {
 
@@ -20,7 +20,7 @@ struct HummingChannel {
 };
 
 /// A run whose chain went to the other side than its nominal model goes to by itself.
-struct OtherSide {
+struct OtherBranch {
   std::string run;
   std::size_t reading;  ///< as it was taken, from 0: the first one there
 };
@@ -54,7 +54,7 @@ struct GapAnswer {
   std::vector<RougherStretch> rougher_stretches;
   /// Runs whose forces were taken for those of weights, since they look like it (Run::weights_inferred).
   std::vector<std::string> taken_for_weights;
-  std::vector<OtherSide> other_side;
+  std::vector<OtherBranch> other_branch;
 };
 
 /// \param residual  nominal, flat

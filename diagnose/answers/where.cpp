@@ -76,13 +76,13 @@ std::vector<PathShare> along_path(const Study& study, const Prediction& nominal,
 std::string joint_evidence_words(JointEvidence evidence) {
   switch (evidence) {
     case JointEvidence::measured:
-      return "of the measured missing torque";
+      return "of the measured torque residual";
     case JointEvidence::implied_by_fits:
-      return "of the missing torque that the explanation implies";
+      return "of the torque that the explanation adds";
     case JointEvidence::implied_by_law:
       break;
   }
-  return "chance to be the one place of an unknown torque";
+  return "probability of being the only joint at fault";
 }
 
 Where locate(const Study& study, const Prediction& nominal, const std::vector<double>& residual,

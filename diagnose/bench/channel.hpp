@@ -11,11 +11,11 @@ namespace plumbline::diagnose {
 struct Noise;
 struct Reading;
 
-/// What kind of sensor a value comes from: each kind shares one correction of its declared noise.
+/// The kind of sensor of a value; each kind shares one correction of its declared noise.
 enum class Sensor { position, force, angle };
 inline constexpr std::size_t sensors = 3;
 
-/// Its place in arrays by sensor.
+/// Index in arrays by sensor.
 constexpr std::size_t place_of(Sensor sensor) {
   return static_cast<std::size_t>(sensor);
 }
@@ -23,7 +23,7 @@ constexpr std::size_t place_of(Sensor sensor) {
 /// "position", "force" or "angle".
 std::string label(Sensor sensor);
 
-/// How many names of channels there are: x, y, Fx, Fy, q.
+/// Number of channel names: x, y, Fx, Fy, q.
 inline constexpr std::size_t channel_names = 5;
 
 struct Channel {
@@ -35,15 +35,15 @@ struct Channel {
   [[nodiscard]] std::string label() const;      ///< "Fx", or "q3" (1-based)
   [[nodiscard]] std::string_view unit() const;  ///< "m", "N" or "rad"
   [[nodiscard]] double of(const Reading& reading) const;
-  /// The same, to be written.
+  /// The same for writing.
   [[nodiscard]] double& in(Reading& reading) const;
   [[nodiscard]] double sigma(const Noise& noise) const;
 };
 
-/// The name alone, "q" of all joint angles.
+/// The name alone, "q" for all joint angles.
 std::string label(Channel::Name name);
 
-/// As their labels sort: the order in which reports list channels.
+/// The order of the labels, in which reports list channels.
 inline bool operator<(const Channel& a, const Channel& b) {
   return a.label() < b.label();
 }

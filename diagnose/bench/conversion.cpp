@@ -19,7 +19,7 @@ const Names forces{"N", "kgf", "kN", "mN", "lbf", "gf"}, lengths{"m", "mm", "cm"
     angles_in{"rad", "deg"}, stiffnesses{"N m/rad",  "N mm/rad",   "N cm/rad",  "N m/deg",
                                          "N mm/deg", "kgf cm/rad", "kgf m/rad", "lbf in/rad"};
 
-/// Of what is read in one unit: another that it may have been written in.
+/// Alternatives to the unit of a quantity.
 struct Other {
   std::string name, instead_of;
   double factor;
@@ -35,7 +35,7 @@ std::vector<Other> others(const Names& names, const Quantity& quantity, const Or
   return all;
 }
 
-/// Where a channel was read in the first run, or a key; SI where that is not known.
+/// The unit of a channel in the first run, or of a key; SI where it is not known.
 Origin origin(const std::vector<Origin>& all, const std::string& what, const Quantity& quantity) {
   for (const Origin& one : all)
     if (one.what == what) return one;
@@ -58,11 +58,11 @@ void scale_positions(Run& run, double factor) {
   for (Reading& r : run.readings) r.x *= factor, r.y *= factor;
 }
 
-/// A way to lay two axes over two others.
+/// A mapping of two axes.
 struct Axes {
   const char* name;
   double xx, xy, yx, yy;
-  /// One component alone must not go missing with the other.
+  /// A missing component must not make the other one missing.
   void operator()(double& x, double& y) const {
     if (xy == 0) {
       x *= xx;
@@ -126,7 +126,7 @@ void add_forces(const Experiment& e, std::vector<Conversion>& all) {
   }
 }
 
-/// A way to write joint angles.
+/// A convention of joint angles.
 struct Angles {
   std::string name, remedy_of_q, remedy_of_rest;
   double factor = 0;
@@ -150,7 +150,7 @@ std::vector<Angles> ways_to_write_angles(const Origin& read) {
   return all;
 }
 
-/// \param rest, readings  which of them are written so
+/// \param rest, readings  which of them are in this convention
 void add_angles(const Experiment& e, bool rest, bool readings, std::vector<Conversion>& all) {
   const Origin read =
       rest ? origin(e.origins, "rest", quantity::angle) : origin_of_channel(e, "q1", quantity::angle);
@@ -174,8 +174,7 @@ void add_angles(const Experiment& e, bool rest, bool readings, std::vector<Conve
   }
 }
 
-/// Whether a joint is bent at rest so far, in every run, that no error of its zero turns it to the other
-/// side.
+/// Whether a joint is bent at rest in every run by more than any error of its zero.
 bool is_bent_at_rest(const Experiment& e, std::size_t joint) {
   constexpr double least = 0.15;
   return std::all_of(e.runs.begin(), e.runs.end(),
@@ -187,7 +186,7 @@ bool measures_angles(const Experiment& e) {
                      [](const Run& run) { return !run.readings.empty() && !run.readings.front().q.empty(); });
 }
 
-/// One joint whose angle is counted the other way: at rest, as it is read, or both.
+/// One joint whose angle has the opposite sign: at rest, in the readings, or both.
 void add_turned_joints(const Experiment& e, std::vector<Conversion>& all) {
   const std::size_t joints = e.link_length.size();
   const bool measured = measures_angles(e);
@@ -293,17 +292,17 @@ void reverse(std::vector<double>& list) {
   std::reverse(list.begin(), list.end());
 }
 
-/// Whether a list reads otherwise from its other end on, its values taken in a sense of 1 or -1.
+/// Whether a list differs when it is reversed, with its values multiplied by 1 or -1.
 bool has_ends(const std::vector<double>& list, double sense = 1) {
   return !std::equal(list.begin(), list.end(), list.rbegin(),
                      [sense](double a, double b) { return a == sense * b; });
 }
 
-/// Lists that begin at the end point, and the sense of the angles in them.
+/// Lists that begin at the end point, and the sense of their angles.
 struct FromEnd {
   bool lengths = false, springs = false, masses = false, rest = false, readings = false;
-  /// -1 where an angle says how far a link is turned against the one beyond it, as seen by who walks from the
-  /// end point to the base; 1 where against the one before it, whatever its number.
+  /// -1 for angles of a link against the next one towards the end point, seen from there; 1 for angles
+  /// against the previous one, whatever its number.
   double sense = 1;
 
   [[nodiscard]] int count() const { return lengths + springs + masses + rest + readings; }
@@ -336,7 +335,7 @@ struct FromEnd {
     return all;
   }
 
-  /// A link's mass goes with its length, and is named where the lengths have no ends.
+  /// Link masses follow the lengths; they are named where the lengths are symmetric.
   [[nodiscard]] Conversion conversion() const {
     Names what;
     if (lengths || masses) what.push_back(lengths ? "link_length" : "link_mass");
@@ -356,8 +355,8 @@ struct FromEnd {
   }
 };
 
-/// One list alone, all of the chain, and with them the angles at rest, as they are read, or both. Where the
-/// chain is the same from both ends, angles alone can be in reverse (add_angles).
+/// One list alone, all of the chain's, and with them the angles at rest, the measured angles, or both. In a
+/// symmetric chain angles alone can be reversed (add_angles).
 void add_order_of_chain(const Experiment& e, std::vector<Conversion>& all) {
   const FromEnd chain{has_ends(e.link_length), has_ends(e.joint_stiffness), has_ends(e.link_mass)};
   const bool weighs = chain.masses && e.gravity != std::array<double, 2>{0, 0};

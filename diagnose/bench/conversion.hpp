@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Units, signs, axes and orders in which a lab may have written an experiment down, and the way from each to
-/// what the format demands.
+/// Units, signs, axes and orders in which a lab may have written an experiment, and their conversions to the
+/// format.
 
 #include <functional>
 #include <string>
@@ -11,25 +11,25 @@
 
 namespace plumbline::diagnose {
 
-/// Reads numbers that were meant otherwise as they were meant.
+/// A conversion of numbers that were written in another convention.
 struct Conversion {
   std::string what;        ///< the columns or keys: "Fx, Fy"
-  std::string looks_like;  ///< what they seem to be: "kgf"
-  std::string expected;    ///< what they are read as: "N"
-  std::string remedy;      ///< what to write in experiment.toml if they are: "columns.Fx.unit = …"
-  double factor = 0;       ///< of a unit over the one that they are read in; 0 where it is no unit
-  bool mirror = false;     ///< whether a chain that buckles to its other side looks the same
-  /// Converts one run; not given where the nominal chain is converted.
+  std::string looks_like;  ///< the suspected convention: "kgf"
+  std::string expected;    ///< the convention of the format: "N"
+  std::string remedy;      ///< what to write in experiment.toml: "columns.Fx.unit = …"
+  double factor = 0;       ///< of a unit over the one as which it is read; 0 for other conventions
+  bool mirror = false;     ///< a chain that buckles to the other side looks the same
+  /// Converts one run; empty where the nominal model is converted.
   std::function<void(Run&)> run = {};
-  /// Converts the nominal chain, and in the runs what goes with it.
+  /// Converts the nominal model and, in the runs, what depends on it.
   std::function<void(Experiment&)> chain = {};
 };
 
-/// All that are looked for, the most common first. Units are those that labs use, but for the one that the
-/// experiment itself names.
+/// All conversions that are considered, the most common first: units of laboratories, without the one that
+/// the experiment names.
 std::vector<Conversion> conversions(const Experiment& experiment);
 
-/// The experiment with every run, and the nominal chain, converted.
+/// The experiment with every run, and the nominal model, converted.
 Experiment converted(Experiment experiment, const Conversion& conversion);
 
 }  // namespace plumbline::diagnose

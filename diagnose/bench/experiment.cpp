@@ -17,8 +17,8 @@ constexpr std::array<Channel, 2> force_channels{{{Name::Fx}, {Name::Fy}}};
 
 }  // namespace
 
-std::size_t Side::first() const {
-  return static_cast<std::size_t>(std::find(apart.begin(), apart.end(), true) - apart.begin());
+std::size_t Branch::first() const {
+  return static_cast<std::size_t>(std::find(differs.begin(), differs.end(), true) - differs.begin());
 }
 
 std::array<Channel, 2> Run::imposed() const {
@@ -57,7 +57,7 @@ bool Run::counts_readings() const {
   return true;
 }
 
-double Run::usual_pause() const {
+double Run::sampling_interval() const {
   std::vector<double> pauses;
   for (std::size_t i = 1; i < readings.size(); ++i)
     if (const double pause = readings[i].t - readings[i - 1].t; pause > 0) pauses.push_back(pause);

@@ -1,28 +1,27 @@
 #pragma once
 /// \file
-/// What a joint carries where no known effect says why.
+/// A free torque law of a joint.
 
 #include <cstddef>
 #include <vector>
 
 namespace plumbline::diagnose {
 
-/// Torques of one joint beside those of its spring, in the sense of a spring: positive resists a positive
-/// deflection.
+/// A torque of one joint in parallel with its spring, positive where it resists a positive deflection.
 struct FreeLaw {
   struct Knot {
     double deflection, torque;  ///< rad; N m
     friend bool operator==(const Knot&, const Knot&) = default;
   };
-  /// A spring that slips, from rest after a turn: at a torque; or, where `growth` is given, at one that grows
-  /// with the deflection; or, where a profile is, at one that goes with it from knot to knot.
+  /// A slider that starts from rest. Its slip torque is constant, or grows with the deflection (`growth`), or
+  /// follows a profile.
   struct Slider {
     double slips_at;                 ///< rad, from rest at no deflection
     double torque, growth;           ///< N m; N m/rad; one of the two at most is not zero
-    std::vector<Knot> profile = {};  ///< torques at which it slips; it carries the same share of each
+    std::vector<Knot> profile = {};  ///< slip torques; the slider carries the same fraction of each
     friend bool operator==(const Slider&, const Slider&) = default;
   };
-  /// A spring that relaxes.
+  /// A Maxwell arm.
   struct Arm {
     double time_constant, stiffness;  ///< s; N m/rad
     friend bool operator==(const Arm&, const Arm&) = default;

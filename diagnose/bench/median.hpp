@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The middle of some values, and of their sizes.
+/// Medians.
 
 #include <boost/math/statistics/univariate_statistics.hpp>
 #include <cmath>
@@ -10,13 +10,12 @@
 
 namespace plumbline::diagnose {
 
-/// Of an even number the mean of the middle two; not a number where there are none.
+/// The median, the mean of the middle two for an even number; NaN for no values.
 inline double median(std::vector<double> values) {
   return values.empty() ? std::numeric_limits<double>::quiet_NaN() : boost::math::statistics::median(values);
 }
 
-/// Standard deviation of normal numbers about zero, by the median of their sizes, which any minority of
-/// others moves by little.
+/// A robust standard deviation of zero-mean normal numbers, by the median of their absolute values.
 inline double median_deviation(std::vector<double> values) {
   constexpr double of_normal = 0.6745;  // median of |z|
   for (double& value : values) value = std::abs(value);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The nominal chain: the simulator whose gap is diagnosed, with what it is already known to do besides.
+/// The nominal model: the chain and the effects that the simulator already contains.
 
 #include <array>
 #include <cstddef>
@@ -15,8 +15,7 @@ namespace plumbline::diagnose {
 
 struct Effect;
 
-/// An effect, of the catalogue or stated by the user, that the nominal model includes, at these values in its
-/// units.
+/// An effect of the nominal model, of the catalogue or of the user, with its parameter values.
 struct NominalEffect {
   std::string id;
   std::size_t joint = 0;  ///< from 1; 0 where the effect is not at one joint
@@ -36,7 +35,7 @@ struct NominalChain {
   std::vector<FreeLaw> laws = {};  ///< what its joints carry besides, where no effect says why
   std::shared_ptr<const std::vector<Effect>> stated = nullptr;  ///< rows of the user's own, or none
 
-  /// Whether it is a chain of springs and weights alone.
+  /// Whether it has springs and weights alone.
   [[nodiscard]] bool plain() const { return effects.empty() && laws.empty(); }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The day of an experiment.
+/// The date of an experiment.
 
 #include <chrono>
 #include <filesystem>
@@ -10,11 +10,11 @@
 
 namespace plumbline::diagnose {
 
-/// The key `date`, a TOML date or a text like one; nothing without it.
-/// \throws Error that names file, line and key where it is no day
+/// The key `date`, a TOML date or a text of that form; nothing without it.
+/// \throws Error that names file, line and key for another value
 std::optional<std::chrono::sys_days> read_date(const Section& root);
 
-/// The day of the experiment in a folder; nothing, too, where its file cannot be read.
+/// The date of the experiment in a folder; nothing where it has none or cannot be read.
 std::optional<std::chrono::sys_days> date_of(const std::filesystem::path& folder);
 
 }  // namespace plumbline::diagnose

@@ -8,12 +8,12 @@
 #include <plumbline/base/error.hpp>
 #include <set>
 
-#include "diagnose/screening/plausible.hpp"
 #include "diagnose/bench/read_date.hpp"
 #include "diagnose/bench/read_nominal.hpp"
 #include "diagnose/bench/read_samples.hpp"
 #include "diagnose/bench/sample_format.hpp"
 #include "diagnose/bench/unmeasured.hpp"
+#include "diagnose/screening/physical.hpp"
 #include "support/files/printable.hpp"
 #include "support/files/text_file.hpp"
 
@@ -22,11 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The units of what stands in experiment.toml itself.
+/// The units of numbers in experiment.toml.
 struct Units {
   Unit link_length, joint_stiffness, link_mass, gravity, rest;
 
-  /// \param nominal  whether the chain stands there too
+  /// \param nominal  whether the file contains the nominal model
   [[nodiscard]] std::vector<Origin> origins(bool nominal) const {
     const auto origin = [](const char* key, const Unit& unit) {
       return Origin{key, "experiment.toml", unit.name, unit.in_si()};
@@ -54,7 +54,7 @@ std::vector<double> in_si(std::vector<double> values, const Unit& unit) {
   return values;
 }
 
-/// A chain whose numbers stand in these units.
+/// A nominal model in these units.
 NominalChain in_si(NominalChain chain, const Units& units) {
   chain.link_length = in_si(std::move(chain.link_length), units.link_length);
   chain.joint_stiffness = in_si(std::move(chain.joint_stiffness), units.joint_stiffness);
@@ -90,7 +90,7 @@ Bench read_bench(const Section& bench) {
   return result;
 }
 
-/// Each in the unit of the readings that it is the noise of.
+/// Each noise in the unit of its readings.
 Noise read_noise(const Section& noise, const SampleFormat& format) {
   noise.allow_only({"x", "y", "Fx", "Fy", "q"});
   const auto sigma = [&](const char* key, std::size_t column) {
@@ -100,7 +100,7 @@ Noise read_noise(const Section& noise, const SampleFormat& format) {
           sigma("q", place_q1)};
 }
 
-/// \throws Error at the place for what is not inside the folder, behind all links, or no plain file
+/// \throws Error for a path outside the folder, after resolving links, or for no regular file
 fs::path file_inside(const fs::path& folder, const std::string& name, const std::string& place) {
   std::error_code error;
   const fs::path file = fs::weakly_canonical(folder / name, error);
@@ -112,13 +112,13 @@ fs::path file_inside(const fs::path& folder, const std::string& name, const std:
   return folder / name;
 }
 
-/// What is read: an experiment, or a bench before anything is measured.
+/// The kind of reading: an experiment, or a bench before any measurement.
 struct Source {
   const ReadTable& read;
   bool plan;
 };
 
-/// What every run of the experiment shares, unless it says otherwise itself.
+/// Settings that the runs inherit.
 struct Shared {
   const Source& source;
   const Experiment& experiment;
@@ -128,8 +128,8 @@ struct Shared {
   std::string chain;
 };
 
-/// Whether the forces of a run are such as weights impose and a servo on a load cell hardly would: straight
-/// down, all of them, and without noise.
+/// Whether all forces of a run point straight down without noise, as weights do and a servo with a load cell
+/// hardly would.
 bool pulls_as_weights_do(const Run& run, const Experiment& experiment) {
   const bool exact = experiment.noise.Fx == 0 && experiment.noise.Fy == 0;
   if (run.holds_end_point() || experiment.bench.plane != Bench::Plane::vertical || !exact) return false;
@@ -144,7 +144,7 @@ bool pulls_as_weights_do(const Run& run, const Experiment& experiment) {
          std::any_of(run.readings.begin(), run.readings.end(), pulls);
 }
 
-/// What imposes a force: as is said, or as the forces are.
+/// The source of an imposed force: as declared, or inferred.
 bool read_by_weights(const Section& section, const Run& run, const Experiment& experiment) {
   if (!section.has("loaded_by")) return pulls_as_weights_do(run, experiment);
   const std::string expected = "\"servo\" or \"weights\"";
@@ -164,7 +164,7 @@ void read_samples_of(const Section& section, const Shared& shared, Run& run) {
   run.origins = std::move(samples.origins);
 }
 
-/// The run's own, or that of the chain.
+/// The rest angles of the run, or else of the nominal model.
 std::vector<double> read_rest(const Section& section, const Shared& shared) {
   const Experiment& experiment = shared.experiment;
   if (!section.has("rest") && !experiment.rest.empty()) return experiment.rest;
@@ -202,8 +202,8 @@ std::vector<Run> read_runs(const Section& root, const Shared& shared) {
   return runs;
 }
 
-/// Takes the stamps of a clock that runs on, of the day or the computer, from the first reading of all: they
-/// begin later than everything that was read takes.
+/// Subtracts the first time stamp of the experiment where it is larger than the duration: a clock of the day
+/// or of the computer.
 void count_from_first_reading(std::vector<Run>& runs) {
   double first = std::numeric_limits<double>::infinity(), last = -first;
   for (const Run& run : runs)
@@ -214,7 +214,7 @@ void count_from_first_reading(std::vector<Run>& runs) {
     for (Reading& reading : run.readings) reading.t -= first;
 }
 
-/// Everything that the settings say, whether or not it can be.
+/// All settings, before any plausibility check.
 Experiment read_settings(const Section& root, const Source& source, const NominalChain* model) {
   const std::string expected = "\"chain-experiment/1\"";
   if (root.text("format", expected) != "chain-experiment/1") root.refuse("format", expected);

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Reading an experiment folder: experiment.toml and the sample files that it names.
+/// Reads an experiment folder: experiment.toml and the sample files that it names.
 
 #include <filesystem>
 #include <functional>
@@ -12,7 +12,7 @@
 namespace plumbline::diagnose {
 
 /// Reads format "chain-experiment/1".
-/// \param model  stands in for the table [nominal], which may then be absent
+/// \param model  replaces the table [nominal], which may then be absent
 /// \throws Error, one line with the file, the line or key, what was found and what was expected: a missing
 ///         file or key, an unknown key or format, a wrong type or length, a field that is not a finite
 ///         number, a negative length or stiffness, a repeated run id, a sample file outside the folder,
@@ -29,24 +29,24 @@ struct NamedTable {
 /// \throws Error that names the key, or the source
 using ReadTable = std::function<NamedTable(const Section& run, const SampleFormat& format)>;
 
-/// An experiment that stands in memory: the same keys, checked by the same rules.
-/// \param settings  what experiment.toml holds
+/// An experiment in memory: the same keys, checked by the same rules.
+/// \param settings  the contents of experiment.toml
 /// \param source    named in errors
 Experiment read_experiment(const toml::table& settings, const std::string& source, const ReadTable& read,
                            const NominalChain* model = nullptr);
 
-/// The text of experiment.toml, or of a sample file that it names.
-/// \throws Error at the place where the name stands, or that names the file
+/// Reads the text of experiment.toml, or of a sample file that it names.
+/// \throws Error at the place of the name, or that names the file
 using ReadFile = std::function<std::string(const std::string& name, const std::string& place)>;
 
-/// The same from wherever its files are.
+/// The same from any source of files.
 /// \param folder  named in errors
 Experiment read_experiment(const std::filesystem::path& folder, const ReadFile& read,
                            const NominalChain* model = nullptr);
 
-/// The same before anything is measured. A run without samples says what the bench can do, its control and
-/// its rest shape, and has no readings; of others the commands count. Every channel that has a noise is
-/// measured: its values are empty, and taken for empty where they are not.
+/// The same before any measurement. A run without samples describes the bench by its control and rest shape,
+/// and has no readings; of other runs the commands count. All channels with a noise are measured; their
+/// values are empty, or taken as empty.
 ///
 /// \throws Error likewise, and where a run measures nothing that has a noise
 Experiment read_plan(const std::filesystem::path& folder, const NominalChain* model = nullptr);

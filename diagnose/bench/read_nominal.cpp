@@ -61,7 +61,7 @@ FreeLaw read_law(const Section& section, std::size_t joints) {
   return law;
 }
 
-/// The key as experiments spell it or as chain files do, whichever stands there.
+/// The key as in experiments or as in chain files, whichever is present.
 std::string spelling(const Section& nominal, const std::string& here, const std::string& in_chain_files) {
   if (!nominal.has(in_chain_files)) return here;
   if (nominal.has(here))

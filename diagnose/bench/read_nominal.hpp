@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Reading a nominal chain: the table [nominal] of an experiment, or of a file of its own.
+/// Reads a nominal model: the table [nominal] of an experiment, or of a file of its own.
 
 #include <string>
 
@@ -12,7 +12,7 @@ namespace plumbline::diagnose {
 /// \throws Error that names the key, what was found and what was expected
 NominalChain read_nominal(const Section& nominal);
 
-/// A chain from TOML text with the table [nominal] alone.
+/// A nominal model from TOML text with the table [nominal] alone.
 /// \param source  named in errors
 NominalChain parse_nominal(const std::string& text, const std::string& source);
 

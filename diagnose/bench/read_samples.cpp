@@ -16,7 +16,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// What the fields of a table mean.
+/// The meaning of the fields of a table.
 class Reader {
  public:
   Reader(const SampleTable& table, const SampleFormat& format, std::string source, Control control)
@@ -65,7 +65,7 @@ class Reader {
     return source_ + ":" + std::to_string(table_.rows[row].line);
   }
 
-  /// A field with a decimal point; empty where nothing was measured.
+  /// A field with a decimal point; empty for a missing value.
   [[nodiscard]] std::string field(std::size_t c, std::size_t row) const {
     std::string text = table_.rows[row].fields[*places_[c]];
     if (std::find(format_.missing.begin(), format_.missing.end(), text) != format_.missing.end()) return "";
@@ -102,7 +102,7 @@ class Reader {
     return Mpfr50(column.zero);
   }
 
-  /// Readings that have no time are counted; what no column holds was not measured.
+  /// Readings without a time are counted; a channel without a column is not measured.
   [[nodiscard]] double value(std::size_t c, std::size_t row) const {
     const Column& column = format_.columns[c];
     if (column.constant) return constants_[c];

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The readings of one run.
+/// Reads the samples of one run.
 
 #include <string>
 
@@ -9,7 +9,7 @@
 
 namespace plumbline::diagnose {
 
-/// What a sample file holds.
+/// The contents of a sample file.
 struct Samples {
   std::vector<Reading> readings;  ///< in SI; an empty measured field is NaN
   std::vector<Origin> origins;    ///< of each channel

@@ -23,7 +23,7 @@ class Finder {
         source_(source),
         header_line_(table.header_line == 0 ? source : source + ":" + std::to_string(table.header_line)) {}
 
-  /// Without [columns] the header is one of two.
+  /// Without [columns] two headers are accepted.
   void require_header() const {
     const std::size_t all = format_.columns.size();
     if (!format_.header || table_.header == names(place_q1) || table_.header == names(all)) return;

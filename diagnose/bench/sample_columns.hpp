@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Which column of a sample file holds which channel.
+/// The assignment of channels to the columns of a sample file.
 
 #include <cstddef>
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace plumbline::diagnose {
 
-/// By column of the format, the column of the table, from 0; none where the file has none.
+/// By column of the format, the column of the table, from 0; nullopt where the file has none.
 using ColumnPlaces = std::vector<std::optional<std::size_t>>;
 
 /// \throws Error that names the source and the line: a header other than the one expected, a column that
@@ -21,7 +21,7 @@ using ColumnPlaces = std::vector<std::optional<std::size_t>>;
 ColumnPlaces column_places(const SampleTable& table, const SampleFormat& format, const std::string& source,
                            Control control);
 
-/// What a person would call a column: its name, or "column 3".
+/// The name of a column in messages: its header, or "column 3".
 std::string column_title(const SampleTable& table, std::size_t column);
 
 }  // namespace plumbline::diagnose

@@ -41,7 +41,7 @@ void read_csv(const Section& csv, SampleFormat& format) {
   if (csv.has("missing")) format.missing = csv.texts("missing", "a text, or a list of them");
 }
 
-/// A number of experiment.toml as the decimal that stands there.
+/// A number of experiment.toml as its decimal text.
 std::string decimal_text(double value) {
   return fmt::format("{}", value);
 }
@@ -85,7 +85,7 @@ class ColumnReader {
     if (table.has("zero")) read_zeros(table, all);
   }
 
-  /// Which column of the file it is: a name of the header, or a number from 1; of q a list of n.
+  /// The column of the file: a name of the header, or a number from 1; for q a list of n.
   void read_source(const Section& table, const std::string& key, const std::vector<Column*>& all) const {
     const std::string one = "the name of a column, or its number from 1";
     const std::string expected = key_ == "q" ? fmt::format("a list of {}, each {}", all.size(), one) : one;

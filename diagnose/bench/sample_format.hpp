@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// How the sample files of an experiment are written: what the tables [csv] and [columns] of experiment.toml
-/// say.
+/// The format of the sample files: the tables [csv] and [columns] of experiment.toml.
 
 #include <cstddef>
 #include <optional>
@@ -13,18 +12,17 @@
 
 namespace plumbline::diagnose {
 
-/// Where the values of one channel stand in a sample file, and what they mean there: sign * (reading - zero),
-/// in the unit.
+/// The column of one channel. A value is sign * (reading - zero), in the unit.
 struct Column {
   std::string channel;                  ///< "Fx", or "q3"
-  std::string name;                     ///< in the header; empty where it goes by number
+  std::string name;                     ///< in the header; empty where the column has a number
   std::size_t number = 0;               ///< from 1, where there is no name
-  std::optional<std::string> constant;  ///< a decimal that stands for all readings: there is no column
+  std::optional<std::string> constant;  ///< a decimal that holds for all readings; there is no column
   Unit unit;
   int sign = 1;
   std::string zero = "0";  ///< a decimal
   bool zero_is_first = false;
-  std::string place = {};  ///< of the key that says so; empty where nothing does
+  std::string place = {};  ///< of the key that sets it; empty where none does
 
   [[nodiscard]] bool as_is() const { return unit.factor == 1 && sign == 1 && zero == "0" && !zero_is_first; }
 };
@@ -37,17 +35,17 @@ struct SampleFormat {
   char decimal = '.';
   bool header = true;
   std::size_t skip_lines = 0, skip_after_header = 0;
-  std::string comment = {};               ///< what lines begin with that are passed over
-  std::vector<std::string> missing = {};  ///< what stands where nothing was measured, beside empty fields
-  bool any_order = false;                 ///< and other columns beside; without [columns] the header is fixed
-  bool absolute_angles = false;           ///< each against x, not against the link before
-  std::vector<Column> columns;            ///< t, x, y, Fx, Fy, q1 … qn
+  std::string comment = {};               ///< the beginning of lines that are skipped
+  std::vector<std::string> missing = {};  ///< entries for missing values, beside empty fields
+  bool any_order = false;        ///< further columns are allowed; without [columns] the header is fixed
+  bool absolute_angles = false;  ///< angles against x, not against the previous link
+  std::vector<Column> columns;   ///< t, x, y, Fx, Fy, q1 … qn
 };
 
-/// What holds where experiment.toml says nothing: docs/experiment-format.md, "Sample files".
+/// The format without any setting: docs/experiment-format.md, "Sample files".
 SampleFormat standard_format(std::size_t joints);
 
-/// The format with what the tables [csv] and [columns] of a section change in it.
+/// The format after the tables [csv] and [columns] of a section.
 /// \throws Error that names file, line and key
 SampleFormat read_sample_format(const Section& section, SampleFormat format);
 

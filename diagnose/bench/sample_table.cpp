@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* blanks = " \t\r";
 
-/// Fields between blanks, as fields between tabs.
+/// Splits at blanks by turning them into tabs.
 std::string tabbed(std::string_view line) {
   std::string text;
   for (std::size_t at = 0; (at = line.find_first_not_of(blanks, at)) != std::string_view::npos;) {
@@ -21,7 +21,7 @@ std::string tabbed(std::string_view line) {
   return text;
 }
 
-/// The text with the lines emptied that are to be passed over, so that the others keep their numbers.
+/// The text with skipped lines emptied, so that line numbers remain.
 std::string without_skipped(std::string_view text, const SampleFormat& format) {
   std::string result;
   std::size_t line_number = 0;
@@ -38,12 +38,12 @@ std::string without_skipped(std::string_view text, const SampleFormat& format) {
   return result;
 }
 
-/// Delimiters at the end of a line, after the last column of the header, are none.
+/// Removes delimiters after the last column of a line.
 void drop_trailing(std::vector<std::string>& fields, std::size_t columns) {
   while (fields.size() > columns && fields.back().empty()) fields.pop_back();
 }
 
-/// What the file may need so that a line with more fields than the header is read.
+/// A hint for a file whose line has more fields than its header.
 std::string how_to_read(const SampleTable& table, const files::CsvRow& uneven, const SampleFormat& format) {
   if (const std::string other = other_delimiter(table, format); !other.empty()) return other;
   if (!format.header || uneven.fields.size() < table.header.size()) return "";

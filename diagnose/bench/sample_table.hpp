@@ -12,7 +12,7 @@ namespace plumbline::diagnose {
 
 struct SampleTable {
   std::vector<std::string> header;  ///< empty where the file has none
-  std::size_t header_line = 1;      ///< 0 of what no file holds
+  std::size_t header_line = 1;      ///< 0 for a table that is not in a file
   std::vector<files::CsvRow> rows;  ///< all with as many fields as the header
 };
 
@@ -21,8 +21,8 @@ struct SampleTable {
 SampleTable parse_sample_table(const std::string& text, const std::string& source,
                                const SampleFormat& format);
 
-/// "; with csv.delimiter = \";\" it would be 5 columns": where a header that is not the one expected falls
-/// into more pieces another way. Empty where it does not.
+/// "; with csv.delimiter = \";\" it would be 5 columns", where an unexpected header splits into more columns
+/// with another delimiter; else empty.
 std::string other_delimiter(const SampleTable& table, const SampleFormat& format);
 
 }  // namespace plumbline::diagnose

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Tables of an experiment's TOML, read key by key with errors that name the place.
+/// Tables of an experiment's TOML, read key by key; errors name the place.
 
 #include <array>
 #include <functional>
@@ -14,21 +14,22 @@
 
 namespace plumbline::diagnose {
 
-/// A value as an error shows it.
+/// A value as it appears in errors.
 std::string shown(const toml::node& node);
 
-/// A table of the file. What a member throws is an Error "file:line: path.key: found …, expected …".
+/// A table of the file. Members throw an Error "file:line: path.key: found …, expected …".
 class Section {
  public:
-  /// The whole file. \param table outlives the section
+  /// The whole file.
+  /// \param table  outlives the section
   Section(const toml::table& table, std::string source) : Section(table, std::move(source), "") {}
 
-  /// "file:line: path.key"; the line of the table where the key is missing.
+  /// "file:line: path.key", with the line of the table where the key is missing.
   [[nodiscard]] std::string place(const std::string& key) const;
   /// "file:line", of the table.
   [[nodiscard]] std::string where() const;
   [[nodiscard]] std::vector<std::string> keys() const;
-  /// \param synonyms  that are read too, though nothing names them
+  /// \param synonyms  accepted keys that errors do not mention
   void allow_only(const std::set<std::string>& keys, const std::set<std::string>& synonyms = {}) const;
   [[nodiscard]] bool has(const std::string& key) const { return table_->contains(key); }
   /// \pre has(key)
@@ -37,27 +38,27 @@ class Section {
   [[noreturn]] void refuse(const std::string& key, const std::string& expected) const;
 
   [[nodiscard]] Section table(const std::string& key) const;
-  /// The same, without keys where there is none.
+  /// The same; an empty table where there is none.
   [[nodiscard]] Section table_or_empty(const std::string& key) const;
   /// The tables `[[key]]`, or none.
   [[nodiscard]] std::vector<Section> tables(const std::string& key) const;
-  /// A text that is not empty.
+  /// A non-empty text.
   [[nodiscard]] std::string text(const std::string& key, const std::string& expected) const;
-  /// A text that is short enough to stand in a line among others.
+  /// A text short enough for a line of a report.
   [[nodiscard]] std::string name(const std::string& key, const std::string& expected) const;
   /// A list of texts, or one alone.
   [[nodiscard]] std::vector<std::string> texts(const std::string& key, const std::string& expected) const;
   [[nodiscard]] bool flag_or(const std::string& key, bool otherwise) const;
   [[nodiscard]] double number(const std::string& key, const std::string& expected) const;
-  /// Zero where the key is absent.
+  /// A non-negative number; zero where the key is absent.
   [[nodiscard]] double non_negative(const std::string& key) const;
-  /// A whole number that is not negative.
+  /// A non-negative integer.
   [[nodiscard]] std::size_t whole_or(const std::string& key, std::size_t otherwise) const;
   /// An integer from 1; zero where the key is absent.
   [[nodiscard]] std::size_t count(const std::string& key) const;
   /// \param length  of the list; 0 for any
   [[nodiscard]] std::vector<double> numbers(const std::string& key, std::size_t length) const;
-  /// The same, each of which must be accepted.
+  /// The same, each value accepted by `accept`.
   [[nodiscard]] std::vector<double> numbers(const std::string& key, std::size_t length,
                                             const std::string& expected, bool (*accept)(double)) const;
   [[nodiscard]] std::array<double, 2> pair(const std::string& key) const;

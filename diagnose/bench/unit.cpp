@@ -89,7 +89,7 @@ constexpr std::array symbols = [] {
   };
 }();
 
-/// A product of powers, as far as it has been read.
+/// The product of powers read so far.
 struct Product {
   Mpfr50 factor = 1;
   Dimension dimension;
@@ -108,7 +108,7 @@ Mpfr50 factor_of(const Symbol& symbol) {
   return symbol.turns == 0 ? factor : factor * boost::math::constants::pi<Mpfr50>() / Mpfr50(symbol.turns);
 }
 
-/// "^2" or "²" at the end of a word, taken off it; 0 where what follows "^" is no digit.
+/// Removes "^2" or "²" from the end of a word; 0 where no digit follows "^".
 int take_power(std::string_view& word) {
   for (const auto& [text, power] : {std::pair<std::string_view, int>{"²", 2}, {"³", 3}})
     if (word.ends_with(text)) {
@@ -122,7 +122,8 @@ int take_power(std::string_view& word) {
   return digit.size() == 1 && digit[0] >= '1' && digit[0] <= '9' ? digit[0] - '0' : 0;
 }
 
-/// One word of a unit into the product. \returns whether it is one
+/// Multiplies the unit by one word.
+/// \returns whether it is one
 bool multiply(Product& product, std::string_view word, int sign) {
   const int power = take_power(word);
   if (power == 0 || word.empty()) return false;
@@ -140,7 +141,7 @@ bool multiply(Product& product, std::string_view word, int sign) {
   return true;
 }
 
-/// Words between blanks, "*", "·" and "/"; what stands after a slash divides.
+/// Words separated by blanks, "*", "·" and "/"; words after a slash divide.
 std::optional<Product> parse(std::string text) {
   for (std::size_t at; (at = text.find("·")) != std::string::npos;)
     text.replace(at, std::string_view("·").size(), "*");

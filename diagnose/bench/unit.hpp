@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Units in which labs write their numbers down, and the way from each to SI.
+/// Units of measurement in experiments, and their conversion to SI.
 ///
 /// A unit is a product of the symbols below, with powers and one or more slashes, and with a number where one
 /// count of an instrument stands for so much: "mm", "N mm/rad", "kgf", "mm/s^2", "0.0879 deg", "9.79 mN".
@@ -20,7 +20,7 @@ struct Dimension {
   bool operator==(const Dimension&) const = default;
 };
 
-/// What a number of an experiment is.
+/// A physical quantity.
 struct Quantity {
   const char* name;  ///< "a length"
   Dimension dimension;
@@ -34,20 +34,20 @@ extern const Quantity length, force, angle, time, mass, stiffness, acceleration;
 
 struct Unit {
   std::string name;
-  Mpfr50 factor = 1;  ///< so many SI units
+  Mpfr50 factor = 1;  ///< in SI units
   [[nodiscard]] double in_si() const { return factor.convert_to<double>(); }
 };
 
 /// \throws Error at the place where the text is no unit of the quantity
 Unit parse_unit(const std::string& text, const Quantity& quantity, const std::string& place);
 
-/// The SI unit itself.
+/// The SI unit of a quantity.
 Unit si_unit(const Quantity& quantity);
 
-/// A number that was written down in a unit, in SI. Rounded once: a decimal gives the double next to its
-/// exact product with the factor.
+/// A decimal in a unit, converted to SI. It is rounded once: the result is the double nearest to the exact
+/// product.
 double in_si(std::string_view decimal, const Unit& unit);
-/// Of a double as its shortest decimal says.
+/// The same for the shortest decimal of a double.
 double in_si(double value, const Unit& unit);
 
 }  // namespace plumbline::diagnose

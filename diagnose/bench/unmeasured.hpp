@@ -1,12 +1,12 @@
 #pragma once
 /// \file
-/// A bench before anything is measured.
+/// A bench before any measurement.
 
 #include "diagnose/bench/experiment.hpp"
 
 namespace plumbline::diagnose {
 
-/// The experiment with every channel that has a noise measured, its values empty, and no other.
+/// The experiment in which exactly the channels with a noise are measured, with empty values.
 Experiment unmeasured(Experiment experiment);
 
 }  // namespace plumbline::diagnose

@@ -13,12 +13,12 @@ namespace {
 using Names = std::vector<std::string>;
 
 double variance(const Estimate& one) {
-  constexpr double two_sided = 1.959963984540054;  // 97.5 % of a normal
+  constexpr double two_sided = 1.959963984540054;  // 97.5 % quantile of the normal distribution
   const double deviation = (one.high - one.low) / (2 * two_sided);
   return deviation * deviation;
 }
 
-/// 97.5 % of Student's t.
+/// 97.5 % quantile of Student's distribution.
 double quantile(std::size_t freedom) {
   return boost::math::quantile(boost::math::students_t(static_cast<double>(freedom)), 0.975);
 }
@@ -53,8 +53,9 @@ double squares(const std::vector<double>& weight, const std::vector<Estimate>& y
   return sum;
 }
 
-/// The variance between sessions, after Paule and Mandel (1982): with it, the weighted squares that a fit
-/// leaves are as large as their degrees of freedom. \param left  those squares, falling in the variance
+/// The variance between sessions of Paule and Mandel (1982), at which the weighted squares of a fit equal
+/// their degrees of freedom.
+/// \param left  those squares as a function of the variance, falling
 template <class Left>
 double between(const std::vector<Estimate>& estimates, std::size_t freedom, const Left& left) {
   const double wanted = static_cast<double>(freedom);
@@ -102,7 +103,7 @@ std::vector<Cause> causes_of(const std::vector<Outcome>& outcomes) {
   return causes;
 }
 
-/// Of what was identified; bounds without a width say nothing of how well a value is known.
+/// The estimates of identified causes; bounds without a width give no precision.
 std::map<std::string, Parameter> parameters_of(const std::vector<Outcome>& outcomes) {
   std::map<std::string, Parameter> all;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -135,7 +136,7 @@ Pooled pooled(const std::vector<Estimate>& estimates) {
   const double variance_between = between(estimates, freedom, left);
   const std::vector<double> weight = weights(estimates, variance_between);
   const double value = mean(weight), count = static_cast<double>(freedom);
-  // Hartung and Knapp: the squares that are left scale the variance, here never below what bounds alone say
+  // Hartung and Knapp: the remaining squares scale the variance, never below that of the bounds alone.
   const double scale = std::max(1.0, left(variance_between) / count);
   const double half = quantile(freedom) * std::sqrt(scale / Sums(weight, nowhere, estimates).w);
   const double alike = boost::math::cdf(complement(boost::math::chi_squared(count), left(0)));

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What many diagnoses say together: whether the cause is the same, how far its parameter scatters from
-/// session to session, whether it drifts.
+/// A comparison of many diagnoses: the common cause, the spread of its parameters between sessions, their
+/// drift.
 
 #include "diagnose/campaign/outcome.hpp"
 
@@ -15,24 +15,24 @@ struct Estimate {
 /// One parameter of one cause, in the experiments that identified it.
 struct Parameter {
   std::string effect, name, unit;     ///< "joint_friction", "tau_c", "N m"; "ratio" for one
-  std::vector<std::size_t> outcomes;  ///< which, in the order listed
+  std::vector<std::size_t> outcomes;  ///< by number, in the order listed
   std::vector<Estimate> estimates;    ///< of each of them
-  Estimate mean;                      ///< over sessions, which scatter by `spread`
-  double spread = 0;                  ///< standard deviation from session to session, beyond what bounds say
-  double alike = 1;                   ///< p-value of there being no such spread
-  std::optional<Estimate> drift;      ///< by day, or from one experiment to the next; of three or more
+  Estimate mean;                      ///< over sessions with a standard deviation `spread`
+  double spread = 0;                  ///< standard deviation between sessions beyond the bounds
+  double alike = 1;                   ///< p-value of no such spread
+  std::optional<Estimate> drift;      ///< by day, or by experiment; of three or more
 };
 
-/// One explanation and who named it.
+/// One explanation and the experiments that name it.
 struct Cause {
-  std::vector<std::string> effects;               ///< sorted; {"none"} or {"unknown"} where nothing is named
-  std::vector<std::size_t> named_by, allowed_by;  ///< allowed: listed as one of several that explain alike
+  std::vector<std::string> effects;               ///< sorted; {"none"} or {"unknown"} without a cause
+  std::vector<std::size_t> named_by, allowed_by;  ///< allowed: in the class of an ambiguous verdict
 };
 
 struct Comparison {
   std::vector<Cause> causes;  ///< most often named first
   std::vector<Parameter> parameters;
-  bool by_date = false;  ///< all have a date: drifts are by day
+  bool by_date = false;  ///< all experiments have a date, and drifts are by day
   std::size_t failed = 0;
 };
 
@@ -45,7 +45,7 @@ struct Pooled {
 };
 /// \pre at least two estimates
 Pooled pooled(const std::vector<Estimate>& estimates);
-/// Slope of a line through the estimates, which scatter about it by what is left between sessions.
+/// Slope of a line through the estimates, with the remaining variance between sessions.
 /// \pre at least three of them, at two places at least
 Estimate drift(const std::vector<Estimate>& estimates, const std::vector<double>& places);
 

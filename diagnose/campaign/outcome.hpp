@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a diagnosis of one of many experiments came to.
+/// The outcome of one of many diagnoses.
 
 #include <chrono>
 #include <filesystem>
@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "trial/answer.hpp"
 #include "support/work/journal.hpp"
+#include "trial/answer.hpp"
 
 namespace plumbline::campaign {
 
@@ -18,24 +18,23 @@ using Day = std::chrono::sys_days;
 
 struct Outcome {
   std::string name;         ///< of the folder
-  std::optional<Day> date;  ///< that the experiment states
+  std::optional<Day> date;  ///< of the experiment
   std::string failure;      ///< empty where there is a report
   trial::Report report = {};
 };
 
-/// Diagnoses every folder, several at once, each in a process of its own: what fails, or dies, is named and
-/// ends no other.
+/// Diagnoses every folder, several at once, each in its own process; a failure is named and stops no other.
 struct Work {
   std::vector<std::string> words;             ///< further arguments of each diagnosis
   std::vector<std::filesystem::path> inputs;  ///< the files that these name
-  std::filesystem::path reports;              ///< where NAME.json and NAME.html go
-  bool pages = false;                         ///< whether pages are wanted too
-  work::Journal* journal = nullptr;           ///< where something is to be kept of work that is cut off
+  std::filesystem::path reports;              ///< folder for NAME.json and NAME.html
+  bool pages = false;                         ///< pages are written too
+  work::Journal* journal = nullptr;           ///< keeps finished work, where it can be interrupted
 };
 std::vector<Outcome> diagnose_all(const std::vector<std::filesystem::path>& folders, const Work& work,
                                   const std::function<void()>& advance);
 
-/// Names of folders, each once: what two have in common is preceded by the folder around.
+/// Unique names of folders; the parent folder precedes a name that two have in common.
 std::vector<std::string> names_of(const std::vector<std::filesystem::path>& folders);
 
 }  // namespace plumbline::campaign

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What many diagnoses say together, for people and for machines.
+/// The comparison of many diagnoses as text, JSON and HTML.
 
 #include <string>
 
@@ -11,14 +11,14 @@ namespace plumbline::campaign {
 std::string as_text(const std::vector<Outcome>& outcomes, const Comparison& comparison);
 /// Format "gap-campaign/1": docs/report-format.md.
 nlohmann::ordered_json as_json(const std::vector<Outcome>& outcomes, const Comparison& comparison);
-/// A page: the answer, a table, each parameter over its experiments.
+/// The page: the answer, a table, each parameter over its experiments.
 std::string as_html(const std::vector<Outcome>& outcomes, const Comparison& comparison);
 
-/// "Yes: joint_friction in all 5", in the words of text and page.
+/// "Yes: joint_friction in all 5", for text and page.
 std::string same_cause(const std::vector<Outcome>& outcomes, const Comparison& comparison);
-/// "identified joint_friction", "ambiguous a | b", or what went wrong.
+/// "identified joint_friction", "ambiguous a | b", or the reason of a failure.
 std::string said(const Outcome& outcome);
-/// What a parameter does: "0.035 N m (95 %: …); from session to session ± 0.002 …; drift …".
+/// A parameter in words: "0.035 N m (95 %: …); from session to session ± 0.002 …; drift …".
 std::string words(const Parameter& parameter, bool by_date);
 std::string date_text(const Outcome& outcome);
 

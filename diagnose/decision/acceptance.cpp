@@ -6,12 +6,12 @@
 #include <cmath>
 #include <map>
 
-#include "diagnose/decision/rotation.hpp"
 #include "diagnose/beliefs.hpp"
 #include "diagnose/decision/alike.hpp"
 #include "diagnose/decision/genuine.hpp"
-#include "diagnose/noise/outliers.hpp"
 #include "diagnose/decision/rival.hpp"
+#include "diagnose/decision/rotation.hpp"
+#include "diagnose/noise/outliers.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -103,7 +103,7 @@ bool has_values_everywhere(const Study& study, const Candidate& candidate) {
   if (candidate.count() < 2) return false;
   if (many_valued(study, candidate) > 0) return true;
   return std::any_of(candidate.effects.begin(), candidate.effects.end(), [&](const EffectAt& at) {
-    return !candidate.has_as_machining(at) && study.ranges(at).front().tolerance > 0;
+    return !candidate.has_as_tolerance(at) && study.ranges(at).front().tolerance > 0;
   });
 }
 
@@ -111,7 +111,7 @@ bool has_values_everywhere(const Study& study, const Candidate& candidate) {
 /// in which one kind was named alone two had another cause.
 bool is_of_machining(const Candidate& candidate) {
   return std::all_of(candidate.effects.begin(), candidate.effects.end(),
-                     [](const EffectAt& at) { return at.effect->of_machining; });
+                     [](const EffectAt& at) { return at.effect->is_tolerance; });
 }
 
 /// Whether an effect of it only says how a torque goes with the angle: of benches of another simulator whose
@@ -283,7 +283,7 @@ void demand_prediction(const Study& study, const std::optional<Shrink>& blind, C
   } else if (!blind || !blind->tested()) {
     hedge(cause, Reservation::not_tested);
   } else if (!predicts(blind, beliefs::predicts) && best.candidate.count() > 1 &&
-             !best.candidate.machined()) {
+             !best.candidate.has_all_tolerances()) {
     refuse(cause, beliefs::wrong_unpredicted_compound);
   } else if (!predicts(blind, beliefs::predicts)) {
     hedge(cause, Reservation::not_predicted);

@@ -26,7 +26,7 @@ bool gains_more_than_chance(const Hypothesis& best, const Hypothesis& refined) {
 bool near(const Hypothesis& best, const Hypothesis& other) {
   const bool as_many = other.fit.candidate.count() == best.fit.candidate.count(),
              more_of_it = contains(other.fit.candidate, best.fit.candidate);
-  const bool machining_alone = best.fit.candidate.machined() && best.fit.candidate.count() == 1;
+  const bool machining_alone = best.fit.candidate.has_all_tolerances() && best.fit.candidate.count() == 1;
   if (more_of_it && !as_many && !machining_alone) return false;
   const bool simpler =
       as_many && !more_of_it && other.fit.parameters.size() <= best.fit.parameters.size() + spare_parameters;

@@ -34,7 +34,7 @@ bool are_beyond_zero(const Fit& fit, const std::vector<Eigen::Index>& parameters
 
 bool genuine(const Study& study, const Fit& fit) {
   // What machining leaves is one cause: of its three kinds one may be nothing here.
-  const bool machined = fit.candidate.machined();
+  const bool machined = fit.candidate.has_all_tolerances();
   std::vector<Eigen::Index> machining;
   std::size_t p = 0;
   for (const EffectAt& at : fit.candidate.effects) {
@@ -49,9 +49,9 @@ bool genuine(const Study& study, const Fit& fit) {
       // Where the readings hardly tell a parameter from nothing it runs to the end of its range for nothing.
       const bool idle = at_zero || (fit.at_bound[p] && natural_zero && !known_to_itself(fit, p));
       // Of several elements one may be nothing: wherever it would set in.
-      const bool first_of_element = at.effect->element > 0 && own % at.effect->element == 0;
+      const bool first_of_element = at.effect->element_size > 0 && own % at.effect->element_size == 0;
       if (first_of_element) element_is_idle = idle;
-      const bool of_idle_element = at.effect->element > 0 && !first_of_element && element_is_idle;
+      const bool of_idle_element = at.effect->element_size > 0 && !first_of_element && element_is_idle;
       if (fit.at_bound[p] && !idle && !of_idle_element) return false;
       acting += (natural_zero && !idle) || range.coordinate == Coordinate::reciprocal;
       away = away || !natural_zero;
@@ -62,7 +62,7 @@ bool genuine(const Study& study, const Fit& fit) {
       }
       ++p;
     }
-    const bool of_machining = fit.candidate.has_as_machining(at);
+    const bool of_machining = fit.candidate.has_as_tolerance(at);
     if (of_machining) machining.insert(machining.end(), from_zero.begin(), from_zero.end());
     if (acting < at.effect->at_least || (begins && !seen)) return false;
     if (!of_machining && !away && !are_beyond_zero(fit, from_zero)) return false;

@@ -5,8 +5,8 @@
 namespace plumbline::diagnose {
 
 bool covers(const EffectAt& whole, const EffectAt& part) {
-  const std::vector<std::string_view>& special = whole.effect->special;
-  return whole == part || std::find(special.begin(), special.end(), part.effect->id) != special.end();
+  const std::vector<std::string_view>& nested = whole.effect->nested;
+  return whole == part || std::find(nested.begin(), nested.end(), part.effect->id) != nested.end();
 }
 
 bool contains(const Candidate& whole, const Candidate& part) {
@@ -41,7 +41,7 @@ bool has_at_each(const Candidate& plain, const Candidate& other) {
 }
 
 bool singles_out(const Candidate& machining, const Candidate& other) {
-  if (!machining.machined() || !without(machining, other).empty()) return false;
+  if (!machining.has_all_tolerances() || !without(machining, other).empty()) return false;
   const std::vector<EffectAt> more = without(other, machining);
   return more.size() == 1 &&
          std::any_of(machining.effects.begin(), machining.effects.end(),
@@ -52,7 +52,7 @@ std::size_t many_valued(const Study& study, const Candidate& candidate) {
   constexpr std::size_t few = 4;
   const auto count = std::count_if(
       candidate.effects.begin(), candidate.effects.end(),
-      [&](const EffectAt& at) { return !candidate.has_as_machining(at) && study.ranges(at).size() > few; });
+      [&](const EffectAt& at) { return !candidate.has_as_tolerance(at) && study.ranges(at).size() > few; });
   return static_cast<std::size_t>(count);
 }
 

@@ -46,7 +46,7 @@ double largest_force(const Trace& trace) {
   return std::sqrt((trace.col(column_Fx).square() + trace.col(column_Fy).square()).maxCoeff());
 }
 
-/// A run whose command goes from `start` by `by`, and back if asked.
+/// A run whose command moves from `start` by `by`, and back if asked.
 Run gone(Control control, const std::vector<double>& rest, const Vector2& start, const Vector2& by, bool back,
          double pause) {
   Run run{"proposed", control, rest, {}};
@@ -68,46 +68,48 @@ std::vector<double> mirrored(std::vector<double> rest) {
   return rest;
 }
 
-/// Whether the nominal chain can follow a run, and it asks no more than may be asked.
-bool follows(const Experiment& experiment, const Run& run, const Extent& so_far) {
+/// Whether the nominal chain can follow a run within the operating envelope.
+bool follows(const Experiment& experiment, const Run& run, const OperatingEnvelope& so_far) {
   Experiment bench = experiment;
   bench.runs = {run};
   const Prediction nominal = simulate(bench, nominal_rig(bench), {});
   return nominal.reached && !nominal.snapped && so_far.allows(nominal.runs[0], run.rest);
 }
 
-/// The two longest ways along a direction, one half as long again as the other, that the nominal chain
-/// follows.
+/// The two longest distances along a direction, in a ratio of 3/2, that the nominal chain can follow.
 std::vector<double> ways(const Experiment& experiment, const Shape& shape, const Vector2& start,
-                         const Vector2& along, const Extent& so_far) {
-  // Powers of one and a half. Without limits of force and deflection no farther than half as far again.
+                         const Vector2& along, const OperatingEnvelope& so_far) {
+  // Powers of 3/2; without limits one power at most.
   const int longest = so_far.is_limit() ? 2 : 1;
   constexpr int shortest = -4;
   std::vector<double> all;
   for (int power = longest; power >= shortest && all.size() < 2; --power) {
     const double by = std::pow(1.5, power) * so_far.travel;
-    const Run there_and_back = gone(Control::end_point, shape.rest, start, by * along, true, so_far.pause);
+    const Run there_and_back =
+        gone(Control::end_point, shape.rest, start, by * along, true, so_far.sampling_interval);
     if (follows(experiment, there_and_back, so_far)) all.push_back(by);
   }
   std::reverse(all.begin(), all.end());
   return all;
 }
 
-std::vector<CandidateRun> presses(const Experiment& experiment, const Shape& shape, const Extent& so_far) {
+std::vector<CandidateRun> presses(const Experiment& experiment, const Shape& shape,
+                                  const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
   const Vector2 start = unloaded_end(experiment, shape.rest);
   for (const Direction& one : directions())
     for (const double by : ways(experiment, shape, start, one.along, so_far))
       for (const bool back : {false, true})
-        all.push_back({fmt::format("press {} by {:.3g} m from {}{}", one.name, by, shape.words,
-                                   back ? " and unload" : ""),
-                       gone(Control::end_point, shape.rest, start, by * one.along, back, so_far.pause)});
+        all.push_back(
+            {fmt::format("press {} by {:.3g} m from {}{}", one.name, by, shape.words,
+                         back ? " and unload" : ""),
+             gone(Control::end_point, shape.rest, start, by * one.along, back, so_far.sampling_interval)});
   return all;
 }
 
 /// The largest load along a direction that deflects the nominal chain no more than is wanted.
 std::optional<Vector2> bearable(const Experiment& experiment, const Shape& shape, const Vector2& along,
-                                const Extent& so_far) {
+                                const OperatingEnvelope& so_far) {
   constexpr double usual_deflection = 0.33;  // rad
   const double wanted = so_far.deflection > 0 ? so_far.deflection : usual_deflection;
   const double shortest = *std::min_element(experiment.link_length.begin(), experiment.link_length.end());
@@ -116,7 +118,7 @@ std::optional<Vector2> bearable(const Experiment& experiment, const Shape& shape
   double force = so_far.force > 0 ? so_far.force : 2 * wanted * stiffest / shortest;
   for (int halved = 0; halved < 12; ++halved, force /= 2) {
     Experiment bench = experiment;
-    bench.runs = {gone(Control::force, shape.rest, {0, 0}, force * along, true, so_far.pause)};
+    bench.runs = {gone(Control::force, shape.rest, {0, 0}, force * along, true, so_far.sampling_interval)};
     const Prediction nominal = simulate(bench, nominal_rig(bench), {});
     if (nominal.reached && !nominal.snapped && largest_deflection(nominal.runs[0], shape.rest) <= wanted)
       return force * along;
@@ -124,7 +126,8 @@ std::optional<Vector2> bearable(const Experiment& experiment, const Shape& shape
   return std::nullopt;
 }
 
-std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape, const Extent& so_far) {
+std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape,
+                                const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
   for (const Direction& one : directions()) {
     const std::optional<Vector2> load = bearable(experiment, shape, one.along, so_far);
@@ -132,24 +135,24 @@ std::vector<CandidateRun> loads(const Experiment& experiment, const Shape& shape
     for (const bool back : {false, true})
       all.push_back({fmt::format("load with {:.3g} N {} from {}{}", load->norm(), one.name, shape.words,
                                  back ? " and unload" : ""),
-                     gone(Control::force, shape.rest, {0, 0}, *load, back, so_far.pause)});
+                     gone(Control::force, shape.rest, {0, 0}, *load, back, so_far.sampling_interval)});
   }
   return all;
 }
 
 }  // namespace
 
-bool Extent::is_limit() const {
+bool OperatingEnvelope::is_limit() const {
   return force > 0 || deflection > 0;
 }
 
-bool Extent::allows(const Trace& trace, const std::vector<double>& rest) const {
+bool OperatingEnvelope::allows(const Trace& trace, const std::vector<double>& rest) const {
   return (force == 0 || largest_force(trace) <= 2 * force) &&
          (deflection == 0 || largest_deflection(trace, rest) <= 1.5 * deflection);
 }
 
-Extent extent(const Study& study) {
-  Extent so_far;
+OperatingEnvelope operating_envelope(const Study& study) {
+  OperatingEnvelope so_far;
   const Experiment& experiment = study.experiment();
   const Prediction& nominal = study.nominal();
   double pause = 0;
@@ -164,9 +167,9 @@ Extent extent(const Study& study) {
       const double way = (Vector2(trace(i, column_x), trace(i, column_y)) - start).norm();
       if (run.holds_end_point()) so_far.travel = std::max(so_far.travel, way);
     }
-    pause = std::max(pause, run.usual_pause());
+    pause = std::max(pause, run.sampling_interval());
   }
-  if (pause > 0) so_far.pause = pause;
+  if (pause > 0) so_far.sampling_interval = pause;
   if (so_far.travel == 0) {
     for (const double length : experiment.link_length) so_far.travel += 0.05 * length;
   }
@@ -190,7 +193,8 @@ std::vector<Shape> shapes(const Experiment& experiment, std::size_t most) {
   return all;
 }
 
-std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape, const Extent& so_far) {
+std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape,
+                                    const OperatingEnvelope& so_far) {
   return shape.control == Control::end_point ? presses(experiment, shape, so_far)
                                              : loads(experiment, shape, so_far);
 }

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Runs that a lab could make on its bench: presses of the end point and dead loads, from the rest shapes
-/// that the bench has.
+/// Feasible runs of a bench: presses of the end point and dead loads, from its rest shapes.
 
 #include <string>
 #include <vector>
@@ -10,43 +9,44 @@
 
 namespace plumbline::diagnose {
 
-/// The rig as it was in the runs so far: how far it went.
-struct Extent {
+/// The operating envelope: how far the runs so far went.
+struct OperatingEnvelope {
   double travel = 0;      ///< of a held end point, m; a twentieth of the chain where none was commanded
   double force = 0;       ///< on the end point, N
   double deflection = 0;  ///< of a joint, rad
-  double pause = 2;       ///< between readings, s: as slow as the slowest
+  double sampling_interval = 2;  ///< of the slowest run, s
 
-  /// Whether they asked anything.
+  /// Whether the runs so far set any limit.
   [[nodiscard]] bool is_limit() const;
-  /// Whether the first run of a prediction asks no more than twice the force, and half as much deflection
-  /// again, as the runs so far; anything where they asked nothing.
+  /// Whether the first run of a prediction stays within twice the force and one and a half times the
+  /// deflection of the runs so far; always, where these set no limit.
   [[nodiscard]] bool allows(const Trace& trace, const std::vector<double>& rest) const;
 };
 
-Extent extent(const Study& study);
+OperatingEnvelope operating_envelope(const Study& study);
 
 struct CandidateRun {
   std::string description;
-  Run run;  ///< what to command; the measured channels are empty
+  Run run;  ///< the command; the measured channels are empty
 };
 
-/// A rest shape that a bench has, and how it is moved from there.
+/// A rest shape of the bench, with its control.
 struct Shape {
   Control control;
   std::vector<double> rest;
   std::string words;
 };
 
-/// The rest shapes of the runs, by the names of these, then the same turned over; of shapes that are alike
-/// the first. \param most  so many of them, at most
+/// The distinct rest shapes of the runs, by their ids, followed by their mirror images.
+/// \param most  largest number of shapes
 std::vector<Shape> shapes(const Experiment& experiment, std::size_t most);
 
-/// Runs from a shape along x, along y and between, with and without unloading, that the nominal chain
-/// follows. A held end point is pressed as far as the limits of the runs so far let it, and by two thirds of
-/// that: up to nine quarters as far as before, where they set none half as far again. Another is loaded with
-/// weights on a string: as much as in the runs so far, or as deflects the nominal chain as much as they did,
-/// a third of a radian where they asked nothing.
-std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape, const Extent& so_far);
+/// Runs from a shape along x, along y and between, with and without unloading, that the nominal chain can
+/// follow. A held end point is pressed to the limits of the operating envelope and to two thirds of that: up
+/// to 9/4 of the largest travel so far, or 3/2 where there are no limits. A free end point carries dead
+/// loads: the largest force so far, or as much as deflects the nominal chain as far as before (a third of a
+/// radian without limits).
+std::vector<CandidateRun> runs_from(const Experiment& experiment, const Shape& shape,
+                                    const OperatingEnvelope& so_far);
 
 }  // namespace plumbline::diagnose

@@ -5,14 +5,14 @@
 #include <optional>
 
 #include "diagnose/beliefs.hpp"
-#include "diagnose/inference/fit.hpp"
 #include "diagnose/decision/rival.hpp"
+#include "diagnose/inference/fit.hpp"
 #include "diagnose/inference/start.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-/// An effect near one set of its parameters: what is read, in standard deviations, and its derivatives.
+/// The predicted readings of an effect at given parameters, in standard deviations, and their derivatives.
 struct Tangent {
   Eigen::VectorXd read;
   Eigen::MatrixXd slope;
@@ -23,12 +23,12 @@ Eigen::VectorXd in_sigmas(const Study& study, const std::vector<Trace>& traces) 
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-std::vector<Tangent> tangents(const Study& study, const Instance& sizeable) {
-  std::vector<std::vector<double>> places = starts(study, sizeable.candidate).from;
-  places.insert(places.begin(), sizeable.parameters);
+std::vector<Tangent> tangents(const Study& study, const Instance& typical) {
+  std::vector<std::vector<double>> places = initial_guesses(study, typical.candidate).points;
+  places.insert(places.begin(), typical.parameters);
   std::vector<Tangent> all;
   for (const std::vector<double>& place : places) {
-    const Prediction predicted = predict(study, sizeable.candidate, place, true);
+    const Prediction predicted = predict(study, typical.candidate, place, true);
     if (!predicted.reached) continue;
     Tangent one{in_sigmas(study, predicted.runs), {}};
     one.slope.resize(one.read.size(), static_cast<Eigen::Index>(predicted.sensitivity.size()));
@@ -39,12 +39,13 @@ std::vector<Tangent> tangents(const Study& study, const Instance& sizeable) {
   return all;
 }
 
-/// The tangent by which the imitator comes nearest. \param truth  what is read
-Imitation nearest(const Eigen::VectorXd& truth, const std::vector<Tangent>& imitator) {
-  Imitation best;
+/// The nearest imitation by tangents.
+/// \param truth  true readings
+LinearisedAlternative nearest(const Eigen::VectorXd& truth, const std::vector<Tangent>& alternative) {
+  LinearisedAlternative best;
   double least = std::numeric_limits<double>::infinity();
-  for (const Tangent& one : imitator) {
-    const Imitation rows{truth - one.read, -one.slope};
+  for (const Tangent& one : alternative) {
+    const LinearisedAlternative rows{truth - one.read, -one.slope};
     const double left = separation(rows);
     if (left < least) {
       least = left;
@@ -54,79 +55,79 @@ Imitation nearest(const Eigen::VectorXd& truth, const std::vector<Tangent>& imit
   return best;
 }
 
-Contrast by_run(const Study& study, const Imitation& all) {
+Contrast by_run(const Study& study, const LinearisedAlternative& all) {
   Contrast contrast;
   for (std::size_t r = 0; r < study.experiment().runs.size(); ++r) {
     std::vector<std::size_t> rows;
     for (const Series& series : study.measurements().series())
       for (std::size_t i = 0; series.run == r && i < series.readings.size(); ++i)
         rows.push_back(series.first + i);
-    contrast.push_back(condensed({all.difference(rows), all.slope(rows, Eigen::all)}));
+    contrast.push_back(reduced({all.difference(rows), all.slope(rows, Eigen::all)}));
   }
   return contrast;
 }
 
-/// The same by a fit to what the truth gives without noise. Least squares, plainly: nothing there is an
-/// outlier.
-std::optional<Imitation> fitted(const Study& truth, const EffectAt& imitator) {
+/// The same by a least-squares fit to the noise-free readings of the truth; there are no outliers.
+std::optional<LinearisedAlternative> fitted(const Study& truth, const EffectAt& alternative) {
   FitSettings settings;
   settings.outlier_bound = std::numeric_limits<double>::max();
-  const Fit found = fit(truth, {{imitator}}, settings);
+  const Fit found = fit(truth, {{alternative}}, settings);
   if (!found.converged) return std::nullopt;
   Fit exact;
   exact.whitened.assign(found.whitened.size(), 0.0);
-  return imitation(exact, found);
+  return linearised_alternative(exact, found);
 }
 
 }  // namespace
 
-Comparison::Comparison(const Rehearsal& rehearsal, const std::function<void(double)>& progress)
-    : rehearsal_(rehearsal) {
-  // A tangent that leaves more than this share of the squared gap leads to no fit that leaves nothing.
+Comparison::Comparison(const DesignSpace& space, const std::function<void(double)>& progress)
+    : space_(space) {
+  // A tangent that leaves more than this share of the squared gap does not lead to an exact imitation.
   constexpr double may_come_near = 0.3;
-  const Study study(rehearsal.bench);
-  const std::size_t count = rehearsal.effects.size();
+  const Study study(space.bench);
+  const std::size_t count = space.effects.size();
   std::vector<std::vector<Tangent>> tangent;
-  for (const Instance& effect : rehearsal.effects) tangent.push_back(tangents(study, effect));
+  for (const Instance& effect : space.effects) tangent.push_back(tangents(study, effect));
   const Eigen::VectorXd nominal = in_sigmas(study, study.nominal().runs);
   for (const std::vector<Tangent>& of : tangent) {
     const Eigen::VectorXd difference = of.front().read - nominal;
     gap_.push_back(by_run(study, {difference, Eigen::MatrixXd(difference.size(), 0)}));
   }
-  beside_.resize(count * count);
+  contrast_.resize(count * count);
   for (std::size_t truth = 0; truth < count; ++truth) {
     if (progress) progress(static_cast<double>(truth) / static_cast<double>(count));
     const Eigen::VectorXd& read = tangent[truth].front().read;
     const double whole = (read - nominal).squaredNorm();
-    if (whole / 2 <= beliefs::told_apart) continue;  // unseen
-    const Instance& own = rehearsal.effects[truth];
-    const Study asked(measured_as(rehearsal.bench, predict(study, own.candidate, own.parameters)));
+    if (whole / 2 <= beliefs::told_apart) continue;  // undetectable
+    const Instance& own = space.effects[truth];
+    const Study asked(measured_as(space.bench, predict(study, own.candidate, own.parameters)));
     for (std::size_t other = 0; other < count; ++other) {
       if (!competes(truth, other)) continue;
-      Imitation rows = nearest(read, tangent[other]);
+      LinearisedAlternative rows = nearest(read, tangent[other]);
       if (separation(rows) < may_come_near * whole)
-        if (const std::optional<Imitation> exact = fitted(asked, effect(other))) rows = *exact;
-      beside_[truth * count + other] = by_run(study, rows);
+        if (const std::optional<LinearisedAlternative> exact = fitted(asked, effect(other))) rows = *exact;
+      contrast_[truth * count + other] = by_run(study, rows);
     }
   }
 }
 
-bool Comparison::competes(std::size_t truth, std::size_t imitator) const {
-  return truth != imitator && !covers(effect(imitator), effect(truth)) &&
-         rehearsal_.effects[imitator].parameters.size() <=
-             rehearsal_.effects[truth].parameters.size() + spare_parameters;
+bool Comparison::competes(std::size_t truth, std::size_t alternative) const {
+  return truth != alternative && !covers(effect(alternative), effect(truth)) &&
+         space_.effects[alternative].parameters.size() <=
+             space_.effects[truth].parameters.size() + spare_parameters;
 }
 
-double Comparison::apart(std::size_t i, std::size_t j, const std::vector<std::size_t>& runs) const {
+double Comparison::distinguishability(std::size_t i, std::size_t j,
+                                      const std::vector<std::size_t>& runs) const {
   double least = std::numeric_limits<double>::infinity();
-  for (const Contrast* one : {&beside(i, j), &beside(j, i)})
-    if (!one->empty()) least = std::min(least, lead(*one, runs));
+  for (const Contrast* one : {&contrast(i, j), &contrast(j, i)})
+    if (!one->empty()) least = std::min(least, expected_log_likelihood_ratio(*one, runs));
   return least;
 }
 
 std::vector<Contrast> Comparison::between(std::size_t i, std::size_t j) const {
   std::vector<Contrast> all;
-  for (const Contrast* one : {&beside(i, j), &beside(j, i)})
+  for (const Contrast* one : {&contrast(i, j), &contrast(j, i)})
     if (!one->empty()) all.push_back(*one);
   return all;
 }

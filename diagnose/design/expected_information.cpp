@@ -7,14 +7,15 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// A Gaussian prediction of the covariance I + half half^T.
+/// A Gaussian prediction with the covariance I + half half^T.
 struct Gaussian {
   Eigen::VectorXd mean;
   Eigen::MatrixXd half;
   double log_determinant;
 };
 
-/// Of I + half^T half, whose determinant is that of I + half half^T: parameters are fewer than readings.
+/// The factor of I + half^T half, whose determinant is that of I + half half^T: parameters are fewer than
+/// readings.
 Eigen::LLT<Eigen::MatrixXd> small_factor(const Eigen::MatrixXd& half) {
   const Eigen::Index columns = half.cols();
   return Eigen::LLT<Eigen::MatrixXd>(Eigen::MatrixXd::Identity(columns, columns) + half.transpose() * half);
@@ -24,13 +25,13 @@ double log_determinant(const Eigen::LLT<Eigen::MatrixXd>& factor) {
   return 2 * factor.matrixLLT().diagonal().array().log().sum();
 }
 
-Gaussian prediction(const Forecast& rival) {
-  // Of a covariance that is singular to rounding too.
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spread(rival.covariance);
+Gaussian prediction(const Forecast& hypothesis) {
+  // The covariance may be singular to rounding.
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spread(hypothesis.covariance);
   Eigen::MatrixXd half =
-      rival.slope * spread.eigenvectors() * spread.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+      hypothesis.slope * spread.eigenvectors() * spread.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
   const double determinant = log_determinant(small_factor(half));
-  return {rival.read, std::move(half), determinant};
+  return {hypothesis.read, std::move(half), determinant};
 }
 
 /// Bhattacharyya's distance; the inverse by Woodbury's identity.
@@ -46,9 +47,9 @@ double distance(const Gaussian& a, const Gaussian& b) {
 
 }  // namespace
 
-double expected_information(const std::vector<Forecast>& rivals) {
+double expected_information(const std::vector<Forecast>& hypotheses) {
   std::vector<Gaussian> all;
-  for (const Forecast& rival : rivals) all.push_back(prediction(rival));
+  for (const Forecast& hypothesis : hypotheses) all.push_back(prediction(hypothesis));
   const std::size_t count = all.size();
   Eigen::MatrixXd overlap =
       Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(count));

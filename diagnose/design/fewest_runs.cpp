@@ -9,7 +9,7 @@ namespace {
 
 using Runs = std::vector<std::size_t>;
 
-/// Whether sets of runs suffice. The contrasts that refuted the last sets are asked first.
+/// Decides whether sets of runs suffice. The contrasts that refuted the last sets are tried first.
 class Sufficiency {
  public:
   Sufficiency(const std::vector<Contrast>& contrasts, double enough)
@@ -22,7 +22,7 @@ class Sufficiency {
   bool of(const Runs& runs) {
     for (std::size_t i = 0; i < order_.size(); ++i) {
       ++asked_;
-      if (lead(contrasts_[order_[i]], runs) > enough_) continue;
+      if (expected_log_likelihood_ratio(contrasts_[order_[i]], runs) > enough_) continue;
       std::rotate(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(i),
                   order_.begin() + static_cast<std::ptrdiff_t>(i) + 1);
       return false;
@@ -48,7 +48,7 @@ Runs all_of(std::size_t count) {
   return runs;
 }
 
-/// Adds the run that brings the contrasts farthest on their way, until all have arrived or there are so many.
+/// Adds runs in the order of their contribution, until all contrasts suffice or the set has its largest size.
 Runs greedy(const std::vector<Contrast>& contrasts, const Runs& from, double enough, std::size_t most) {
   Runs chosen;
   std::vector<const Contrast*> open;
@@ -60,18 +60,20 @@ Runs greedy(const std::vector<Contrast>& contrasts, const Runs& from, double eno
       if (std::find(chosen.begin(), chosen.end(), run) != chosen.end()) continue;
       const Runs more = with(chosen, run);
       double way = 0;
-      for (const Contrast* one : open) way += std::min(1.0, lead(*one, more) / enough);
+      for (const Contrast* one : open)
+        way += std::min(1.0, expected_log_likelihood_ratio(*one, more) / enough);
       if (way <= farthest) continue;
       farthest = way;
       best = run;
     }
     chosen.push_back(*best);
-    std::erase_if(open, [&](const Contrast* one) { return lead(*one, chosen) > enough; });
+    std::erase_if(open,
+                  [&](const Contrast* one) { return expected_log_likelihood_ratio(*one, chosen) > enough; });
   }
   return chosen;
 }
 
-/// Without the runs that later ones made superfluous.
+/// Removes runs that later ones made superfluous.
 Runs pruned(Runs runs, Sufficiency& sufficient) {
   for (std::size_t i = 0; i < runs.size();) {
     Runs fewer = runs;
@@ -85,7 +87,8 @@ Runs pruned(Runs runs, Sufficiency& sufficient) {
   return runs;
 }
 
-/// Goes to the next set of as many runs, in the order of a lexicon. \returns false after the last
+/// The next set of the same size, in lexicographic order.
+/// \returns false after the last
 bool next_set(Runs& runs, std::size_t count) {
   for (std::size_t i = runs.size(); i-- > 0;) {
     if (runs[i] == count - runs.size() + i) continue;
@@ -96,7 +99,7 @@ bool next_set(Runs& runs, std::size_t count) {
   return false;
 }
 
-/// A set of one run fewer that suffices as well; nothing where there is none, or patience ends.
+/// A sufficient set with one run fewer; nothing where there is none, or the limit of work is reached.
 std::optional<Runs> one_fewer(const Runs& found, std::size_t count, Sufficiency& sufficient,
                               std::size_t patience) {
   if (found.size() < 2) return std::nullopt;
@@ -110,11 +113,11 @@ std::optional<Runs> one_fewer(const Runs& found, std::size_t count, Sufficiency&
 
 }  // namespace
 
-double lead(const Contrast& contrast, const std::vector<std::size_t>& runs) {
+double expected_log_likelihood_ratio(const Contrast& contrast, const std::vector<std::size_t>& runs) {
   if (runs.empty()) return 0;
   Eigen::Index count = 0;
   for (const std::size_t run : runs) count += contrast[run].difference.size();
-  Imitation all{Eigen::VectorXd(count), Eigen::MatrixXd(count, contrast.front().slope.cols())};
+  LinearisedAlternative all{Eigen::VectorXd(count), Eigen::MatrixXd(count, contrast.front().slope.cols())};
   Eigen::Index next = 0;
   for (const std::size_t run : runs) {
     const Eigen::Index rows = contrast[run].difference.size();
@@ -133,7 +136,7 @@ FewestRuns fewest_runs(const std::vector<Contrast>& contrasts, std::size_t count
   Sufficiency sufficient(contrasts, enough);
   if (contrasts.empty()) return {{}, true};
   Runs found = pruned(greedy(contrasts, all_of(count), enough, count), sufficient);
-  constexpr std::size_t patience = 200'000;  // contrasts looked at, some microseconds each
+  constexpr std::size_t patience = 200'000;  // contrasts evaluated, some microseconds each
   std::optional<Runs> fewer;
   do {
     fewer = one_fewer(found, count, sufficient, patience);

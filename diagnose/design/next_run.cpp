@@ -9,19 +9,19 @@
 
 #include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/design/expected_information.hpp"
-#include "diagnose/inference/evidence.hpp"
 #include "diagnose/design/separation.hpp"
+#include "diagnose/inference/evidence.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-constexpr double usual_angle_sigma = 1e-3;  // rad: a common encoder, where the lab has not declared one
+constexpr double usual_angle_sigma = 1e-3;  // rad: a common encoder, where no noise is declared
 
-/// The bench with the proposed run alone on it.
+/// The bench with the proposed run alone.
 Experiment bench_for(const Experiment& experiment, const Run& run, bool out_of_gravity) {
   Experiment bench = experiment;
   bench.runs = {run};
-  bench.runs.front().number = bench.run_count;  // what differs from run to run says nothing of it
+  bench.runs.front().number = bench.run_count;  // a run number without run-to-run effects
   if (out_of_gravity) {
     bench.gravity = {0, 0};
     bench.bench = {Bench::Plane::vertical, {0, 0}, true};
@@ -29,14 +29,14 @@ Experiment bench_for(const Experiment& experiment, const Run& run, bool out_of_g
   return bench;
 }
 
-/// What the rivals would measure in the run; nothing where one cannot follow, or the nominal
-/// chain, or it asks too much of the rig.
-std::optional<std::vector<Prediction>> predictions(const Study& bench, const std::vector<Fit>& rivals,
-                                                   const Extent& so_far) {
+/// The predictions of a run; nothing where a hypothesis or the nominal model cannot follow it within the
+/// envelope.
+std::optional<std::vector<Prediction>> predictions(const Study& bench, const std::vector<Fit>& hypotheses,
+                                                   const OperatingEnvelope& so_far) {
   std::vector<Prediction> all;
   if (!bench.nominal().reached) return std::nullopt;  // the run could not be diagnosed
-  for (const Fit& rival : rivals) {
-    all.push_back(predict(bench, rival.candidate, rival.parameters, true));
+  for (const Fit& hypothesis : hypotheses) {
+    all.push_back(predict(bench, hypothesis.candidate, hypothesis.parameters, true));
     const Prediction& one = all.back();
     if (!one.reached || one.snapped || !so_far.allows(one.runs[0], bench.experiment().runs[0].rest))
       return std::nullopt;
@@ -44,7 +44,7 @@ std::optional<std::vector<Prediction>> predictions(const Study& bench, const std
   return all;
 }
 
-/// What a run measures, and joint angles where they are to be: channels that have a noise.
+/// The measured channels of a run that have a noise, with joint angles where they are asked for.
 std::vector<Channel> channels_of(const Run& run, const Noise& sigma, bool angles) {
   using Name = Channel::Name;
   std::vector<Channel> channels;
@@ -56,7 +56,7 @@ std::vector<Channel> channels_of(const Run& run, const Noise& sigma, bool angles
   return channels;
 }
 
-/// What a rival makes of the run, in the noise as it is.
+/// The prediction of a run by a hypothesis, whitened.
 Forecast forecast(const Prediction& predicted, const std::vector<Channel>& channels, const Noise& sigma,
                   const NoiseModel& noise, const Eigen::MatrixXd& covariance) {
   const Trace& trace = predicted.runs[0];
@@ -78,27 +78,27 @@ Forecast forecast(const Prediction& predicted, const std::vector<Channel>& chann
   return result;
 }
 
-/// Root mean square of what one expects to read and another does not.
+/// Root mean square difference of two predictions.
 double apart(const Forecast& one, const Forecast& other) {
   return (one.read - other.read).norm() / std::sqrt(static_cast<double>(one.read.size()));
 }
 
-/// Rows of the run for an imitation.
-Imitation rows_of(const Forecast& truth, const Forecast& imitator) {
-  return {truth.read - imitator.read, -imitator.slope};
+/// The rows of the run for a linearised alternative.
+LinearisedAlternative rows_of(const Forecast& truth, const Forecast& alternative) {
+  return {truth.read - alternative.read, -alternative.slope};
 }
 
-/// Expected lead of the right rival over its best imitator, averaged over which is right.
+/// The expected log odds of the true hypothesis over its best alternative, averaged over the hypotheses.
 template <class Rows>
-double expected_log_odds(std::size_t rivals, Rows rows) {
+double expected_log_odds(std::size_t hypotheses, Rows rows) {
   double sum = 0;
-  for (std::size_t a = 0; a < rivals; ++a) {
+  for (std::size_t a = 0; a < hypotheses; ++a) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t b = 0; b < rivals; ++b)
+    for (std::size_t b = 0; b < hypotheses; ++b)
       if (a != b) nearest = std::min(nearest, separation(rows(a, b)));
     sum += nearest / 2;
   }
-  return sum / static_cast<double>(rivals);
+  return sum / static_cast<double>(hypotheses);
 }
 
 Noise with_angles(Noise sigma) {
@@ -106,24 +106,26 @@ Noise with_angles(Noise sigma) {
   return sigma;
 }
 
-/// Weighs one run after the other.
+/// Evaluates one run after the other.
 class Planner {
  public:
-  Planner(const Study& study, const std::vector<Fit>& rivals, const NoiseModel& noise)
+  Planner(const Study& study, const std::vector<Fit>& hypotheses, const NoiseModel& noise)
       : experiment_(study.experiment()),
         noise_(noise),
-        so_far_(extent(study)),
-        reads_angles_(study.sizes().measures(Channel::Name::q)) {
+        so_far_(operating_envelope(study)),
+        reads_angles_(study.scales().measures(Channel::Name::q)) {
     FitSettings settings;
     settings.noise = noise;
-    for (const Fit& rival : rivals) {
-      Fit again = fit_from(study, rival.candidate, settings, rival.parameters);
-      rivals_.push_back(again.converged ? std::move(again) : rival);
+    for (const Fit& hypothesis : hypotheses) {
+      Fit again = fit_from(study, hypothesis.candidate, settings, hypothesis.parameters);
+      hypotheses_.push_back(again.converged ? std::move(again) : hypothesis);
     }
-    for (const Fit& rival : rivals_) open_.push_back(posterior_covariance(study, rival));
-    for (const Fit& truth : rivals_)
-      for (const Fit& imitator : rivals_) known_.push_back(condensed(imitation(truth, imitator)));
-    before_ = expected_log_odds(rivals_.size(), [&](std::size_t a, std::size_t b) { return known(a, b); });
+    for (const Fit& hypothesis : hypotheses_) open_.push_back(posterior_covariance(study, hypothesis));
+    for (const Fit& truth : hypotheses_)
+      for (const Fit& alternative : hypotheses_)
+        known_.push_back(reduced(linearised_alternative(truth, alternative)));
+    before_ =
+        expected_log_odds(hypotheses_.size(), [&](std::size_t a, std::size_t b) { return known(a, b); });
   }
 
   void add_runs_from(const Shape& shape) {
@@ -132,9 +134,9 @@ class Planner {
 
   [[nodiscard]] std::vector<Proposal> best(std::size_t count, Aim aim) {
     constexpr double clear = 2;
-    // Of runs that promise the same to a few percent the one that asks least stands first.
+    // Among runs of equal benefit, to a few percent, the least demanding comes first.
     const auto grade = [&](const Proposal& one) {
-      const double shown = aim == Aim::to_show ? std::min(one.gap, clear) : clear;
+      const double shown = aim == Aim::detect ? std::min(one.gap, clear) : clear;
       return std::pair(std::lround(4 * std::log(shown + 1e-4)),
                        std::lround(16 * std::log(one.information + 1e-4)));
     };
@@ -152,8 +154,8 @@ class Planner {
   }
 
  private:
-  [[nodiscard]] const Imitation& known(std::size_t a, std::size_t b) const {
-    return known_[a * rivals_.size() + b];
+  [[nodiscard]] const LinearisedAlternative& known(std::size_t a, std::size_t b) const {
+    return known_[a * hypotheses_.size() + b];
   }
 
   void add(const std::string& what, const Run& run) {
@@ -161,20 +163,20 @@ class Planner {
     for (const bool out_of_gravity : {false, true}) {
       if (out_of_gravity && !weighs) continue;
       const Study bench(bench_for(experiment_, run, out_of_gravity));
-      const auto all = predictions(bench, rivals_, so_far_);
+      const auto all = predictions(bench, hypotheses_, so_far_);
       if (!all) continue;
       for (const bool angles : {false, true}) {
         if (reads_angles_ && !angles) continue;
-        const std::vector<Forecast> rivals = forecasts(*all, run, angles);
+        const std::vector<Forecast> hypotheses = forecasts(*all, run, angles);
         const Forecast nominal = forecasts({bench.nominal()}, run, angles).front();
-        if (rivals.front().read.size() == 0) continue;
-        const double after = expected_log_odds(rivals.size(), [&](std::size_t a, std::size_t b) {
-          return stacked(known(a, b), rows_of(rivals[a], rivals[b]));
+        if (hypotheses.front().read.size() == 0) continue;
+        const double after = expected_log_odds(hypotheses.size(), [&](std::size_t a, std::size_t b) {
+          return stacked(known(a, b), rows_of(hypotheses[a], hypotheses[b]));
         });
         proposals_.push_back({what + (out_of_gravity ? ", the rig turned out of gravity" : "") +
                                   (angles && !reads_angles_ ? ", joint angles measured" : ""),
-                              run, angles, out_of_gravity, expected_information(rivals), after, before_,
-                              apart(rivals.front(), nominal)});
+                              run, angles, out_of_gravity, expected_information(hypotheses), after, before_,
+                              apart(hypotheses.front(), nominal)});
       }
     }
   }
@@ -191,21 +193,21 @@ class Planner {
 
   const Experiment& experiment_;
   const NoiseModel& noise_;
-  Extent so_far_;
-  bool reads_angles_;  ///< as it is
-  std::vector<Fit> rivals_;
-  std::vector<Eigen::MatrixXd> open_;  ///< covariance of their parameters
-  std::vector<Imitation> known_;       ///< [truth][imitator]
+  OperatingEnvelope so_far_;
+  bool reads_angles_;  ///< in the experiment so far
+  std::vector<Fit> hypotheses_;
+  std::vector<Eigen::MatrixXd> open_;         ///< covariance of their parameters
+  std::vector<LinearisedAlternative> known_;  ///< [truth][alternative]
   double before_ = 0;
   std::vector<Proposal> proposals_;
 };
 
 }  // namespace
 
-std::vector<Proposal> next_runs(const Study& study, const std::vector<Fit>& rivals, const NoiseModel& noise,
-                                std::size_t count, Aim aim) {
+std::vector<Proposal> next_runs(const Study& study, const std::vector<Fit>& hypotheses,
+                                const NoiseModel& noise, std::size_t count, Aim aim) {
   constexpr std::size_t most_shapes = 12;
-  Planner planner(study, rivals, noise);
+  Planner planner(study, hypotheses, noise);
   for (const Shape& shape : shapes(study.experiment(), most_shapes)) planner.add_runs_from(shape);
   return planner.best(count, aim);
 }

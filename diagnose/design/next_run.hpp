@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What to measure next: which feasible run would best tell rival explanations apart.
+/// The next run: the feasible run that best distinguishes competing hypotheses.
 
 #include <string>
 #include <vector>
@@ -9,30 +9,29 @@
 
 namespace plumbline::diagnose {
 
-/// A run that the lab could make.
+/// A feasible run, with its expected benefit.
 struct Proposal {
   std::string description;
-  Run run;              ///< what to command; the measured channels are empty
-  bool angles;          ///< whether its joint angles are to be measured
-  bool out_of_gravity;  ///< whether the rig is to be turned until gravity acts across its plane
-  double information;   ///< of which rival is right, that the run is expected to give, nats
-  double log_odds;      ///< expected after the run, in favour of whichever rival is right; natural logarithm
-  double log_odds_so_far;  ///< the same without it
-  double gap;              ///< that the first rival would leave to the nominal model, rms in the noise
+  Run run;                 ///< the command; the measured channels are empty
+  bool angles;             ///< the joint angles are to be measured
+  bool out_of_gravity;     ///< the rig is to be turned until gravity acts across its plane
+  double information;      ///< expected information about which hypothesis is true, nats
+  double log_odds;         ///< expected log odds of the true hypothesis after the run
+  double log_odds_so_far;  ///< the same without the run
+  double gap;  ///< rms difference of the first hypothesis from the nominal model, in standard deviations
 };
 
-/// What the next run is for: to tell the rivals apart; or, where too little of the gap shows in what is held
-/// out to test any of them, to show it first.
-enum class Aim { to_tell, to_show };
+/// The purpose of the next run: to discriminate between the hypotheses, or first to detect the gap where the
+/// held-out readings show too little of it to test any of them.
+enum class Aim { discriminate, detect };
 
-/// Of the presses and loads that the bench could make, from the rest shapes of the runs so far and their
-/// mirror images, joint angles measured or not, in gravity and out of it, those that are expected to lower
-/// the entropy of the choice among the rivals most, each as probable as the other, their parameters as
-/// uncertain as the readings leave them. Left out is what some rival, or the nominal chain, could not follow,
-/// and what would need more than twice the force, or more than half as much deflection again, as the runs so
-/// far. \param rivals  two explanations or more, fitted to the same readings, the best first \returns the
-/// most telling runs first, at most `count`; where they are to show the gap, those that show it clearly first
-std::vector<Proposal> next_runs(const Study& study, const std::vector<Fit>& rivals, const NoiseModel& noise,
-                                std::size_t count, Aim aim = Aim::to_tell);
+/// The runs with the largest expected information about which hypothesis is true, all being equally probable
+/// and their parameters as uncertain as the readings leave them. Candidates are presses and loads from the
+/// rest shapes of the runs and their mirror images, with and without joint angles, in gravity and out of it,
+/// within the operating envelope, that the nominal model and every hypothesis can follow.
+/// \param hypotheses  two or more, fitted to the same readings, the best first
+/// \returns at most `count` runs, the best first; with Aim::detect those that show the gap clearly come first
+std::vector<Proposal> next_runs(const Study& study, const std::vector<Fit>& hypotheses,
+                                const NoiseModel& noise, std::size_t count, Aim aim = Aim::discriminate);
 
 }  // namespace plumbline::diagnose

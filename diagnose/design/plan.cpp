@@ -3,24 +3,24 @@
 #include <algorithm>
 #include <numeric>
 
-#include "diagnose/design/comparison.hpp"
 #include "diagnose/beliefs.hpp"
+#include "diagnose/design/comparison.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
 using Places = std::vector<std::size_t>;
 
-/// Readings that differ by less than rounding and the tolerance of fits leave a lead of less.
+/// A log-likelihood ratio below rounding and the tolerance of fits.
 constexpr double same_effect = 1e-3;
 
-/// What runs show: which effects, and which two of these apart.
+/// The effects that runs detect, and the pairs that they distinguish.
 struct Shown {
   Places seen;
   std::vector<std::vector<bool>> apart;
 };
 
-/// \param suffice  whether the runs bring some contrasts far enough
+/// \param suffice  whether the runs suffice for some contrasts
 Shown shown_by(const Comparison& effects, const std::function<bool(const std::vector<Contrast>&)>& suffice) {
   Shown result{{}, {effects.size(), std::vector<bool>(effects.size(), false)}};
   for (std::size_t i = 0; i < effects.size(); ++i)
@@ -31,17 +31,18 @@ Shown shown_by(const Comparison& effects, const std::function<bool(const std::ve
   return result;
 }
 
-/// Effects with the same set of effects that they are not told apart from, each counting itself.
-std::vector<Alike> alike(const Comparison& effects, const Shown& told, const Places& all) {
+/// Groups effects by their sets of indistinguishable effects, each of which contains the effect itself.
+std::vector<Indistinguishable> indistinguishable(const Comparison& effects, const Shown& told,
+                                                 const Places& all) {
   std::vector<Places> near(effects.size());
   for (const std::size_t i : told.seen)
     for (const std::size_t j : told.seen)
       if (!told.apart[i][j]) near[i].push_back(j);
-  std::vector<Alike> result;
+  std::vector<Indistinguishable> result;
   std::vector<bool> taken(effects.size(), false);
   for (const std::size_t i : told.seen) {
     if (taken[i] || near[i].size() < 2) continue;
-    Alike one;
+    Indistinguishable one;
     Places members;
     for (const std::size_t j : near[i]) {
       const bool same = near[j] == near[i];
@@ -50,19 +51,19 @@ std::vector<Alike> alike(const Comparison& effects, const Shown& told, const Pla
       if (same) members.push_back(j);
     }
     one.exactly = members.size() > 1 && std::all_of(members.begin() + 1, members.end(), [&](std::size_t j) {
-                    return effects.apart(members.front(), j, all) < same_effect;
+                    return effects.distinguishability(members.front(), j, all) < same_effect;
                   });
     result.push_back(std::move(one));
   }
   return result;
 }
 
-Blindness blindness(const Comparison& effects, const Shown& told, const Places& runs) {
-  Blindness left;
+Unidentifiable unidentifiable(const Comparison& effects, const Shown& told, const Places& runs) {
+  Unidentifiable left;
   for (std::size_t i = 0; i < effects.size(); ++i)
     if (std::find(told.seen.begin(), told.seen.end(), i) == told.seen.end())
-      left.unseen.push_back(effects.effect(i));
-  left.alike = alike(effects, told, runs);
+      left.undetectable.push_back(effects.effect(i));
+  left.indistinguishable = indistinguishable(effects, told, runs);
   return left;
 }
 
@@ -75,23 +76,24 @@ Places first(std::size_t count) {
 }  // namespace
 
 Plan plan(const Experiment& bench, const std::function<void(double)>& progress) {
-  const Rehearsal rehearsal = rehearse(bench);
-  const Comparison effects(rehearsal, progress);
-  const std::size_t count = rehearsal.descriptions.size();
+  const DesignSpace space = design_space(bench);
+  const Comparison effects(space, progress);
+  const std::size_t count = space.descriptions.size();
   const Shown told = shown_by(effects, [&](const std::vector<Contrast>& contrasts) {
     return few_suffice(contrasts, count, beliefs::told_apart, few_runs);
   });
   Plan result;
   result.experiment = bench.name;
-  result.impossible = rehearsal.impossible;
+  result.impossible = space.impossible;
   result.candidates = count;
-  result.never = blindness(effects, told, first(count));
-  if (const Places planned = first(rehearsal.planned); !planned.empty()) {
+  result.unidentifiable = unidentifiable(effects, told, first(count));
+  if (const Places planned = first(space.planned); !planned.empty()) {
     const auto suffice = [&](const std::vector<Contrast>& contrasts) {
-      return std::all_of(contrasts.begin(), contrasts.end(),
-                         [&](const Contrast& one) { return lead(one, planned) > beliefs::told_apart; });
+      return std::all_of(contrasts.begin(), contrasts.end(), [&](const Contrast& one) {
+        return expected_log_likelihood_ratio(one, planned) > beliefs::told_apart;
+      });
     };
-    result.planned = blindness(effects, shown_by(effects, suffice), planned);
+    result.planned = unidentifiable(effects, shown_by(effects, suffice), planned);
   }
   std::vector<Contrast> to_be_shown;
   for (const std::size_t i : told.seen) {
@@ -103,8 +105,8 @@ Plan plan(const Experiment& bench, const std::function<void(double)>& progress) 
     }
   }
   const FewestRuns fewest = fewest_runs(to_be_shown, count, beliefs::told_apart);
-  for (const std::size_t run : fewest.runs) result.fewest.push_back(rehearsal.descriptions[run]);
-  result.fewest_proved = fewest.proved;
+  for (const std::size_t run : fewest.runs) result.fewest.push_back(space.descriptions[run]);
+  result.proved_minimal = fewest.proved;
   return result;
 }
 

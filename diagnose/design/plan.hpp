@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// A plan before any data: which effects a bench cannot see, which it cannot tell apart, and the fewest runs
-/// that separate the rest.
+/// The identifiability study of a bench before any data: undetectable effects, indistinguishable effects, and
+/// the fewest runs that distinguish the rest.
 
 #include <functional>
 #include <optional>
@@ -12,40 +12,40 @@
 
 namespace plumbline::diagnose {
 
-/// Effects of which no two are told apart, and which are mistaken for the same others.
-struct Alike {
+/// Effects that are pairwise indistinguishable and share their further alternatives.
+struct Indistinguishable {
   std::vector<EffectAt> effects;
-  std::vector<EffectAt> others;  ///< that each of them may be mistaken for, or the other way round
-  bool exactly = false;          ///< several effects, and no reading differs between them
+  std::vector<EffectAt> others;  ///< further effects from which none of them can be distinguished
+  bool exactly = false;          ///< several effects with identical readings
 };
 
-/// What some runs leave open.
-struct Blindness {
-  std::vector<EffectAt> unseen;  ///< at a sizeable value below the noise
-  std::vector<Alike> alike;      ///< of those that are seen
+/// Effects that a set of runs cannot detect or distinguish.
+struct Unidentifiable {
+  std::vector<EffectAt> undetectable;                ///< below the noise at their typical size
+  std::vector<Indistinguishable> indistinguishable;  ///< among the detectable ones
 };
 
-/// What takes more runs than this is never seen or told apart: a lab makes so many for one question.
+/// Largest number of runs for one question: effects that need more count as unidentifiable.
 inline constexpr std::size_t few_runs = 5;
 
 struct Plan {
   std::string experiment;
-  std::vector<EffectAt> impossible;  ///< what cannot act on the bench, or nothing shows
-  std::size_t candidates = 0;        ///< runs that the bench could make
-  Blindness never;                   ///< by any few of them
-  std::optional<Blindness> planned;  ///< by the runs that are planned, where their commands are given
-  std::size_t separated = 0;         ///< pairs of effects that some of the runs tell apart
-  std::vector<std::string> fewest;   ///< runs that do it, the most telling first
-  bool fewest_proved = false;        ///< no fewer of the candidates do
+  std::vector<EffectAt> impossible;       ///< effects that cannot act on the bench, or that it cannot measure
+  std::size_t candidates = 0;             ///< number of feasible runs
+  Unidentifiable unidentifiable;          ///< with any few of the feasible runs
+  std::optional<Unidentifiable> planned;  ///< with the planned runs, where their commands are given
+  std::size_t separated = 0;              ///< pairs of effects that some of the runs distinguish
+  std::vector<std::string> fewest;        ///< the fewest runs that do so, in the order of their contribution
+  bool proved_minimal = false;            ///< no smaller set of feasible runs does so
 };
 
-/// An effect is seen, and two are told apart, where the right explanation is expected to lead in
-/// log-likelihood by `beliefs::told_apart` over the other, refitted: the nominal model, or the other effect;
-/// each of the two in turn is true, of a sizeable value. As for the verdict, an effect does not compete with
-/// its own special cases, nor with parameters to spare.
-/// \param bench     its measured channels empty; a run without readings says what the bench can do
-/// \param progress  called now and then with the share of the work that is done
-/// \throws Error where the nominal chain cannot follow what is planned, or no run could be made
+/// An effect is detected, and two effects are distinguished, where the expected log-likelihood ratio of the
+/// truth over the refitted alternative exceeds `beliefs::told_apart`. The alternative is the nominal model,
+/// or the other effect; either effect is taken as the truth, at its typical size. An alternative does not
+/// compete with its own special case, nor where it has more than one parameter more than the truth.
+/// \param bench     its measured channels are empty; a run without readings describes the bench
+/// \param progress  called from time to time with the fraction of work done
+/// \throws Error where the nominal model cannot follow a planned run, or no run is feasible
 Plan plan(const Experiment& bench, const std::function<void(double)>& progress = {});
 
 }  // namespace plumbline::diagnose

@@ -6,31 +6,31 @@
 
 namespace plumbline::diagnose {
 
-Imitation imitation(const Fit& truth, const Fit& imitator) {
-  Imitation rows;
+LinearisedAlternative linearised_alternative(const Fit& truth, const Fit& alternative) {
+  LinearisedAlternative rows;
   const auto count = static_cast<Eigen::Index>(truth.whitened.size());
-  rows.slope = imitator.jacobian;
+  rows.slope = alternative.jacobian;
   rows.difference.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    rows.difference(i) = imitator.whitened[k] - truth.whitened[k];
+    rows.difference(i) = alternative.whitened[k] - truth.whitened[k];
   }
-  // A parameter at its bound has gone as far as it can.
-  for (std::size_t p = 0; p < imitator.at_bound.size(); ++p)
-    if (imitator.at_bound[p]) rows.slope.col(static_cast<Eigen::Index>(p)).setZero();
+  // A parameter at its bound cannot move further.
+  for (std::size_t p = 0; p < alternative.at_bound.size(); ++p)
+    if (alternative.at_bound[p]) rows.slope.col(static_cast<Eigen::Index>(p)).setZero();
   return rows;
 }
 
-double separation(const Imitation& rows) {
+double separation(const LinearisedAlternative& rows) {
   if (rows.slope.cols() == 0) return rows.difference.squaredNorm();
-  // Columns of unit length: parameters of any unit weigh alike in the rank decision.
+  // Columns of unit length make the rank decision independent of units.
   const Eigen::VectorXd norm = rows.slope.colwise().norm().cwiseMax(1e-300);
   const Eigen::MatrixXd unit = rows.slope * norm.cwiseInverse().asDiagonal();
   const Eigen::VectorXd step = LeastSquares(unit).solve(rows.difference);
   return (rows.difference - unit * step).squaredNorm();
 }
 
-Imitation condensed(const Imitation& rows) {
+LinearisedAlternative reduced(const LinearisedAlternative& rows) {
   const Eigen::Index count = rows.slope.cols();
   Eigen::MatrixXd all(rows.difference.size(), count + 1);
   all.leftCols(count) = rows.slope;
@@ -39,8 +39,8 @@ Imitation condensed(const Imitation& rows) {
   return {factor.col(count), factor.leftCols(count)};
 }
 
-Imitation stacked(const Imitation& a, const Imitation& b) {
-  Imitation both;
+LinearisedAlternative stacked(const LinearisedAlternative& a, const LinearisedAlternative& b) {
+  LinearisedAlternative both;
   both.difference.resize(a.difference.size() + b.difference.size());
   both.difference << a.difference, b.difference;
   both.slope.resize(both.difference.size(), a.slope.cols());

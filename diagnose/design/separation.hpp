@@ -1,29 +1,29 @@
 #pragma once
 /// \file
-/// How far apart two explanations are: what one predicts and the other, refitted, cannot imitate.
+/// The separation of two hypotheses: the part of one prediction that the other, refitted, cannot imitate.
 
 #include "diagnose/inference/fit.hpp"
 
 namespace plumbline::diagnose {
 
-/// Rows of a linear imitation: what one explanation predicts beyond another, in standard deviations, and what
-/// the parameters of the other can do about it.
-struct Imitation {
+/// A linearised alternative: the difference of two predictions in standard deviations, and the derivatives of
+/// the alternative by its parameters.
+struct LinearisedAlternative {
   Eigen::VectorXd difference;
   Eigen::MatrixXd slope;
 };
 
-/// On the readings that both were fitted to, in the same noise.
-Imitation imitation(const Fit& truth, const Fit& imitator);
+/// For two fits to the same readings, in the same noise.
+LinearisedAlternative linearised_alternative(const Fit& truth, const Fit& alternative);
 
-/// Squared distance that is left when the imitator has done its best. If `truth` is true, its log-likelihood
-/// is expected to lead by half of this, whatever the noise of this experiment happens to favour.
-double separation(const Imitation& rows);
+/// Squared distance after the alternative is refitted. If `truth` is true, its expected log-likelihood ratio
+/// is half of it, averaged over the noise.
+double separation(const LinearisedAlternative& rows);
 
-/// The same in as many rows as matter, by its triangular factor.
-Imitation condensed(const Imitation& rows);
+/// The same with as few rows as possible, by a triangular factor.
+LinearisedAlternative reduced(const LinearisedAlternative& rows);
 
-/// Both sets of rows under the same parameters.
-Imitation stacked(const Imitation& a, const Imitation& b);
+/// The rows of both, with common parameters.
+LinearisedAlternative stacked(const LinearisedAlternative& a, const LinearisedAlternative& b);
 
 }  // namespace plumbline::diagnose

@@ -5,8 +5,8 @@
 #include <limits>
 #include <plumbline/base/parallel.hpp>
 
-#include "diagnose/decision/rotation.hpp"
 #include "diagnose/beliefs.hpp"
+#include "diagnose/decision/rotation.hpp"
 #include "diagnose/noise/gap.hpp"
 #include "diagnose/noise/outliers.hpp"
 
@@ -17,7 +17,7 @@ using Effects = std::vector<EffectAt>;
 
 /// The only sprung joint, from 1; nothing where there are others.
 std::optional<std::size_t> only_joint(const Study& study) {
-  const auto& stiffness = study.sizes().joint_stiffness;
+  const auto& stiffness = study.scales().joint_stiffness;
   const auto sprung = [](double k) { return k > 0; };
   if (std::count_if(stiffness.begin(), stiffness.end(), sprung) != 1) return std::nullopt;
   return std::find_if(stiffness.begin(), stiffness.end(), sprung) - stiffness.begin() + 1;
@@ -91,7 +91,7 @@ bool runs_away(const Study& study, const Fit& law) {
   for (const EffectAt& at : law.candidate.effects)
     for (const ParameterRange& range : study.ranges(at)) {
       const double value = law.parameters[p++];
-      if (range.is_onset() || at.effect->element > 0) continue;
+      if (range.is_onset() || at.effect->element_size > 0) continue;
       const bool low_is_nothing = range.coordinate == Coordinate::plain && range.low == 0;
       const bool logarithmic = range.coordinate == Coordinate::logarithm;
       const auto near_end = [&](double bound) {

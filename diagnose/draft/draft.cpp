@@ -104,8 +104,8 @@ class Drafting {
       Experiment as_drafted = read();
       thin(as_drafted);
       const Study study(as_drafted);
-      const std::optional<Doubt> doubt = doubtful_convention(study);
-      if (doubt && doubt->runs.empty() && take(*doubt)) return true;
+      const std::optional<SuspectedConvention> suspected = suspected_convention(study);
+      if (suspected && suspected->runs.empty() && take(*suspected)) return true;
       require_conventions(study);
     } catch (const Error& question) {
       draft_.question = question.what();
@@ -123,28 +123,28 @@ class Drafting {
     });
   }
 
-  bool take(const Doubt& doubt) {
-    const bool forces = doubt.what == "Fx, Fy", places = doubt.what == "x, y";
+  bool take(const SuspectedConvention& suspected) {
+    const bool forces = suspected.what == "Fx, Fy", places = suspected.what == "x, y";
     bool taken = false;
-    if (forces || places) taken = take_of_plane(doubt, forces ? draft_Fx : draft_x, forces ? quantity::force : quantity::length);
-    if (doubt.what == "q") taken = take_of_angles(doubt);
+    if (forces || places) taken = take_of_plane(suspected, forces ? draft_Fx : draft_x, forces ? quantity::force : quantity::length);
+    if (suspected.what == "q") taken = take_of_angles(suspected);
     if (taken)
-      draft_.guesses.push_back({doubt.what, doubt.looks_like,
-                                doubt.start_as_is > 0
-                                    ? fmt::format("the runs then start {:.2g} instead of {:.2g} lengths of the chain off", doubt.start, doubt.start_as_is)
-                                    : fmt::format("the misfit of the model then falls from {:.2g} % to {:.2g} %", 100 * doubt.left_as_is, 100 * doubt.left)});
+      draft_.guesses.push_back({suspected.what, suspected.looks_like,
+                                suspected.start_error_as_read > 0
+                                    ? fmt::format("the runs then start {:.2g} instead of {:.2g} lengths of the chain off", suspected.start, suspected.start_error_as_read)
+                                    : fmt::format("the misfit of the model then falls from {:.2g} % to {:.2g} %", 100 * suspected.misfit_as_read, 100 * suspected.left)});
     return taken;
   }
 
   /// A unit, a sign, or the axes swapped.
-  bool take_of_plane(const Doubt& doubt, std::size_t first, const Quantity& quantity) {
-    const auto says = [&](const char* words) { return doubt.looks_like.find(words) != std::string::npos; };
+  bool take_of_plane(const SuspectedConvention& suspected, std::size_t first, const Quantity& quantity) {
+    const auto says = [&](const char* words) { return suspected.looks_like.find(words) != std::string::npos; };
     const bool opposite = says("of the opposite sign"), swapped = says("swapped"), mirrored_x = says("with x mirrored"),
                mirrored_y = says("with y mirrored");
     std::string unit;
     if (!opposite && !swapped && !mirrored_x && !mirrored_y) {
       try {
-        unit = parse_unit(doubt.looks_like, quantity, "").name;
+        unit = parse_unit(suspected.looks_like, quantity, "").name;
       } catch (const Error&) {
         return false;  // turned axes, and what else needs a person
       }
@@ -161,14 +161,14 @@ class Drafting {
     return true;
   }
 
-  bool take_of_angles(const Doubt& doubt) {
-    if (doubt.looks_like == "absolute angles") experiment_.absolute_angles = true;
+  bool take_of_angles(const SuspectedConvention& suspected) {
+    if (suspected.looks_like == "absolute angles") experiment_.absolute_angles = true;
     for (DraftedRun& run : experiment_.runs)
       for (DraftColumn& column : run.angles) {
-        if (doubt.looks_like == "degrees") column.unit = "deg";
-        if (doubt.looks_like == "angles of the opposite sign") column.sign *= -1;
+        if (suspected.looks_like == "degrees") column.unit = "deg";
+        if (suspected.looks_like == "angles of the opposite sign") column.sign *= -1;
       }
-    return doubt.looks_like != "angles in the reverse order";
+    return suspected.looks_like != "angles in the reverse order";
   }
 
   const DraftModel& model_;

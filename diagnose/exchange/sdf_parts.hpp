@@ -12,7 +12,8 @@ namespace plumbline::exchange {
 
 /// \param relative_to  the frame that the place is in; empty for that of the model
 Xml sdf_link(const Body& one, const Eigen::Vector3d& place, const std::string& relative_to);
-/// How the link hangs on its parent. \param axis  in its own frame
+/// How the link hangs on its parent.
+/// \param axis  in its own frame
 Xml sdf_joint(const Body& one, const Eigen::Vector3d& axis);
 /// The range of a joint, which yields by its stiffness.
 Xml sdf_limit(const Hinge& hinge, Pair range);

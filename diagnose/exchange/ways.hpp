@@ -13,7 +13,8 @@ struct Way {
   std::string_view how;  ///< as what, or why not
 };
 
-/// For every row of the catalogue. \throws Error for another word
+/// For every row of the catalogue.
+/// \throws Error for another word
 Way way_of(Format format, std::string_view effect);
 
 }  // namespace plumbline::exchange

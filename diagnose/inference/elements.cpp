@@ -56,7 +56,7 @@ std::vector<std::vector<Element>> one_more(const std::vector<Element>& elements,
 
 }  // namespace
 
-Starts in_number(const Study& study, const Fit& fitted, std::size_t effect, const Effect& row) {
+InitialGuesses in_number(const Study& study, const Fit& fitted, std::size_t effect, const Effect& row) {
   const std::vector<EffectAt>& effects = fitted.candidate.effects;
   const std::vector<ParameterRange> own = study.ranges(effects[effect]),
                                     ranges = study.ranges(EffectAt(row, effects[effect].joint));
@@ -65,9 +65,9 @@ Starts in_number(const Study& study, const Fit& fitted, std::size_t effect, cons
   const auto begin = fitted.parameters.begin() + static_cast<std::ptrdiff_t>(first),
              end = begin + static_cast<std::ptrdiff_t>(own.size());
   const std::vector<Element> elements =
-      in_order(fitted.parameters.data() + first, own.size() / row.element, row.element);
+      in_order(fitted.parameters.data() + first, own.size() / row.element_size, row.element_size);
   constexpr double weak = 0.25;  // of a sizeable effect
-  Starts starts{{}, 2};
+  InitialGuesses guesses{{}, 2};
   for (const std::vector<Element>& way :
        ranges.size() < own.size() ? one_fewer(elements) : one_more(elements, weak * ranges[0].scale)) {
     std::vector<double> start(fitted.parameters.begin(), begin);
@@ -76,9 +76,9 @@ Starts in_number(const Study& study, const Fit& fitted, std::size_t effect, cons
     for (std::size_t p = 0; p < ranges.size(); ++p)
       start[first + p] = std::clamp(start[first + p], ranges[p].low, ranges[p].high);
     start.insert(start.end(), end, fitted.parameters.end());
-    starts.from.push_back(std::move(start));
+    guesses.points.push_back(std::move(start));
   }
-  return starts;
+  return guesses;
 }
 
 }  // namespace plumbline::diagnose

@@ -49,14 +49,14 @@ double log_parameter_prior(const ParameterRange& range, double value) {
 
 /// How common an effect is beside a plain one.
 double commonness(const Effect& effect) {
-  return effect.special.empty() ? 1 : beliefs::refinement;
+  return effect.nested.empty() ? 1 : beliefs::refinement;
 }
 
 /// Of effects that may be made of several elements, the share of those with as many as this row has.
 double share_of_number(const Effect& effect) {
-  if (!effect.numbers) return 1;
+  if (!effect.orders) return 1;
   double own = 0, all = 0, common = 1;
-  for (const Effect* row : effect.numbers()) {
+  for (const Effect* row : effect.orders()) {
     if (row == &effect) own = common;
     all += common;
     common *= beliefs::one_more_element;
@@ -85,16 +85,16 @@ double log_likelihood(const Measurements& measurements, const std::vector<double
 
 double log_prior(const Study& study, const Candidate& candidate) {
   constexpr double share[] = {1.0, beliefs::one_cause, beliefs::two_causes, beliefs::three_causes};
-  const std::size_t others = candidate.count() - (candidate.machined() ? 1 : 0),
-                    causes = std::max<std::size_t>(others, candidate.machined() ? 1 : 0);
+  const std::size_t others = candidate.count() - (candidate.has_all_tolerances() ? 1 : 0),
+                    causes = std::max<std::size_t>(others, candidate.has_all_tolerances() ? 1 : 0);
   double log_p = std::log(share[std::min<std::size_t>(causes, 3)]);
   double all = 0;
   for (const Effect* one : study.effects()) all += commonness(*one);
   for (std::size_t i = 0; i < causes; ++i) log_p += std::log(static_cast<double>(i + 1));  // in any order
-  if (candidate.machined()) log_p -= std::log(all);
-  if (candidate.machined() && others > 0) log_p += std::log(beliefs::cause_beside_machining);
+  if (candidate.has_all_tolerances()) log_p -= std::log(all);
+  if (candidate.has_all_tolerances() && others > 0) log_p += std::log(beliefs::cause_beside_machining);
   for (const EffectAt& at : candidate.effects) {
-    if (candidate.has_as_machining(at)) continue;
+    if (candidate.has_as_tolerance(at)) continue;
     log_p += std::log(commonness(*at.effect) * share_of_number(*at.effect) / (all * places_of(study, at)));
   }
   return log_p;

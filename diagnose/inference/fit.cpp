@@ -272,12 +272,13 @@ Fit in_noise(const Study& study, const Fit& fitted, const NoiseModel& noise) {
   return result;
 }
 
-Fit fit(const Study& study, const Candidate& candidate, const FitSettings& settings, const Starts& known) {
+Fit fit(const Study& study, const Candidate& candidate, const FitSettings& settings,
+        const InitialGuesses& known) {
   const Problem problem(study, candidate, settings);
   Fit best;
   best.candidate = candidate;
-  std::vector<std::vector<double>> order = best_first(problem, known.from);
-  if (order.size() > known.basins) order.resize(known.basins);
+  std::vector<std::vector<double>> order = best_first(problem, known.points);
+  if (order.size() > known.refined) order.resize(known.refined);
   for (const std::vector<double>& start : order) {
     Fit one = fit_from(study, candidate, settings, start);
     if (one.converged && (!best.converged || one.cost < best.cost)) best = std::move(one);
@@ -286,7 +287,7 @@ Fit fit(const Study& study, const Candidate& candidate, const FitSettings& setti
 }
 
 Fit fit(const Study& study, const Candidate& candidate, const FitSettings& settings) {
-  return fit(study, candidate, settings, starts(study, candidate));
+  return fit(study, candidate, settings, initial_guesses(study, candidate));
 }
 
 Profile profile(const Study& study, const Fit& fitted, std::size_t parameter, const FitSettings& settings,

@@ -5,10 +5,10 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "diagnose/noise/noise.hpp"
 #include "diagnose/inference/start.hpp"
-#include "diagnose/noise/measurement.hpp"
 #include "diagnose/inference/study.hpp"
+#include "diagnose/noise/measurement.hpp"
+#include "diagnose/noise/noise.hpp"
 
 namespace plumbline::diagnose {
 
@@ -41,7 +41,8 @@ struct Fit {
 /// Fits from the given start; or from those of several where least is left, or of those that `starts()`
 /// names, and returns the best.
 Fit fit(const Study& study, const Candidate& candidate, const FitSettings& settings);
-Fit fit(const Study& study, const Candidate& candidate, const FitSettings& settings, const Starts& known);
+Fit fit(const Study& study, const Candidate& candidate, const FitSettings& settings,
+        const InitialGuesses& known);
 Fit fit_from(const Study& study, const Candidate& candidate, const FitSettings& settings,
              const std::vector<double>& start);
 

@@ -23,9 +23,9 @@ struct Probe {
 };
 
 std::vector<Probe> probes(const Study& study, const EffectAt& at) {
-  const Probing& how = at.effect->probing;
-  const Starts known = starts(study, at);
-  const std::size_t count = known.from.front().size();
+  const Perturbation& how = at.effect->perturbation;
+  const InitialGuesses known = initial_guesses(study, at);
+  const std::size_t count = known.points.front().size();
   std::vector<std::size_t> growing = how.growing;
   if (growing.empty()) {
     growing.resize(count);
@@ -33,8 +33,8 @@ std::vector<Probe> probes(const Study& study, const EffectAt& at) {
   }
   const bool alike = !how.large_step && how.growing.empty();  // nothing of the start is left
   std::vector<Probe> result;
-  for (std::size_t s = 0; s < std::min(alike ? 1 : how.starts, known.from.size()); ++s) {
-    std::vector<double> from = known.from[s];
+  for (std::size_t s = 0; s < std::min(alike ? 1 : how.guesses, known.points.size()); ++s) {
+    std::vector<double> from = known.points[s];
     const std::vector<double> to = how.large_step ? from : std::vector<double>();
     for (const std::size_t p : growing) from[p] = 0;
     result.push_back({at, from, growing, to});

@@ -8,10 +8,10 @@
 #include <plumbline/base/parallel.hpp>
 
 #include "diagnose/beliefs.hpp"
-#include "diagnose/inference/elements.hpp"
-#include "diagnose/noise/outliers.hpp"
 #include "diagnose/decision/rival.hpp"
+#include "diagnose/inference/elements.hpp"
 #include "diagnose/inference/screen.hpp"
+#include "diagnose/noise/outliers.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -51,7 +51,7 @@ constexpr std::size_t examined = 3;
 /// Effects that might act together, and where their fit may start.
 struct Combination {
   Candidate candidate;
-  Starts starts;
+  InitialGuesses guesses;
   double cost;  ///< forecast
 };
 
@@ -126,7 +126,7 @@ class Searcher {
     std::sort(combinations.begin(), combinations.end(),
               [](const Combination& a, const Combination& b) { return a.cost < b.cost; });
     std::vector<Fit> fits = side_by_side(std::min(finalists, combinations.size()), [&](std::size_t c) {
-      return fit(study_, combinations[c].candidate, settings_, combinations[c].starts);
+      return fit(study_, combinations[c].candidate, settings_, combinations[c].guesses);
     });
     std::sort(fits.begin(), fits.end(), better);
     return fits;
@@ -138,7 +138,7 @@ class Searcher {
     constexpr std::size_t most_values = 40;
     Candidate candidate;
     for (const Effect* row : study_.effects())
-      if (row->of_machining) candidate.effects.emplace_back(*row);
+      if (row->is_tolerance) candidate.effects.emplace_back(*row);
     const bool can_be = study_.ranges(candidate).size() <= most_values;
     return side_by_side(can_be ? 1 : 0, [&](std::size_t) { return fit(study_, candidate, settings_); });
   }
@@ -150,14 +150,14 @@ class Searcher {
     const std::vector<EffectAt> possible = possible_effects(study_);
     const bool has_kinds =
         std::all_of(study_.effects().begin(), study_.effects().end(), [&](const Effect* row) {
-          return !row->of_machining ||
+          return !row->is_tolerance ||
                  std::find(possible.begin(), possible.end(), EffectAt(*row)) != possible.end();
         });
     std::vector<std::pair<const Fit*, EffectAt>> cuts;
     for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c) {
       const Candidate& whole = combinations[c].candidate;
       for (const EffectAt& left_out : whole.effects)
-        if (whole.effects.size() > 1 && (has_kinds || !whole.has_as_machining(left_out)))
+        if (whole.effects.size() > 1 && (has_kinds || !whole.has_as_tolerance(left_out)))
           cuts.emplace_back(&combinations[c], left_out);
     }
     std::vector<Fit> fits =
@@ -188,12 +188,12 @@ class Searcher {
     std::vector<Fit> fits;
     for (std::size_t e = 0; e < fitted.candidate.effects.size(); ++e) {
       const EffectAt& at = fitted.candidate.effects[e];
-      if (!at.effect->numbers) continue;
-      const std::vector<const Effect*> rows = at.effect->numbers();
+      if (!at.effect->orders) continue;
+      const std::vector<const Effect*> rows = at.effect->orders();
       const auto own = std::find(rows.begin(), rows.end(), at.effect);
       const auto step_on = [&, last = fitted](const Effect* row) mutable {
         if (!last.converged) return;
-        const Starts from = in_number(study_, last, e, *row);
+        const InitialGuesses from = in_number(study_, last, e, *row);
         last.candidate.effects[e] = EffectAt(*row, at.joint);
         fits.push_back(last = fit(study_, last.candidate, settings_, from));
       };
@@ -211,7 +211,7 @@ class Searcher {
     for (std::size_t c = 0; c < std::min(examined, combinations.size()); ++c) {
       const Candidate& whole = combinations[c].candidate;
       for (std::size_t e = 0; e < whole.effects.size(); ++e) {
-        if (whole.has_as_machining(whole.effects[e])) continue;
+        if (whole.has_as_tolerance(whole.effects[e])) continue;
         for (const EffectAt& plain : possible_effects(study_)) {
           if (!covers(whole.effects[e], plain) || whole.has(plain)) continue;
           plain_ones.push_back(whole);
@@ -351,7 +351,7 @@ std::vector<Fit> beside_machining(const Searcher& searcher, const std::vector<Fi
   add(fits, searcher.machined());
   add(fits, searcher.from_parts(fits));
   std::vector<Fit> machined = fits;
-  std::erase_if(machined, [](const Fit& one) { return !one.candidate.machined(); });
+  std::erase_if(machined, [](const Fit& one) { return !one.candidate.has_all_tolerances(); });
   std::vector<Fit> more = searcher.extended(machined, 1);
   if (more.empty() || singles.size() <= single_seeds) return more;
   const EffectAt partner = more.front().candidate.effects.back();
@@ -409,7 +409,7 @@ Findings search(const Study& study, const std::function<void(double)>& progress,
     // What came out best may hold a plainer one that was passed over: of three, one. What machining leaves is
     // not taken apart beside another cause.
     std::vector<Fit> fewer = fits;
-    std::erase_if(fewer, [](const Fit& one) { return one.candidate.machined(); });
+    std::erase_if(fewer, [](const Fit& one) { return one.candidate.has_all_tolerances(); });
     for (int cut = 0; cut < 2; ++cut) {
       fewer = searcher.parts(fewer);
       add(fits, fewer);

@@ -15,31 +15,32 @@ std::vector<std::vector<double>> scan(const ParameterRange& range) {
 
 }  // namespace
 
-Starts starts(const Study& study, const EffectAt& at) {
+InitialGuesses initial_guesses(const Study& study, const EffectAt& at) {
   const std::vector<ParameterRange> ranges = study.ranges(at);
-  if (at.effect->starts == nullptr) {
+  if (at.effect->initial_guesses == nullptr) {
     if (ranges.size() == 1) return {scan(ranges[0]), 1};
     return {{std::vector<double>(ranges.size(), 0)}, 1};
   }
-  Starts known = at.effect->starts({study.sizes(), at.joint > 0 ? at.joint - 1 : 0}, study.exercise());
-  for (std::vector<double>& start : known.from)
+  InitialGuesses known =
+      at.effect->initial_guesses({study.scales(), at.joint > 0 ? at.joint - 1 : 0}, study.excitation());
+  for (std::vector<double>& start : known.points)
     for (std::size_t p = 0; p < start.size(); ++p)
       start[p] = std::clamp(start[p], ranges[p].low, ranges[p].high);
   return known;
 }
 
-Starts starts(const Study& study, const Candidate& candidate) {
-  Starts all{{{}}, 1};
+InitialGuesses initial_guesses(const Study& study, const Candidate& candidate) {
+  InitialGuesses all{{{}}, 1};
   for (const EffectAt& at : candidate.effects) {
-    const Starts own = starts(study, at);
+    const InitialGuesses own = initial_guesses(study, at);
     std::vector<std::vector<double>> longer;
-    for (const auto& head : all.from) {
-      for (const auto& tail : own.from) {
+    for (const auto& head : all.points) {
+      for (const auto& tail : own.points) {
         longer.push_back(head);
         longer.back().insert(longer.back().end(), tail.begin(), tail.end());
       }
     }
-    all = {std::move(longer), std::max(all.basins, own.basins)};
+    all = {std::move(longer), std::max(all.refined, own.refined)};
   }
   return all;
 }

@@ -6,10 +6,10 @@
 
 namespace plumbline::diagnose {
 
-/// Starts for one effect, as its row says, within its bounds.
-Starts starts(const Study& study, const EffectAt& at);
+/// Initial guesses for one effect, as its row says, within its bounds.
+InitialGuesses initial_guesses(const Study& study, const EffectAt& at);
 
 /// All combinations for several effects.
-Starts starts(const Study& study, const Candidate& candidate);
+InitialGuesses initial_guesses(const Study& study, const Candidate& candidate);
 
 }  // namespace plumbline::diagnose

@@ -13,8 +13,8 @@ std::size_t index_of(const EffectAt& at) {
   return at.joint > 0 ? at.joint - 1 : 0;
 }
 
-Exercise exercise_of(const Experiment& experiment, const Prediction& nominal) {
-  Exercise use{std::vector<double>(experiment.link_length.size(), 0.0), 0, 0};
+Excitation exercise_of(const Experiment& experiment, const Prediction& nominal) {
+  Excitation use{std::vector<double>(experiment.link_length.size(), 0.0), 0, 0};
   for (std::size_t i = 0; i < use.deflection.size(); ++i) {
     double& most = use.deflection[i];
     for (std::size_t r = 0; r < nominal.runs.size(); ++r)
@@ -52,7 +52,7 @@ Study::Study(Experiment experiment)
     : experiment_(numbered(std::move(experiment))),
       effects_(all_rows(experiment_.stated.get())),
       measurements_(experiment_),
-      sizes_(sizes_of(experiment_)),
+      scales_(characteristic_scales(experiment_)),
       nominal_rig_(diagnose::nominal_rig(experiment_)) {}
 
 Study::Study(Experiment experiment, std::shared_ptr<const std::vector<Effect>> stated)
@@ -79,13 +79,13 @@ std::vector<double> Study::nominal_residual() const {
   return residual(nominal());
 }
 
-const Exercise& Study::exercise() const {
+const Excitation& Study::excitation() const {
   std::call_once(late_->exercised, [&] { late_->exercise = exercise_of(experiment_, nominal()); });
   return late_->exercise;
 }
 
 std::vector<ParameterRange> Study::ranges(const EffectAt& at) const {
-  return at.effect->parameters({sizes_, index_of(at)});
+  return at.effect->parameters({scales_, index_of(at)});
 }
 
 std::vector<ParameterRange> Study::ranges(const Candidate& candidate) const {
@@ -99,9 +99,9 @@ std::vector<EffectAt> possible_effects(const Study& study) {
   std::vector<EffectAt> all;
   for (const Effect* row : study.effects()) {
     const std::size_t first = row->at_joint ? 1 : 0;
-    const std::size_t last = row->at_joint ? study.sizes().link_length.size() : 0;
+    const std::size_t last = row->at_joint ? study.scales().link_length.size() : 0;
     for (std::size_t joint = first; joint <= last; ++joint)
-      if (const EffectAt at(*row, joint); row->possible({study.sizes(), index_of(at)})) all.push_back(at);
+      if (const EffectAt at(*row, joint); row->possible({study.scales(), index_of(at)})) all.push_back(at);
   }
   return all;
 }
@@ -129,7 +129,7 @@ Rig rig_with(const Study& study, const Candidate& candidate, const std::vector<d
     std::vector<double> values;
     for (const ParameterRange& range : study.ranges(at))
       values.push_back(catalogue_value(range.coordinate, parameters.at(next++)));
-    at.effect->add({rig, index_of(at), study.sizes(), down, values.data()});
+    at.effect->add({rig, index_of(at), study.scales(), down, values.data()});
   }
   return rig;
 }

@@ -5,9 +5,9 @@
 #include <memory>
 #include <mutex>
 
+#include "diagnose/noise/measurement.hpp"
 #include "diagnose/rig/effect.hpp"
 #include "diagnose/rig/history.hpp"
-#include "diagnose/noise/measurement.hpp"
 
 namespace plumbline::diagnose {
 
@@ -23,7 +23,7 @@ class Study {
 
   [[nodiscard]] const Experiment& experiment() const { return experiment_; }
   [[nodiscard]] const Measurements& measurements() const { return measurements_; }
-  [[nodiscard]] const Sizes& sizes() const { return sizes_; }
+  [[nodiscard]] const CharacteristicScales& scales() const { return scales_; }
   /// The rows that are looked at: the catalogue's, and behind them those that the user states.
   [[nodiscard]] const std::vector<const Effect*>& effects() const { return effects_; }
 
@@ -39,7 +39,7 @@ class Study {
   [[nodiscard]] std::vector<double> residual(const Prediction& predicted) const;
   [[nodiscard]] std::vector<double> nominal_residual() const;
   /// What the runs ask of the nominal joints; computed when it is first asked for.
-  [[nodiscard]] const Exercise& exercise() const;
+  [[nodiscard]] const Excitation& excitation() const;
 
   /// The parameters of one effect and of a candidate.
   [[nodiscard]] std::vector<ParameterRange> ranges(const EffectAt& at) const;
@@ -49,13 +49,13 @@ class Study {
   Experiment experiment_;
   std::vector<const Effect*> effects_;
   Measurements measurements_;
-  Sizes sizes_;
+  CharacteristicScales scales_;
   Rig nominal_rig_;
   /// What is computed when it is first asked for, by whichever thread.
   struct Late {
     std::once_flag predicted, exercised;
     Prediction nominal;
-    Exercise exercise;
+    Excitation exercise;
   };
   std::shared_ptr<Late> late_ = std::make_shared<Late>();
 };

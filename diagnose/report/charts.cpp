@@ -27,13 +27,13 @@ std::vector<page::ChartPoint> curve(const Trace& trace, const Channel& channel, 
 
 page::Strip strip_of(Regime regime, double from, double to) {
   switch (regime) {
-    case Regime::near_loss_of_stiffness:
-      return {from, to, "near", "near loss"};
-    case Regime::post_buckling:
+    case Regime::near_critical:
+      return {from, to, "near", "near"};
+    case Regime::post_critical:
       return {from, to, "post", "post"};
     case Regime::unloading:
       return {from, to, "back", "unloading"};
-    case Regime::pre_buckling:
+    case Regime::pre_critical:
       break;
   }
   return {from, to, "pre", "pre"};
@@ -134,8 +134,8 @@ PageChart missing_chart(const Missing& missing) {
   for (const MissingPoint& point : missing.points)
     (point.falling ? down : up).points.push_back({point.at, point.value});
   const page::Chart chart{"missing",
-                          "Missing " + missing.what + " over " + missing.against,
-                          "What the nominal model misses at each reading; dots where " + missing.against +
+                          "Unexplained " + missing.what + " over " + missing.against,
+                          "Residual of the nominal model at each reading; dots where " + missing.against +
                               " rises, rings where it falls.",
                           missing.against + ", " + missing.against_unit,
                           missing.what + ", " + missing.unit,
@@ -146,7 +146,7 @@ PageChart missing_chart(const Missing& missing) {
                           false,
                           false,
                           page::ChartPoint{0, 0}};
-  return {"Missing " + missing.what + " over " + missing.against, page::drawn(chart)};
+  return {"Unexplained " + missing.what + " over " + missing.against, page::drawn(chart)};
 }
 
 }  // namespace plumbline::diagnose

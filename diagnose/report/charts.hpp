@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The charts of a diagnosis's page, as SVG with a caption.
+/// The charts of the page, as SVG with captions.
 
 #include "diagnose/report/view.hpp"
 
@@ -14,20 +14,20 @@ struct PageChart {
 /// Measured, nominal and corrected over the command, one chart a run and channel.
 std::vector<PageChart> curve_charts(const Explained& explained);
 
-/// Residuals before and after along the load path in declared sigmas, the regimes shaded.
+/// Residuals before and after, along the load path in declared sigmas, with the regimes shaded.
 std::vector<PageChart> residual_charts(const Explained& explained);
 
-/// For an explanation with friction or relaxation: what the elastic part of the model leaves over the
-/// command, in each run that turns back, and where angles are measured the missing torque over the angle.
+/// For explanations with friction or relaxation: the readings minus the elastic part of the model, over the
+/// command of each run that reverses, and the torque residual over the joint angle where angles are measured.
 std::vector<PageChart> loop_charts(const Explained& explained);
 
-/// What is missing, over what it depends on.
+/// The unexplained residual over its abscissa.
 PageChart missing_chart(const Missing& missing);
 
-/// Whether what explains the gap is about joints: else their shares would show where nothing is wrong.
+/// Whether the explanation acts at joints, so that shares of joints are meaningful.
 bool at_joints(const Explained& explained);
 
-/// The chain in its shapes along each run; where that is so, the joints drawn by their share.
+/// The chain in its shapes along each run, with the shares of joints where these are meaningful.
 std::vector<PageChart> shape_charts(const Explained& explained);
 
 }  // namespace plumbline::diagnose

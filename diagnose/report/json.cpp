@@ -16,7 +16,7 @@ Json effect_names(const Candidate& candidate) {
   return names;
 }
 
-/// The noise of the channels that measured something, over the declared.
+/// Noise scales and autocorrelations of the measured channels.
 Json noise(const NoiseModel& model, const std::map<Channel, double>& by_channel) {
   Json result = Json::object(), correlations = Json::object();
   double largest = 0;
@@ -42,34 +42,34 @@ Json by_label(const std::map<Channel, double>& values) {
 }
 
 Json gap(const GapAnswer& answer, const NoiseModel& model) {
-  Json hum = Json::array(), proportional = Json::object(), rougher = Json::array(), stretches = Json::array(),
-       other_side = Json::array();
+  Json sinusoids = Json::array(), proportional = Json::object(), runs = Json::array(),
+       segments = Json::array(), other_branch = Json::array();
   for (const HummingChannel& one : answer.hum)
-    hum.push_back(
+    sinusoids.push_back(
         {{"run", one.run}, {"channel", one.channel.label()}, {"period", one.period}, {"rms", one.rms}});
   for (const auto& [name, share] : answer.proportional) proportional[label(name)] = share;
   for (const RougherRun& one : answer.rougher)
-    rougher.push_back({{"run", one.run}, {"sensor", label(one.sensor)}, {"times", one.times}});
+    runs.push_back({{"run", one.run}, {"sensor", label(one.sensor)}, {"factor", one.times}});
   for (const RougherStretch& one : answer.rougher_stretches)
-    stretches.push_back({{"run", one.run},
-                         {"sensor", label(one.sensor)},
-                         {"from", one.from},
-                         {"to", one.to},
-                         {"times", one.times}});
-  for (const OtherSide& one : answer.other_side)
-    other_side.push_back({{"run", one.run}, {"from", one.reading}});
+    segments.push_back({{"run", one.run},
+                        {"sensor", label(one.sensor)},
+                        {"from", one.from},
+                        {"to", one.to},
+                        {"factor", one.times}});
+  for (const OtherBranch& one : answer.other_branch)
+    other_branch.push_back({{"run", one.run}, {"from", one.reading}});
   return {{"present", answer.present},
           {"p_value", answer.test.p_value},
           {"chi2_per_dof", answer.chi2_per_value},
           {"rms", by_label(answer.rms)},
           {"noise", noise(model, answer.rms)},
-          {"hum", hum},
+          {"periodic_interference", sinusoids},
           {"proportional_noise", proportional},
-          {"uneven_noise", by_label(answer.uneven)},
-          {"rougher_runs", rougher},
-          {"rougher_stretches", stretches},
-          {"taken_for_weights", answer.taken_for_weights},
-          {"other_side", other_side}};
+          {"noisier_joints", by_label(answer.uneven)},
+          {"noisier_runs", runs},
+          {"noisier_segments", segments},
+          {"assumed_weights", answer.taken_for_weights},
+          {"other_branch", other_branch}};
 }
 
 Json where(const Where& places) {
@@ -128,7 +128,7 @@ Json cause(const Diagnosis& diagnosis) {
                        {"probability", found.unknown},
                        {"chi2_per_dof", diagnosis.gap.chi2_per_value}});
   }
-  for (const EffectAt& at : diagnosis.not_exercised) idle.push_back(at.label());
+  for (const EffectAt& at : diagnosis.not_excited) idle.push_back(at.label());
   const bool explained =
       found.verdict == CauseVerdict::identified || found.verdict == CauseVerdict::ambiguous;
   Json report = {
@@ -137,13 +137,13 @@ Json cause(const Diagnosis& diagnosis) {
                             : Json::array()},
       {"equivalent", equivalent},
       {"ranking", ranking},
-      {"not_exercised", idle}};
+      {"not_excited", idle}};
 
-  if (found.remainder > 0) report["remainder"] = found.remainder;
+  if (found.remainder > 0) report["discrepancy"] = found.remainder;
   return report;
 }
 
-/// What the shrink belongs to.
+/// The model whose residual reduction was measured.
 const char* shrinks(const Diagnosis& diagnosis) {
   if (diagnosis.offers_law()) return "law";
   return diagnosis.cause.verdict == CauseVerdict::unknown ? "partial" : "cause";
@@ -160,7 +160,7 @@ Json shrink(const Diagnosis& diagnosis) {
   }
   Json result = {{"of", shrinks(diagnosis)},
                  {"tested", measured.tested()},
-                 {"chosen_blind", measured.chosen_blind},
+                 {"selected_without_heldout", measured.chosen_blind},
                  {"heldout", measured.heldout},
                  {"rms_before", by_label(measured.rms_before)},
                  {"rms_after", by_label(measured.rms_after)},
@@ -171,7 +171,7 @@ Json shrink(const Diagnosis& diagnosis) {
                  {"chi2_per_dof_after", measured.chi2_per_value_after},
                  {"channels", channels}};
   if (measured.left_out > 0)
-    result["left_out"] = {{"values", measured.left_out}, {"ratio_with", measured.ratio_with_left_out}};
+    result["outliers"] = {{"count", measured.left_out}, {"ratio_with", measured.ratio_with_left_out}};
   return result;
 }
 
@@ -179,10 +179,10 @@ Json missing(const Missing& what) {
   Json points = Json::array();
   for (const MissingPoint& point : what.points)
     points.push_back({point.at, point.value, point.t, point.falling});
-  return {{"what", what.what},
+  return {{"quantity", what.what},
           {"unit", what.unit},
-          {"against", what.against},
-          {"explained",
+          {"abscissa", what.against},
+          {"variance_explained",
            {{"position", what.by_position}, {"direction", what.by_direction}, {"time", what.by_time}}},
           {"points", points}};
 }
@@ -198,8 +198,8 @@ Json next(const std::vector<Proposal>& proposals) {
 
 Json as_json(const Diagnosis& diagnosis) {
   Json places = where(diagnosis.where);
-  if (diagnosis.missing) places["missing"] = missing(*diagnosis.missing);
-  Json report = {{"format", "gap-diagnosis/1"},
+  if (diagnosis.missing) places["unexplained"] = missing(*diagnosis.missing);
+  Json report = {{"format", "gap-diagnosis/2"},
                  {"experiment", diagnosis.experiment},
                  {"gap", gap(diagnosis.gap, diagnosis.noise)},
                  {"where", places},

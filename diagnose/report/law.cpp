@@ -27,8 +27,9 @@ Json picture_as_json(const LawPicture& picture) {
                        {"profile", as_json(one.profile)}});
   for (const auto& one : picture.arms)
     arms.push_back({{"time_constant", one.time_constant}, {"stiffness", one.stiffness}});
-  return {{"joints", picture.joints}, {"knots", as_json(picture.knots)}, {"sliders", sliders},
-          {"relaxation", arms},       {"words", picture.words},          {"resembles", picture.resembles}};
+  return {{"joints", picture.joints},     {"knots", as_json(picture.knots)},
+          {"sliders", sliders},           {"relaxation", arms},
+          {"description", picture.words}, {"similar_effects", picture.resembles}};
 }
 
 std::vector<std::string> beside(const OfferedLaw& offered) {
@@ -47,14 +48,13 @@ page::Chart law_chart(const Explained& explained, std::size_t law, std::size_t j
     spring.points.push_back({knot.deflection, k * knot.deflection});
     bare.points.push_back({knot.deflection, share * knot.torque});
   }
-  page::Chart chart{
-      fmt::format("law-{}", joint),
-      fmt::format("Torque law of joint {}", joint),
-      "The torque that the joint carries over its deflection: knots of the law without memory as rings, "
-      "the runs as bold lines, the nominal spring as a thin one.",
-      fmt::format("deflection of joint {}, rad", joint),
-      "torque, N m",
-      {spring}};
+  page::Chart chart{fmt::format("law-{}", joint),
+                    fmt::format("Torque law of joint {}", joint),
+                    "Torque of the joint over its deflection: knots of the law without memory as rings, "
+                    "the runs as bold lines, the nominal spring as a thin one.",
+                    fmt::format("deflection of joint {}, rad", joint),
+                    "torque, N m",
+                    {spring}};
   for (const LawTrace& trace : offered.traces) {
     if (trace.joint != joint) continue;
     page::Layer path{Kind::line, "corrected", {}};
@@ -66,7 +66,7 @@ page::Chart law_chart(const Explained& explained, std::size_t law, std::size_t j
   return chart;
 }
 
-/// What the law adds to the nominal spring, over time: its memory.
+/// The torque that the law adds to the nominal spring, over time.
 page::Chart memory_chart(const Explained& explained, const LawTrace& trace) {
   const Run& run = explained.experiment.runs[trace.run];
   const double k = explained.experiment.joint_stiffness[trace.joint - 1];
@@ -75,8 +75,8 @@ page::Chart memory_chart(const Explained& explained, const LawTrace& trace) {
     path.points.push_back(
         {run.readings[static_cast<std::size_t>(i)].t, trace.torque(i) - k * trace.deflection(i)});
   return {fmt::format("law-memory-{}-{}", trace.joint, trace.run + 1),
-          fmt::format("What the law adds at joint {} in run {}", trace.joint, run.id),
-          "The torque of the law less that of the nominal spring, over time.",
+          fmt::format("Torque that the law adds at joint {} in run {}", trace.joint, run.id),
+          "Torque of the law minus that of the nominal spring, over time.",
           "t, s",
           fmt::format("added at joint {}, N m", trace.joint),
           {path}};
@@ -88,7 +88,7 @@ nlohmann::ordered_json law_as_json(const OfferedLaw& offered) {
   Json laws = Json::array();
   for (const LawPicture& picture : offered.pictures) laws.push_back(picture_as_json(picture));
   Json result = {{"id", "torque_law"},
-                 {"beside", beside(offered)},
+                 {"with_effects", beside(offered)},
                  {"laws", laws},
                  {"cross_validated", offered.law.cross_validated}};
   if (!offered.shrink) return result;
@@ -121,19 +121,19 @@ std::string resemblance_words(const LawPicture& picture) {
 }
 
 std::string law_as_text(const OfferedLaw& offered) {
-  std::string text = "  a torque law " + what_it_does(offered) + " the gap, which is no cause";
+  std::string text = "  a torque law " + what_it_does(offered) + " the gap (a description, not a cause)";
   const std::vector<std::string> base = beside(offered);
-  for (std::size_t i = 0; i < base.size(); ++i) text += (i == 0 ? ", beside " : " + ") + base[i];
+  for (std::size_t i = 0; i < base.size(); ++i) text += (i == 0 ? ", together with " : " + ") + base[i];
   text += ":\n";
   for (const LawPicture& picture : offered.pictures) {
     text += fmt::format("    {}: {}\n", joint_words(picture.joints), picture.words);
-    if (!picture.resembles.empty()) text += "      looks like " + resemblance_words(picture) + "\n";
+    if (!picture.resembles.empty()) text += "      similar to " + resemblance_words(picture) + "\n";
   }
   if (!offered.shrink)
     return text +
            fmt::format(
-               "    not tested, for no readings can be held out within what the others bend; {:.2g} of the "
-               "residual is left on readings seen, each left out in turn\n",
+               "    not tested: the other readings never bend the joints as far as the held-out ones; in "
+               "cross-validation over the readings used, {:.2g} of the residual remains\n",
                offered.law.cross_validated);
   return text +
          fmt::format(
@@ -155,7 +155,7 @@ std::vector<PageChart> law_charts(const Explained& explained) {
     if (picture.sliders.empty() && picture.arms.empty()) continue;
     for (const LawTrace& trace : offered->traces)
       if (trace.joint == picture.joints.front())
-        charts.push_back({fmt::format("{}: what the law adds at joint {}",
+        charts.push_back({fmt::format("{}: torque that the law adds at joint {}",
                                       explained.experiment.runs[trace.run].id, trace.joint),
                           page::drawn(memory_chart(explained, trace))});
   }

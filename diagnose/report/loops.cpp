@@ -5,8 +5,8 @@
 #include <map>
 
 #include "diagnose/discrepancy/torque_balance.hpp"
-#include "diagnose/rig/regime.hpp"
 #include "diagnose/report/charts.hpp"
+#include "diagnose/rig/regime.hpp"
 #include "support/page/chart.hpp"
 
 namespace plumbline::diagnose {
@@ -19,7 +19,7 @@ bool turns_back(const Explained& explained, std::size_t run) {
   return std::find(regime.begin(), regime.end(), Regime::unloading) != regime.end();
 }
 
-/// By run that turns back, the series that shows most of the dissipation, in sigmas; angles are not forces.
+/// For each run that reverses, the series with the largest dissipation in sigmas, joint angles excluded.
 std::vector<std::size_t> telling_series(const Explained& explained, const Prediction& elastic) {
   const std::vector<double> left = explained.measurements.residual(explained.experiment, elastic);
   std::map<std::size_t, std::pair<double, std::size_t>> most;
@@ -62,7 +62,7 @@ PageChart loop_over_command(const Explained& explained, const Series& series, co
   return {run.id + ": " + what + " less the elastic part of the model", page::drawn(chart)};
 }
 
-/// Missing torque over angle at one joint in one run; a reading without all angles interrupts the line.
+/// Torque residual over the angle of one joint in one run; a reading without all angles interrupts the line.
 std::vector<page::ChartPoint> torque_over_angle(const std::vector<MissingTorque>& torques, std::size_t run) {
   std::vector<page::ChartPoint> points;
   for (const MissingTorque& one : torques)

@@ -13,10 +13,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// By the place in the report.
+/// The style of a number by its place in the report.
 page::NumberStyle style_of(const std::string& pointer) {
   const std::string key = pointer.substr(pointer.rfind('/') + 1);
-  if (key == "share" || key == "remainder") return page::NumberStyle::share;
+  if (key == "share" || key == "discrepancy") return page::NumberStyle::share;
   if (key == "p_value") return page::NumberStyle::chance;
   if (key == "probability" || pointer.find("/explained/") != std::string::npos ||
       pointer.find("/proportional_noise/") != std::string::npos || key.find("ratio") != std::string::npos)
@@ -26,26 +26,12 @@ page::NumberStyle style_of(const std::string& pointer) {
   return key == "expected_log_odds" ? page::NumberStyle::odds : page::NumberStyle::figures;
 }
 
-std::string joined(const std::vector<std::string>& parts, const std::string& between,
-                   const std::string& last) {
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == parts.size() ? last : between) + parts[i];
-  return text;
-}
-
-std::string words(const Candidate& candidate) {
-  std::vector<std::string> parts;
-  for (const EffectAt& at : candidate.effects) parts.push_back(at.in_words());
-  return joined(parts, ", ", " and ");
-}
-
 Json section(Json list) {
   const bool any = !list.empty();
   return {{"any", any}, {"list", std::move(list)}};
 }
 
-/// Gives each entry of a list the width of its bar.
+/// Adds to each entry of a list the width of its bar.
 void add_bars(Json& list, const Json& report, const char* key) {
   for (std::size_t i = 0; i < list.size(); ++i)
     list[i]["bar"] = fmt::format("{:.1f}", 100 * report[i][key].get<double>());
@@ -58,7 +44,7 @@ Json charts(const std::vector<PageChart>& drawings, bool angles) {
   return list;
 }
 
-/// The channels that a gap was measured in, with the marked numbers of the report.
+/// The measured channels of the gap, with the marked numbers of the report.
 Json gap_channels(const GapAnswer& gap, const Json& marked) {
   Json list = Json::array();
   for (const auto& [channel, rms] : gap.rms)
@@ -104,7 +90,7 @@ Json parameters(const Json& effects, const Candidate& best,
   return rows;
 }
 
-/// Effects that change nothing that this bench could show.
+/// Effects that change no measured value on this bench.
 std::string out_of_sight(const Study& study) {
   const std::vector<EffectAt> possible = possible_effects(study);
   std::vector<std::string> parts;
@@ -122,7 +108,8 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
     if (!who.empty()) list.push_back({{"names", who}, {"why", why}});
   };
   for (const std::size_t place : cause.equivalent)
-    add(cause.ranking[place].hypothesis.fit.candidate.name(), "these readings do not tell it from the best");
+    add(cause.ranking[place].hypothesis.fit.candidate.name(),
+        "these readings do not distinguish it from the best");
   const std::vector<std::size_t> places = listed_places(cause);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::size_t place = places[i];
@@ -130,22 +117,23 @@ Json not_excluded(const Explained& explained, const Json& ranking) {
         place == cause.best || std::count(cause.equivalent.begin(), cause.equivalent.end(), place) > 0;
     if (!named && cause.verdict != CauseVerdict::unknown && cause.ranking[place].probability >= 0.01)
       add(cause.ranking[place].hypothesis.fit.candidate.name(),
-          "less probable, yet keeps " + ranking[i]["probability"].get<std::string>());
+          "less probable, with " + ranking[i]["probability"].get<std::string>());
   }
   if (cause.reservation != Reservation::none) {
     add("unknown", reservation_words(cause.reservation));
   } else if (cause.verdict != CauseVerdict::unknown && cause.unknown >= 0.01) {
-    add("unknown", "a cause outside the catalogue keeps " + ranking.back()["probability"].get<std::string>());
+    add("unknown", "a cause outside the catalogue, with probability " +
+                       ranking.back()["probability"].get<std::string>());
   }
   std::vector<std::string> idle;
-  for (const EffectAt& at : explained.diagnosis.not_exercised) idle.push_back(at.name());
-  add(joined(idle, ", ", ", "), "never exercised: no reading of these runs depends on it");
+  for (const EffectAt& at : explained.diagnosis.not_excited) idle.push_back(at.name());
+  add(joined(idle, ", ", ", "), "not excited: no reading of these runs depends on it");
   add(out_of_sight(explained.study),
-      "not looked for: on this bench, with these channels, it could change nothing that was measured");
+      "not considered: on this bench, with these channels, they change no measured value");
   return list;
 }
 
-/// Adds what the verdict's sentence says of the cause.
+/// Adds the cause, in the words of the verdict's sentence.
 void add_cause(Json& view, const Json& report, const Explained& explained) {
   const Cause& cause = explained.diagnosis.cause;
   view["verdict"] = Json{{verdict_word(cause.verdict), true}};
@@ -154,7 +142,7 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
     const Candidate& best = explained.best->candidate;
     view["best"] = {
         {"names", best.name()},
-        {"words", words(best)},
+        {"words", in_words(best)},
         {"model", explained.model},
         {"drawn", explained.diagnosis.offers_law() ? explained.model : explained.model + ": " + best.name()}};
     Json rows = parameters(view["cause"]["effects"], best, explained.diagnosis.estimates);
@@ -163,7 +151,7 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
   }
   std::vector<std::string> alternatives;
   for (const std::size_t place : cause.equivalent)
-    alternatives.push_back(words(cause.ranking[place].hypothesis.fit.candidate));
+    alternatives.push_back(in_words(cause.ranking[place].hypothesis.fit.candidate));
   if (cause.reservation != Reservation::none) alternatives.emplace_back("a cause outside the catalogue");
   view["alternatives"] = joined(alternatives, ", ", " or ");
   Json& ranking = view["cause"]["ranking"];
@@ -174,7 +162,7 @@ void add_cause(Json& view, const Json& report, const Explained& explained) {
     one["names"] = names;
   }
   add_bars(ranking, report["cause"]["ranking"], "probability");
-  // Where nothing explains the gap, the unknown leads.
+  // For `unknown`, that entry comes first.
   if (cause.verdict == CauseVerdict::unknown) std::rotate(ranking.begin(), ranking.end() - 1, ranking.end());
   view["ranked"] = {{"any", !ranking.empty()}};
   view["open"] = section(not_excluded(explained, ranking));
@@ -191,9 +179,9 @@ void add_where(Json& view, const Json& report, const Explained& explained) {
     view["most"]["joint"] = std::to_string(where.joints.front().joint);
   if (!explained.diagnosis.missing) return;
   const PageChart chart = missing_chart(*explained.diagnosis.missing);
-  view["missing"] = view["where"]["missing"];
-  view["missing"].erase("points");
-  view["missing"]["chart"] = {{"caption", chart.caption}, {"svg", chart.svg}};
+  view["unexplained"] = view["where"]["unexplained"];
+  view["unexplained"].erase("points");
+  view["unexplained"]["chart"] = {{"caption", chart.caption}, {"svg", chart.svg}};
 }
 
 void add_charts(Json& view, const Explained& explained) {
@@ -213,6 +201,7 @@ void add_charts(Json& view, const Explained& explained) {
     const LawPicture& picture = explained.diagnosis.law->pictures[i];
     view["law"]["laws"][i]["whose"] = joint_words(picture.joints);
     view["law"]["laws"][i]["looks_like"] = resemblance_words(picture);
+    view["law"]["laws"][i]["has_similar"] = !picture.resembles.empty();
   }
 }
 
@@ -231,8 +220,8 @@ std::string as_html(const Study& study, const Diagnosis& diagnosis) {
   view["may_hide_ripple"] = diagnosis.may_hide_ripple();
   for (const auto& [sensor, share] : view["gap"]["proportional_noise"].items())
     view["proportional"].push_back({{"sensor", sensor}, {"share", share}});
-  for (const auto& [sensor, times] : view["gap"]["uneven_noise"].items())
-    view["uneven"].push_back({{"sensor", sensor}, {"times", times}});
+  for (const auto& [sensor, times] : view["gap"]["noisier_joints"].items())
+    view["uneven"].push_back({{"sensor", sensor}, {"factor", times}});
   if (const auto& runs = diagnosis.gap.taken_for_weights; !runs.empty())
     view["weights"] = fmt::format("{}", fmt::join(runs, ", "));
   view["channels_rms"] = gap_channels(diagnosis.gap, view["gap"]["rms"]);

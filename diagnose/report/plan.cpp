@@ -16,12 +16,12 @@ std::vector<std::string> labels(const std::vector<EffectAt>& effects) {
   return all;
 }
 
-Json blindness(const Blindness& left) {
+Json unidentifiable(const Unidentifiable& left) {
   Json alike = Json::array();
-  for (const Alike& one : left.alike)
+  for (const Indistinguishable& one : left.indistinguishable)
     alike.push_back(
         {{"effects", labels(one.effects)}, {"exactly", one.exactly}, {"others", labels(one.others)}});
-  return {{"unseen", labels(left.unseen)}, {"alike", alike}};
+  return {{"undetectable", labels(left.undetectable)}, {"indistinguishable", alike}};
 }
 
 std::vector<std::string> names(const std::vector<EffectAt>& effects) {
@@ -34,14 +34,14 @@ std::string list(const std::vector<EffectAt>& effects) {
   return effects.empty() ? "none" : fmt::format("{}", fmt::join(names(effects), ", "));
 }
 
-std::string in_lines(const std::vector<Alike>& alike, const std::string& indent) {
+std::string in_lines(const std::vector<Indistinguishable>& alike, const std::string& indent) {
   if (alike.empty()) return indent + "none\n";
   std::string text;
-  for (const Alike& one : alike) {
+  for (const Indistinguishable& one : alike) {
     text += indent + fmt::format("{}", fmt::join(names(one.effects), " | "));
-    if (one.exactly) text += " (exactly alike)";
+    if (one.exactly) text += " (identical readings)";
     if (!one.others.empty())
-      text += fmt::format("{} mistaken for {}", one.effects.size() > 1 ? ", each" : ":",
+      text += fmt::format("{} confused with {}", one.effects.size() > 1 ? ", each" : ":",
                           fmt::join(names(one.others), ", "));
     text += "\n";
   }
@@ -49,9 +49,10 @@ std::string in_lines(const std::vector<Alike>& alike, const std::string& indent)
 }
 
 std::string runs(const Plan& plan) {
-  if (plan.fewest.empty()) return "Which runs separate the rest?  There is nothing to separate\n";
-  std::string text = fmt::format("Which runs separate the rest?  {} of {}{}\n", plan.fewest.size(),
-                                 plan.candidates, plan.fewest_proved ? "; no fewer do" : "; fewer may do");
+  if (plan.fewest.empty()) return "Which runs distinguish the rest?  There is nothing to distinguish\n";
+  std::string text =
+      fmt::format("Which runs distinguish the rest?  {} of {}{}\n", plan.fewest.size(), plan.candidates,
+                  plan.proved_minimal ? "; no fewer suffice" : "; fewer may suffice");
   for (const std::string& run : plan.fewest) text += "  " + run + "\n";
   return text;
 }
@@ -59,29 +60,34 @@ std::string runs(const Plan& plan) {
 }  // namespace
 
 Json as_json(const Plan& plan) {
-  Json report = {{"format", "experiment-plan/1"},  {"experiment", plan.experiment},
-                 {"candidates", plan.candidates},  {"impossible", labels(plan.impossible)},
-                 {"never", blindness(plan.never)}, {"runs", plan.fewest},
-                 {"fewest", plan.fewest_proved},   {"separated", plan.separated}};
-  if (plan.planned) report["planned"] = blindness(*plan.planned);
+  Json report = {{"format", "experiment-plan/2"},
+                 {"experiment", plan.experiment},
+                 {"candidates", plan.candidates},
+                 {"impossible", labels(plan.impossible)},
+                 {"unidentifiable", unidentifiable(plan.unidentifiable)},
+                 {"runs", plan.fewest},
+                 {"proved_minimal", plan.proved_minimal},
+                 {"separated", plan.separated}};
+  if (plan.planned) report["planned"] = unidentifiable(*plan.planned);
   return report;
 }
 
 std::string as_text(const Plan& plan) {
   std::string text = fmt::format("{}, before any data\n\n", plan.experiment);
   const std::string by = plan.candidates > few_runs
-                             ? fmt::format("any {} of {} runs", few_runs, plan.candidates)
-                             : fmt::format("all runs that it could make, {}", plan.candidates);
+                             ? fmt::format("any {} of {} feasible runs", few_runs, plan.candidates)
+                             : fmt::format("all {} feasible runs", plan.candidates);
   text += fmt::format(
-      "What can it never see?  Of what a lab calls sizeable, by {}\n"
-      "  cannot act on this bench, or nothing shows it: {}\n"
+      "Which effects can it not detect?  At their typical size, with {}\n"
+      "  without effect on any channel of this bench: {}\n"
       "  below the noise: {}\n\n",
-      by, list(plan.impossible), list(plan.never.unseen));
-  text += "What can it never tell apart?\n" + in_lines(plan.never.alike, "  ") + "\n";
+      by, list(plan.impossible), list(plan.unidentifiable.undetectable));
+  text += "Which effects can it not distinguish?\n" + in_lines(plan.unidentifiable.indistinguishable, "  ") +
+          "\n";
   if (plan.planned) {
-    text += "What do the runs leave open as they are planned?\n";
-    text += "  below the noise: " + list(plan.planned->unseen) + "\n";
-    text += "  not told apart:\n" + in_lines(plan.planned->alike, "    ") + "\n";
+    text += "What do the planned runs leave open?\n";
+    text += "  below the noise: " + list(plan.planned->undetectable) + "\n";
+    text += "  not distinguished:\n" + in_lines(plan.planned->indistinguishable, "    ") + "\n";
   }
   return text + runs(plan);
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A plan as machines read it (format "experiment-plan/1") and as a person reads it in the terminal.
+/// An identifiability study as JSON (format "experiment-plan/2") and as text.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -11,8 +11,8 @@ namespace plumbline::diagnose {
 
 nlohmann::ordered_json as_json(const Plan& plan);
 
-/// The questions in order: what is never seen; what is never told apart; what the planned runs leave open;
-/// which runs separate the rest.
+/// The text: effects that are not detected, effects that are not distinguished, the planned runs, the fewest
+/// runs.
 std::string as_text(const Plan& plan);
 
 }  // namespace plumbline::diagnose

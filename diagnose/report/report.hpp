@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// A diagnosis as machines read it (format "gap-diagnosis/1"), as a person reads it in the terminal, and as a
-/// page.
+/// A diagnosis as JSON (format "gap-diagnosis/2"), as text and as an HTML page.
 
 #include <nlohmann/json.hpp>
 
@@ -11,14 +10,13 @@ namespace plumbline::diagnose {
 
 nlohmann::ordered_json as_json(const Diagnosis& diagnosis);
 
-/// Places in the ranking that reports list: the ten most probable, and what is named and stands behind them.
+/// The entries of the ranking that reports list: the ten most probable, and named ones behind them.
 std::vector<std::size_t> listed_places(const Cause& cause);
 
-/// The questions in order: is there a gap; where; what; how far; what next.
+/// The text: the answer first, then the questions in order: gap, where, what, how far, what next.
 std::string as_text(const Diagnosis& diagnosis);
 
-/// A page for people to look at, whole in one file: the same answers with the curves, the residuals, the
-/// chain and what is missing drawn.
+/// The page, self-contained: the same answers with curves, residuals, shapes and the unexplained residual.
 std::string as_html(const Study& study, const Diagnosis& diagnosis);
 
 }  // namespace plumbline::diagnose

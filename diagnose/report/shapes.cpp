@@ -5,8 +5,8 @@
 #include <plumbline/chain/kinematics.hpp>
 #include <set>
 
-#include "diagnose/rig/effects/rows.hpp"
 #include "diagnose/report/charts.hpp"
+#include "diagnose/rig/effects/rows.hpp"
 #include "support/page/chart.hpp"
 
 namespace plumbline::diagnose {
@@ -27,7 +27,7 @@ std::vector<page::ChartPoint> shape(const Chain<double>& chain, const std::vecto
   return points;
 }
 
-/// The joint angles of a reading: measured, or of the model.
+/// The joint angles of a reading, measured or modelled.
 std::vector<double> angles(const Explained& explained, std::size_t run, std::size_t reading, bool measured) {
   if (measured) return explained.experiment.runs[run].readings[reading].q;
   std::vector<double> q;
@@ -37,13 +37,13 @@ std::vector<double> angles(const Explained& explained, std::size_t run, std::siz
   return q;
 }
 
-/// Two readings on the way and the farthest, which alone of the three must exist.
+/// Two readings on the path and the farthest; only the last must exist.
 std::vector<std::size_t> stations(std::size_t farthest) {
   const std::set<std::size_t> chosen{farthest / 3, 2 * farthest / 3, farthest};
   return {chosen.begin(), chosen.end()};
 }
 
-/// Off the links that meet at a joint, on the side to which they do not turn.
+/// The direction away from the links that meet at a joint.
 page::ChartPoint beside(const std::vector<page::ChartPoint>& points, std::size_t joint) {
   const page::ChartPoint &at = points[joint], &last = points[joint > 0 ? joint - 1 : 0],
                          &next = points[joint + 1];

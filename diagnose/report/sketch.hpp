@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A small picture in characters of what is missing.
+/// The unexplained residual as a picture of characters.
 
 #include <string>
 
@@ -8,8 +8,8 @@
 
 namespace plumbline::diagnose {
 
-/// Value over abscissa: '>' where that was rising, '<' where it was falling, '8' where both fall together;
-/// the zero line dotted; scales at the edges. At most 72 columns wide.
+/// Value over abscissa: '>' rising, '<' falling, '8' both; the zero line dotted, scales at the edges. At most
+/// 72 columns.
 std::string picture(const Missing& missing);
 
 }  // namespace plumbline::diagnose

@@ -1,20 +1,26 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/report/law.hpp"
+#include "diagnose/report/noise_text.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/report/sketch.hpp"
+#include "diagnose/report/view.hpp"
 #include "support/page/markup.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-using Name = Channel::Name;
-
 std::string percent(double share) {
   return fmt::format("{:.0f} %", 100 * share);
+}
+
+/// Of a ratio, with three figures.
+std::string precise_percent(double ratio) {
+  return fmt::format("{:.3g} %", 100 * ratio);
 }
 
 std::string by_channel(const std::map<Channel, double>& values) {
@@ -24,95 +30,23 @@ std::string by_channel(const std::map<Channel, double>& values) {
   return text;
 }
 
-/// "0.12", or by sensor where these differ: "0.85 (force), 0.02 (angle)".
-std::string correlations(const NoiseModel& noise, const std::map<Channel, double>& measured) {
-  std::map<Sensor, std::string> by_sensor;
-  for (const auto& [channel, rms] : measured)
-    by_sensor[channel.sensor()] = fmt::format("{:.2f}", noise.correlation_of(channel));
-  const std::string& first = by_sensor.begin()->second;
-  if (std::all_of(by_sensor.begin(), by_sensor.end(), [&](const auto& one) { return one.second == first; }))
-    return first;
-  std::string text;
-  for (const auto& [sensor, value] : by_sensor)
-    text += (text.empty() ? "" : ", ") + value + " (" + label(sensor) + ")";
-  return text;
-}
-
-/// "3.0", "0.033".
-std::string times(double scale) {
-  return scale < 1 ? fmt::format("{:.2g}", scale) : fmt::format("{:.1f}", scale);
-}
-
-/// How the noise compares with the declared; said in words where it is another.
-std::string scatter(const NoiseModel& noise, const std::map<Channel, double>& measured) {
-  std::string text = "  noise over declared:", words;
-  for (const Name name : {Name::x, Name::y, Name::Fx, Name::Fy, Name::q}) {
-    const auto carries = [&](const auto& one) { return one.first.name == name; };
-    if (std::none_of(measured.begin(), measured.end(), carries)) continue;
-    const double scale = noise.of({name});
-    text +=
-        " " + label(name) + (scale < 0.1 ? fmt::format(" {:.2g},", scale) : fmt::format(" {:.2f},", scale));
-    if (scale > 1.5 || scale < 1 / 1.5)
-      words +=
-          fmt::format("  the readings of {} scatter {} times what was declared\n", label(name), times(scale));
-  }
-  text.back() = ';';
-  return text + " neighbours correlate by " + correlations(noise, measured) + "\n" + words;
-}
-
-/// Channels of a run that hum together in one line.
-std::string hum_in_words(const std::vector<HummingChannel>& hum) {
-  std::string text;
-  for (auto first = hum.begin(); first != hum.end();) {
-    const auto end = std::find_if(first, hum.end(), [&](const HummingChannel& one) {
-      return one.run != first->run || std::abs(one.period - first->period) > 0.05 * first->period;
-    });
-    std::vector<std::string> channels;
-    double loudest = 0;
-    for (auto one = first; one != end; ++one)
-      channels.push_back(one->channel.label()), loudest = std::max(loudest, one->rms);
-    text +=
-        fmt::format("  {} of {} {} every {:.2g} readings, {}{:.1f} declared sigmas rms: taken for noise\n",
-                    fmt::join(channels, ", "), first->run, channels.size() > 1 ? "hum" : "hums",
-                    first->period, channels.size() > 1 ? "up to " : "", loudest);
-    first = end;
-  }
-  return text;
-}
-
 std::string gap(const Diagnosis& diagnosis) {
   const GapAnswer& answer = diagnosis.gap;
-  const NoiseModel& noise = diagnosis.noise;
   std::string text =
-      fmt::format("Is there a gap?  {} ({}; chi-square per value {:.3g}; rms {})\n",
-                  answer.present ? "Yes" : "No, the nominal model explains the readings to the noise",
-                  page::p_value(answer.test.p_value), answer.chi2_per_value, by_channel(answer.rms));
-  text += scatter(noise, answer.rms);
-  if (diagnosis.may_hide_ripple())
-    text +=
-        "  so much that a ripple of the device finer than the readings may hide in it: measure in smaller "
-        "steps\n";
-  for (const auto& [name, share] : answer.proportional)
-    text += fmt::format("  the readings of {} scatter by a further {:.2g} % of themselves\n", label(name),
-                        100 * share);
-  for (const auto& [channel, times] : answer.uneven)
-    text += fmt::format("  the readings of {} scatter {:.1f} times as much as those of the other joints\n",
-                        channel.label(), times);
-  for (const RougherRun& one : answer.rougher)
-    text += fmt::format("  {} readings of {} scatter {:.1f} times as much as those of the other runs\n",
-                        label(one.sensor), one.run, one.times);
-  for (const RougherStretch& one : answer.rougher_stretches)
-    text += fmt::format("  {} readings {}-{} of {} scatter {:.1f} times as much as elsewhere\n",
-                        label(one.sensor), one.from, one.to, one.run, one.times);
+      fmt::format("Is there a gap?  {} ({}): the nominal model misses {} rms, chi-square per value {:.3g}\n",
+                  answer.present ? "Yes" : "No", page::p_value(answer.test.p_value), by_channel(answer.rms),
+                  answer.chi2_per_value);
+  text += noise_as_text(diagnosis);
   if (!answer.taken_for_weights.empty())
-    text += fmt::format("  the forces of {} point straight down and have no noise: taken for weights\n",
+    text += fmt::format("  all forces of {} point straight down without noise: assumed to be weights\n",
                         fmt::join(answer.taken_for_weights, ", "));
-  for (const OtherSide& one : answer.other_side)
+  for (const OtherBranch& one : answer.other_branch)
     text += fmt::format(
-        "  from reading {} of {} on the chain is where its imperfections sent it, half a degree of a rest "
-        "angle deciding: so is the model\n",
+        "  from reading {} of {} on the chain is on the other post-critical branch, which imperfections "
+        "choose; "
+        "the model is started on the same one\n",
         one.reading, one.run);
-  return text + hum_in_words(answer.hum);
+  return text;
 }
 
 template <class Share, class Name>
@@ -129,7 +63,7 @@ std::string largest(const std::vector<Share>& shares, std::size_t count, Name na
 
 std::string where(const Diagnosis& diagnosis) {
   const Where& places = diagnosis.where;
-  std::string text = "Where?  shares of the squared residual beyond noise\n";
+  std::string text = "Where?  Shares of the squared residual above noise\n";
   text += "  channels: " + largest(places.channels, 4, [](const auto& one) { return one.channel.label(); }) +
           "\n";
   text += "  runs:     " + largest(places.runs, 4, [](const auto& one) { return one.run; }) + "\n";
@@ -141,12 +75,12 @@ std::string where(const Diagnosis& diagnosis) {
                   }) +
           "\n";
   text += "  joints:   " +
-          largest(places.joints, 4, [](const JointShare& one) { return std::to_string(one.joint); }) + " " +
-          joint_evidence_words(places.joint_evidence) + "\n";
+          largest(places.joints, 4, [](const JointShare& one) { return std::to_string(one.joint); }) + " (" +
+          joint_evidence_words(places.joint_evidence) + ")\n";
   return text;
 }
 
-/// "tau_c = 0.035 N m (95 %: 0.0347 to 0.0353)"; bounds that no profile told apart are none.
+/// "tau_c = 0.035 N m (95 %: 0.0347 to 0.0353)"; equal bounds mean that none were found.
 std::string parameter(const Estimate& one) {
   const std::string unit = one.unit == "ratio" ? "" : " " + one.unit;
   const std::string bounds = one.low < one.high ? fmt::format("95 %: {:.4g} to {:.4g}", one.low, one.high)
@@ -160,26 +94,35 @@ std::string parameters(const Diagnosis& diagnosis) {
   const Candidate& candidate = diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate;
   for (std::size_t e = 0; e < candidate.effects.size(); ++e) {
     const EffectAt& at = candidate.effects[e];
-    text += fmt::format("  {}, {}\n", at.name(), at.in_words());
+    text += fmt::format("  {}: {}\n", at.name(), at.in_words());
     for (const Estimate& one : diagnosis.estimates[e]) text += "    " + parameter(one) + "\n";
   }
   return text;
 }
 
-std::string never_exercised(const Diagnosis& diagnosis) {
-  std::string idle;
-  for (const EffectAt& at : diagnosis.not_exercised) idle += (idle.empty() ? "" : ", ") + at.name();
-  if (idle.empty()) return "";
-  return "  neither excluded nor blamed, for the runs never exercise them: " + idle + "\n";
+/// Names, or a count where there are many.
+std::string listed(const std::vector<std::string>& names, const char* what, const char* key) {
+  constexpr std::size_t few = 6;
+  return names.size() <= few ? fmt::format("{}", fmt::join(names, ", "))
+                             : fmt::format("{} {} (--json: {})", names.size(), what, key);
+}
+
+std::string not_excited(const Diagnosis& diagnosis) {
+  if (diagnosis.not_excited.empty()) return "";
+  std::vector<std::string> names;
+  for (const EffectAt& at : diagnosis.not_excited) names.push_back(at.name());
+  return "  not excited by these runs, so neither found nor excluded: " +
+         listed(names, "effects", "cause.not_excited") + "\n";
 }
 
 std::string unexplained(const Diagnosis& diagnosis) {
-  std::string text = "What?  Unknown: no effect of the catalogue, alone or in twos, explains the gap\n";
+  std::string text = "What?  Unknown: no one or two effects of the catalogue explain the gap\n";
   if (diagnosis.missing) {
     const Missing& missing = *diagnosis.missing;
-    text += fmt::format("  what is missing, as a function of {}: {}; of direction too: {}; of time too: {}\n",
-                        missing.against, percent(missing.by_position), percent(missing.by_direction),
-                        percent(missing.by_time));
+    text += fmt::format(
+        "  variance of {} explained by {}: {}; by its direction of motion too: {}; by time too: {}\n",
+        missing.what, missing.against, percent(missing.by_position), percent(missing.by_direction),
+        percent(missing.by_time));
     text += picture(missing);
   }
   if (!diagnosis.cause.ranking.empty()) {
@@ -188,24 +131,24 @@ std::string unexplained(const Diagnosis& diagnosis) {
                         partial.hypothesis.fit.candidate.name(), partial.chi2_per_dof);
   }
   if (diagnosis.law) text += law_as_text(*diagnosis.law);
-  return text + never_exercised(diagnosis);
+  return text + not_excited(diagnosis);
 }
 
-/// What cannot be told apart from the best: the most probable a line each, the rest together.
-std::string others_alike(const Cause& cause) {
+/// The most probable alternatives, one a line, and the number of the others.
+std::string alternatives(const Cause& cause) {
   constexpr std::size_t lines = 6;
-  const auto label = [&](std::size_t place) { return cause.ranking[place].hypothesis.fit.candidate.name(); };
   std::vector<std::size_t> places = cause.equivalent;
   std::stable_sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
     return cause.ranking[a].probability > cause.ranking[b].probability;
   });
   const std::size_t shown = places.size() <= lines + 1 ? places.size() : lines;
   std::string text;
-  for (std::size_t i = 0; i < shown; ++i) text += "  cannot be told apart from " + label(places[i]) + "\n";
-  if (shown == places.size()) return text;
-  text += fmt::format("  nor from {} less probable ones: ", places.size() - shown);
-  for (std::size_t i = shown; i < places.size(); ++i) text += (i > shown ? " | " : "") + label(places[i]);
-  return text + "\n";
+  for (std::size_t i = 0; i < shown; ++i)
+    text += "  or " + cause.ranking[places[i]].hypothesis.fit.candidate.name() + "\n";
+  if (shown < places.size())
+    text += fmt::format("  or one of {} less probable explanations (--json: cause.equivalent)\n",
+                        places.size() - shown);
+  return text;
 }
 
 std::string what(const Diagnosis& diagnosis) {
@@ -218,51 +161,61 @@ std::string what(const Diagnosis& diagnosis) {
                   best.hypothesis.fit.candidate.name(), best.probability, best.chi2_per_dof);
   text += parameters(diagnosis);
   if (cause.remainder > 0)
-    text += fmt::format("  with a remainder: {} of the gap is left on the readings held out\n",
+    text += fmt::format("  model discrepancy: {} of the gap remains on held-out readings\n",
                         percent(cause.remainder));
-  text += fmt::format("  outside the catalogue with probability {:.2g}\n", cause.unknown);
-  text += others_alike(cause);
+  text += alternatives(cause);
+  text += fmt::format("  a cause outside the catalogue: probability {:.2g}\n", cause.unknown);
   if (cause.reservation != Reservation::none)
-    text += "  or a cause outside the catalogue: " + reservation_words(cause.reservation) + "\n";
+    text += "  caveat: " + reservation_words(cause.reservation) + "\n";
   if (diagnosis.law) text += law_as_text(*diagnosis.law);
-  return text + never_exercised(diagnosis);
+  return text + not_excited(diagnosis);
 }
 
-/// What the shrink was measured with.
-std::string what_shrinks(const Diagnosis& diagnosis) {
+/// The model whose residual reduction was measured.
+std::string corrected_model(const Diagnosis& diagnosis) {
   if (diagnosis.offers_law()) return "the torque law";
   return diagnosis.cause.verdict == CauseVerdict::unknown ? "the best partial explanation" : "this cause";
 }
 
-std::string left_out(const Shrink& shrink) {
+std::string outliers(const Shrink& shrink) {
   if (shrink.left_out == 0) return "";
-  return fmt::format(
-      "  without {} of the values held out, which stand{} off {} neighbours; with {}: {:.3g}\n",
-      shrink.left_out, shrink.left_out == 1 ? "s" : "", shrink.left_out == 1 ? "its" : "their",
-      shrink.left_out == 1 ? "it" : "them", shrink.ratio_with_left_out);
+  return fmt::format("  {} outlier{} of the held-out values excluded; with {} {:.3g}\n", shrink.left_out,
+                     shrink.left_out == 1 ? "" : "s", shrink.left_out == 1 ? "it" : "them",
+                     shrink.ratio_with_left_out);
+}
+
+/// "4 runs, in turn", "18 blocks of readings, in turn".
+std::string heldout(const Shrink& shrink) {
+  const bool blocks = std::any_of(shrink.heldout.begin(), shrink.heldout.end(), [](const std::string& name) {
+    return name.find('[') != std::string::npos;
+  });
+  const std::size_t count = shrink.heldout.size();
+  return fmt::format("{} {}{}{}", count, blocks ? "block" : "run", count == 1 ? "" : "s",
+                     count == 1 ? "" : ", in turn");
 }
 
 std::string how_far(const Diagnosis& diagnosis) {
   if (diagnosis.nothing_predicts)
-    return "How far?  Nothing that was tried leaves less on readings held out than the nominal model\n";
-  if (!diagnosis.shrink)
-    return "How far?  Not tested: without readings held out too few are left to fit it\n";
+    return "How far?  No explanation predicts held-out readings better than the nominal model\n";
+  if (!diagnosis.shrink) return "How far?  Not tested: too few readings to hold some out of the fit\n";
   const Shrink& shrink = *diagnosis.shrink;
-  std::string held;
-  for (const std::string& name : shrink.heldout) held += (held.empty() ? "" : ", ") + name;
   if (!shrink.tested())
     return fmt::format(
-        "How far?  Not tested: the readings held out ({}) carry too little of the gap, noise alone is {} of "
-        "them\n",
-        held, percent(shrink.noise_floor_ratio));
+        "How far?  Not tested: noise is {} of the residual in the held-out readings ({}), too little of the "
+        "gap is "
+        "left\n",
+        percent(shrink.noise_floor_ratio), heldout(shrink));
   return fmt::format(
-      "How far?  On held-out readings ({}), with {}{}, the residual {} {:.3g} of itself (95 %: {:.3g} to "
-      "{:.3g}; "
-      "noise floor {:.3g})\n  rms before: {}\n  rms after:  {}\n{}",
-      held, what_shrinks(diagnosis), shrink.chosen_blind ? "" : ", which without them would not be chosen",
-      shrink.ratio < 1 ? "shrinks to" : "does not shrink, it becomes", shrink.ratio, shrink.ratio_low,
-      shrink.ratio_high, shrink.noise_floor_ratio, by_channel(shrink.rms_before),
-      by_channel(shrink.rms_after), left_out(shrink));
+      "How far?  On held-out readings ({}), {} leaves {:.3g} of the residual (95 %: {:.3g} to {:.3g}; noise "
+      "floor "
+      "{:.3g}){}\n"
+      "  rms before: {}\n"
+      "  rms after:  {}\n{}",
+      heldout(shrink), corrected_model(diagnosis), shrink.ratio, shrink.ratio_low, shrink.ratio_high,
+      shrink.noise_floor_ratio,
+      shrink.chosen_blind ? ""
+                          : "\n  optimistic: without these readings another explanation would be selected",
+      by_channel(shrink.rms_before), by_channel(shrink.rms_after), outliers(shrink));
 }
 
 std::string odds(double log_odds) {
@@ -271,20 +224,52 @@ std::string odds(double log_odds) {
 
 std::string what_next(const Diagnosis& diagnosis) {
   if (diagnosis.proposals.empty()) return "";
-  const double so_far = diagnosis.proposals.front().log_odds_so_far;
-  std::string text = "What next?  Runs that would tell the candidates apart, best first";
-  if (so_far > beliefs::told_apart)
-    text += fmt::format("; of the runs that there are the same forecast was {}", odds(so_far));
-  text += "\n";
+  std::string text =
+      "What next?  The runs that best distinguish the explanations, with the expected odds for the true "
+      "one\n";
   for (const Proposal& one : diagnosis.proposals)
-    text += fmt::format("  {}: expected odds {}\n", one.description, odds(one.log_odds));
+    text += fmt::format("  {}: {}\n", one.description, odds(one.log_odds));
+  if (const double so_far = diagnosis.proposals.front().log_odds_so_far; so_far > beliefs::told_apart)
+    text += fmt::format("  (for the runs so far the same forecast gives {})\n", odds(so_far));
+  return text;
+}
+
+/// The values of the best explanation, where they are few.
+std::string few_values(const Diagnosis& diagnosis, const Candidate& best) {
+  constexpr std::size_t few = 4;
+  std::size_t count = 0;
+  std::string text;
+  for (std::size_t e = 0; e < diagnosis.estimates.size(); ++e)
+    for (const Estimate& one : diagnosis.estimates[e]) {
+      ++count;
+      text += "  " + (best.effects.size() > 1 ? best.effects[e].name() + ": " : "") + parameter(one) + "\n";
+    }
+  return count <= few ? text : "";
+}
+
+/// The answer in a few lines.
+std::string headline(const Diagnosis& diagnosis) {
+  const Cause& cause = diagnosis.cause;
+  if (!diagnosis.gap.present) return "No gap: the nominal model fits the readings to within their noise\n";
+  std::string text = "Unknown: the catalogue has no explanation of the gap\n";
+  if (cause.verdict != CauseVerdict::unknown) {
+    const Candidate& best = cause.ranking[cause.best].hypothesis.fit.candidate;
+    const std::size_t others = cause.equivalent.size() + (cause.reservation != Reservation::none ? 1 : 0);
+    text = (cause.verdict == CauseVerdict::identified ? "Identified: " : "Ambiguous: ") + in_words(best);
+    if (others > 0) text += fmt::format(", or one of {} alternative{} below", others, others > 1 ? "s" : "");
+    text += "\n" + few_values(diagnosis, best);
+  }
+  if (const auto& shrink = diagnosis.shrink; shrink && shrink->tested() && shrink->ratio < 1)
+    text += fmt::format("  {} leaves {} of the held-out residual; noise alone {}\n",
+                        corrected_model(diagnosis), precise_percent(shrink->ratio),
+                        precise_percent(shrink->noise_floor_ratio));
   return text;
 }
 
 }  // namespace
 
 std::string as_text(const Diagnosis& diagnosis) {
-  std::string text = diagnosis.experiment + "\n\n" + gap(diagnosis);
+  const std::string text = diagnosis.experiment + "\n\n" + headline(diagnosis) + "\n" + gap(diagnosis);
   if (!diagnosis.gap.present) return text;
   return text + "\n" + where(diagnosis) + "\n" + what(diagnosis) + "\n" + how_far(diagnosis) +
          (diagnosis.proposals.empty() ? "" : "\n" + what_next(diagnosis));

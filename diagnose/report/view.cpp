@@ -79,6 +79,20 @@ Command command_of(const Run& run) {
   return command;
 }
 
+std::string joined(const std::vector<std::string>& parts, const std::string& between,
+                   const std::string& last) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == parts.size() ? last : between) + parts[i];
+  return text;
+}
+
+std::string in_words(const Candidate& candidate) {
+  std::vector<std::string> parts;
+  for (const EffectAt& at : candidate.effects) parts.push_back(at.in_words());
+  return joined(parts, ", ", " and ");
+}
+
 std::string with_unit(const Channel& channel) {
   return channel.label() + ", " + std::string(channel.unit());
 }

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// An experiment beside what its nominal and its corrected model predict: what the page's charts draw.
+/// An experiment beside the predictions of its nominal and corrected models: the contents of the charts.
 
 #include "diagnose/answers/diagnosis.hpp"
 
@@ -14,25 +14,32 @@ struct Explained {
   const Measurements& measurements;
   const Prediction& nominal;
   const Diagnosis& diagnosis;
-  Prediction corrected;               ///< the nominal one where nothing explains anything
-  std::vector<double> before, after;  ///< residuals of both, flat, in declared sigmas
+  Prediction corrected;               ///< the nominal one where there is no explanation
+  std::vector<double> before, after;  ///< residuals of both in declared sigmas, flat
   const Fit* best = nullptr;          ///< the best explanation, partial where the verdict is unknown
-  std::string model;  ///< what `corrected` is: "corrected model", "best partial explanation", ...
+  std::string model;  ///< the name of `corrected`: "corrected model", "best partial explanation", ...
 
   [[nodiscard]] const Series& series(std::size_t place) const { return measurements.series()[place]; }
 };
 
-/// The readings that were set aside, in rotation; empty where none were, or every one in its turn.
+/// The held-out readings; empty where there are none, or where every reading is held out in turn.
 HeldOut heldout_of(const Explained& explained);
 
-/// How far along its path each reading of a run was commanded: its distance from the first reading, in the
-/// direction of the farthest one.
+/// The command along the path of a run: its distance from the first reading, in the direction of the farthest
+/// one.
 struct Command {
   std::vector<double> along;  ///< by reading, m or N
   std::string label;          ///< "end point moved along −x, m"
   std::size_t farthest;       ///< reading
 };
 Command command_of(const Run& run);
+
+/// "a, b and c", for the separators ", " and " and ".
+std::string joined(const std::vector<std::string>& parts, const std::string& between,
+                   const std::string& last);
+
+/// "play in joint 2 and the weight of the links"
+std::string in_words(const Candidate& candidate);
 
 /// "Fx, N".
 std::string with_unit(const Channel& channel);

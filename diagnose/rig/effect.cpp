@@ -70,8 +70,8 @@ std::string EffectAt::label() const {
 }
 
 std::string EffectAt::name() const {
-  const std::vector<std::string_view>& special = effect->special;
-  const bool has_form_for_all = std::find(special.begin(), special.end(), effect->id) != special.end();
+  const std::vector<std::string_view>& nested = effect->nested;
+  const bool has_form_for_all = std::find(nested.begin(), nested.end(), effect->id) != nested.end();
   return has_form_for_all ? label() + " (each its own)" : label();
 }
 
@@ -107,20 +107,20 @@ bool Candidate::is_part_of(const Candidate& other) const {
          std::all_of(effects.begin(), effects.end(), [&](const EffectAt& at) { return other.has(at); });
 }
 
-bool Candidate::machined() const {
+bool Candidate::has_all_tolerances() const {
   const auto rows = [](const auto& all, auto row) { return std::count_if(all.begin(), all.end(), row); };
-  return rows(effects, [](const EffectAt& at) { return at.effect->of_machining; }) ==
-         rows(catalogue(), [](const Effect& row) { return row.of_machining; });
+  return rows(effects, [](const EffectAt& at) { return at.effect->is_tolerance; }) ==
+         rows(catalogue(), [](const Effect& row) { return row.is_tolerance; });
 }
 
-bool Candidate::has_as_machining(const EffectAt& at) const {
-  return at.effect->of_machining && machined();
+bool Candidate::has_as_tolerance(const EffectAt& at) const {
+  return at.effect->is_tolerance && has_all_tolerances();
 }
 
 std::size_t Candidate::count() const {
-  if (!machined()) return effects.size();
+  if (!has_all_tolerances()) return effects.size();
   return 1 + static_cast<std::size_t>(std::count_if(effects.begin(), effects.end(), [](const EffectAt& at) {
-           return !at.effect->of_machining;
+           return !at.effect->is_tolerance;
          }));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the diagnosis knows of an effect, as one row, and sets of effects that act together.
+/// The rows of the catalogue of effects, and candidates: sets of effects that act together.
 
 #include <functional>
 #include <limits>
@@ -8,16 +8,16 @@
 #include <string_view>
 #include <vector>
 
+#include "diagnose/rig/characteristic_scales.hpp"
 #include "diagnose/rig/rig.hpp"
-#include "diagnose/rig/sizes.hpp"
 
 namespace plumbline::diagnose {
 
-/// How a parameter is fitted: as it is, by its logarithm (a time constant), or by its reciprocal (a rigidity,
-/// so that zero is the nominal model).
+/// The coordinate in which a parameter is fitted: its value, its logarithm (time constants) or its reciprocal
+/// (rigidities, so that zero is the nominal model).
 enum class Coordinate { plain, logarithm, reciprocal };
 
-/// The value in the catalogue's units of a fitted coordinate, and back.
+/// Conversions between the fitted coordinate and the catalogue's units.
 double catalogue_value(Coordinate coordinate, double fitted);
 double fitted_value(Coordinate coordinate, double catalogue);
 
@@ -26,110 +26,111 @@ struct ParameterRange {
   std::string_view name;
   std::string_view unit;  ///< "N m", or "ratio" for one
   Coordinate coordinate;
-  double scale;      ///< what a lab would call a sizeable effect; the difference step is a share of it
+  double scale;      ///< typical size of the effect on a bench; the difference step is a share of it
   double low, high;  ///< physical bounds
-  /// Standard deviation of its prior, a Gaussian about zero, where it is a tolerance; 0 where it is not.
+  /// Standard deviation of a Gaussian prior about zero, for a manufacturing tolerance; 0 for other
+  /// parameters.
   double tolerance = 0;
-  /// With less than this its effect only says how a torque goes with the angle, as laws that nobody listed
-  /// do.
+  /// Below this value the effect only describes how the torque depends on the angle.
   double shape_below = -std::numeric_limits<double>::infinity();
 
   /// Whether zero is the nominal model.
   [[nodiscard]] bool may_be_nothing() const { return coordinate == Coordinate::plain && low <= 0; }
-  /// Whether it says where an effect sets in, as a stop does: nowhere near zero.
+  /// Whether the parameter is a threshold, such as the angle of a stop: bounded away from zero.
   [[nodiscard]] bool is_onset() const { return coordinate == Coordinate::plain && low > 0; }
 };
 
-/// A parameter that may have either sign, one that cannot be negative: zero is the nominal model.
+/// Parameters whose zero is the nominal model: of either sign, and non-negative.
 ParameterRange both_ways(std::string_view name, std::string_view unit, double scale, double low, double high);
 ParameterRange one_way(std::string_view name, std::string_view unit, double scale, double high);
 
-/// Where an effect is asked about: an experiment's sizes, and a joint or link from 0 where it sits at one.
+/// The experiment's scales and, for an effect at one joint or link, its number from 0.
 struct Place {
-  const Sizes& sizes;
+  const CharacteristicScales& scales;
   std::size_t joint;
 };
 
-/// Parameter vectors from which to fit. All are looked at, the `basins` best are descended from.
-struct Starts {
-  std::vector<std::vector<double>> from;
-  std::size_t basins;
+/// Initial guesses of a fit. All of them are evaluated; the fit descends from the best `refined` ones.
+struct InitialGuesses {
+  std::vector<std::vector<double>> points;
+  std::size_t refined;
 };
 
-/// What the rig looks like with so much of an effect.
+/// The rig to which an effect is added, and the values of its parameters.
 struct Addition {
   Rig& rig;
-  std::size_t joint;    ///< from 0
-  const Sizes& sizes;   ///< of the experiment
+  std::size_t joint;  ///< from 0
+  const CharacteristicScales& scales;
   Vector2 down;         ///< direction of gravity
-  const double* value;  ///< in catalogue units, one a parameter
+  const double* value;  ///< one a parameter, in catalogue units
 };
 
-/// How a forecast asks what little of an effect would do. A parameter that does not grow keeps the value of
-/// each start (a stop's angle, a time constant). A large step is one as long as the start, where little of an
-/// effect acts otherwise than much (which joints stick or hang in their play at a reversal).
-struct Probing {
-  std::vector<std::size_t> growing = {};  ///< parameters; all of them from nothing when empty
-  bool large_step = false;
-  std::size_t starts = 100;  ///< so many of the starts are probed
+/// The perturbation by which a linear forecast judges an effect before it is fitted. A parameter that does
+/// not grow (the angle of a stop, a time constant) keeps the value of the initial guess. A finite
+/// perturbation is as long as the guess itself: it serves where a small amount of the effect acts otherwise
+/// than a large one (a joint that sticks, or stays within its play, at a reversal).
+struct Perturbation {
+  std::vector<std::size_t> growing = {};  ///< parameters that start from zero; all of them when empty
+  bool large_step = false;                ///< a finite perturbation
+  std::size_t guesses = 100;              ///< number of initial guesses that are perturbed
 };
 
 /// One row of the catalogue.
 struct Effect {
   std::string id;           ///< as reports and labels spell it
-  std::string words;        ///< can stand after "caused by"; {} is the joint or link
-  bool at_joint = false;    ///< sits at one joint or link
-  bool dissipates = false;  ///< gives back less than it took
+  std::string words;        ///< a noun phrase that can follow "caused by"; {} is the joint or link
+  bool at_joint = false;    ///< acts at one joint or link
+  bool dissipates = false;  ///< dissipates energy
   /// The names in the ranges live as long as the row.
   std::function<std::vector<ParameterRange>(const Place& at)> parameters;
   std::function<void(const Addition& to)> add;
-  /// Whether it can change anything at this place of this bench; everywhere when not given.
+  /// Whether the effect can change any measured value at this place; everywhere when not given.
   std::function<bool(const Place& at)> possible = [](const Place&) { return true; };
-  /// Simpler rows that it is with certain parameters: it says more than they do only where it fits better.
-  std::vector<std::string_view> special = {};
-  /// Rows whose change its values can make, one for all joints or one at a single joint: where it has a
-  /// tolerance, that alone tells it from them.
+  /// Simpler rows that this row contains at special parameter values.
+  std::vector<std::string_view> nested = {};
+  /// Rows that this row can reproduce by its values at every joint; only its tolerance distinguishes it from
+  /// them.
   std::vector<std::string_view> within_values = {};
-  /// Where fits start; none: at zero, and at one scale to either side where there is one parameter.
-  std::function<Starts(const Place& at, const Exercise& nominal)> starts = nullptr;
-  Probing probing = {};
-  /// So many of the parameters that are zero in the nominal model must not be zero: with fewer it is another,
-  /// simpler row.
+  /// Initial guesses of a fit. Without them: zero and, for a single parameter, one scale to either side.
+  std::function<InitialGuesses(const Place& at, const Excitation& nominal)> initial_guesses = nullptr;
+  Perturbation perturbation = {};
+  /// Smallest number of non-zero parameters, of those that are zero in the nominal model: with fewer the
+  /// effect is a simpler row.
   std::size_t at_least = 1;
-  /// So many parameters make one of several elements that may change places without changing anything: they
-  /// are told in the order of the last of these, a turn or a time. None where nothing may.
-  std::size_t element = 0;
-  /// The rows of it with fewer elements and with more, itself among them, fewest first; null where their
-  /// number is fixed.
-  std::function<std::vector<const Effect*>()> numbers = nullptr;
-  /// Says how a torque goes with the angle, as laws that nobody listed go too.
+  /// Number of parameters of one element, for rows made of several interchangeable elements; reports list the
+  /// elements in ascending order of the last of these parameters. 0 for other rows.
+  std::size_t element_size = 0;
+  /// The rows of every model order (number of elements), this one among them, in ascending order; null where
+  /// the order is fixed.
+  std::function<std::vector<const Effect*>()> orders = nullptr;
+  /// Describes how a torque depends on the angle, without a mechanism of its own.
   bool of_shape = false;
-  /// What machining leaves on every chain, and may stand beside any cause.
-  bool of_machining = false;
+  /// A manufacturing tolerance: present on every chain, and beside any cause.
+  bool is_tolerance = false;
 };
 
-/// All effects, ours and in the order of docs/effects.md.
+/// All effects, in the order of docs/effects.md.
 const std::vector<Effect>& catalogue();
 
-/// The row of that id, of two the one that sits at one joint if a joint is named, from 1, or the one that
-/// does not; the one with a value for all joints, if another has one at each. \throws Error for a word that
-/// is not in the catalogue
+/// The row of an id. Of two rows with that id, the one at a single joint where `joint` (from 1) is given,
+/// else the one with one value for all joints.
+/// \throws Error for an id that the catalogue does not have
 const Effect& effect(std::string_view id, std::size_t joint = 0);
 
 /// An effect at its place. `joint` counts from 1; 0 where the effect is not at one joint.
 struct EffectAt {
   EffectAt(const Effect& of, std::size_t at_joint = 0) : effect(&of), joint(at_joint) {}
-  /// \throws Error for a word that is not in the catalogue
+  /// \throws Error for an id that the catalogue does not have
   EffectAt(const char* id, std::size_t at_joint = 0) : EffectAt(diagnose::effect(id, at_joint), at_joint) {}
 
   const Effect* effect;
   std::size_t joint;
   friend bool operator==(const EffectAt&, const EffectAt&) = default;
 
-  /// "backlash(2)", as files have it
+  /// As in files: "backlash(2)".
   [[nodiscard]] std::string label() const;
-  /// The same for people, whom a value for all joints and one at each are two things:
-  /// "joint_stops (each its own)"
+  /// As in reports for people, which distinguish one value for all joints from one at each: "joint_stops
+  /// (each its own)".
   [[nodiscard]] std::string name() const;
   /// "play in joint 2"
   [[nodiscard]] std::string in_words() const;
@@ -144,15 +145,15 @@ struct Candidate {
   [[nodiscard]] std::string label() const;
   [[nodiscard]] std::string name() const;
   [[nodiscard]] bool has(const EffectAt& at) const;
-  /// Whether it is named like the other: a value for all joints and one at each are forms of one cause.
+  /// Whether both have the same labels: one value for all joints and one at each are forms of one cause.
   [[nodiscard]] bool is_form_of(const Candidate& other) const;
-  /// Whether it has fewer effects than the other, which has them all.
+  /// Whether its effects are a proper subset of the other's.
   [[nodiscard]] bool is_part_of(const Candidate& other) const;
-  /// Whether everything that machining leaves is in it.
-  [[nodiscard]] bool machined() const;
-  /// Whether this effect of it is a part of what machining leaves, which is one cause.
-  [[nodiscard]] bool has_as_machining(const EffectAt& at) const;
-  /// How many things came together: what machining leaves is one.
+  /// Whether it contains all manufacturing tolerances.
+  [[nodiscard]] bool has_all_tolerances() const;
+  /// Whether it contains all manufacturing tolerances, this effect among them.
+  [[nodiscard]] bool has_as_tolerance(const EffectAt& at) const;
+  /// Number of causes: all manufacturing tolerances together count as one.
   [[nodiscard]] std::size_t count() const;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// An expression as a user wrote it, parsed once and evaluated often.
+/// A user's expression, parsed once and evaluated often.
 
 #include <memory>
 #include <span>
@@ -10,12 +10,12 @@
 
 namespace plumbline::diagnose {
 
-/// A real number as an expression of named variables. Evaluated by one thread at a time.
+/// A real-valued expression of named variables. Not thread-safe.
 class Formula {
  public:
-  /// \param names  of all variables, in the order in which their values will come
-  /// \param place  for errors
-  /// \throws Error for what is no expression of these names
+  /// \param names  all variables, in the order of their values
+  /// \param place  named in errors
+  /// \throws Error for a text that is no expression of these names
   Formula(const std::string& text, const std::vector<std::string>& names, const std::string& place);
   Formula(const Formula&) = delete;
   Formula& operator=(const Formula&) = delete;
@@ -23,8 +23,7 @@ class Formula {
 
   [[nodiscard]] bool uses(std::string_view name) const;
 
-  /// Its value where the first variables have the values `first` and the others `others`. Not finite where it
-  /// has none.
+  /// The value for the first variables `first` and the others `others`; not finite where it is undefined.
   [[nodiscard]] double at(std::span<const double> first, std::span<const double> others) const;
 
  private:
@@ -32,8 +31,8 @@ class Formula {
   std::unique_ptr<Machine> machine_;
 };
 
-/// Whether a name could be a variable's: of letters, digits and underscores, and nothing that formulas know
-/// already.
+/// Whether a name can be a variable: letters, digits and underscores, and no function or constant of
+/// formulas.
 bool can_be_named(const std::string& name);
 
 }  // namespace plumbline::diagnose

@@ -10,7 +10,7 @@
 #include <plumbline/chain/kinematics.hpp>
 
 #include "diagnose/rig/rig_solver.hpp"
-#include "diagnose/rig/way_between.hpp"
+#include "diagnose/rig/substeps.hpp"
 
 namespace plumbline::diagnose {
 namespace {
@@ -27,14 +27,14 @@ Eigen::Matrix2d cross_talk(const Rig& rig) {
   return mixed;
 }
 
-/// What a load cell without a zero of its own shows of a force in its axes: (1 + g) m (1 + c m) of each
-/// component of m = (1 + C) F.
+/// The reading of a load cell without bias: (1 + g) m (1 + c m) for each component of m = (1 + C) F, with the
+/// force F in its axes.
 Vector2 shown_by_cell(const Rig& rig, const Vector2& force) {
   const Vector2 mixed = cross_talk(rig) * force;
   return (1 + rig.force_gain) * (mixed + rig.cell_curvature.cwiseProduct(mixed.cwiseAbs2()));
 }
 
-/// The force of which it shows this: the smaller, and where there is none the one that comes nearest.
+/// The force with this reading: the smaller of two, or the nearest where none has it.
 Vector2 force_on_cell(const Rig& rig, const Vector2& shown) {
   const Vector2 bent = shown / (1 + rig.force_gain);
   const Vector2 root = (1 + 4 * rig.cell_curvature.array() * bent.array()).max(0).sqrt();
@@ -42,13 +42,14 @@ Vector2 force_on_cell(const Rig& rig, const Vector2& shown) {
   return cross_talk(rig).inverse() * mixed;
 }
 
-/// One rig on its way through one run: posture and memory.
+/// A rig in one run: its posture and memory.
 struct Traveller {
   Traveller(const Rig& rig, const Run& run) : on(rig, run.rest), memory(run.rest.size()) {
     for (std::size_t i = 0; i < memory.size(); ++i) memory[i].angle = on.joint[i].rest;
   }
 
-  /// Commanded to true: the end point (position offset, rail) or the force (load cell, rail).
+  /// The true end point (after position offset and rail misalignment) or the true force (after the load cell
+  /// and the rail) of a command.
   [[nodiscard]] Imposed imposed(const Run& run, const Reading& reading) const {
     const Rig& rig = on.rig;
     const Reading& first = run.readings.front();
@@ -62,8 +63,8 @@ struct Traveller {
     return {run.control, turned(force_on_cell(rig, read), rig.misalignment)};
   }
 
-  /// True to measured force, in the axes of the rail.
-  /// \param dt  since the last reading; 0 at the first
+  /// The measured force, in the axes of the rail.
+  /// \param dt  time since the last reading; 0 at the first
   Vector2 measure_force(double t, double dt, double direction) {
     const Rig& rig = on.rig;
     const Vector2 force(posture.force.x, posture.force.y);
@@ -84,8 +85,8 @@ struct Traveller {
     return result;
   }
 
-  /// Its joints will turn as fast as they turned last, if they go on as the drive does.
-  /// \param share  of the step to come in the last one
+  /// Sets the expected joint speeds from those of the last step.
+  /// \param share  length of the next step of the command over that of the last
   void expect(double share, double dt) {
     for (JointMemory& joint : memory) joint.speed = dt > 0 ? share * joint.turn / dt : 0;
   }
@@ -95,7 +96,7 @@ struct Traveller {
       const JointLaw& law = on.joint[i];
       const double q = layout.joint_angle(posture.angle, i);
       JointMemory& own = memory[i];
-      // Sliders and arms look at the angle before, which is overwritten last.
+      // Sliders and arms use the previous angle, which is overwritten last.
       for (std::size_t s = 0; s < law.slider.size(); ++s)
         if (law.slider[s].acts() && (law.slider[s].from_rest || !during.relaxed))
           own.slider.at(s) =
@@ -104,7 +105,7 @@ struct Traveller {
         for (std::size_t a = 0; a < on.arm_time.size(); ++a)
           own.arm[a] = law.viscous(a, q, own, during.decay[a], during.gain[a]).value;
       law.flow_to(q, own);
-      // Of the way to the first reading no speed is known.
+      // The approach to the first reading has no known speed.
       own.turn = std::abs(during.relaxed ? q : q - own.angle);
       own.angle = q;
     }
@@ -115,7 +116,7 @@ struct Traveller {
   std::vector<JointMemory> memory;
 
  private:
-  /// What a cell with a time constant shows of a force that goes steadily from one reading to the next.
+  /// The reading of a first-order load cell for a force that changes linearly between readings.
   Vector2 lagging(const Vector2& now, double dt) {
     const double lag = on.rig.force_lag;
     if (lag > 0 && dt > 0) {
@@ -131,13 +132,13 @@ struct Traveller {
   Vector2 felt_ = Vector2::Zero(), shown_ = Vector2::Zero();  ///< at the last reading
 };
 
-/// Where a joint turned to last, and which way, 1 or -1; 0 until it has turned from rest. While it turns by
-/// less than JointLaw::turning it stands.
+/// The last angle of a joint that differed by more than JointLaw::turning from the one before, and the
+/// direction of that turn, 1 or -1; 0 until the joint has left rest.
 struct Turning {
   double place, way;
 };
 
-/// A run of the rig and, beside it, of the rigs whose parameters differ by a small step each.
+/// One run of a rig and of its variations.
 template <int Bandwidth>
 class RunWalk {
  public:
@@ -146,7 +147,7 @@ class RunWalk {
       : run_(run),
         experiment_(experiment),
         layout_(layout),
-        parts_(parts_of_ways(run, layout, rig)),
+        parts_(substeps(run, layout, rig)),
         solver_(layout, std::accumulate(parts_.begin(), parts_.end(), std::size_t{0})),
         main_(rig, run) {
     beside_.reserve(variations.size());
@@ -156,7 +157,7 @@ class RunWalk {
 
   [[nodiscard]] bool snapped() const { return snapped_; }
 
-  /// Fills the rows of the run; `sensitivity` holds, per varied rig, its difference from the rig.
+  /// Fills the rows of the run; `sensitivity` holds the difference of each varied rig from the rig.
   bool walk(Trace& trace, const std::vector<Trace*>& sensitivity) {
     for (std::size_t r = 0; r < run_.readings.size(); ++r) {
       const auto row = static_cast<Eigen::Index>(r);
@@ -197,7 +198,7 @@ class RunWalk {
     approach();
   }
 
-  /// A run whose first line is not that of the unloaded chain was brought there: it has moved already.
+  /// Sets the direction of motion of a run that does not start at the unloaded chain.
   void approach() {
     const Vector2 first = run_.command(run_.readings.front());
     if (run_.holds_end_point()) {
@@ -207,15 +208,15 @@ class RunWalk {
     }
   }
 
-  /// Whether the chain is on the side that it did not go to: of the way from between the sides to that one it
-  /// is a tenth at least. What friction holds between them is on neither.
-  [[nodiscard]] bool is_on_other_side(std::size_t r) const {
+  /// Whether the chain is on the branch that was not observed: at least a tenth of the distance from the
+  /// middle between the branches. A chain that friction holds in between is on neither.
+  [[nodiscard]] bool is_on_other_branch(std::size_t r) const {
     constexpr double clearly = 0.1;
     const auto row = static_cast<Eigen::Index>(r);
     double along = 0, whole = 0;
     for (std::size_t i = 0; i < layout_.links; ++i) {
       const auto joint = static_cast<Eigen::Index>(i);
-      const double there = run_.side->there(row, joint), other = run_.side->other(row, joint);
+      const double there = run_.branch->angles(row, joint), other = run_.branch->other_angles(row, joint);
       const double way = (other - there) / 2;
       along += (layout_.joint_angle(main_.posture.angle, i) - (there + other) / 2) * way;
       whole += way * way;
@@ -223,28 +224,30 @@ class RunWalk {
     return along > clearly * whole;
   }
 
-  /// Looks for the chain on the side that it went to, where it arrived on the other one or nowhere: a softer
-  /// one loses its stiffness before the sides are apart. \returns whether it is there; if not, it stays
+  /// Moves the chain to the observed branch where it arrived on the other one or nowhere: a softer chain
+  /// bifurcates before the branches of the nominal model differ.
+  /// \returns whether it is on the observed branch; if not, the posture is unchanged
   bool crosses_over(const RigStep& step, const Imposed& target, std::size_t r, bool arrived) {
-    if (arrived && !(run_.side->apart[r] && is_on_other_side(r))) return false;
+    if (arrived && !(run_.branch->differs[r] && is_on_other_branch(r))) return false;
     const Posture stays = main_.posture;
     main_.posture = last_posture_;
-    const std::size_t apart = std::max(r, run_.side->first());
+    const std::size_t apart = std::max(r, run_.branch->first());
     const auto row = static_cast<Eigen::Index>(apart);
     double theta = 0;
     for (std::size_t j = 0; j < layout_.links; ++j) {
-      theta += run_.side->there(row, static_cast<Eigen::Index>(j));
+      theta += run_.branch->angles(row, static_cast<Eigen::Index>(j));
       const auto nodes = static_cast<Eigen::Index>(layout_.nodes_per_link());
       main_.posture.angle.segment(static_cast<Eigen::Index>(layout_.first(j)), nodes).setConstant(theta);
     }
-    main_.posture.force = {run_.side->force(row, 0), run_.side->force(row, 1)};
+    main_.posture.force = {run_.branch->force(row, 0), run_.branch->force(row, 1)};
     guess_ = main_.posture;
-    if (solver_.follow(step, target, target, guess_, main_.posture) && !is_on_other_side(apart)) return true;
+    if (solver_.follow(step, target, target, guess_, main_.posture) && !is_on_other_branch(apart))
+      return true;
     main_.posture = stays;
     return false;
   }
 
-  /// Looks first where the last step leads if it goes on as it went, if the load does.
+  /// Extrapolates the last step as a first guess, where the command keeps its direction.
   void extrapolate(const Imposed& target) {
     guess_ = main_.posture;
     const Vector2 step = target.value - at_.value;
@@ -255,7 +258,7 @@ class RunWalk {
     guess_.force.y += share * (guess_.force.y - last_posture_.force.y);
   }
 
-  /// By as many parts as the way to it has; where the rig cannot follow one of them it goes all at once.
+  /// Moves to a reading in substeps; where the rig cannot follow one of them, in a single step.
   bool move_to(std::size_t r) {
     const Reading& reading = run_.readings[r];
     interval_ = last_ ? reading.t - last_->t : 0;
@@ -263,7 +266,7 @@ class RunWalk {
     const std::size_t count = last_ ? parts_[r] : 1;
     for (std::size_t part = 1; part < count; ++part) {
       const double share = static_cast<double>(part) / static_cast<double>(count);
-      if (!go_to(on_the_way(*last_, reading, share), std::nullopt)) break;
+      if (!go_to(interpolated(*last_, reading, share), std::nullopt)) break;
     }
     if (!go_to(reading, r)) return false;
     notice_turns();
@@ -271,7 +274,8 @@ class RunWalk {
     return true;
   }
 
-  /// What is imposed goes this way. \param still  by no more it stands
+  /// Records the direction of the command.
+  /// \param still  largest change that counts as standing still
   void head(const Vector2& way, double still) {
     for (const Eigen::Index axis : {0, 1})
       if (std::abs(way(axis)) > still) direction_(axis) = way(axis) > 0 ? 1 : -1;
@@ -284,7 +288,7 @@ class RunWalk {
     }
   }
 
-  /// \param r  its number where it is a reading
+  /// \param r  its number, for a reading; nullopt for a substep
   bool go_to(const Reading& reading, std::optional<std::size_t> r) {
     const double dt = moved_ ? reading.t - last_time_ : 0;
     const Imposed target = main_.imposed(run_, reading);
@@ -300,7 +304,7 @@ class RunWalk {
     extrapolate(target);
     last_posture_ = main_.posture;
     const bool arrives = solver_.follow(step, at_, target, guess_, main_.posture);
-    const bool crosses = r && run_.side && crosses_over(step, target, *r, arrives);
+    const bool crosses = r && run_.branch && crosses_over(step, target, *r, arrives);
     if (!arrives && !crosses) return false;
     snapped_ = snapped_ || (!crosses && solver_.snapped());
     if (!beside_.empty()) solver_.prepare(step, target, main_.posture);
@@ -335,7 +339,7 @@ class RunWalk {
     correct(rig.on, reading.t, row);
   }
 
-  /// Adds what the user states of the readings that are measured.
+  /// Adds the user's corrections to the measured channels.
   template <class Row>
   void correct(const RunRig& on, double t, Row& row) const {
     if (on.rig.stated_corrections.empty()) return;
@@ -350,8 +354,8 @@ class RunWalk {
     row += added.transpose();
   }
 
-  /// The way that goes with a channel: 1, or -1; 1 before the first motion. Rigs beside share it: one that
-  /// turns back at another reading would make a slope of a jump.
+  /// Direction of motion for a channel, 1 or -1; 1 before the first motion. Varied rigs share it, for a
+  /// reversal at another reading would turn a jump into a slope.
   [[nodiscard]] double direction_of(const Channel& channel) const {
     const bool along_x = channel.name == Channel::Name::x || channel.name == Channel::Name::Fx;
     const double way =
@@ -362,7 +366,7 @@ class RunWalk {
   const Run& run_;
   const Experiment& experiment_;
   Layout layout_;
-  std::vector<std::size_t> parts_;  ///< of the way to each reading
+  std::vector<std::size_t> parts_;  ///< number of substeps to each reading
   RigSolver<Bandwidth> solver_;
   Traveller main_;
   std::vector<Traveller> beside_;
@@ -372,7 +376,7 @@ class RunWalk {
   const Reading* last_ = nullptr;  ///< with a known command
   double last_time_ = 0;
   double interval_ = 0;                  ///< before the last reading; 0 at the first
-  Vector2 direction_ = Vector2::Zero();  ///< of what is imposed, along x and y; 0 until it has moved
+  Vector2 direction_ = Vector2::Zero();  ///< of the command along x and y; 0 until it has moved
   std::vector<Turning> turning_;         ///< of each joint
   bool moved_ = false, snapped_ = false;
 };
@@ -396,7 +400,7 @@ bool walk(const Experiment& experiment, const Run& run, const Layout& layout, co
   }
 }
 
-/// Sliders of each joint, the dry friction and the direction of motion among them; 0 where nothing slides.
+/// Number of sliders of each joint, with dry friction and the direction of motion.
 std::size_t contact_count(const Rig& rig) {
   const bool directed =
       std::any_of(rig.stated_torques.begin(), rig.stated_torques.end(), std::mem_fn(&StatedTorque::directed));

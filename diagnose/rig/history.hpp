@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// What an experiment would have measured if its rig had given effects: the whole loading history of every
-/// run.
+/// The prediction of an experiment with a given rig, along the loading history of every run.
 
 #include <Eigen/Core>
 #include <vector>
@@ -18,39 +17,38 @@ inline Eigen::Index column_of(const Channel& channel) {
   return static_cast<Eigen::Index>(static_cast<std::size_t>(channel.name) + channel.joint);
 }
 
-/// One run as predicted: a row a reading, a column a channel. Imposed channels repeat what was commanded.
+/// The prediction of one run: a row a reading, a column a channel. Imposed channels repeat the command.
 using Trace = Eigen::Array<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// When a channel is read, and on which way.
+/// The circumstances of a reading that user corrections may depend on.
 struct Moment {
   double t;         ///< in the run, s
   std::size_t run;  ///< its number, from 0
   double
-      direction;  ///< 1 or -1: of a joint, where its angle is read, else of what is imposed along that axis
-  double rest;    ///< angle of that joint at rest
+      direction;  ///< 1 or -1: of the joint for a joint angle, else of the command along the channel's axis
+  double rest;    ///< rest angle of that joint
 };
 
-/// What the variables of a correction of a channel are: see reading_variables, angle_variables.
+/// The values of the variables of a channel's correction: reading_variables, angle_variables.
 std::vector<double> reading_values(const Eigen::Ref<const Eigen::ArrayXd>& row, const Moment& moment,
                                    const Channel& channel);
 
 /// All runs of an experiment.
 struct Prediction {
-  /// False where the rig cannot follow the experiment: a commanded end point out of reach, or no stable
-  /// posture.
+  /// False where the rig cannot follow the experiment: an end point out of reach, or no stable posture.
   bool reached = true;
-  bool snapped = false;                         ///< some run went through a snap
-  std::vector<Trace> runs;                      ///< one a run; NaN where the rig did not get
+  bool snapped = false;                         ///< some run snapped
+  std::vector<Trace> runs;                      ///< one a run; NaN beyond the reading that was not reached
   std::vector<std::vector<Trace>> sensitivity;  ///< [parameter][run]: derivative by the fitted coordinate
 };
 
-/// A rig that differs by a small step in one parameter.
+/// A rig with a small step in one parameter.
 struct RigVariation {
   Rig rig;
   double step;
 };
 
-/// Predicts what a rig would give and, beside it, the difference quotients of its variations.
+/// Predicts all runs, and the difference quotients by the variations.
 Prediction simulate(const Experiment& experiment, const Rig& rig,
                     const std::vector<RigVariation>& variations);
 

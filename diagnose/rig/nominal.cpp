@@ -39,19 +39,18 @@ Rig without_effects(const Experiment& experiment) {
   return rig;
 }
 
-/// The words that an error about the effect begins with.
+/// The place that an error about the effect names.
 std::string place_of(const Experiment& experiment, std::size_t number, const std::string& key) {
   return fmt::format("experiment \"{}\": nominal.effect[{}].{}", experiment.name, number + 1, key);
 }
 
-/// The rows that a nominal model may have: the catalogue's, with any number of elements, and those that the
-/// user states.
+/// The rows that a nominal model may have: the catalogue's of every model order, and the user's.
 std::vector<const Effect*> rows_of(const Experiment& experiment) {
   std::vector<const Effect*> rows;
   for (const Effect& row : catalogue()) {
     rows.push_back(&row);
-    if (!row.numbers) continue;
-    for (const Effect* other : row.numbers())
+    if (!row.orders) continue;
+    for (const Effect* other : row.orders())
       if (other != &row) rows.push_back(other);
   }
   if (experiment.stated)
@@ -59,8 +58,8 @@ std::vector<const Effect*> rows_of(const Experiment& experiment) {
   return rows;
 }
 
-/// Whether a row has these parameters, no more and no fewer, in a chain.
-bool has_parameters(const Effect& row, const NominalEffect& own, const Sizes& sizes) {
+/// Whether a row has exactly these parameters in this chain.
+bool has_parameters(const Effect& row, const NominalEffect& own, const CharacteristicScales& sizes) {
   const std::vector<ParameterRange> ranges = row.parameters({sizes, own.joint > 0 ? own.joint - 1 : 0});
   return ranges.size() == own.parameters.size() &&
          std::all_of(ranges.begin(), ranges.end(), [&](const ParameterRange& one) {
@@ -68,9 +67,9 @@ bool has_parameters(const Effect& row, const NominalEffect& own, const Sizes& si
          });
 }
 
-/// The row that the effect names, of two the one that has its parameters. \throws Error for a word or joint
-/// that no row has
-const Effect& row_of(const Experiment& experiment, const Sizes& sizes, std::size_t number) {
+/// The row that the effect names; of two, the one that has its parameters.
+/// \throws Error for an id or joint that no row has
+const Effect& row_of(const Experiment& experiment, const CharacteristicScales& sizes, std::size_t number) {
   const NominalEffect& own = experiment.effects[number];
   const std::size_t n = experiment.link_length.size();
   bool known = false;
@@ -91,8 +90,8 @@ const Effect& row_of(const Experiment& experiment, const Sizes& sizes, std::size
                               : "the joint or link that has it, from 1");
 }
 
-/// The effect's parameters in the order of its row. One that the row seeks from zero on, or above it, is not
-/// negative, or positive. \throws Error for one too few or too many, or of a wrong sign
+/// The effect's parameters in the order of its row, which bounds their signs.
+/// \throws Error for a missing, unknown or wrongly signed parameter
 std::vector<double> values_of(const Experiment& experiment, std::size_t number, const Effect& row,
                               const Place& at) {
   const NominalEffect& own = experiment.effects[number];
@@ -113,7 +112,7 @@ std::vector<double> values_of(const Experiment& experiment, std::size_t number, 
   return values;
 }
 
-/// What no rig can be. \throws Error
+/// \throws Error for values that no rig can have
 void require_physical(const Experiment& experiment, const Rig& rig) {
   const auto refuse = [&](const std::string& found, const std::string& expected) {
     throw Error("experiment \"" + experiment.name + "\": nominal.effect", found, expected);
@@ -143,7 +142,7 @@ Rig nominal_rig(const Experiment& experiment) {
   Rig rig = without_effects(experiment);
   if (experiment.plain()) return rig;
   rig.laws = experiment.laws;
-  const Sizes sizes = sizes_of(experiment);
+  const CharacteristicScales sizes = characteristic_scales(experiment);
   for (std::size_t e = 0; e < experiment.effects.size(); ++e) {
     const Effect& row = row_of(experiment, sizes, e);
     const std::size_t joint = row.at_joint ? experiment.effects[e].joint - 1 : 0;

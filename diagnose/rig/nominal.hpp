@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The nominal model of an experiment: the simulator whose gap is diagnosed.
+/// The nominal model of an experiment, whose gap is diagnosed.
 
 #include <plumbline/loaded/nominal_model.hpp>
 
@@ -8,12 +8,13 @@
 
 namespace plumbline::diagnose {
 
-/// The nominal chain without its effects, with the weight of its links, as commanded in one run.
+/// The nominal chain with the weight of its links, without its effects, at the rest angles of one run.
 NominalModel<double> nominal_model(const Experiment& experiment, const std::vector<double>& rest);
 
-/// The rig that the nominal model believes in: the chain, its weights and, through their rows of the
-/// catalogue, its effects. \throws Error, one line, for an effect, a joint or a parameter that the catalogue
-/// does not have, and for what no rig can be
+/// The rig of the nominal model: the chain, its weights and its effects.
+/// \throws Error for an effect, a joint or a parameter that the catalogue does not have, and for values that
+/// no
+///         rig can have
 Rig nominal_rig(const Experiment& experiment);
 
 }  // namespace plumbline::diagnose

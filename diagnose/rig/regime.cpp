@@ -17,7 +17,7 @@ Step step(const Trace& nominal, Eigen::Index from, Eigen::Index to) {
           Vector2(difference(column_Fx), difference(column_Fy))};
 }
 
-/// What the rig pushes along: the end point, or the force.
+/// The direction in which the command moves: that of the end point, or of the force.
 Vector2 pushed(const Run& run, const Trace& nominal, Eigen::Index reading) {
   if (run.holds_end_point()) return {nominal(reading, column_x), nominal(reading, column_y)};
   return {nominal(reading, column_Fx), nominal(reading, column_Fy)};
@@ -27,12 +27,12 @@ Vector2 pushed(const Run& run, const Trace& nominal, Eigen::Index reading) {
 
 std::string regime_word(Regime regime) {
   switch (regime) {
-    case Regime::pre_buckling:
-      return "pre-buckling";
-    case Regime::near_loss_of_stiffness:
-      return "near the loss of stiffness";
-    case Regime::post_buckling:
-      return "post-buckling";
+    case Regime::pre_critical:
+      return "pre-critical";
+    case Regime::near_critical:
+      return "near-critical";
+    case Regime::post_critical:
+      return "post-critical";
     case Regime::unloading:
       break;
   }
@@ -41,31 +41,31 @@ std::string regime_word(Regime regime) {
 
 std::vector<Regime> regimes(const Run& run, const Trace& nominal) {
   const Eigen::Index count = nominal.rows();
-  std::vector<Regime> result(static_cast<std::size_t>(count), Regime::pre_buckling);
+  std::vector<Regime> result(static_cast<std::size_t>(count), Regime::pre_critical);
   const Vector2 start = pushed(run, nominal, 0);
   double first = 0, last = 0;
-  Regime now = Regime::pre_buckling;
+  Regime now = Regime::pre_critical;
   for (Eigen::Index i = 1; i < count; ++i) {
     const Step change = step(nominal, i - 1, i);
     const double distance = (pushed(run, nominal, i) - start).norm();
     const double square = change.motion.squaredNorm();
     if (square > 0 && change.motion.allFinite() && change.force.allFinite()) {
-      // Of a soft direction the force changes little, of a stiff one much: both along the motion.
+      // The tangent stiffness along the motion: change of force over change of position.
       const double stiffness = change.force.dot(change.motion) / square;
       if (first == 0) first = stiffness;
       const double left = first != 0 ? stiffness / first : 1;
       if (distance < last * (1 - 1e-9)) {
         now = Regime::unloading;
       } else {
-        now = left >= 0.5   ? Regime::pre_buckling
-              : left >= 0.1 ? Regime::near_loss_of_stiffness
-                            : Regime::post_buckling;
+        now = left >= 0.5   ? Regime::pre_critical
+              : left >= 0.1 ? Regime::near_critical
+                            : Regime::post_critical;
       }
     }
     last = distance;
     result[static_cast<std::size_t>(i)] = now;
   }
-  if (count > 1) result[0] = result[1] == Regime::unloading ? Regime::pre_buckling : result[1];
+  if (count > 1) result[0] = result[1] == Regime::unloading ? Regime::pre_critical : result[1];
   return result;
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 /// \file
-/// In which regime each reading of a run was taken, by the nominal model.
+/// The stability regime of each reading of a run, by the tangent stiffness of the nominal model.
 
 #include "diagnose/rig/history.hpp"
 
 namespace plumbline::diagnose {
 
-enum class Regime { pre_buckling, near_loss_of_stiffness, post_buckling, unloading };
+enum class Regime { pre_critical, near_critical, post_critical, unloading };
 
 std::string regime_word(Regime regime);
 

@@ -1,8 +1,7 @@
 #pragma once
 /// \file
-/// The rig as it is: the nominal chain and bench, and beside them everything that the effects of the
-/// catalogue can add. A rig whose additions are all zero is the nominal model, so any set of effects can be
-/// active together.
+/// The rig: the nominal chain and bench with the parameters of every effect. Zero additions give the nominal
+/// model, so that any set of effects can act together.
 
 #include <Eigen/Core>
 #include <limits>
@@ -16,28 +15,27 @@ namespace plumbline::diagnose {
 
 using Vector2 = Eigen::Vector2d;
 
-/// Standard gravity as the catalogue counts it, m/s^2.
+/// Gravity in the catalogue, m/s^2.
 inline constexpr double standard_gravity = 9.81;
 
-/// A Maxwell arm beside every spring: stiffness over that of the spring, and time constant, s.
+/// A Maxwell arm in parallel with every spring: stiffness relative to the spring, and time constant, s.
 struct Arm {
   double ratio, time;
   friend bool operator==(const Arm&, const Arm&) = default;
 };
 
-/// A Jenkins element beside a spring: stiffness over that of the spring, and the torque at which it yields, N
-/// m.
+/// A Jenkins element in parallel with a spring: stiffness relative to the spring, and slip torque, N m.
 struct Slider {
   double ratio, yield;
   friend bool operator==(const Slider&, const Slider&) = default;
 };
 
-/// What the slip torque of the dry contacts depends on:
-/// (tau_c + growth |d|) (1 + uneven side) (1 + fall exp(-speed of turning / speed)).
+/// The slip torque of dry contacts at deflection d, in direction s = 1 or -1, at joint speed w:
+/// (tau_c + growth |d|) (1 + uneven s) (1 + fall exp(-w / speed)).
 struct FrictionLaw {
   double growth = 0;           ///< N m/rad
-  double uneven = 0;           ///< of the side to which they slip, 1 or -1
-  double fall = 0, speed = 1;  ///< from rest to fast, and over how many rad/s
+  double uneven = 0;           ///< asymmetry between the directions
+  double fall = 0, speed = 1;  ///< Stribeck: relative rise at rest, and its decay speed, rad/s
   friend bool operator==(const FrictionLaw&, const FrictionLaw&) = default;
 };
 
@@ -47,21 +45,21 @@ struct Rig {
   std::vector<double> stiffness;   ///< k_i
   std::vector<double> rest_error;  ///< added to the commanded rest angle
   std::vector<double> backlash;    ///< half the play, b
-  std::vector<double> stop;        ///< deflection at which the stop is reached, s; infinite without a stop
+  std::vector<double> stop;        ///< s, deflection at which the stop is reached; infinite without a stop
   std::vector<double> stop_stiffness;        ///< k_s
   std::vector<double> hardening;             ///< c of k d (1 + c d^2), 1/rad^2
-  std::vector<double> asymmetry;             ///< e: stiffer by it where d > 0, softer where d < 0
-  std::vector<double> knee;                  ///< deflection beyond which the spring gives way; or infinite
-  std::vector<double> give;                  ///< a: by how much it is softer there, over its stiffness
+  std::vector<double> asymmetry;             ///< e: stiffness k (1 + e) for d > 0, k (1 - e) for d < 0
+  std::vector<double> knee;                  ///< deflection beyond which the spring is softer; or infinite
+  std::vector<double> give;                  ///< a: relative loss of stiffness beyond the knee
   std::vector<double> friction;              ///< tau_c, N m; acts at elastic joints
   std::vector<std::vector<Slider>> sliders;  ///< at elastic joints
   std::vector<Vector2> weight;               ///< dead weight of each link, at its middle, N
 
   // The chain as a whole.
   FrictionLaw friction_law;                                ///< of the dry friction of all joints
-  double yield = std::numeric_limits<double>::infinity();  ///< tau_y beyond which rest angles move, N m
-  double flow = 0;                                         ///< how far they move, over (torque - tau_y) / k
-  double capstan = 0;        ///< mu: a rest angle falls by exp(-mu) from joint to joint
+  double yield = std::numeric_limits<double>::infinity();  ///< tau_y, torque of plastic yield, N m
+  double flow = 0;           ///< plastic change of the rest angle over (torque - tau_y) / k
+  double capstan = 0;        ///< mu: rest angles decrease by exp(-mu) from joint to joint
   double coupling = 0;       ///< kappa between neighbouring joints, N m/rad
   double axial = 0;          ///< c_a, strain per newton
   double flexibility = 0;    ///< 1/EI of every link, 1/(N m^2)
@@ -83,24 +81,24 @@ struct Rig {
   Vector2 force_drift = Vector2::Zero();                         ///< r_x, r_y, N/s
   Vector2 cross_talk = Vector2::Zero();                          ///< c_xy, c_yx
   Vector2 cell_curvature = Vector2::Zero();                      ///< c_x, c_y, 1/N
-  double force_limit = std::numeric_limits<double>::infinity();  ///< largest |Fx|, |Fy| that it shows, N
+  double force_limit = std::numeric_limits<double>::infinity();  ///< range of the load cell, N
   double force_lag = 0;                                          ///< its time constant, s
 
-  // Single runs, by their number; runs beyond do not differ.
+  // By run number; later runs have no addition.
   std::vector<std::vector<double>> run_rest;  ///< [run][joint], beside rest_error
   std::vector<Vector2> run_tare;              ///< [run], beside force_bias
 
-  // What no known effect says.
+  // Free torque laws.
   std::vector<FreeLaw> laws;
 
-  // What the user states.
+  // User effects.
   std::vector<StatedTorque> stated_torques;
   std::vector<StatedCorrection> stated_corrections;
 
   friend bool operator==(const Rig&, const Rig&) = default;
 };
 
-/// The rig as it stands in the run of that number.
+/// The rig in the run of that number.
 Rig in_run(const Rig& rig, std::size_t run);
 
 /// Where the end point of the nominal chain lies at rest.

@@ -6,7 +6,7 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// What a short piece of a link contributes.
+/// Contribution of a short piece of a link.
 struct Piece {
   double residual, stiffness, energy;
   Vector2 moved, arm;  // its share of the end point and of its derivative

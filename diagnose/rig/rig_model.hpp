@@ -1,15 +1,15 @@
 #pragma once
 /// \file
-/// The rig as a model that can be loaded, in absolute angles.
+/// The rig as a loaded model in absolute angles.
 ///
-/// With T_j the force that link j passes on (the end force and the weights beyond), the mixed potential
+/// With T_j the force that link j transmits (the end force and the weights beyond), the mixed potential
 ///   Phi(theta, F) = U(theta) - sum_j L_j ((u_j . T_j) + c_a (u_j . T_j)^2 / 2) - F . C F / 2
 /// is stationary in theta at equilibrium, and -dPhi/dF is the end point: axial, base and train compliance
-/// enter by their complementary energy and add no unknown. The stored energy is Phi + F . p; of dry contacts
-/// and Maxwell arms it counts the work since the last reading. An eccentric load alone has no potential. Only
-/// neighbours couple, so the stiffness is a band. A link that bends is one quadratic finite element of its
-/// tangent angle with three nodes (start, middle, end): exact for end loads in the linear theory, and
-/// integrated with three Gauss points in the nonlinear one.
+/// enter by their complementary energy and add no unknown. The stored energy is Phi + F . p, where dry
+/// contacts and Maxwell arms contribute their work since the last reading. An eccentric load has no
+/// potential. Only neighbours couple, so the stiffness matrix is banded. A bending link is one quadratic
+/// finite element of its tangent angle with three nodes (start, middle, end): exact for end loads in the
+/// linear theory, and integrated with three Gauss points in the nonlinear one.
 
 #include <plumbline/loaded/loaded_model.hpp>
 
@@ -27,7 +27,7 @@ class RigModel {
 
   explicit RigModel(const Layout& layout) : layout_(layout) {}
 
-  /// Which rig on which step it is, and the state of its contacts; both are looked at, not copied.
+  /// Sets the rig, the step and the state of the contacts, all by reference.
   void become(const RigStep& step, const std::vector<Contact>& contact) {
     step_ = &step;
     contact_ = &contact;
@@ -35,7 +35,7 @@ class RigModel {
 
   [[nodiscard]] const Layout& layout() const { return layout_; }
   [[nodiscard]] std::size_t size() const { return layout_.nodes(); }
-  /// The end point is the place of the drive: the train yields between it and the chain.
+  /// The end point is that of the drive, beyond the compliance of the load train.
   void expand(const Vector<double>& angle, const Point<double>& force, At& at) const;
   /// Residual and end point alone.
   void balance(const Vector<double>& angle, const Point<double>& force, At& at) const;
@@ -43,15 +43,15 @@ class RigModel {
  private:
   template <bool derivatives>
   void assemble(const Vector<double>& angle, const Point<double>& force, At& at) const;
-  /// What a joint's sliders and Maxwell arms carry.
+  /// Torque of a joint's sliders and Maxwell arms.
   [[nodiscard]] Torque history(std::size_t joint, double q) const;
   template <bool derivatives>
   void add_joints(const Vector<double>& angle, At& at) const;
-  /// What a torque of a joint turns: the node behind it and, reversed, the node before it.
+  /// Adds the torque of a joint: to the node behind it and, with opposite sign, to the node before it.
   template <bool derivatives>
   void add_torque(std::size_t joint, double value, double slope, At& at) const;
-  /// What the user states. It depends on the force, which leaves the equations without symmetry, and is not
-  /// counted in the stored energy.
+  /// Adds the torques of user effects. They may depend on the force, so the equations lose their symmetry;
+  /// the stored energy does not contain them.
   template <bool derivatives>
   void add_stated(std::size_t joint, double q, const Vector2& force, At& at) const;
   template <bool derivatives>
@@ -66,7 +66,7 @@ class RigModel {
   Layout layout_;
   const RigStep* step_ = nullptr;
   const std::vector<Contact>* contact_ = nullptr;
-  /// Unit vectors along rigid links at the shape that was looked at last: rigs side by side look at one.
+  /// Unit vectors along rigid links at the last shape: varied rigs are evaluated at the same one.
   mutable std::vector<Vector2> along_;
   mutable Vector<double> along_at_;
 };

@@ -8,24 +8,25 @@ namespace plumbline::diagnose {
 namespace {
 
 constexpr double largest_turn = 0.3;     // rad: longest Newton step
-constexpr double nearby = 0.6;           // rad: a joint that turned further between readings has snapped
+constexpr double nearby = 0.6;           // rad: a larger turn of a joint between readings is a snap
 constexpr double angle_accuracy = 1e-7;  // rad: a Newton step this short leaves an error of its square
-// Along one branch each Newton step is at most half as long as the last; a step that is not has left it, or
-// stands at a kink of a joint law, which spoils the ratio of short steps only.
+// Along one branch each Newton step is at most half as long as the last. A longer one has left the branch, or
+// is at a kink of a joint law, which affects the ratio of short steps only.
 constexpr double contraction = 0.5;
 constexpr double felt_turn = 1e-3;        // rad
 constexpr double shortest_stride = 1e-3;  // share of the way between two readings
 constexpr int newton_limit = 40;
 constexpr int joint_changes = 8;  // iterations that may change all contacts at once
 constexpr long descent_limit = 400;
-constexpr double first_push = 0.01;  // of what turns a joint by a radian: which way a force is to grow
-// A run takes a few steps a reading, 16,000 for 31 readings at most among the fits of 84 experiments. Rigs
-// that a fit tries and that snap at every reading take millions.
+constexpr double first_push =
+    0.01;  // share of the force that turns a joint by a radian: probes its direction
+// A run takes a few steps a reading, and at most 16,000 for 31 readings in the fits of 84 experiments; a rig
+// that snaps at every reading takes millions.
 constexpr long steps_per_reading = 50, spare_steps = 20000;
-// Joints in their play, and passive ones, may leave the stiffness singular. Dampers this weak, as a share of
-// the largest joint stiffness, keep such joints where they are; the residual knows nothing of them.
+// Joints within their play, and passive ones, may make the stiffness singular. Dampers this weak, relative to
+// the largest joint stiffness, keep such joints in place; they do not enter the residual.
 constexpr double hold = 1e-8;
-// Beside a joint that sticks (JointLaw::sticking) one that slips leaves a pivot of a 1e-5th of its row.
+// A joint that slips beside one that sticks (JointLaw::sticking) leaves a pivot of 1e-5 of its row.
 constexpr double smallest_pivot = 1e-6;
 
 Imposed between(const Imposed& from, const Imposed& to, double share) {
@@ -57,7 +58,7 @@ bool RigSolver<Bandwidth>::settle_contacts(const RigStep& step, bool all, Postur
       if (step.interval.relaxed && !joint.slider[s].from_rest) continue;
       Contact& contact = posture.contact[layout.contact(i, s)];
       if (!joint.slider[s].acts()) {
-        // Nothing is carried, but what little friction would be is against the way that the joint goes.
+        // The slider carries nothing; the direction of vanishing friction opposes the motion.
         contact = q < last.angle ? Contact::slips_down : Contact::slips_up;
         continue;
       }
@@ -104,7 +105,7 @@ bool RigSolver<Bandwidth>::descend(const RigStep& step, const Imposed& imposed, 
     settle_contacts(step, false, posture);
   };
   const auto at_rest = [&] {
-    // Where the tangent is not that of a minimum yet, Newton's method would go uphill.
+    // Where the tangent is indefinite, Newton's method would ascend.
     system_.expand(posture.angle, posture.force);
     if (!system_.factor(imposed.control, hold * step.run.largest_stiffness)) return false;
     if (system_.negative_directions() > 0) return false;
@@ -121,8 +122,8 @@ bool RigSolver<Bandwidth>::descend(const RigStep& step, const Imposed& imposed, 
   };
   system_.expand(posture.angle, posture.force);
   if (imposed.control == Control::force || system_.symmetric()) return comes_to_rest();
-  // A force that acts beside the point that is held may grow either way, and from a shape that it leaves, but
-  // is at rest in, neither: it is pressed on towards the base, or, where that ends nowhere, away from it.
+  // An eccentric force on a held end point may grow in either direction from an unloaded shape: compression
+  // is tried first, then tension.
   const Posture from = posture;
   const Vector2 end(system_.at().end_point.x, system_.at().end_point.y);
   const Vector2 push =

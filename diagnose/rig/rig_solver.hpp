@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Follows the chain from one reading to the next along the branch that the rig follows: Newton's iteration
-/// while the equilibrium stays stable and near, damped motion to the next stable one where it does not.
+/// Follows the chain from one reading to the next: Newton's method while the equilibrium stays stable and
+/// near, damped motion to the next stable equilibrium where it does not (a snap).
 
 #include <plumbline/loaded/loaded_system.hpp>
 
@@ -13,51 +13,52 @@ namespace plumbline::diagnose {
 template <int Bandwidth>
 class RigSolver {
  public:
-  /// \param readings  that it is to follow: a chain that takes far more of Newton's steps for them than any
-  /// bench does, snapping at every reading, is given up
+  /// \param readings  number of readings: it limits the Newton steps, so that a rig that snaps at every
+  /// reading
+  ///                  is abandoned
   RigSolver(const Layout& layout, std::size_t readings);
   RigSolver(const RigSolver&) = delete;
   RigSolver& operator=(const RigSolver&) = delete;
 
-  /// Moves `posture` to the equilibrium under `imposed`, coming from where it is, which is an equilibrium
-  /// under `before`.
-  /// \param guess  where that may be; looked at first
-  /// \returns false where there is none within reach; `posture` is then without meaning
+  /// Moves `posture` from an equilibrium under `before` to the one under `imposed`.
+  /// \param guess  a posture near the result, tried first
+  /// \returns false where no equilibrium is reached; `posture` is then meaningless
   bool follow(const RigStep& step, const Imposed& before, const Imposed& imposed, const Posture& guess,
               Posture& posture);
 
-  /// Prepares neighbour() at the posture that follow() reached.
+  /// Prepares neighbour() at the posture of the last follow().
   void prepare(const RigStep& step, const Imposed& imposed, const Posture& posture);
 
-  /// One chord step with the factors of the last follow(): the posture of a rig that differs little from the
-  /// one followed. What rounding leaves out of balance at the posture itself does not enter: a rig that does
-  /// not differ in this run has the same posture, to the bit.
+  /// The posture of a rig that differs little from the one followed, by one chord step with the factors of
+  /// the last follow(). The rounding residual at the posture itself is subtracted, so that a rig that does
+  /// not differ in this run has the same posture to the last bit.
   void neighbour(const RigStep& step, const Imposed& imposed, const Posture& posture, Posture& result);
 
-  /// The end point of a posture: the place of the drive.
+  /// The end point of a posture, at the drive.
   Vector2 end_point(const RunRig& run, const Posture& posture);
 
   /// Whether the last follow() went through a snap.
   [[nodiscard]] bool snapped() const { return snapped_; }
 
  private:
-  /// Careful: gives up where the steps do not shrink as they do along one branch.
+  /// Careful: stops where the steps do not shrink as they do along one branch.
   enum class Pace { careful, free };
   bool newton(const RigStep& step, const Imposed& imposed, Pace pace, Posture& posture);
   bool descend(const RigStep& step, const Imposed& imposed, Posture& posture);
-  /// The chord step that cancels what is out of balance at a posture.
+  /// The chord step that cancels the residual at a posture.
   void balance(const RigStep& step, const Imposed& imposed, const Posture& posture);
-  /// Brings the dry contacts in line with the posture, all of them or the first that is not. All at once
-  /// is fast but can go in circles, one at a time does not (Murty's rule). \returns whether one changed
+  /// Makes the states of the dry contacts consistent with the posture: all of them, which is fast but may
+  /// cycle, or the first inconsistent one, which does not cycle (Murty's rule).
+  /// \returns whether one changed
   bool settle_contacts(const RigStep& step, bool all, Posture& posture) const;
 
   RigModel<Bandwidth> model_;
   LoadedSystem<RigModel<Bandwidth>> system_;
   Posture trial_;
   std::vector<JointMemory> nothing_remembered_;
-  Vector<double> prepared_turn_;  ///< that rounding still asks for where follow() ended
+  Vector<double> prepared_turn_;  ///< the rounding residual where follow() ended
   Point<double> prepared_push_{0, 0};
-  long steps_left_;  ///< of Newton's method and of the flow, before it is given up
+  long steps_left_;  ///< Newton and flow steps before the rig is abandoned
   bool snapped_ = false;
 };
 

@@ -7,7 +7,7 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Puts a free law beside the spring of its joint.
+/// Adds a free law in parallel with the spring of its joint.
 void add(const FreeLaw& own, const std::vector<double>& times, JointLaw& law) {
   if (!own.knots.empty()) law.table.emplace_back(own.knots);
   for (const FreeLaw::Slider& one : own.sliders) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The rig in one run, and where it stands: its unknowns, its history, what is imposed.
+/// The rig in one run: its unknowns, its history and what is imposed.
 
 #include <plumbline/base/number.hpp>
 #include <plumbline/chain/kinematics.hpp>
@@ -12,61 +12,61 @@
 
 namespace plumbline::diagnose {
 
-/// The unknowns: node angles (one a link, or three where links bend), the state of the dry contacts, and
-/// the force on the end point.
+/// The unknowns: node angles (one a link, three for bending links), the states of the dry contacts, and the
+/// force on the end point.
 struct Posture {
   Vector<double> angle;
   std::vector<Contact> contact;  ///< of each joint's sliders, see Layout
   Point<double> force{0, 0};
 };
 
-/// The time constants of the Maxwell arms that joints have, s: of those beside every spring, then of those
-/// that free laws have besides.
+/// Time constants of the Maxwell arms, s: first those of every spring, then those of free laws.
 std::vector<double> arm_times(const Rig& rig);
-/// How many springs that slip a joint has, but for its dry friction. \param joint  from 0
+/// Number of sliders of a joint without its dry friction.
+/// \param joint  from 0
 std::size_t slider_count(const Rig& rig, std::size_t joint);
 
-/// The rig during one run: its joints know their rest angles.
+/// The rig during one run, with the rest angles of its joints.
 struct RunRig {
-  /// \param own  the rig as it stands in this run
+  /// \param own  the rig in this run
   RunRig(Rig own, const std::vector<double>& commanded_rest);
   Rig rig;
   std::vector<double> arm_time;  ///< see arm_times()
   std::vector<JointLaw> joint;
   double rest_orientation;      ///< theta_n of the unloaded shape
   double largest_stiffness;     ///< of all joints
-  std::vector<Vector2> beyond;  ///< weight that link j carries at its middle but for its own half
+  std::vector<Vector2> beyond;  ///< weight of the links beyond link j
 };
 
-/// The time that ends with a reading: what history the joints follow in it.
+/// The interval before a reading, for the history of the joints.
 struct TimeStep {
   TimeStep() { decay.fill(1), gain.fill(1); }
-  bool relaxed = true;  ///< slowly, and before the first reading: no Maxwell arm, few sliders
+  bool relaxed = true;  ///< a slow approach before the first reading: no Maxwell arm, few sliders
   double end = 0;       ///< time of the reading, s
   std::array<double, most_arms> decay, gain;  ///< of the rig's arms
 };
 
-/// A rig on its way to a reading, and what its joints remember of the one before.
+/// A rig between two readings, with the memory of its joints at the first.
 struct RigStep {
   const RunRig& run;
   TimeStep interval;
   const std::vector<JointMemory>& memory;
 };
 
-/// What is imposed: the true end point or the true force.
+/// The imposed quantity: the true end point or the true force.
 struct Imposed {
   Control control;
   Vector2 value;
 };
 
-/// Which unknowns there are and which of them couple.
+/// The unknowns and their coupling.
 struct Layout {
   std::size_t links;
   bool bending, coupled;
   std::size_t sliders;  ///< of each joint
   [[nodiscard]] std::size_t nodes_per_link() const { return bending ? 3 : 1; }
   [[nodiscard]] std::size_t nodes() const { return links * nodes_per_link(); }
-  /// Where the state of a joint's slider stands.
+  /// Index of the state of a joint's slider.
   [[nodiscard]] std::size_t contact(std::size_t joint, std::size_t slider) const {
     return joint * sliders + slider;
   }

@@ -5,8 +5,8 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Steps of the difference quotients. At 1e-6 rad the quotient of a smooth torque is good to nine digits,
-/// more than Newton's method needs; a kink is met by the solver as any other.
+/// Steps of the difference quotients. At 1e-6 rad the quotient of a smooth torque has nine digits, more than
+/// Newton's method needs; the solver treats a kink as any other.
 constexpr double turn_step = 1e-6;   // rad
 constexpr double force_step = 1e-6;  // N
 

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// What a user states of a rig in expressions: torques that joints carry beside their springs, and
-/// corrections of readings. docs/user-effects.md
+/// User effects as expressions: torques in parallel with the springs, and corrections of readings.
+/// docs/user-effects.md
 
 #include <Eigen/Core>
 #include <array>
@@ -20,21 +20,21 @@ struct Torque;
 /// the joint's stiffness, true force on the end point. Parameters follow.
 inline constexpr std::array<const char*, 7> torque_variables{"q", "d", "s", "t", "k", "Fx", "Fy"};
 
-/// A torque that one joint carries, N m: positive against a positive deflection, as k d is.
+/// A torque of one joint, N m: positive where it resists a positive deflection, as k d does.
 struct StatedTorque {
   std::size_t joint;  ///< from 0
   std::shared_ptr<const Formula> formula;
   std::vector<double> parameters;
   friend bool operator==(const StatedTorque&, const StatedTorque&) = default;
 
-  /// Where a joint stands when it is asked what it carries.
+  /// The values of the variables at a joint.
   struct Place {
     double q, d, t, k;
     Eigen::Vector2d force;
   };
   [[nodiscard]] bool directed() const { return formula->uses("s"); }
-  /// \param motion  the sign of the joint's motion, between -1 and 1 where it sticks, and its slope: the
-  ///                torque is then between those of the two directions
+  /// \param motion  direction of the joint's motion: 1 or -1, or a value between them while the joint sticks,
+  ///                where the torque is interpolated between the two directions
   [[nodiscard]] double value(const Place& at, double motion) const;
   /// Its derivatives by the joint angle and by the force.
   [[nodiscard]] double slope(const Place& at, const Torque& motion) const;
@@ -44,17 +44,17 @@ struct StatedTorque {
   [[nodiscard]] double towards(const Place& at, double direction) const;
 };
 
-/// The variables of a correction: what the channels would read without it, time and number (from 1) of the
-/// run, direction of motion. Those of an angle alone come next, then parameters.
+/// The variables of a correction: the readings without it, time, number of the run (from 1), direction of
+/// motion. The variables of an angle follow, then the parameters.
 inline constexpr std::array<const char*, 7> reading_variables{"x", "y", "Fx", "Fy", "t", "run", "s"};
 
-/// Of a joint's angle besides: the angle itself, deflection from rest.
+/// Further variables of a joint angle: the angle itself, and its deflection.
 inline constexpr std::array<const char*, 2> angle_variables{"q", "d"};
 
-/// What is added to the readings of a channel that is measured.
+/// A correction that is added to the readings of a measured channel.
 struct StatedCorrection {
   Channel::Name channel;
-  std::optional<std::size_t> joint;  ///< of q, from 0; nothing: every joint's angle
+  std::optional<std::size_t> joint;  ///< of q, from 0; nullopt: the angles of all joints
   std::shared_ptr<const Formula> formula;
   std::vector<double> parameters;
   friend bool operator==(const StatedCorrection&, const StatedCorrection&) = default;
@@ -62,7 +62,7 @@ struct StatedCorrection {
   [[nodiscard]] bool applies_to(const Channel& other) const {
     return other.name == channel && (!joint || *joint == other.joint);
   }
-  /// \param values  of the variables that its channel has
+  /// \param values  of the variables of its channel
   [[nodiscard]] double value(std::span<const double> values) const { return formula->at(values, parameters); }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a joint carries, and how that goes with its angle.
+/// The torque of a joint and its derivative.
 
 #include <vector>
 
@@ -8,8 +8,8 @@
 
 namespace plumbline::diagnose {
 
-/// A torque, its derivative with respect to the joint angle, and its integral: what the joint stores, or
-/// takes in since the last reading where its torque depends on history.
+/// A torque, its derivative by the joint angle, and its energy: stored, or absorbed since the last reading
+/// where the torque depends on history.
 struct Torque {
   double value = 0, slope = 0, energy = 0;
 
@@ -21,14 +21,14 @@ struct Torque {
   }
 };
 
-/// A torque that is straight between knots, and on beyond them.
+/// A piecewise linear torque, extrapolated linearly beyond its knots.
 class TorqueTable {
  public:
   /// \pre at least one knot; deflections rise
   explicit TorqueTable(const std::vector<FreeLaw::Knot>& knots);
 
   [[nodiscard]] Torque at(double deflection) const;
-  /// Integral of a share of it over the deflection. The share goes straight from one value to another.
+  /// Integral of the torque times a factor that changes linearly over the deflection.
   [[nodiscard]] double work(double from, double to, double share_from, double share_to) const;
 
  private:

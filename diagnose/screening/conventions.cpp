@@ -11,28 +11,28 @@
 #include <utility>
 
 #include "diagnose/bench/conversion.hpp"
-#include "diagnose/screening/unmoved.hpp"
 #include "diagnose/rig/nominal.hpp"
+#include "diagnose/screening/stuck_channel.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-/// Columns whose misfit is below this share of what it could be are not worth a question, nor are starts so
-/// near the unloaded end points, in lengths of the chain.
+/// Misfits of a column below this fraction, and starts this near to the unloaded end points (in lengths of
+/// the chain), raise no question.
 constexpr double misfit_in_doubt = 0.05, start_in_doubt = 0.01;
-/// A gap beside the slip may leave as much in a run that the slip does not touch.
+/// Largest misfit of a run that a slip elsewhere leaves unchanged.
 constexpr double misfit_of_a_gap = 0.25;
-/// Starts so far off tell of axes and angles as well: what leaves a tenth of it is no chance, and what leaves
-/// a fiftieth of a far one needs no other evidence.
+/// Distances of starts that support an axis or angle convention, and fractions of them that a conversion may
+/// leave: the second pair is sufficient evidence alone.
 constexpr double start_off = 0.03, start_far_off = 0.1, mostly_placed = 0.1, wholly_placed = 0.02;
-/// What a conversion may leave: of the misfit, and of the readings themselves.
+/// Largest fractions of the misfit, and of the readings, that a conversion may leave.
 struct Allowance {
   double misfit, readings;
 };
-/// A bench with a large gap beside the slip still follows the model. No gap makes numbers look turned or
-/// reversed, still less a thousand times too large; but a chain that buckles to its other side looks
-/// mirrored, and one whose first joint is softer than it was believed looks as if its list began at the other
-/// end. What other runs refute is believed of the rest where it mends them nearly whole.
+/// With a gap beside the slip the readings still follow the model. A gap does not turn or reverse numbers,
+/// nor multiply them by a thousand; but a chain that buckles to the other side looks mirrored, and a soft
+/// first joint looks like a list in reverse order. A conversion that other runs refute must mend the rest
+/// nearly completely.
 constexpr Allowance usual{0.2, 0.6}, of_a_mirror{0.1, 0.5}, of_an_order{0.04, 0.2},
     of_a_large_factor{0.6, 0.9}, refuted_elsewhere{0.03, 0.15};
 
@@ -50,7 +50,7 @@ const Allowance& allowance(const Conversion& conversion) {
   return is_large(conversion.factor) ? of_a_large_factor : usual;
 }
 
-/// Sums of squares of a measured column of one run, from the unloaded state on, against the prediction.
+/// Sums of squares of a measured column of one run, from the unloaded state on, and of its prediction.
 struct Column {
   Channel channel{};
   double measured = 0, predicted = 0, product = 0;
@@ -62,7 +62,7 @@ struct Column {
 
 using Columns = std::vector<Column>;  ///< of one run
 
-/// What is missing in the prediction counts as unloaded; what a conversion could not read is left out.
+/// Values missing in the prediction count as unloaded; values that a conversion could not read are left out.
 Column compare(const Channel& channel, const Run& run, const Trace& predicted, double unloaded) {
   Column column{channel};
   for (std::size_t i = 0; i < run.readings.size(); ++i) {
@@ -91,7 +91,7 @@ double unloaded_value(const Channel& channel, const Vector2& end, const std::vec
   }
 }
 
-/// Of the columns that hold readings.
+/// By run, the columns that hold readings.
 std::vector<Columns> compare(const Experiment& experiment, const Prediction& prediction) {
   std::vector<Columns> runs(experiment.runs.size());
   for (std::size_t r = 0; r < runs.size(); ++r) {
@@ -112,8 +112,8 @@ double energy_of_sensor(const Columns& columns, const Column& one) {
   return sum;
 }
 
-/// 0 where a column agrees, 1 where it has nothing to do with the prediction, 2 where it is its mirror image;
-/// whatever the unit. A column that is small beside the others of its sensor counts less.
+/// Misfit of a column in any unit: 0 for agreement, 1 for no relation, 2 for a mirror image. A column that is
+/// small beside the others of its sensor counts less.
 double misfit(const Columns& columns, const Column& one) {
   constexpr double beside = 0.05;
   const double sensor = energy_of_sensor(columns, one);
@@ -126,7 +126,7 @@ double worst(const Columns& columns) {
   return most;
 }
 
-/// Whether the nominal model predicts the same for both: then it need not be asked again.
+/// Whether the nominal model predicts the same for both.
 bool same_command(const Experiment& a, const Experiment& b) {
   const auto same_run = [](const Run& one, const Run& other) {
     const auto same_reading = [&](const Reading& r, const Reading& s) {
@@ -140,7 +140,7 @@ bool same_command(const Experiment& a, const Experiment& b) {
          std::equal(a.runs.begin(), a.runs.end(), b.runs.begin(), b.runs.end(), same_run);
 }
 
-/// How far the runs start from their unloaded end points, in lengths of the chain.
+/// Sum of the distances between the runs' starts and their unloaded end points, in lengths of the chain.
 double distance_at_start(const Experiment& experiment) {
   double sum = 0;
   const double whole = std::accumulate(experiment.link_length.begin(), experiment.link_length.end(), 0.0);
@@ -151,8 +151,8 @@ double distance_at_start(const Experiment& experiment) {
   return sum;
 }
 
-/// What a conversion does to the columns that it changes: their misfits, and their sums by sensor, as shares
-/// of what the sensor saw in the run.
+/// The effect of a conversion on the columns that it changes: their misfits, and their sums by sensor as
+/// fractions of the sensor's in the run.
 struct Change {
   double before = 0, after = 0;
   std::array<Column, 3> was, is;
@@ -185,15 +185,15 @@ Change compare_run(const Columns& before, const Columns& after) {
   return change;
 }
 
-/// How far the best common factor that remains may be from 1, as a logarithm. Nothing errs by a factor of
-/// twenty, and no bench by about ten at all its joints; about four it may. What shape the prediction misses
-/// moves the best factor by as much.
+/// Largest logarithm of the best remaining common factor. No error is a factor of twenty, and none a factor
+/// of about ten at all joints; a factor of about four is possible. A wrong shape of the prediction shifts the
+/// best factor.
 double tolerance(double factor, double shape) {
   if (is_large(factor)) return std::log(2);
   return (std::abs(std::log(factor)) > std::log(7) ? 0.2 : 0.05) + std::min(shape, 0.35);
 }
 
-/// Of a unit: whether the best common factor that remains is one.
+/// Whether the best remaining common factor of a unit is one.
 bool centred(const Column& sensor, double factor) {
   if (factor == 0 || sensor.predicted == 0 || sensor.measured == 0) return true;
   const double best = sensor.product / sensor.predicted;
@@ -208,13 +208,13 @@ double relative_rms(const std::array<Column, 3>& sensors) {
   return std::sqrt(left / measured);
 }
 
-/// Decades by which a number lies outside of what benches have.
+/// Decades by which a number lies outside a usual range.
 double decades_beyond(double value, double low, double high) {
   return value > 0 ? std::max({0.0, std::log10(low / value), std::log10(value / high)}) : 0;
 }
 
-/// How far the size of the forces and of the chain are from those of a bench on a table: what tells readings
-/// in kN from stiffnesses in N mm/rad, of which the nominal model predicts the same but for the unit.
+/// Distance of the forces and lengths from those of a table-top bench: it distinguishes readings in kN from
+/// stiffnesses in N mm/rad, which the nominal model cannot.
 double unusual(const Experiment& experiment) {
   double force = 0;
   for (const Run& run : experiment.runs)
@@ -223,18 +223,18 @@ double unusual(const Experiment& experiment) {
   return decades_beyond(force, 0.1, 100) + decades_beyond(length, 0.05, 5);
 }
 
-/// A conversion that was tried.
+/// A conversion and its result.
 struct Trial {
   Conversion conversion;
-  std::vector<std::size_t> runs = {};  ///< that it mends
+  std::vector<std::size_t> runs = {};  ///< mended runs
   double misfit = 0;                   ///< left in all runs
-  double unusual = 0;                  ///< how far from the usual sizes it leaves the bench
-  double left_as_is = 0, left = 0;
+  double unusual = 0;                  ///< distance from usual sizes
+  double misfit_as_read = 0, left = 0;
   bool wholly_placed = false;
-  double start = 0;  ///< distance at start that it leaves
+  double start = 0;  ///< remaining distance at the start
 };
 
-/// Whether a conversion puts the unloaded end points where the runs start.
+/// Whether a conversion places the unloaded end points at the starts of the runs.
 enum class Placed { no, mostly, wholly };
 
 class Check {
@@ -251,7 +251,7 @@ class Check {
            std::any_of(as_is_.begin(), as_is_.end(), misfits);
   }
 
-  [[nodiscard]] double start_as_is() const { return start_; }
+  [[nodiscard]] double start_error_as_read() const { return start_; }
 
   [[nodiscard]] std::vector<Trial> suspected() const {
     std::vector<Trial> found;
@@ -280,21 +280,22 @@ class Check {
     return trial;
   }
 
-  /// No spring, load or sensor of force moves unloaded end points, so that an order is no more likely to be a
-  /// gap than a unit is where it places them.
+  /// Unloaded end points do not depend on springs, loads or force sensors; where an order places them, it
+  /// needs no more evidence than a unit.
   [[nodiscard]] Placed placed(const Conversion& conversion, double start) const {
     if (start_ > start_far_off && start < wholly_placed * start_) return Placed::wholly;
     const double off = is_of_an_order(conversion) ? start_in_doubt : start_off;
     return start_ > off && start < mostly_placed * start_ ? Placed::mostly : Placed::no;
   }
 
-  /// \param now  the columns as converted
+  /// \param now  the converted columns
   [[nodiscard]] std::optional<Trial> judge(const Conversion& conversion, const std::vector<Columns>& now,
                                            Placed placed) const {
     return placed == Placed::wholly ? judge_placed(conversion, now) : judge_mended(conversion, now, placed);
   }
 
-  /// Where it places the starts of all runs nothing else may be worse; how much is mended depends on the gap.
+  /// A conversion that places the starts of all runs must not make anything else worse; how much it mends
+  /// depends on the gap.
   [[nodiscard]] std::optional<Trial> judge_placed(const Conversion& conversion,
                                                   const std::vector<Columns>& now) const {
     Trial trial{conversion};
@@ -311,7 +312,7 @@ class Check {
     return trial;
   }
 
-  /// The columns that the conversion changes, in the runs that it mends, must agree.
+  /// The changed columns must agree in all runs that the conversion mends.
   [[nodiscard]] std::optional<Trial> judge_mended(const Conversion& conversion,
                                                   const std::vector<Columns>& now, Placed placed) const {
     Trial trial{conversion};
@@ -338,9 +339,9 @@ class Check {
     if (trial.runs.empty() || !in_doubt || whole.after > allowed.misfit * whole.before) return {};
     for (const Column& sensor : whole.is)
       if (!centred(sensor, conversion.factor)) return {};
-    trial.left_as_is = relative_rms(whole.was);
+    trial.misfit_as_read = relative_rms(whole.was);
     trial.left = relative_rms(whole.is);
-    if (trial.left > allowed.readings || trial.left > allowed.readings * trial.left_as_is) return {};
+    if (trial.left > allowed.readings || trial.left > allowed.readings * trial.misfit_as_read) return {};
     return trial;
   }
 
@@ -350,18 +351,23 @@ class Check {
   std::vector<Conversion> conversions_;
 };
 
+/// "220 %", "2.5 %"
+std::string percent(double share) {
+  return share < 0.1 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
+}
+
 }  // namespace
 
-std::optional<Doubt> doubtful_convention(const Study& study) {
+std::optional<SuspectedConvention> suspected_convention(const Study& study) {
   const Check check(study);
   if (!check.in_doubt()) return {};
   std::vector<Trial> found = check.suspected();
   if (found.empty()) return {};
   if (std::ranges::any_of(found, &Trial::wholly_placed))
     std::erase_if(found, [](const Trial& one) { return !one.wholly_placed; });
-  // Squares of residuals: what leaves half as much again, or differs by a thousandth, cannot be told apart;
-  // nor can two units, whose factors a gap may bring nearer or farther: of those that leave up to twice as
-  // much, the more common is asked about first.
+  // Squares of residuals: half as much again, or a difference of a thousandth, is no distinction, and twice
+  // as much is none between two units, whose factors a gap may shift; of those the more common is asked
+  // first.
   constexpr double alike = 2.25, alike_units = 10, as_well_units = 4, anyway = 1e-3;
   const auto less = [](const Trial& a, const Trial& b) { return a.misfit < b.misfit; };
   const Trial least = *std::min_element(found.begin(), found.end(), less);
@@ -369,8 +375,7 @@ std::optional<Doubt> doubtful_convention(const Study& study) {
     const bool units = one.conversion.factor != 0 && least.conversion.factor != 0;
     return one.misfit > std::max((units ? alike_units : alike) * least.misfit, least.misfit + anyway);
   });
-  // What mends best is asked first; of what mends alike, what leaves the sizes that benches have; of these,
-  // what is the most common.
+  // The order of questions: by remaining misfit, by usual sizes, by frequency.
   const double as_well =
       std::max((least.conversion.factor != 0 ? as_well_units : alike) * least.misfit, least.misfit + anyway);
   const auto order = [&](const Trial& one) {
@@ -380,38 +385,39 @@ std::optional<Doubt> doubtful_convention(const Study& study) {
                    [&](const Trial& a, const Trial& b) { return order(a) < order(b); });
   const Trial& best = found.front();
   const Conversion& conversion = best.conversion;
-  Doubt doubt{{},
-              conversion.what,
-              conversion.looks_like,
-              conversion.expected,
-              conversion.remedy,
-              {},
-              best.left_as_is,
-              best.left,
-              best.wholly_placed ? check.start_as_is() : 0,
-              best.start};
+  SuspectedConvention doubt{{},
+                            conversion.what,
+                            conversion.looks_like,
+                            conversion.expected,
+                            conversion.remedy,
+                            {},
+                            best.misfit_as_read,
+                            best.left,
+                            best.wholly_placed ? check.start_error_as_read() : 0,
+                            best.start};
   if (best.runs.size() < study.experiment().runs.size())
     for (const std::size_t r : best.runs) doubt.runs.push_back(study.experiment().runs[r].id);
   for (std::size_t i = 1; i < found.size(); ++i)
-    doubt.or_else.push_back(found[i].conversion.what + " like " + found[i].conversion.looks_like);
+    doubt.alternatives.push_back(found[i].conversion.what + " like " + found[i].conversion.looks_like);
   return doubt;
 }
 
 void require_conventions(const Study& study) {
-  require_moved(study);
-  const std::optional<Doubt> doubt = doubtful_convention(study);
+  require_no_stuck_channel(study);
+  const std::optional<SuspectedConvention> doubt = suspected_convention(study);
   if (!doubt) return;
   std::string where = study.experiment().name + ", ";
   if (!doubt->runs.empty())
     where += fmt::format("run{} {}, ", doubt->runs.size() > 1 ? "s" : "", fmt::join(doubt->runs, ", "));
   std::string found = "what looks like " + doubt->looks_like;
-  for (const std::string& other : doubt->or_else) found += ", or " + other;
-  if (doubt->start_as_is > 0)
-    found += fmt::format(" (the runs then start {:.2g} instead of {:.2g} lengths of the chain off, together)",
-                         doubt->start, doubt->start_as_is);
+  for (const std::string& other : doubt->alternatives) found += ", or " + other;
+  if (doubt->start_error_as_read > 0)
+    found +=
+        fmt::format(" (the starts are then off by {:.2g} lengths of the chain in all, instead of {:.2g})",
+                    doubt->start, doubt->start_error_as_read);
   else
-    found += fmt::format(" (the nominal model then misses {:.2g} % instead of {:.2g} %)", 100 * doubt->left,
-                         100 * doubt->left_as_is);
+    found += fmt::format(" (the misfit then falls from {} to {})", percent(doubt->misfit_as_read),
+                         percent(doubt->left));
   throw Error(where + doubt->what, found,
               doubt->expected + ": if it is so, write " + doubt->remedy + "; if not, pass --as-is");
 }

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Before anything is fitted: do the numbers mean what the format says, or do they betray another unit, sign,
-/// axis or order?
+/// Suspected unit, sign, axis or order conventions in an experiment, before anything is fitted.
 
 #include <optional>
 #include <string>
@@ -11,33 +10,34 @@
 
 namespace plumbline::diagnose {
 
-/// Numbers that look as if they were meant otherwise. A question, not a finding: the nominal model itself may
-/// be what is wrong.
-struct Doubt {
-  std::vector<std::string> runs;     ///< that look so; empty where all do
-  std::string what;                  ///< the columns or keys, "Fx, Fy"
-  std::string looks_like;            ///< "kgf"
-  std::string expected;              ///< "N"
-  std::string remedy;                ///< what to write in experiment.toml if they are
-  std::vector<std::string> or_else;  ///< other readings that fit as well: "joint_stiffness like N cm/rad"
-  double left_as_is, left;  ///< rms of what the nominal model leaves, over the readings' own: now and then
-  /// Distances of the runs' starts from the unloaded end points, lengths of the chain, together: now and
-  /// then, where they are what betrays it; otherwise zero now.
-  double start_as_is, start;
+/// Numbers that agree with the model after a conversion. This is a question to the user: the nominal model
+/// itself may be wrong.
+struct SuspectedConvention {
+  std::vector<std::string> runs;  ///< affected runs; empty for all
+  std::string what;               ///< the columns or keys, "Fx, Fy"
+  std::string looks_like;         ///< "kgf"
+  std::string expected;           ///< "N"
+  std::string remedy;             ///< what to write in experiment.toml if the suspicion is right
+  std::vector<std::string>
+      alternatives;  ///< other readings that fit as well: "joint_stiffness like N cm/rad"
+  double misfit_as_read,
+      left;  ///< rms of what the nominal model leaves, over the readings' own: now and then
+  /// Sum of the distances between the runs' starts and the unloaded end points, in lengths of the chain, as
+  /// read and after the conversion; zero as read where the suspicion does not rest on it.
+  double start_error_as_read, start;
 };
 
-/// Compares the readings with the nominal model as they stand and under each of the closed list of
-/// conversions (bench/conversion.hpp); nothing is fitted. A conversion is suspected where it removes most of
-/// the squared misfit of every column that it changes, in every run that misfits, and where no common factor
-/// but its own would do. How much it must remove, and how far off that factor may be, are such that a gap
-/// beside the slip does not hide it and a gap alone does not look like one. Of the order of a chain it is
-/// nearly all, but where only the other order stands unloaded where the runs start. Where a conversion alone
-/// places all starts, that is enough: no gap moves them.
-std::optional<Doubt> doubtful_convention(const Study& study);
+/// Compares the readings with the nominal model as they are and under every conversion of
+/// bench/conversion.hpp; nothing is fitted. A conversion is suspected where it removes most of the squared
+/// misfit of every column that it changes, in every run with a misfit, and where the best remaining common
+/// factor is one. The thresholds are such that a gap does not hide a slip of convention and does not look
+/// like one. A reversed order of the chain must remove nearly all of the misfit, unless it alone places the
+/// unloaded end points at the starts of the runs. A conversion that alone does so is suspected for that
+/// reason: no gap moves unloaded end points.
+std::optional<SuspectedConvention> suspected_convention(const Study& study);
 
-/// A search among causes is wasted on numbers that were meant otherwise.
-/// \throws Error with the question, in one line, where a unit, sign, axis or order is in doubt, or where a
-/// measured column does not move
+/// \throws Error with the question, in one line, where a unit, sign, axis or order is suspected, or where a measured
+///         column is stuck: a search for causes would be wasted
 void require_conventions(const Study& study);
 
 }  // namespace plumbline::diagnose

@@ -1,20 +1,18 @@
 """Lays out what Doxygen makes the site of: every Markdown file of the repository, with links as Doxygen has them, and beside the
-pages the files that they link to and what the commands of the gallery write.
+pages the files that they link to.
 
-usage: pages.py PLUMBLINE FOLDER
+usage: pages.py FOLDER
 
 FOLDER/pages gets the Markdown, FOLDER/html the files.
 """
 import html
-import os
 import re
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PROGRAM, PLACE = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
+PLACE = Path(sys.argv[1]).resolve()
 FENCED = re.compile(r"^```.*?^```\n", re.M | re.S)
 CODE = re.compile(r"(`+)(.+?)\1(?!`)", re.S)
 LINK = re.compile(r"(?<!!)\[((?:[^\]\[]|<code>.*?</code>)*)\]\(([^)\s]+)\)")
@@ -99,27 +97,8 @@ def page(path):
     return outside_fences(path.read_text(encoding="utf-8"), change)
 
 
-def draw_gallery():
-    """Runs the sessions of the gallery, where the folders of the repository can be seen."""
-    place = PLACE / "html" / "gallery"
-    place.mkdir(parents=True, exist_ok=True)
-    seen = [place / folder for folder in ("docs", "proofs")]
-    for link in seen:
-        link.symlink_to(ROOT / link.name)
-    text = (ROOT / "docs" / "gallery.md").read_text(encoding="utf-8")
-    try:
-        for block in re.findall(r"^```console\n(.*?)^```", text, re.M | re.S):
-            for command in re.findall(r"^\$ (.*)$", block, re.M):
-                subprocess.run(["bash", "-c", command], cwd=place, check=True, stdout=subprocess.DEVNULL,
-                               env={**os.environ, "PATH": f"{PROGRAM.parent}:{os.environ['PATH']}"})
-    finally:
-        for link in seen:
-            link.unlink()
-
-
 shutil.rmtree(PLACE / "html", ignore_errors=True)
 shutil.rmtree(PLACE / "pages", ignore_errors=True)
-draw_gallery()
 (PLACE / "pages").mkdir()
 for one in PAGES:
     (PLACE / "pages" / f"{label(one)}.md").write_text(page(one), encoding="utf-8")

@@ -3,10 +3,10 @@
 /// All equilibria of a chain, certified complete.
 ///
 /// Under an imposed force |k_i (q_i - rest_i)| <= |F| z_i bounds the deflections, and the search covers every
-/// shape. With the end point held it covers a window of joint angles (proofs/census/window.hpp), there every shape.
-/// A passive joint is counted once around. In a window the joint moments are bounded, and so is the force:
-/// were all joints within delta of the line along F through the end point, |p| would be within
-/// 4 delta^2 sum 1/L_i + delta of a sum ±L_1 … ±L_n; so some joint is farther off, and its moment bounds |F|.
+/// shape. With the end point held it covers a window of joint angles (proofs/census/window.hpp), there every
+/// shape. A passive joint is counted once around. In a window the joint moments are bounded, and so is the
+/// force: were all joints within delta of the line along F through the end point, |p| would be within 4
+/// delta^2 sum 1/L_i + delta of a sum ±L_1 … ±L_n; so some joint is farther off, and its moment bounds |F|.
 ///
 /// The chain is measured in units of its own first, so that no number is far from one without need.
 ///
@@ -17,8 +17,8 @@
 /// such boxes stand side by side equilibria form a continuum, and the search stops.
 ///
 /// A complete census is checked against topology: where the space of shapes has no border, the sum of
-/// (-1)^(negative directions) is its Euler characteristic, with the end point held as in proofs/census/window.hpp,
-/// and under a force 1, or 0 where a joint is passive.
+/// (-1)^(negative directions) is its Euler characteristic, with the end point held as in
+/// proofs/census/window.hpp, and under a force 1, or 0 where a joint is passive.
 
 #include <plumbline/loaded/equilibrium.hpp>
 #include <string>
@@ -58,7 +58,8 @@ struct CensusLimits {
 };
 
 /// All equilibria with the end point held at a place, in a window of joint angles, `unwound` if none is
-/// given. \throws Error out of reach; where some shape with all links in one line has this end point, or
+/// given.
+/// \throws Error out of reach; where some shape with all links in one line has this end point, or
 /// nearly (the
 ///         force is not bounded); for more than `most_links`; where lengths or stiffnesses differ by more
 ///         than 1e60; when a limit is reached; at a continuum; when the count contradicts topology

@@ -19,7 +19,8 @@ Interval::End times(double x, const Interval& unit) {
   return (Interval::from_double(x) * unit).middle();
 }
 
-/// As NominalModel does, in the units of the chain. \param unit  of length, that the model is measured in
+/// As NominalModel does, in the units of the chain.
+/// \param unit  of length, that the model is measured in
 void require_reach(const NominalModel<double>& model, const Point<double>& place, const Interval& unit) {
   const auto [inner, outer] = reach(model.chain().length());
   const double distance = std::hypot(place.x, place.y);

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Certificates that need none of our code to check, in the format of proofs/certificates/certificate-format.md.
+/// Certificates that need none of our code to check, in the format of
+/// proofs/certificates/certificate-format.md.
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -16,7 +17,8 @@ nlohmann::json certificate(const std::string& name, const Chain<Rational>& chain
 
 /// The member "matrices" of such an entry: ranks of A and B of (33), multiplicity of the eigenvalue zero of
 /// B^-1 A, characteristic polynomial det(lambda B - A). O(n^4) operations on fractions for the one who
-/// checks. \throws Error for n = 1 or a mechanism
+/// checks.
+/// \throws Error for n = 1 or a mechanism
 nlohmann::json matrix_certificate(const Chain<Rational>& chain);
 
 /// What made a file, and from what.

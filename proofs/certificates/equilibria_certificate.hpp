@@ -13,7 +13,8 @@ namespace plumbline::proofs {
 inline constexpr const char* equilibria_certificates = "plumbline-equilibria-certificates";
 
 /// The entry of a census: every equilibrium to at most so many digits and the ball that it is alone in, and
-/// the boxes that exclude others. \throws Error where the census leaves something undecided, or more than a
+/// the boxes that exclude others.
+/// \throws Error where the census leaves something undecided, or more than a
 /// million boxes are needed
 nlohmann::json equilibria_certificate(const CensusTask& task, const Census& census, int digits);
 

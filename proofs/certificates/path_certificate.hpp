@@ -22,7 +22,8 @@ struct PathGiven {
 };
 
 /// The entry of proved branches: their points, to nine decimals (ProvedPoints::rounded), and what is proved
-/// of the curves through them. \throws Error where something failed
+/// of the curves through them.
+/// \throws Error where something failed
 nlohmann::json path_certificate(const PathGiven& given, const JoinedBranches& proved);
 
 }  // namespace plumbline::proofs

@@ -18,7 +18,8 @@ struct CertifiedModes {
 /// The lowest `forces` critical forces and `shapes` (not more of them) mode shapes, each to so many
 /// significant digits; two or more for shapes. All modes where there are not more. Modes whose shapes are
 /// wanted are told apart, however close, unless they are equal; then each part of the chain brings its own
-/// shape. \throws Error for n = 1 or a mechanism
+/// shape.
+/// \throws Error for n = 1 or a mechanism
 CertifiedModes certify(const Chain<Rational>& chain, std::size_t forces, std::size_t shapes, int digits);
 
 /// The critical force of a mode, from 1, rounded to the digits that are certified.

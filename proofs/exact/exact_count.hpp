@@ -26,7 +26,8 @@ struct ChainPart {
   bool operator==(const ChainPart&) const = default;
 };
 
-/// The parts of a chain, in order. \throws Error for n = 1 or a mechanism
+/// The parts of a chain, in order.
+/// \throws Error for n = 1 or a mechanism
 std::vector<ChainPart> parts(const Chain<Rational>& chain);
 
 class ExactCount {

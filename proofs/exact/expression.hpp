@@ -31,7 +31,8 @@ class Formulas {
 
 /// Whether a and b are equal for all values of their symbols. Decided exactly for rational functions of the
 /// symbols and of the sines and cosines of integer combinations of them: each symbol's half-angle tangent
-/// makes those rational, and symbol and tangent are algebraically independent. \throws Error for other
+/// makes those rational, and symbol and tangent are algebraically independent.
+/// \throws Error for other
 /// functions of the symbols
 bool identical(const GiNaC::ex& a, const GiNaC::ex& b);
 

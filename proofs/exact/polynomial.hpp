@@ -19,7 +19,8 @@ Rational evaluate(const Polynomial& p, const Rational& x);
 /// The polynomial of degree below values.size() with p(0), p(1), p(2), … as given.
 Polynomial interpolate(const std::vector<Rational>& values);
 
-/// The number of zeros at 0, with multiplicity: the power of the lowest term. \throws Error for p = 0
+/// The number of zeros at 0, with multiplicity: the power of the lowest term.
+/// \throws Error for p = 0
 std::size_t multiplicity_of_zero(const Polynomial& p);
 
 /// The number of distinct roots x < 0 by Sturm's theorem, each counted once whatever its multiplicity.

@@ -74,8 +74,10 @@ ZeroEigenvalue zero_eigenvalue(const SymbolicChain& chain);
 GiNaC::ex energy_factor(const SymbolicChain& chain, const std::vector<GiNaC::ex>& q);
 
 /// The energy factor (39) of a mode (q, F_y) with the force F, where the equations of the mode, (29) and
-/// (30), have eliminated the stiffnesses and q_n: what it is for every mode of every chain of n links. \param
-/// F a symbol \throws Error where the elimination leaves no polynomial in F and the free variables
+/// (30), have eliminated the stiffnesses and q_n: what it is for every mode of every chain of n links.
+/// \param
+/// F a symbol
+/// \throws Error where the elimination leaves no polynomial in F and the free variables
 GiNaC::ex energy_factor_of_mode(std::size_t n, const GiNaC::ex& F);
 
 }  // namespace plumbline::proofs

@@ -35,7 +35,8 @@ struct Fork {
 };
 
 /// Where a symmetric branch is crossed by a bent one, and which of the ends are proved to lie on them;
-/// nothing where no crossing is proved. \param crossing  close to it, without units
+/// nothing where no crossing is proved.
+/// \param crossing  close to it, without units
 std::optional<Fork> pitchfork(const Chain<Interval>& chain, const Loading<Interval>& loading,
                               const Symmetry& symmetry, const Vector<double>& crossing,
                               const std::vector<PieceEnd>& ends);

@@ -4,18 +4,18 @@
 #include <optional>
 #include <sstream>
 
-#include "diagnose/bench/condense.hpp"
+#include "diagnose/bench/decimate.hpp"
 #include "diagnose/bench/read_experiment.hpp"
-#include "diagnose/screening/conventions.hpp"
+#include "diagnose/exchange/corrected.hpp"
+#include "diagnose/exchange/read_model.hpp"
 #include "diagnose/report/report.hpp"
 #include "diagnose/report/view.hpp"
 #include "diagnose/rig/user_effects/read_effects.hpp"
-#include "diagnose/exchange/corrected.hpp"
-#include "diagnose/exchange/read_model.hpp"
+#include "diagnose/screening/conventions.hpp"
+#include "python/engine/engine.hpp"
 #include "support/files/experiment_files.hpp"
 #include "support/files/sha256.hpp"
 #include "support/page/provenance.hpp"
-#include "python/engine/engine.hpp"
 
 namespace plumbline::python {
 namespace {
@@ -171,7 +171,7 @@ class Diagnosed {
     const py::gil_scoped_release released;
     const auto stated =
         wish.effects.empty() ? std::vector<diagnose::StatedEffect>{} : diagnose::read_effects(wish.effects);
-    auto study = std::make_unique<Study>(diagnose::study_with(condensed(std::move(experiment)), stated));
+    auto study = std::make_unique<Study>(diagnose::study_with(decimated(std::move(experiment)), stated));
     if (!wish.as_is) require_conventions(*study);
     return study;
   }

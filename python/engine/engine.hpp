@@ -23,7 +23,8 @@ void add_loaded(py::module_& module);
 void add_diagnosis(py::module_& module);
 void add_models(py::module_& module);
 
-/// A chain of decimals, each taken exactly. \throws Error that names list and entry
+/// A chain of decimals, each taken exactly.
+/// \throws Error that names list and entry
 Chain<Rational> exact_chain(const Decimals& lengths, const Decimals& stiffness, const Decimals& rest = {});
 
 /// A whole file of certificates, one of them in it.

@@ -24,9 +24,11 @@ class OutputFile {
   /// As the user wrote it.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   void write(const std::string& text) { text_ += text; }
-  /// Puts the draft on the disk. \throws Error when it does not fit
+  /// Puts the draft on the disk.
+  /// \throws Error when it does not fit
   void complete();
-  /// Lets the file appear. \throws Error when not everything could be written
+  /// Lets the file appear.
+  /// \throws Error when not everything could be written
   void commit();
 
  private:
@@ -44,7 +46,8 @@ class OutputFile {
   bool in_place_ = false, completed_ = false;
 };
 
-/// A whole file at once. \throws Error as OutputFile does
+/// A whole file at once.
+/// \throws Error as OutputFile does
 void write_text(const std::filesystem::path& path, const std::string& text);
 
 /// Makes a folder, and those around it, unless it is there.

@@ -10,7 +10,8 @@ namespace plumbline::page {
 /// Maps a range of values to a range of pixels.
 class Axis {
  public:
-  /// A range of no extent is widened; \param signed_log  linear near zero, logarithmic beyond
+  /// A range of no extent is widened;
+  /// \param signed_log  linear near zero, logarithmic beyond
   Axis(double low, double high, double first_pixel, double last_pixel, bool signed_log = false);
 
   [[nodiscard]] double pixel(double value) const;

@@ -23,7 +23,8 @@ class Ranks {
   ~Ranks();
 
   [[nodiscard]] bool first() const;
-  /// On every rank but the first: does items until there is no more work. \param tasks  all that there are
+  /// On every rank but the first: does items until there is no more work.
+  /// \param tasks  all that there are
   void work(std::span<const Task> tasks) const;
 };
 

@@ -33,7 +33,8 @@ using Take = std::function<void(std::size_t item, const std::string& result)>;
 /// \param journal  nothing where nothing is to be kept of work that is cut off
 void do_all(const WorkList& list, Journal* journal, const Take& take);
 
-/// The same. \param advance  called after each item \returns the results in the order of the items
+/// The same. \param advance  called after each item
+/// \returns the results in the order of the items
 std::vector<std::string> results(const WorkList& list, Journal* journal,
                                  const std::function<void()>& advance);
 

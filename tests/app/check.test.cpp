@@ -17,13 +17,13 @@ TEST_CASE("the published forces agree with the reference, to all their digits") 
 
 TEST_CASE("the example in Python passes, and its report in the sources is what the command prints") {
   const Workplace here;
-  const std::string run = "python3 " + sources + "/examples/python/critical_forces.py " + sources +
+  const std::string run = "python3 " + sources + "/docs/examples/python/critical_forces.py " + sources +
                           "/reference/chains.csv >" + (here.path() / "VALUES.csv").string();
   REQUIRE(std::system(run.c_str()) == 0);
   const Outcome outcome = here.plumbline("check VALUES.csv");
   CHECK(outcome.status == 0);
   std::ostringstream report;
-  report << std::ifstream(sources + "/examples/python/check.txt").rdbuf();
+  report << std::ifstream(sources + "/docs/examples/python/check.txt").rdbuf();
   CHECK(outcome.out == report.str());
 }
 

@@ -14,10 +14,10 @@ namespace {
 
 /// Something of every kind that a verb reads.
 void furnish(const Workplace& here) {
-  fs::copy(sources + "/examples/four-link.toml", here.path() / "c.toml");
-  fs::copy(sources + "/examples/experiment", here.path() / "E");
+  fs::copy(sources + "/docs/examples/four-link.toml", here.path() / "c.toml");
+  fs::copy(sources + "/docs/examples/experiment", here.path() / "E");
   fs::create_directory(here.path() / "X");
-  fs::copy(sources + "/examples/experiment", here.path() / "X" / "one");
+  fs::copy(sources + "/docs/examples/experiment", here.path() / "X" / "one");
   here.write("X/one/label.json", R"({"effects": [{"id": "joint_friction", "joint": null}]})");
   here.write("C.csv", "chain,lengths,stiffness\nfour,1;1;1,1;1;1\n");
   here.write("V.csv", "chain,mode,force\nfour,1,0.3\n");
@@ -106,7 +106,7 @@ TEST_CASE("bytes that are no text, keys without end, pipes and devices are refus
   here.write("escape.csv", "chain,lengths,stiffness\n\"a\x1b[31m\nb\",1;1,1;1\n");
   fs::create_directory(here.path() / "deep");
   here.write("deep/experiment.toml", key + " = 1\n");
-  fs::copy(sources + "/examples/experiment", here.path() / "E");
+  fs::copy(sources + "/docs/examples/experiment", here.path() / "E");
   fs::remove(here.path() / "E/u-press.csv");
   mkfifo((here.path() / "E/u-press.csv").c_str(), 0600);
   mkfifo((here.path() / "pipe.toml").c_str(), 0600);
@@ -159,7 +159,7 @@ TEST_CASE("bytes that are no text, keys without end, pipes and devices are refus
 TEST_CASE("a noise that is no noise, and names with controls, are refused where they stand") {
   for (const auto& [before, after] : {std::pair{"Fx", "6e-300"}, std::pair{"name", "\"a\\u001b[31m\""}}) {
     const Workplace here;
-    fs::copy(sources + "/examples/experiment", here.path() / "E");
+    fs::copy(sources + "/docs/examples/experiment", here.path() / "E");
     std::string text;
     std::istringstream lines(here.read("E/experiment.toml"));
     for (std::string line; std::getline(lines, line);) {
@@ -238,7 +238,7 @@ TEST_CASE("standard output that is full or closed is an error of one line") {
 
 TEST_CASE("very many digits end: the forces of four links to ten thousand") {
   const Workplace here;
-  fs::copy(sources + "/examples/four-link.toml", here.path() / "c.toml");
+  fs::copy(sources + "/docs/examples/four-link.toml", here.path() / "c.toml");
   const std::string more = here.plumbline("critical c.toml --csv --digits 10000").out,
                     fewer = here.plumbline("critical c.toml --csv --digits 5700").out;
   std::istringstream rows(more), short_rows(fewer);

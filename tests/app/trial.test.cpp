@@ -13,7 +13,7 @@ const std::string friction =
 /// A folder with the bundled example as its one experiment.
 void add_example(const Workplace& here) {
   std::filesystem::create_directories(here.path() / "mine");
-  std::filesystem::copy(sources + "/examples/experiment", here.path() / "mine" / "bench");
+  std::filesystem::copy(sources + "/docs/examples/experiment", here.path() / "mine" / "bench");
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ from documents import ROOT, SCHEMAS, keys, tables
 from program import plumbline
 
 # Properties that no command below has reason to write: a certificate that fails.
-RARE = {"gap-diagnosis": {"/cause/remainder", "/law/laws/relaxation/time_constant", "/law/laws/relaxation/stiffness"},
+RARE = {"gap-diagnosis": {"/cause/discrepancy", "/law/laws/relaxation/time_constant", "/law/laws/relaxation/stiffness"},
         "path": {"/certificates/failure/load", "/certificates/failure/reason"}}
 
 
@@ -118,15 +118,15 @@ def reports(folder):
         verdicts[name] = written("diagnose", name, "--corrected", f"{name}.xml", folder=folder)
     column(folder / "column")
     on_its_side = written("diagnose", "column", folder=folder)
-    assert [one["run"] for one in on_its_side["gap"]["other_side"]] == ["press"]
+    assert [one["run"] for one in on_its_side["gap"]["other_branch"]] == ["press"]
     rough = written("diagnose", "rough", folder=folder)
-    assert [one["run"] for one in rough["gap"]["rougher_runs"]] == ["run-1"]
+    assert [one["run"] for one in rough["gap"]["noisier_runs"]] == ["run-1"]
     assert not rough["gap"]["present"]
     partly = written("diagnose", "partly-rough", folder=folder)
-    assert [one["run"] for one in partly["gap"]["rougher_stretches"]] == ["run-2"]
+    assert [one["run"] for one in partly["gap"]["noisier_segments"]] == ["run-2"]
     assert not partly["gap"]["present"]
     humming = written("diagnose", "hum", folder=folder)
-    assert [one["channel"] for one in humming["gap"]["hum"]] == ["Fx", "Fy"]
+    assert [one["channel"] for one in humming["gap"]["periodic_interference"]] == ["Fx", "Fy"]
     bundled = written("diagnose", "--next", "--corrected", "corrected.toml", folder=folder)
     found = {name: report["cause"]["verdict"] for name, report in verdicts.items()}
     assert found == {"no-gap": "none", "ripple": "unknown", "drag": "unknown", "one-spring": "ambiguous"}, found

@@ -38,7 +38,7 @@ TEST_CASE("one effect") {
   CHECK(answer(backlash, said("identified", {"backlash(3)"})) == Answer::wrong_sure);
   CHECK(answer(backlash, said("identified", {"backlash(2)", "gravity"})) == Answer::wrong_sure);
   CHECK(answer(backlash, said("ambiguous", {"gravity"}, {{"backlash(2)"}})) == Answer::in_class);
-  CHECK(answer(backlash, said("ambiguous", {"gravity"}, {{"backlash(1)"}})) == Answer::wrong_hedged);
+  CHECK(answer(backlash, said("ambiguous", {"gravity"}, {{"backlash(1)"}})) == Answer::wrong_ambiguous);
   CHECK(answer(backlash, said("unknown")) == Answer::unknown);
   CHECK(answer(backlash, said("none")) == Answer::missed_gap);
 }
@@ -57,7 +57,7 @@ TEST_CASE("no effect") {
 TEST_CASE("an effect outside the catalogue is unknown, whether or not it sits at a joint") {
   CHECK(answer(outside, said("unknown")) == Answer::right);
   CHECK(answer(outside, said("identified", {"backlash(3)"})) == Answer::wrong_sure);
-  CHECK(answer(outside, said("ambiguous", {"gravity"})) == Answer::wrong_hedged);
+  CHECK(answer(outside, said("ambiguous", {"gravity"})) == Answer::wrong_ambiguous);
   CHECK(answer(outside, said("none")) == Answer::missed_gap);
   CHECK(answer(outside, said("ambiguous", {"unknown"}, {{"gravity"}})) == Answer::in_class);
   Report report = said("unknown");
@@ -83,11 +83,11 @@ TEST_CASE("two effects, in any order; one of them is part of the answer") {
   CHECK(answer(pair, said("ambiguous", {"backlash(1)"}, {{"gravity", "rest_angle(1)"}})) == Answer::in_class);
 }
 
-TEST_CASE("what the experiment cannot tell apart is right too; a class larger than that is hedging") {
+TEST_CASE("what the experiment cannot tell apart is right too; a class larger than that is oversized") {
   const Label payload = truth({{"tip_payload", 0, {}, 9}}, {{"force_bias"}});
   CHECK(answer(payload, said("identified", {"force_bias"})) == Answer::right);
-  CHECK(!judge(payload, said("ambiguous", {"tip_payload"}, {{"force_bias"}})).over_hedged);
-  CHECK(judge(payload, said("ambiguous", {"tip_payload"}, {{"force_bias"}, {"gravity"}})).over_hedged);
+  CHECK(!judge(payload, said("ambiguous", {"tip_payload"}, {{"force_bias"}})).oversized_class);
+  CHECK(judge(payload, said("ambiguous", {"tip_payload"}, {{"force_bias"}, {"gravity"}})).oversized_class);
 }
 
 TEST_CASE("parameters count where the cause is right") {

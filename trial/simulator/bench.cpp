@@ -40,13 +40,13 @@ Scene scene_of(const Bench& bench) {
         scene.deflection[j] = std::max(scene.deflection[j], std::abs(state.q[j] - run.rest[j]));
     }
     scene.duration = std::max(scene.duration, run.commands.back().t);
-    scene.pause = std::min(scene.pause, run.commands[1].t);
+    scene.sampling_interval = std::min(scene.sampling_interval, run.commands[1].t);
   }
   return scene;
 }
 
 std::optional<Bench> draw_bench(Random& random, bool rough) {
-  constexpr double single_joint = 0.15;  // of what laboratories publish it is more
+  constexpr double single_joint = 0.15;  // more often than laboratories publish it
   Bench bench;
   bench.plan = rough && random.chance(single_joint) ? draw_joint_plan(random) : draw_plan(random);
   const Physics physics = physics_of(bench.plan);

@@ -1,32 +1,33 @@
 #pragma once
 /// \file
-/// A bench that works as the lab believes, and what it shows under effects.
+/// A simulated bench, and its readings under effects.
 
 #include <optional>
 
+#include "trial/label.hpp"
 #include "trial/simulator/instruments.hpp"
 #include "trial/simulator/wish.hpp"
-#include "trial/label.hpp"
 
 namespace plumbline::simulator {
 
 struct Bench {
   Plan plan;
-  std::vector<std::vector<State>> states;  ///< without any effect
+  std::vector<std::vector<State>> states;  ///< without effects
   std::vector<Readings> shown;             ///< the same, without scatter
   Scatter scatter;
 };
 
-/// Nothing where the chain snaps. \param rough  noise beyond what is declared
+/// Nothing where the chain snaps.
+/// \param rough  noise of the second trial
 std::optional<Bench> draw_bench(Random& random, bool rough);
 
 Scene scene_of(const Bench& bench);
 
-/// The experiment under some effects, without scatter.
+/// The experiment under effects, without noise.
 struct Outcome {
   std::vector<Effect> effects;
   std::vector<Readings> shown;
-  std::vector<Excess> gap;  ///< to the bench without any
+  std::vector<Excess> gap;  ///< difference from the bench without effects
 };
 
 /// \throws Error where the chain snaps or does not come to rest
@@ -35,8 +36,8 @@ Outcome outcome_of(const Bench& bench, std::vector<Effect> effects);
 /// Root mean square: the strength of a gap.
 double rms(const std::vector<Excess>& values);
 
-/// What the catalogue itself says this experiment cannot tell apart from its effects: lists of keys.
-std::vector<std::vector<std::string>> equivalents(const Bench& bench, const Outcome& outcome);
+/// Aliases of the effects in this experiment, by the catalogue: lists of keys.
+std::vector<std::vector<std::string>> aliases(const Bench& bench, const Outcome& outcome);
 
 /// "id" or "id(joint)".
 std::string key_of(const Effect& effect);

@@ -129,7 +129,7 @@ std::vector<Kind> springs() {
        anywhere,
        [](const Scene& s, Place, Random& r) {
          return Values{significant(r.log_uniform(0.02, 0.3), 4),
-                       significant(r.log_uniform(3 * s.pause, 0.5 * s.duration), 4)};
+                       significant(r.log_uniform(3 * s.sampling_interval, 0.5 * s.duration), 4)};
        },
        [](Physics& is, const Plan&, Place, const Values& v) {
          for (Joint& joint : is.joint) joint.arm.push_back({v[0], v[1]});

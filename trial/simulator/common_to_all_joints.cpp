@@ -1,4 +1,4 @@
-// What all joints or links have in common, and tolerances: a value of its own at each.
+// Effects of all joints or links: a common value, or a value at each.
 
 #include <cmath>
 
@@ -8,7 +8,7 @@ namespace plumbline::simulator {
 namespace {
 
 constexpr std::string_view common = "common to all joints";
-constexpr double machined_stiffness = 0.05, machined_length = 0.005, machined_angle = 0.0087;
+constexpr double stiffness_tolerance = 0.05, length_tolerance = 0.005, angle_tolerance = 0.0087;
 
 }  // namespace
 
@@ -64,7 +64,7 @@ std::vector<Kind> common_to_all_joints() {
        false,
        4,
        several_elastic,
-       [](const Scene& s, Place, Random& r) { return at_every_joint(s, r, machined_stiffness, true); },
+       [](const Scene& s, Place, Random& r) { return at_every_joint(s, r, stiffness_tolerance, true); },
        [](Physics& is, const Plan&, Place, const Values& v) {
          for (Place j = 0; j < v.size(); ++j) is.joint[j].stiffness *= std::max(0.2, 1 + v[j]);
        },
@@ -78,7 +78,7 @@ std::vector<Kind> common_to_all_joints() {
        false,
        6,
        several_links,
-       [](const Scene& s, Place, Random& r) { return at_every_joint(s, r, machined_length, false); },
+       [](const Scene& s, Place, Random& r) { return at_every_joint(s, r, length_tolerance, false); },
        [](Physics& is, const Plan&, Place, const Values& v) {
          for (Place j = 0; j < v.size(); ++j) is.length[j] *= 1 + v[j];
        },
@@ -92,7 +92,7 @@ std::vector<Kind> common_to_all_joints() {
        false,
        6,
        several_elastic,
-       [](const Scene& s, Place, Random& r) { return at_every_joint(s, r, machined_angle, true); },
+       [](const Scene& s, Place, Random& r) { return at_every_joint(s, r, angle_tolerance, true); },
        [](Physics& is, const Plan&, Place, const Values& v) {
          for (Place j = 0; j < v.size(); ++j) is.joint[j].rest_error += v[j];
        },

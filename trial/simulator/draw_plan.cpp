@@ -28,7 +28,7 @@ Nominal draw_chain(Random& random) {
   return chain;
 }
 
-/// One sprung joint, as laboratories test it: an arm, or a strut whose second link carries the force alone.
+/// One sprung joint: an arm, or a strut whose second link carries axial force only.
 Nominal draw_joint(Random& random) {
   const double length = random.log_uniform(0.05, 0.3), stiffness = random.log_uniform(0.3, 15);
   Nominal joint{{rounded(length, 1e-4)}, {significant(stiffness, 3)}, {}};
@@ -95,7 +95,7 @@ Shape draw_shape(const Nominal& chain, Random& random) {
   return shape;
 }
 
-/// How far along the way each reading is taken: 0 is the unloaded shape, 1 the largest load.
+/// Position of each reading along the path: 0 unloaded, 1 at the largest load.
 std::vector<double> draw_profile(Random& random, std::string& name) {
   const auto leg = [](std::vector<double>& way, double to, std::size_t readings) {
     const double from = way.back();
@@ -117,7 +117,7 @@ std::vector<double> draw_profile(Random& random, std::string& name) {
   return way;
 }
 
-/// Where the largest load lies, from the unloaded end point.
+/// The largest displacement from the unloaded end point.
 Pair draw_way(const Shape& shape, double reach, const Pair& start, Random& random, std::string& name) {
   const bool slack = std::hypot(start[0], start[1]) < 0.95 * reach;
   name = slack ? random.one_of<std::string>({"x", "x", "x", "xy", "y"})
@@ -137,7 +137,7 @@ bool reachable(const PlannedRun& run, double reach) {
   });
 }
 
-/// Where the links of the bench end at these joint angles.
+/// The end point of the bench at these joint angles.
 Pair unloaded_end(const std::vector<double>& length, const std::vector<double>& rest) {
   Pair end{0, 0};
   double heading = 0;

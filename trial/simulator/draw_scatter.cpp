@@ -5,7 +5,7 @@
 namespace plumbline::simulator {
 namespace {
 
-/// What the lab declares; the truth is so many times that.
+/// Ratio of the true to the declared sigma.
 void draw_sigmas(Scatter& scatter, const Plan& plan, double force, double wrong, Random& random) {
   const Sigma is{force / random.log_uniform(60, 900), plan.reach() * random.log_uniform(1e-4, 6e-4),
                  random.log_uniform(7e-4, 2e-3)};
@@ -16,7 +16,7 @@ void draw_sigmas(Scatter& scatter, const Plan& plan, double force, double wrong,
   scatter.resolution = random.uniform(0.1, 0.5);
 }
 
-/// One that is measured in every run that imposes the end point.
+/// A channel that is measured in every run with an imposed end point.
 std::string draw_channel(const Plan& plan, Random& random) {
   std::vector<std::string> names{"Fx"};
   if (plan.cross_force_measured) names.emplace_back("Fy");
@@ -29,7 +29,7 @@ void remember(Scatter& scatter, double correlation) {
   scatter.correlation = {correlation, correlation, correlation};
 }
 
-/// A filter that the load cell alone has, or the encoders, or what watches the end point.
+/// A filter in one sensor alone: load cell, encoders or camera.
 void forget_but_one(Scatter& scatter, const Plan& plan, Random& random) {
   const auto is_loaded = [](const PlannedRun& run) { return run.force_controlled; };
   std::vector<double Sigma::*> has;
@@ -85,9 +85,9 @@ Scatter draw_rough_scatter(const Plan& plan, double force, Random& random) {
   } else if (kind < 0.59) {
     scatter.kind = "proportional";
   } else if (kind < 0.69) {
-    scatter.kind = "hum";
-    scatter.hum = random.log_uniform(1, 4);
-    scatter.hum_period = random.log_uniform(1.5, 40);
+    scatter.kind = "interference";
+    scatter.interference = random.log_uniform(1, 4);
+    scatter.interference_period = random.log_uniform(1.5, 40);
   } else if (kind < 0.79) {
     scatter.kind = "one channel";
     scatter.bad_channel = draw_channel(plan, random);

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Effects: those of the catalogue and some that are in no catalogue; where they can sit, how large they
-/// are, and how they change the rig.
+/// Effects of the simulator: those of the catalogue and some outside it.
 
 #include <span>
 #include <string>
@@ -13,26 +12,26 @@
 namespace plumbline::simulator {
 
 struct Kind {
-  std::string_view id;           ///< as a report says it; "unknown" outside the catalogue
+  std::string_view id;           ///< as in reports; "unknown" outside the catalogue
   std::string_view description;  ///< outside the catalogue
   bool at_joint;
   std::vector<std::string_view> names;  ///< of the parameters
-  std::vector<bool> amplitude;          ///< which of them, and of `each`, scale with the strength
-  bool inverse;                         ///< whether the effect vanishes as its amplitude grows
-  double reach;                         ///< how far beyond the first size the amplitude may go, as a factor
+  std::vector<bool> amplitude;          ///< which parameters, and which of `each`, scale with the strength
+  bool inverse;                         ///< the effect vanishes as its amplitude grows
+  double reach;                         ///< largest factor on the first amplitude
   bool (*possible)(const Scene&, Place);
-  Values (*draw)(const Scene&, Place, Random&);  ///< of a size that labs meet
+  Values (*draw)(const Scene&, Place, Random&);  ///< at a typical size
   void (*add)(Physics&, const Plan&, Place, const Values&);
-  std::vector<std::string_view> each = {};  ///< parameters that follow any number of times: a_1, a_2, …
-  std::string_view family = "one effect";   ///< under which results are counted
-  bool by_run = false;  ///< those that follow are one a joint in each run: a_1_1, a_1_2, …
+  std::vector<std::string_view> each = {};  ///< parameters with one value a joint: a_1, a_2, …
+  std::string_view family = "one effect";   ///< by which results are counted
+  bool by_run = false;                      ///< one value a joint and run: a_1_1, a_1_2, …
 
   /// Name of a parameter, and whether it scales with the strength.
   [[nodiscard]] std::string name(const Plan& plan, std::size_t parameter) const;
   [[nodiscard]] bool scales(std::size_t parameter) const;
 };
 
-/// The family of those with a value of its own at each joint.
+/// The family of effects with one value a joint.
 constexpr std::string_view one_at_each_joint = "a value of its own at each joint";
 
 /// Every effect that a diagnosis can name.
@@ -43,11 +42,11 @@ std::vector<Kind> joint_laws();
 std::vector<Kind> sensors();
 std::vector<Kind> masses();
 
-/// Effects that are in no catalogue: what a diagnosis must call unknown.
+/// Effects outside the catalogue, for which `unknown` is right.
 const std::vector<Kind>& outside();
 
-/// Those of both with which the first trial began. It keeps to them, so that a seed of it means the same
-/// experiments in every version of the program.
+/// The effects of both kinds with which the first trial began: its seeds mean the same experiments in every
+/// version.
 std::span<const Kind> first_catalogue();
 std::span<const Kind> first_outside();
 
@@ -63,8 +62,7 @@ struct Effect {
   [[nodiscard]] Effect scaled(double factor) const;
 };
 
-/// A kind at a joint where it is possible in this scene, of a size that labs meet; kind is null where the
-/// kind is impossible here.
+/// A kind at a possible joint of this scene, at a typical size; kind is null where it is impossible.
 Effect draw_effect(const Kind& kind, const Scene& scene, Random& random);
 
 Physics physics_with(const Plan& plan, const std::vector<Effect>& effects);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// The load cell turns with the rail. It feels what the guide takes from the drive.
+/// The load cell turns with the rail, and feels the friction of the guide.
 Pair load_cell(const Physics& is, const PlannedRun& run, const State& state, double direction) {
   const double c = std::cos(is.misalignment), s = std::sin(is.misalignment);
   const Pair turned{c * state.force[0] + s * state.force[1], c * state.force[1] - s * state.force[0]};
@@ -26,7 +26,7 @@ Pair load_cell(const Physics& is, const PlannedRun& run, const State& state, dou
   return shown;
 }
 
-/// What a cell with a time constant shows of forces that go steadily from reading to reading.
+/// First-order lag for forces that change linearly between readings.
 void let_lag(Readings& readings, double lag) {
   Pair shown = readings.front().force, before = shown;
   for (std::size_t i = 1; i < readings.size(); ++i) {
@@ -40,7 +40,7 @@ void let_lag(Readings& readings, double lag) {
   }
 }
 
-/// What a cell with a loop of its own shows: below the largest force that it has seen in this run, more.
+/// A load cell with hysteresis: below the largest force so far it shows more.
 void let_loop(Readings& readings, double loop) {
   for (std::size_t a = 0; a < 2; ++a) {
     double largest = 0;
@@ -69,8 +69,9 @@ class Channel {
     const double r = correlation_;
     last_ = r * last_ + std::sqrt(1 - r * r) * random_.normal();
     double shown = value + std::hypot(sigma_, share_ * value) * last_;
-    if (scatter_.hum > 0)
-      shown += scatter_.hum * sigma_ * std::sin(2 * std::numbers::pi * t / scatter_.hum_period);
+    if (scatter_.interference > 0)
+      shown +=
+          scatter_.interference * sigma_ * std::sin(2 * std::numbers::pi * t / scatter_.interference_period);
     if (random_.chance(scatter_.outliers)) shown += random_.sign() * random_.uniform(8, 25) * sigma_;
     if (scatter_.resolution > 0) shown = rounded(shown, significant(scatter_.resolution * sigma_, 1));
     return random_.chance(scatter_.missing) ? nothing : shown;

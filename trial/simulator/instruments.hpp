@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the lab writes down of what is true: load cell, encoders, camera; their errors, noise and resolution.
+/// The instruments: load cell, encoders and camera with their errors, noise and resolution.
 
 #include <string>
 
@@ -22,30 +22,30 @@ struct Sigma {
   double force = 0, position = 0, angle = 0;
 };
 
-/// How the readings scatter.
+/// The noise of the readings.
 struct Scatter {
-  /// or misdeclared, outliers, ar1, ar1 of one sensor, proportional, hum, one channel
+  /// or misdeclared, outliers, ar1, ar1 of one sensor, proportional, interference, one channel
   std::string kind = "declared";
   Sigma sigma;  ///< true standard deviations
   Sigma declared;
-  Sigma correlation;               ///< of successive readings, by sensor
-  double outliers = 0;             ///< share of wild readings
-  Sigma proportional;              ///< shares of the readings that scatter beside sigma
-  double hum = 0, hum_period = 1;  ///< amplitude of a sine in sigmas; s
-  std::string bad_channel = {};    ///< whose sigma is
-  double bad_factor = 1;           ///< times the others'
-  double missing = 0;              ///< share of empty fields
-  double resolution = 0;           ///< of the instruments, in sigmas
+  Sigma correlation;    ///< of successive readings, by sensor
+  double outliers = 0;  ///< fraction of outliers
+  Sigma proportional;   ///< standard deviation relative to the reading, beside sigma
+  double interference = 0, interference_period = 1;  ///< periodic interference: amplitude in sigmas; s
+  std::string bad_channel = {};                      ///< the channel with a larger sigma
+  double bad_factor = 1;                             ///< its factor
+  double missing = 0;                                ///< fraction of empty fields
+  double resolution = 0;                             ///< of the instruments, in sigmas
 };
 
-/// What instruments without scatter show.
+/// Noise-free readings.
 Readings show(const Plan& plan, const Physics& physics, const PlannedRun& run,
               const std::vector<State>& states);
 
-/// The same with scatter.
+/// Readings with noise.
 Readings scattered(const PlannedRun& run, Readings readings, const Scatter& scatter, Random& random);
 
-/// What one measured value shows beyond a reference, in sigmas.
+/// A measured value minus a reference, in sigmas.
 struct Excess {
   std::string channel;
   double value;

@@ -1,14 +1,13 @@
 #pragma once
 /// \file
-/// The torque of a joint beyond MuJoCo's own spring, and what it remembers of the way it came.
+/// The torque of a joint beyond MuJoCo's own spring, with its memory.
 
 #include "trial/simulator/physics.hpp"
 
 namespace plumbline::simulator {
 
-/// A dry contact: a bristle, this many times stiffer than the joint's spring, that bends until it slips.
-/// MuJoCo's own dry friction will not do: it has no memory, and where a held end point could carry the load
-/// alone it relaxes at once.
+/// A dry contact: a bristle, much stiffer than the joint's spring, that slips. MuJoCo's own dry friction has
+/// no memory, and relaxes where a held end point can carry the load.
 class Contact {
  public:
   /// \param response  of the model, see Pace
@@ -33,9 +32,9 @@ class JointLaw {
   /// \param interval  between two readings, s
   JointLaw(const Joint& joint, double response, double interval);
 
-  /// From now on what it carries depends on the way: contacts stick, arms relax, sliders hold.
+  /// Starts the history: contacts stick, arms relax, sliders hold.
   void begin_history() { relaxed_ = false; }
-  /// Lets the memory follow the deflection over a time step.
+  /// Updates the memory after a time step.
   void remember(double deflection, double dt);
   [[nodiscard]] double torque(double deflection, double rate) const;
 
@@ -50,7 +49,7 @@ class JointLaw {
   bool relaxed_ = true;
   double last_ = 0;     ///< deflection after the last time step
   double time_ = 0;     ///< since the history began, s
-  double way_ = 0;      ///< turned since then, there and back
+  double way_ = 0;      ///< path turned since then
   double rate_ = 0;     ///< |rate|, smoothed over a reading
   double largest_ = 0;  ///< largest |deflection| so far
   double carried_ = 0,

@@ -111,11 +111,11 @@ std::vector<Kind> friction() {
        {true, false, false},
        false,
        6,
-       [](const Scene& s, Place j) { return turns_back(s, j) && s.duration > 15 * s.pause; },
+       [](const Scene& s, Place j) { return turns_back(s, j) && s.duration > 15 * s.sampling_interval; },
        [](const Scene& s, Place, Random& r) {
-         return Values{significant(r.log_uniform(0.003, 0.02) * torque(s), 4),
-                       significant(r.uniform(0.8, 3), 3),
-                       significant(r.uniform(0.3, 1) * largest_deflection(s) / (10 * s.pause), 4)};
+         return Values{
+             significant(r.log_uniform(0.003, 0.02) * torque(s), 4), significant(r.uniform(0.8, 3), 3),
+             significant(r.uniform(0.3, 1) * largest_deflection(s) / (10 * s.sampling_interval), 4)};
        },
        [](Physics& is, const Plan&, Place, const Values& v) {
          for (Joint& joint : is.joint)
@@ -282,9 +282,10 @@ std::vector<Kind> further_laws() {
        {true, false},
        false,
        10,
-       [](const Scene& s, Place) { return s.duration > 25 * s.pause; },
+       [](const Scene& s, Place) { return s.duration > 25 * s.sampling_interval; },
        [](const Scene& s, Place, Random& r) {
-         return Values{significant(r.log_uniform(0.03, 0.2), 4), significant(r.uniform(1.5, 4) * s.pause, 4),
+         return Values{significant(r.log_uniform(0.03, 0.2), 4),
+                       significant(r.uniform(1.5, 4) * s.sampling_interval, 4),
                        significant(r.log_uniform(0.03, 0.2), 4),
                        significant(r.uniform(0.25, 0.6) * s.duration, 4)};
        },

@@ -13,7 +13,7 @@
 namespace plumbline::simulator {
 namespace {
 
-/// Where the gap shows most: the channel with the largest share of its square, and others nearly as large.
+/// The channels where the gap shows most.
 std::string channels_of(const std::vector<Excess>& values) {
   std::map<std::string, double> share;
   for (const Excess& one : values) share[one.channel] += one.value * one.value;
@@ -26,7 +26,7 @@ std::string channels_of(const std::vector<Excess>& values) {
   return names;
 }
 
-/// The effect at about the wanted strength; nothing where that is beyond what labs meet.
+/// The effect at about the wanted strength; nothing where its size would be unusual.
 std::optional<Outcome> tuned(const Bench& bench, const Effect& drawn, double wanted) {
   constexpr double smallest = 5e-3;
   double factor = 1;
@@ -42,7 +42,7 @@ std::optional<Outcome> tuned(const Bench& bench, const Effect& drawn, double wan
   return std::nullopt;
 }
 
-/// How much two gaps look alike, up to a factor.
+/// Similarity of two gaps up to a factor.
 double likeness(const std::vector<Excess>& one, const std::vector<Excess>& other) {
   double product = 0;
   for (std::size_t i = 0; i < one.size(); ++i) product += one[i].value * other[i].value;
@@ -58,16 +58,15 @@ trial::TrueEffect label_of(const Bench& bench, const Effect& effect, double stre
   return label;
 }
 
-/// What is to be simulated: the effects that are looked for, how strong each is alone, and the tolerances
-/// beside them.
+/// The simulated effects, the strength of each alone, and the tolerances beside them.
 struct Cast {
   std::vector<Outcome> alone;
   std::vector<Effect> tolerances;
   double tolerance_strength = 0;
 };
 
-/// Nothing where the bench cannot grant the wish. What stands beside tolerances is half as strong again as
-/// they are.
+/// Nothing where the bench cannot grant the wish. An effect beside tolerances is half as strong again as they
+/// are.
 std::optional<Cast> cast(const Wish& wish, const Bench& bench, Random& random) {
   const Scene scene = scene_of(bench);
   Cast cast;
@@ -99,8 +98,8 @@ Outcome together(const Bench& bench, const Cast& cast) {
   return all.size() == 1 ? cast.alone.front() : outcome_of(bench, all);
 }
 
-/// With tolerances it is as right to name any of their groups beside the cause as to leave them out; without
-/// a cause one of them must be named.
+/// Beside a cause, naming tolerances is as right as leaving them out; without a cause one of them must be
+/// named.
 void allow_tolerances(trial::Label& label, const Bench& bench, const std::vector<Effect>& tolerances) {
   std::vector<std::string> cause;
   for (const trial::TrueEffect& effect : label.effects)
@@ -140,9 +139,9 @@ trial::Label label(const Wish& wish, const Bench& bench, const Cast& cast, const
   }
   if (!label.description.empty()) label.channel = channels_of(outcome.gap);
   if (cast.alone.size() == 1) {
-    label.equivalent = equivalents(bench, cast.alone.front());
+    label.equivalent = aliases(bench, cast.alone.front());
   } else if (cast.alone.size() > 1) {
-    label.equivalent = equivalents(bench, outcome);
+    label.equivalent = aliases(bench, outcome);
   }
   allow_tolerances(label, bench, cast.tolerances);
   return label;
@@ -182,8 +181,8 @@ Experiment make_experiment(const Wish& wish, const std::string& name, Random& ra
               std::to_string(patience) + " attempts");
 }
 
-/// The wish comes first, so that benches where it cannot be granted do not make it rarer. One that none of
-/// hundreds grants is given up for another.
+/// The wish is drawn before the bench, so that no wish becomes rarer; one that hundreds of benches cannot
+/// grant is replaced.
 Experiment make_experiment(Trial trial, std::uint64_t seed, std::size_t number, const std::string& name) {
   Random random(seed, number);
   constexpr int wishes = 4;

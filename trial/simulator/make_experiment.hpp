@@ -1,13 +1,13 @@
 #pragma once
 /// \file
-/// An experiment at random, with what is to be withheld from whoever diagnoses it.
+/// A random experiment with its label.
 
 #include <cstdint>
 #include <string>
 
+#include "trial/label.hpp"
 #include "trial/simulator/instruments.hpp"
 #include "trial/simulator/wish.hpp"
-#include "trial/label.hpp"
 
 namespace plumbline::simulator {
 

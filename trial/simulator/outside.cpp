@@ -1,5 +1,5 @@
-// Effects that are in no catalogue: what a diagnosis must call unknown. Nothing in diagnose/ knows this file.
-// When the catalogue absorbs one of them it leaves this list, and a new one takes its place.
+// Effects outside the catalogue, for which `unknown` is right. diagnose/ does not include this file. An
+// effect that the catalogue absorbs leaves the list, and another takes its place.
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ bool rubs(const Scene& s, Place j) {
   return turns_back(s, j) && several_elastic(s, j);
 }
 bool imposed_and_long(const Scene& s, Place j) {
-  return never_force_controlled(s, j) && s.duration > 15 * s.pause;
+  return never_force_controlled(s, j) && s.duration > 15 * s.sampling_interval;
 }
 /// What a friction law needs beside its torque goes to every elastic joint.
 void add_friction(Physics& is, const Friction& friction) {
@@ -216,7 +216,7 @@ std::vector<Kind> frictions_and_springs() {
        6,
        imposed_and_long,
        [](const Scene& s, Place, Random&) {
-         return Values{0.02, 0.5 * s.pause};
+         return Values{0.02, 0.5 * s.sampling_interval};
        },
        [](Physics& is, const Plan&, Place, const Values& v) {
          for (Joint& joint : is.joint) joint.ageing.creep = v[0], joint.ageing.start = v[1];
@@ -242,9 +242,9 @@ std::vector<Kind> frictions_and_springs() {
        {true, true, false},
        false,
        6,
-       [](const Scene& s, Place j) { return works(s, j) && s.duration > 15 * s.pause; },
+       [](const Scene& s, Place j) { return works(s, j) && s.duration > 15 * s.sampling_interval; },
        [](const Scene& s, Place j, Random& r) {
-         return Values{0.1 * s.deflection[j], r.uniform(0.3, 0.8), r.uniform(2, 8) * s.pause};
+         return Values{0.1 * s.deflection[j], r.uniform(0.3, 0.8), r.uniform(2, 8) * s.sampling_interval};
        },
        [](Physics& is, const Plan&, Place j, const Values& v) {
          is.joint[j].backlash = v[0];

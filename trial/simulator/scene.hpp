@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// The experiment as the lab expects it to go: where an effect can sit, and the sizes that it is compared
-/// with.
+/// The expected course of an experiment: possible places of effects, and the scales of their sizes.
 
 #include <algorithm>
 #include <string>
@@ -17,7 +16,7 @@ struct Scene {
   const std::vector<std::vector<State>>& states;  ///< without any effect
   std::vector<double> deflection;                 ///< the largest of each joint
   double force = 0;                               ///< the largest
-  double duration = 0, pause = 0;                 ///< of the longest run; the shortest time between readings
+  double duration = 0, sampling_interval = 0;     ///< of the longest run; the shortest time between readings
 };
 
 using Place = std::size_t;           ///< joint, from 0
@@ -26,11 +25,11 @@ using Values = std::vector<double>;  ///< parameters, in the order of their name
 inline bool anywhere(const Scene&, Place) {
   return true;
 }
-/// A spring sits there and works.
+/// Whether joint `j` has a spring that is loaded.
 inline bool elastic(const Scene& s, Place j) {
   return s.plan.nominal.stiffness[j] > 0 && s.deflection[j] > 0.04;
 }
-/// How many joints do.
+/// The number of such joints.
 inline std::size_t elastic_joints(const Scene& s) {
   std::size_t count = 0;
   for (Place j = 0; j < s.plan.size(); ++j) count += elastic(s, j);

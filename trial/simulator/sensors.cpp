@@ -109,7 +109,9 @@ std::vector<Kind> sensors() {
        false,
        6,
        never_force_controlled,
-       [](const Scene& s, Place, Random& r) { return one_way(r, 0.1 * s.pause, 1.5 * s.pause); },
+       [](const Scene& s, Place, Random& r) {
+         return one_way(r, 0.1 * s.sampling_interval, 1.5 * s.sampling_interval);
+       },
        [](Physics& is, const Plan&, Place, const Values& v) { is.lag += v[0]; },
        {},
        instruments},

@@ -1,12 +1,12 @@
 #pragma once
 /// \file
-/// What an experiment is to be about, drawn before the bench is.
+/// The subject of an experiment, drawn before its bench.
 
 #include "trial/simulator/effect.hpp"
 
 namespace plumbline::simulator {
 
-/// Which effects, and how strong each alone should be, in sigmas; where and on which bench is left to chance.
+/// Effects and the strength of each alone, in sigmas; places and bench are random.
 struct Wish {
   std::vector<const Kind*> kinds;
   std::vector<double> strengths;

@@ -36,7 +36,8 @@ Checks discussion();         ///< section 5, prismatic joints, gravity, paramete
 
 }  // namespace claims
 
-/// All of them, in the order of the paper. \throws Error where a claim has no check, or a check no claim
+/// All of them, in the order of the paper.
+/// \throws Error where a claim has no check, or a check no claim
 std::vector<Claim> all_claims();
 
 }  // namespace plumbline::verify

@@ -32,7 +32,8 @@ Interval unloaded_reach(const Chain<Interval>& chain);
 /// Where the end point of the chains of Table 1 stands without load, as the paper has it: 3.8.
 Interval table_1_reach();
 
-/// All equilibria with the end point on the x axis, proved complete. \throws Error where it is not decided
+/// All equilibria with the end point on the x axis, proved complete.
+/// \throws Error where it is not decided
 proofs::Census held_at(const Chain<Interval>& chain, const Interval& x);
 
 /// "2 stable, 2 unstable".
@@ -69,7 +70,8 @@ struct SlowPath {
   [[nodiscard]] std::string continuity() const;
   /// Proved: regular, and the force grows all along.
   [[nodiscard]] bool stiff() const;
-  /// How many minima the tangent stiffness has along a regular path, proved. \throws Error where that is open
+  /// How many minima the tangent stiffness has along a regular path, proved.
+  /// \throws Error where that is open
   [[nodiscard]] std::size_t softest() const;
   /// Proved: what is asked holds of every state of one stretch between two deflections; the question is put
   /// to enclosures of its joint angles and force, which may hold several states. The proof is without units,
@@ -88,7 +90,8 @@ const SlowPath& fig7_path();
 const SlowPath& u_path();
 const SlowPath& z_path();
 
-/// The equilibrium of a census that a path has at that deflection. \throws Error where there is none
+/// The equilibrium of a census that a path has at that deflection.
+/// \throws Error where there is none
 proofs::CertifiedEquilibrium reached(const proofs::Census& census, const SlowPath& path,
                                      const Rational& deflection);
 

@@ -72,7 +72,8 @@ bool agree(const Signs& s) {
          s.at("(36)") == force && s.at("step 4") == force;
 }
 
-/// Algorithm 1, run as written in a floating type, against a certified force. \throws Error when they
+/// Algorithm 1, run as written in a floating type, against a certified force.
+/// \throws Error when they
 /// disagree
 template <Floating Real>
 std::string algorithm1_against(const Chain<Rational>& exact, const Interval& certified) {

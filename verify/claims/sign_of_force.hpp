@@ -26,7 +26,8 @@ std::vector<std::set<std::string>> smallest_corrections(const Signs& printed);
 /// convention where some do. `signs` are those of the paper, but for an altered print's own.
 Judgement judge_place(const std::string& place, const Signs& signs);
 
-/// The sign in front of a term in a printed formula. \throws Error where the term is not there
+/// The sign in front of a term in a printed formula.
+/// \throws Error where the term is not there
 int sign_before(const std::string& term, const std::string& formula);
 
 }  // namespace plumbline::verify

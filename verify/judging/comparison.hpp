@@ -15,7 +15,8 @@ std::string fraction_reading(const std::string& formula);
 
 /// Printed formulas against computed expressions, entry by entry; `names` label the entries.
 /// Confirmed when all are identical, as they stand or in their fraction reading. Else refuted, with the
-/// computed expression of each wrong entry as the truth. \throws Error when the counts differ
+/// computed expression of each wrong entry as the truth.
+/// \throws Error when the counts differ
 Judgement judge_formulas(const proofs::Formulas& formulas, const Printed& printed,
                          const std::vector<GiNaC::ex>& computed, const std::vector<std::string>& names,
                          const std::string& how);
@@ -41,7 +42,8 @@ Judgement with_evidence(Judgement judgement, Evidence evidence);
 
 /// Printed decimals against certified enclosures. A decimal claims half a unit of its last place: confirmed
 /// when the computed values round to what is printed, imprecise when all are within a unit, else refuted. The
-/// truth lists each wrong entry by its name. \throws Error when an enclosure is too wide to decide a rounding
+/// truth lists each wrong entry by its name.
+/// \throws Error when an enclosure is too wide to decide a rounding
 Judgement judge_decimals(const Printed& printed, const std::vector<Interval>& computed,
                          const std::vector<std::string>& names, const std::string& how);
 

@@ -29,7 +29,8 @@ std::optional<int> certain_sign(const Function& f, const Interval& low, const In
 }
 
 /// Pieces of [low, high] that hold exactly one zero of f each, in ascending order; certainly there is none
-/// elsewhere. A piece counts where f changes sign and its derivative df has one sign. \throws Error where the
+/// elsewhere. A piece counts where f changes sign and its derivative df has one sign.
+/// \throws Error where the
 /// depth does not do.
 template <class Function, class Derivative>
 std::vector<Interval> isolate_zeros(const Function& f, const Derivative& df, const Interval& low,

@@ -31,10 +31,12 @@ struct Paper {
   std::vector<Cause> causes;
 };
 
-/// Read once. \throws Error that names the file and the line
+/// Read once.
+/// \throws Error that names the file and the line
 const Paper& paper();
 
-/// What a claim's passage prints. \throws Error for an unknown id
+/// What a claim's passage prints.
+/// \throws Error for an unknown id
 const Printed& printed_in_paper(const std::string& id);
 
 /// The title of a section of the paper; empty for what is none.

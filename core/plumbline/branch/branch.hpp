@@ -289,7 +289,8 @@ class Brancher {
   }
 
   /// Newton's method in a hyperplane, while it contracts; the factors at hand become those of the accepted
-  /// point. \param farthest  longest first step that still counts as near
+  /// point.
+  /// \param farthest  longest first step that still counts as near
   bool correct(BranchPoint<Real>& point, const Row& plane, const Variation<Real>& tangent,
                const Real& farthest) {
     using std::sqrt;

@@ -43,7 +43,8 @@ bool cut_where_unstable(Branch<Real>& branch) {
 /// The history under a load that grows slowly from the load of `start`, a stable point, to the end of the
 /// window. At a fold the chain jumps to where the energy flows. At a bifurcation it leaves to the side of the
 /// given sign (of the first angle of the shape that takes over), for in symmetry no side is preferred; on the
-/// new branch it goes on without a jump where that is stable, else it flows from there. \throws Error where
+/// new branch it goes on without a jump where that is stable, else it flows from there.
+/// \throws Error where
 /// the start is unstable or no equilibrium is reached
 template <SmoothModel Model>
 std::vector<Branch<typename Model::Real>> load_slowly(Brancher<Model>& brancher,

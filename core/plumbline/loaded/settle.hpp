@@ -66,7 +66,8 @@ bool flow(LoadedSystem<Model>& system, Control control, const Point<typename Mod
 
 /// The stable equilibrium that a chain flows to from a shape, with its end point held (or under a force) at
 /// `load` of the loading. Near a saddle the flow is slow; a shape exactly on one stays there until it is
-/// pushed. \throws Error where no equilibrium is reached, and out of reach
+/// pushed.
+/// \throws Error where no equilibrium is reached, and out of reach
 template <LoadedModel Model>
 Equilibrium<typename Model::Real> settle(const Model& model, const Loading<typename Model::Real>& loading,
                                          const typename Model::Real& load, Vector<typename Model::Real> theta,

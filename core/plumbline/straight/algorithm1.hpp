@@ -50,7 +50,8 @@ Vector<Real> checked_eigenvector(const Matrix<Real>& C, const Real& lambda, Vect
 
 /// The n - 1 modes, the critical force first: the eigenvectors of the n - 1 eigenvalues of B^-1 A that are
 /// largest in absolute value, F_x = -1 / lambda (35). The two smallest are the double zero. Vectors (q, F_y)
-/// have norm 1 and q_1 > 0. \throws Error for n = 1, a mechanism, or eigenvalues that rounding has made
+/// have norm 1 and q_1 > 0.
+/// \throws Error for n = 1, a mechanism, or eigenvalues that rounding has made
 /// useless (not negative)
 template <Floating Real>
 std::vector<Mode<Real>> algorithm1(const Chain<Real>& chain) {

@@ -7,7 +7,7 @@ namespace plumbline::diagnose {
 namespace {
 
 bool force_is_read(const Place& at) {
-  return at.sizes.measures_force;
+  return at.scales.measures_force;
 }
 
 }  // namespace
@@ -18,61 +18,62 @@ std::vector<Effect> bench_effects() {
        .words = "a weight at the end point",
        .parameters =
            [](const Place& at) {
-             return std::vector{one_way("weight", "N", 0.1 * at.sizes.force, 10 * at.sizes.force)};
+             return std::vector{one_way("weight", "N", 0.1 * at.scales.force, 10 * at.scales.force)};
            },
        .add = [](const Addition& to) { to.rig.payload += to.value[0] * to.down; },
-       .possible = [](const Place& at) { return at.sizes.weighs; }},
+       .possible = [](const Place& at) { return at.scales.weighs; }},
       {.id = "base_compliance",
-       .words = "a base that yields",
+       .words = "compliance of the base",
        .parameters =
            [](const Place& at) {
-             const double c = at.sizes.compliance();
+             const double c = at.scales.compliance();
              return std::vector{one_way("c_x", "m/N", 0.01 * c, c), one_way("c_y", "m/N", 0.01 * c, c)};
            },
        .add = [](const Addition& to) { to.rig.base_compliance += Vector2(to.value[0], to.value[1]); }},
       {.id = "rail_misalignment",
-       .words = "a rail that is turned from where it should point",
+       .words = "a misaligned rail",
        .parameters = [](const Place&) { return std::vector{both_ways("eps", "rad", 0.05, -0.6, 0.6)}; },
        .add = [](const Addition& to) { to.rig.misalignment += to.value[0]; }},
       {.id = "eccentric_load",
-       .words = "a load that acts beside the end point",
+       .words = "a load that acts off the end point",
        .parameters =
            [](const Place& at) {
-             return std::vector{both_ways("e", "m", 0.03 * at.sizes.link, -at.sizes.link, at.sizes.link)};
+             return std::vector{both_ways("e", "m", 0.03 * at.scales.link, -at.scales.link, at.scales.link)};
            },
        .add = [](const Addition& to) { to.rig.eccentricity += to.value[0]; }},
       {.id = "tip_stiffness",
-       .words = "an end pivot that is not free",
+       .words = "an end pivot with a rotational stiffness",
        .parameters =
            [](const Place& at) {
-             return std::vector{one_way("k_t", "N m/rad", 0.1 * at.sizes.stiffness, 10 * at.sizes.stiffness)};
+             return std::vector{
+                 one_way("k_t", "N m/rad", 0.1 * at.scales.stiffness, 10 * at.scales.stiffness)};
            },
        .add = [](const Addition& to) { to.rig.tip_stiffness += to.value[0]; },
-       .possible = [](const Place& at) { return at.sizes.pivot; }},
+       .possible = [](const Place& at) { return at.scales.pivot; }},
       {.id = "guide_friction",
        .words = "dry friction in the guide",
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             return std::vector{one_way("f_c", "N", 0.05 * at.sizes.force, 3 * at.sizes.force)};
+             return std::vector{one_way("f_c", "N", 0.05 * at.scales.force, 3 * at.scales.force)};
            },
        .add = [](const Addition& to) { to.rig.guide_friction += to.value[0]; },
        .possible = force_is_read},
       {.id = "position_offset",
-       .words = "an end point that is not where it was commanded",
+       .words = "an offset of the end point from its command",
        .parameters =
            [](const Place& at) {
-             const double small = 0.005 * at.sizes.length, far = 0.1 * at.sizes.length;
+             const double small = 0.005 * at.scales.length, far = 0.1 * at.scales.length;
              return std::vector{both_ways("d_x", "m", small, -far, far),
                                 both_ways("d_y", "m", small, -far, far)};
            },
        .add = [](const Addition& to) { to.rig.position_offset += Vector2(to.value[0], to.value[1]); },
        .possible = force_is_read},
       {.id = "train_compliance",
-       .words = "a load train that yields",
+       .words = "compliance of the load train",
        .parameters =
            [](const Place& at) {
-             const double c = at.sizes.compliance();
+             const double c = at.scales.compliance();
              return std::vector{one_way("c_t", "m/N", 0.01 * c, c)};
            },
        .add = [](const Addition& to) { to.rig.train_compliance += to.value[0]; },

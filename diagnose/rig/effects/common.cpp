@@ -1,6 +1,5 @@
 /// \file
-/// Effects that all joints or links share: one factor or offset for all, or a value of each within its
-/// tolerance.
+/// Effects of all joints or links: one factor or offset for all, or one value each within a tolerance.
 
 #include "diagnose/beliefs.hpp"
 #include "diagnose/rig/effects/each_joint.hpp"
@@ -49,7 +48,7 @@ std::vector<Effect> common_effects() {
            },
        .possible = several_elastic,
        .within_values = {"stiffness_scale", "joint_stiffness", "force_gain"},
-       .of_machining = true},
+       .is_tolerance = true},
       {.id = "length_spread",
        .words = "lengths that differ from link to link within their tolerance",
        .parameters =
@@ -62,7 +61,7 @@ std::vector<Effect> common_effects() {
            },
        .possible = several_links,
        .within_values = {"length_scale", "link_length"},
-       .of_machining = true},
+       .is_tolerance = true},
       {.id = "rest_spread",
        .words = "rest angles that differ from joint to joint within their tolerance",
        .parameters =
@@ -75,7 +74,7 @@ std::vector<Effect> common_effects() {
            },
        .possible = several_elastic,
        .within_values = {"rest_offset", "rest_angle"},
-       .of_machining = true},
+       .is_tolerance = true},
       {.id = "play",
        .words = "play in every joint",
        .parameters =
@@ -87,16 +86,16 @@ std::vector<Effect> common_effects() {
              for_each_elastic(to, [&](std::size_t i, double b) { to.rig.backlash[i] += b; });
            },
        .possible = several_elastic,
-       .starts =
-           [](const Place& at, const Exercise& nominal) {
-             Starts starts{{}, 2};
+       .initial_guesses =
+           [](const Place& at, const Excitation& nominal) {
+             InitialGuesses guesses{{}, 2};
              for (const double share : {0.05, 0.2}) {
-               starts.from.emplace_back();
-               for (std::size_t i = 0; i < at.sizes.joint_stiffness.size(); ++i)
-                 if (at.sizes.joint_stiffness[i] > 0)
-                   starts.from.back().push_back(share * nominal.deflection[i]);
+               guesses.points.emplace_back();
+               for (std::size_t i = 0; i < at.scales.joint_stiffness.size(); ++i)
+                 if (at.scales.joint_stiffness[i] > 0)
+                   guesses.points.back().push_back(share * nominal.deflection[i]);
              }
-             return starts;
+             return guesses;
            },
        .at_least = 2},
       {.id = "friction_spread",
@@ -104,7 +103,7 @@ std::vector<Effect> common_effects() {
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             const double slip = at.sizes.stiffness * at.sizes.deflection;
+             const double slip = at.scales.stiffness * at.scales.deflection;
              return each(at, {"tau", "N m", beliefs::friction_tolerance * slip, 0, 10 * slip});
            },
        .add =
@@ -112,23 +111,23 @@ std::vector<Effect> common_effects() {
              for_each_elastic(to, [&](std::size_t i, double torque) { to.rig.friction[i] += torque; });
            },
        .possible = several_elastic,
-       .special = {"joint_friction"},
+       .nested = {"joint_friction"},
        .within_values = {"joint_friction"},
-       .starts =
-           [](const Place& at, const Exercise& nominal) {
-             Starts starts{{}, 1};
+       .initial_guesses =
+           [](const Place& at, const Excitation& nominal) {
+             InitialGuesses guesses{{}, 1};
              for (const double share : {0.005, 0.03})
-               starts.from.emplace_back(each(at, {}).size(), share * nominal.torque);
-             return starts;
+               guesses.points.emplace_back(each(at, {}).size(), share * nominal.torque);
+             return guesses;
            },
-       .probing = {.large_step = true}},
+       .perturbation = {.large_step = true}},
       {.id = "hardening_spread",
-       .words = "springs that harden or soften, each on its own",
+       .words = "springs that harden or soften, each by its own amount",
        .parameters =
            [](const Place& at) {
-             const double scale = 1 / (at.sizes.deflection * at.sizes.deflection);
-             // A joint that bends a third of what is typical softens as fully with nine times as much.
-             const ParameterRange alike = hardening(at.sizes);
+             const double scale = 1 / (at.scales.deflection * at.scales.deflection);
+             // A joint with a third of the typical deflection needs nine times the c for the same softening.
+             const ParameterRange alike = hardening(at.scales);
              return each(at,
                          {"c", "1/rad²", beliefs::hardening_tolerance * scale, 9 * alike.low, alike.high});
            },
@@ -137,15 +136,15 @@ std::vector<Effect> common_effects() {
              for_each_elastic(to, [&](std::size_t i, double c) { to.rig.hardening[i] += c; });
            },
        .possible = several_elastic,
-       .special = {"nonlinear_spring"},
+       .nested = {"nonlinear_spring"},
        .within_values = {"nonlinear_spring"},
-       .starts =
-           [](const Place& at, const Exercise&) {
-             const double scale = 1 / (at.sizes.deflection * at.sizes.deflection);
-             Starts starts{{}, 1};
+       .initial_guesses =
+           [](const Place& at, const Excitation&) {
+             const double scale = 1 / (at.scales.deflection * at.scales.deflection);
+             InitialGuesses guesses{{}, 1};
              for (const double share : {0.0, 0.3, -0.1})
-               starts.from.emplace_back(each(at, {}).size(), share * scale);
-             return starts;
+               guesses.points.emplace_back(each(at, {}).size(), share * scale);
+             return guesses;
            }},
   };
 }

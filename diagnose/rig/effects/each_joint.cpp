@@ -18,12 +18,12 @@ std::string_view kept(std::string text) {
 }  // namespace
 
 bool several_elastic(const Place& at) {
-  return std::count_if(at.sizes.joint_stiffness.begin(), at.sizes.joint_stiffness.end(),
+  return std::count_if(at.scales.joint_stiffness.begin(), at.scales.joint_stiffness.end(),
                        [](double k) { return k > 0; }) > 1;
 }
 
 bool several_links(const Place& at) {
-  return at.sizes.link_length.size() > 1;
+  return at.scales.link_length.size() > 1;
 }
 
 std::string_view numbered(std::string_view stem, std::size_t index) {
@@ -32,8 +32,8 @@ std::string_view numbered(std::string_view stem, std::size_t index) {
 
 std::vector<ParameterRange> each(const Place& at, const EachOne& one) {
   std::vector<ParameterRange> all;
-  for (std::size_t i = 0; i < at.sizes.link_length.size(); ++i) {
-    const bool held = one.elastic && !(at.sizes.joint_stiffness[i] > 0);
+  for (std::size_t i = 0; i < at.scales.link_length.size(); ++i) {
+    const bool held = one.elastic && !(at.scales.joint_stiffness[i] > 0);
     if (!held)
       all.push_back({numbered(one.stem, i), one.unit, Coordinate::plain, one.tolerance / 2, one.low, one.high,
                      one.tolerance});

@@ -1,29 +1,29 @@
 #pragma once
 /// \file
-/// Rows in which every joint or link has a value of its own.
+/// Helpers for rows with one value a joint or link.
 
 #include "diagnose/rig/effect.hpp"
 
 namespace plumbline::diagnose {
 
-/// At least two elastic joints, two links: what is said of all of them is not said of one.
+/// At least two elastic joints, at least two links: with one, the row would repeat that of a single joint.
 bool several_elastic(const Place& at);
 bool several_links(const Place& at);
 
-/// "a_1" for the first, "a_1_2" for the second of "a_1"; names live as long as the catalogue.
+/// "a_1" for the first value of stem "a"; the names live as long as the catalogue.
 std::string_view numbered(std::string_view stem, std::size_t index);
 
-/// What all joints or links share of such a parameter.
+/// Properties that the parameters of all joints or links share.
 struct EachOne {
   std::string_view stem, unit;
   double tolerance, low, high;
   bool elastic = true;  ///< elastic joints alone
 };
 
-/// One value a joint, small by its tolerance.
+/// One parameter a joint or link, with its tolerance as prior.
 std::vector<ParameterRange> each(const Place& at, const EachOne& one);
 
-/// Calls `change` with each joint that has a value, from 0, and the value.
+/// Calls `change` with the number, from 0, and the value of each elastic joint.
 template <class Change>
 void for_each_elastic(const Addition& to, Change change) {
   std::size_t p = 0;

@@ -1,5 +1,5 @@
 /// \file
-/// Dry friction whose slip torque is no constant.
+/// Dry friction with a variable slip torque.
 
 #include <cmath>
 
@@ -8,21 +8,20 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Pairs of a slip torque and a rate at which it changes: small shares of what the joints carry, and both
-/// signs of the rate if it may have both.
-Starts friction_starts(double torque, const std::vector<std::vector<double>>& laws) {
-  Starts starts{{}, 1};
+/// Initial guesses: small fractions of the largest torque as slip torque, with each of the laws' parameters.
+InitialGuesses friction_guesses(double torque, const std::vector<std::vector<double>>& laws) {
+  InitialGuesses guesses{{}, 1};
   for (const double share : {0.003, 0.015}) {
     for (const std::vector<double>& law : laws) {
-      starts.from.push_back({share * torque});
-      starts.from.back().insert(starts.from.back().end(), law.begin(), law.end());
+      guesses.points.push_back({share * torque});
+      guesses.points.back().insert(guesses.points.back().end(), law.begin(), law.end());
     }
   }
-  return starts;
+  return guesses;
 }
 
 ParameterRange slip_torque(const Place& at) {
-  const double torque = at.sizes.stiffness * at.sizes.deflection;
+  const double torque = at.scales.stiffness * at.scales.deflection;
   return one_way("tau_c", "N m", 0.05 * torque, 10 * torque);
 }
 
@@ -30,22 +29,22 @@ void add_dry(const Addition& to) {
   for (double& torque : to.rig.friction) torque += to.value[0];
 }
 
-/// At which a joint typically turns: to its deflection and back in the longest run, rad/s.
-double typical_speed(const Sizes& sizes) {
+/// Typical joint speed, rad/s: to the typical deflection and back in the longest run.
+double typical_speed(const CharacteristicScales& sizes) {
   return 2 * sizes.deflection / sizes.duration;
 }
 
 }  // namespace
 
 std::vector<Effect> friction_effects() {
-  const Probing probing{.growing = {0}, .large_step = true};
+  const Perturbation perturbation{.growing = {0}, .large_step = true};
   return {
       {.id = "load_friction",
        .words = "dry friction in the joints that grows with their deflection",
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             const double rate = 1 / at.sizes.deflection;
+             const double rate = 1 / at.scales.deflection;
              return std::vector{slip_torque(at), one_way("growth", "1/rad", 2 * rate, 100 * rate)};
            },
        .add =
@@ -53,13 +52,13 @@ std::vector<Effect> friction_effects() {
              add_dry(to);
              to.rig.friction_law.growth += to.value[0] * to.value[1];
            },
-       .possible = [](const Place& at) { return at.sizes.turns_back; },
-       .special = {"joint_friction"},
-       .starts =
-           [](const Place&, const Exercise& nominal) {
-             return friction_starts(nominal.torque, {{3 / std::max(nominal.largest, 1e-3)}});
+       .possible = [](const Place& at) { return at.scales.turns_back; },
+       .nested = {"joint_friction"},
+       .initial_guesses =
+           [](const Place&, const Excitation& nominal) {
+             return friction_guesses(nominal.torque, {{3 / std::max(nominal.largest, 1e-3)}});
            },
-       .probing = probing,
+       .perturbation = perturbation,
        .at_least = 2},
       {.id = "direction_friction",
        .words = "dry friction in the joints that is larger in one direction than in the other",
@@ -73,20 +72,20 @@ std::vector<Effect> friction_effects() {
              add_dry(to);
              to.rig.friction_law.uneven += to.value[1];
            },
-       .possible = [](const Place& at) { return at.sizes.turns_back; },
-       .special = {"joint_friction"},
-       .starts =
-           [](const Place&, const Exercise& nominal) {
-             return friction_starts(nominal.torque, {{0.5}, {-0.5}});
+       .possible = [](const Place& at) { return at.scales.turns_back; },
+       .nested = {"joint_friction"},
+       .initial_guesses =
+           [](const Place&, const Excitation& nominal) {
+             return friction_guesses(nominal.torque, {{0.5}, {-0.5}});
            },
-       .probing = probing,
+       .perturbation = perturbation,
        .at_least = 2},
       {.id = "speed_friction",
        .words = "dry friction in the joints that changes with their speed",
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             const double speed = typical_speed(at.sizes);
+             const double speed = typical_speed(at.scales);
              return std::vector<ParameterRange>{
                  slip_torque(at),
                  both_ways("fall", "ratio", 0.5, -0.95, 10),
@@ -98,14 +97,14 @@ std::vector<Effect> friction_effects() {
              to.rig.friction_law.fall += to.value[1];
              to.rig.friction_law.speed = to.value[2];
            },
-       .possible = [](const Place& at) { return at.sizes.clock && at.sizes.turns_back; },
-       .special = {"joint_friction"},
-       .starts =
-           [](const Place& at, const Exercise& nominal) {
-             const double slow = std::log(0.3 * typical_speed(at.sizes)), fast = slow + std::log(10.0);
-             return friction_starts(nominal.torque, {{1, slow}, {1, fast}, {-0.5, slow}, {-0.5, fast}});
+       .possible = [](const Place& at) { return at.scales.clock && at.scales.turns_back; },
+       .nested = {"joint_friction"},
+       .initial_guesses =
+           [](const Place& at, const Excitation& nominal) {
+             const double slow = std::log(0.3 * typical_speed(at.scales)), fast = slow + std::log(10.0);
+             return friction_guesses(nominal.torque, {{1, slow}, {1, fast}, {-0.5, slow}, {-0.5, fast}});
            },
-       .probing = probing,
+       .perturbation = perturbation,
        .at_least = 2},
   };
 }

@@ -1,5 +1,5 @@
 /// \file
-/// Effects of the instruments beyond a single error of zero or scale, and of runs that differ.
+/// Effects of the instruments beyond bias and scale, and differences between runs.
 
 #include <algorithm>
 
@@ -11,10 +11,10 @@ namespace plumbline::diagnose {
 namespace {
 
 bool several_runs(const Place& at) {
-  return at.sizes.runs > 1;
+  return at.scales.runs > 1;
 }
 
-/// Values for each joint in each run are looked for up to so many: more are no explanation.
+/// Largest number of values of one effect over all joints and runs.
 constexpr std::size_t most_values = 30;
 
 std::vector<Effect> single_runs() {
@@ -24,7 +24,7 @@ std::vector<Effect> single_runs() {
        .parameters =
            [](const Place& at) {
              std::vector<ParameterRange> all;
-             for (std::size_t r = 0; r < at.sizes.runs; ++r)
+             for (std::size_t r = 0; r < at.scales.runs; ++r)
                for (const ParameterRange& one :
                     each(at, {numbered("a", r), "rad", beliefs::angle_tolerance, -0.3, 0.3}))
                  all.push_back(one);
@@ -33,9 +33,9 @@ std::vector<Effect> single_runs() {
        .add =
            [](const Addition& to) {
              const double* next = to.value;
-             to.rig.run_rest.resize(to.sizes.runs, std::vector<double>(to.rig.length.size(), 0.0));
+             to.rig.run_rest.resize(to.scales.runs, std::vector<double>(to.rig.length.size(), 0.0));
              for (std::vector<double>& rest : to.rig.run_rest) {
-               for_each_elastic({to.rig, 0, to.sizes, to.down, next}, [&](std::size_t i, double a) {
+               for_each_elastic({to.rig, 0, to.scales, to.down, next}, [&](std::size_t i, double a) {
                  rest[i] += a;
                  ++next;
                });
@@ -43,16 +43,16 @@ std::vector<Effect> single_runs() {
            },
        .possible =
            [](const Place& at) {
-             return several_runs(at) && at.sizes.runs * at.sizes.link_length.size() <= most_values;
+             return several_runs(at) && at.scales.runs * at.scales.link_length.size() <= most_values;
            },
-       .special = {"rest_angle", "rest_offset", "rest_spread"}},
+       .nested = {"rest_angle", "rest_offset", "rest_spread"}},
       {.id = "run_tare",
-       .words = "a load cell whose zero differs from run to run",
+       .words = "a load-cell zero that differs from run to run",
        .parameters =
            [](const Place& at) {
-             const double small = 0.05 * at.sizes.force, large = 3 * at.sizes.force;
+             const double small = 0.05 * at.scales.force, large = 3 * at.scales.force;
              std::vector<ParameterRange> all;
-             for (std::size_t r = 0; r < at.sizes.runs; ++r) {
+             for (std::size_t r = 0; r < at.scales.runs; ++r) {
                all.push_back(both_ways(numbered("b_x", r), "N", small, -large, large));
                all.push_back(both_ways(numbered("b_y", r), "N", small, -large, large));
              }
@@ -60,64 +60,65 @@ std::vector<Effect> single_runs() {
            },
        .add =
            [](const Addition& to) {
-             to.rig.run_tare.resize(to.sizes.runs, Vector2::Zero());
-             for (std::size_t r = 0; r < to.sizes.runs; ++r)
+             to.rig.run_tare.resize(to.scales.runs, Vector2::Zero());
+             for (std::size_t r = 0; r < to.scales.runs; ++r)
                to.rig.run_tare[r] += Vector2(to.value[2 * r], to.value[2 * r + 1]);
            },
        .possible =
            [](const Place& at) {
-             return several_runs(at) && at.sizes.measures_force && 2 * at.sizes.runs <= most_values;
+             return several_runs(at) && at.scales.measures_force && 2 * at.scales.runs <= most_values;
            },
-       .special = {"force_bias"}},
+       .nested = {"force_bias"}},
   };
 }
 
 std::vector<Effect> load_cells() {
   return {
       {.id = "cross_talk",
-       .words = "a load cell that shows some of each force component in the other",
+       .words = "a load cell with cross-talk between its components",
        .parameters =
            [](const Place&) {
              return std::vector{both_ways("c_xy", "ratio", 0.03, -0.8, 0.8),
                                 both_ways("c_yx", "ratio", 0.03, -0.8, 0.8)};
            },
        .add = [](const Addition& to) { to.rig.cross_talk += Vector2(to.value[0], to.value[1]); },
-       .possible = [](const Place& at) { return at.sizes.measures_both_forces; }},
+       .possible = [](const Place& at) { return at.scales.measures_both_forces; }},
       {.id = "cell_curvature",
        .words = "a load cell that is not linear",
        .parameters =
            [](const Place& at) {
-             const double small = 0.03 / at.sizes.force, large = 0.25 / at.sizes.force;
+             const double small = 0.03 / at.scales.force, large = 0.25 / at.scales.force;
              return std::vector{both_ways("c_x", "1/N", small, -large, large),
                                 both_ways("c_y", "1/N", small, -large, large)};
            },
        .add = [](const Addition& to) { to.rig.cell_curvature += Vector2(to.value[0], to.value[1]); },
-       .possible = [](const Place& at) { return at.sizes.load_cell; }},
+       .possible = [](const Place& at) { return at.scales.load_cell; }},
       {.id = "saturation",
-       .words = "a load cell at the end of its range",
+       .words = "a load cell that saturates",
        .parameters =
            [](const Place& at) {
-             const double f = at.sizes.force;
+             const double f = at.scales.force;
              return std::vector<ParameterRange>{
                  {"limit", "N", Coordinate::reciprocal, 0.3 / f, 1e-3 / f, 10 / f}};
            },
        .add = [](const Addition& to) { to.rig.force_limit = std::min(to.rig.force_limit, to.value[0]); },
-       // Where it saturates several readings are the largest.
-       .possible = [](const Place& at) { return at.sizes.at_largest > 3; },
-       .starts =
-           [](const Place& at, const Exercise&) {
-             return Starts{{{1 / (0.98 * std::max(at.sizes.largest_reading, 1e-3 * at.sizes.force))}}, 1};
+       // A saturated cell repeats its largest reading.
+       .possible = [](const Place& at) { return at.scales.at_largest > 3; },
+       .initial_guesses =
+           [](const Place& at, const Excitation&) {
+             return InitialGuesses{
+                 {{1 / (0.98 * std::max(at.scales.largest_reading, 1e-3 * at.scales.force))}}, 1};
            },
-       .probing = {.large_step = true}},
+       .perturbation = {.large_step = true}},
       {.id = "sensor_lag",
-       .words = "a load cell that follows late",
+       .words = "a load cell that responds with a delay",
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             return std::vector{one_way("tau", "s", 0.3 * at.sizes.pause, at.sizes.duration)};
+             return std::vector{one_way("tau", "s", 0.3 * at.scales.sampling_interval, at.scales.duration)};
            },
        .add = [](const Addition& to) { to.rig.force_lag += to.value[0]; },
-       .possible = [](const Place& at) { return at.sizes.measures_force && at.sizes.clock; }},
+       .possible = [](const Place& at) { return at.scales.measures_force && at.scales.clock; }},
   };
 }
 

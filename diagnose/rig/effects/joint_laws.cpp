@@ -1,6 +1,6 @@
 /// \file
-/// Torque laws of the joints beyond a single number: springs of two slopes, stops, hysteresis, set, spectra
-/// of relaxation.
+/// Joint torque laws with several parameters: piecewise springs, stops, hysteresis, plastic set, relaxation
+/// spectra.
 
 #include <array>
 #include <cmath>
@@ -14,20 +14,21 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// The torque of a mean spring at a typical deflection.
+/// Torque of the mean spring at the typical deflection.
 double typical_torque(const Place& at) {
-  return at.sizes.stiffness * at.sizes.deflection;
+  return at.scales.stiffness * at.scales.deflection;
 }
 
 // ------------------------------------------------------------------------------------------- hysteresis
 
-/// Elements yield one after the other. A search begins with three, and goes on to fewer or more from there.
+/// The search begins with three elements and continues to lower and higher orders.
 constexpr std::size_t fewest_elements = 1, first_elements = 3, most_elements = 5;
-/// A stiffer element yields within less than a reading: it is dry friction.
+/// A stiffer element slips within one reading and is dry friction.
 constexpr double stiffest = 4;
 
-/// Fitted by the turn at which an element yields, not by its torque: what it carries is then in proportion to
-/// r. \param deflection  that a joint typically has
+/// An element is fitted by the deflection at which it slips instead of its slip torque, so that its torque is
+/// proportional to r.
+/// \param deflection  typical deflection of a joint
 std::vector<ParameterRange> element_ranges(std::size_t elements, double deflection) {
   std::vector<ParameterRange> all;
   for (std::size_t e = 0; e < elements; ++e) {
@@ -38,9 +39,10 @@ std::vector<ParameterRange> element_ranges(std::size_t elements, double deflecti
   return all;
 }
 
-/// Turns in geometric progression, from where few readings see an element to where it hardly yields.
-Starts element_starts(std::size_t elements, double deflection) {
-  Starts starts{{}, 2};
+/// Slip deflections in geometric progression, from where few readings see an element to where it hardly
+/// slips.
+InitialGuesses element_guesses(std::size_t elements, double deflection) {
+  InitialGuesses guesses{{}, 2};
   for (const auto& [least, most] : {std::pair{0.02, 0.5}, {0.05, 1.0}}) {
     std::vector<double> start;
     for (std::size_t e = 0; e < elements; ++e) {
@@ -48,12 +50,12 @@ Starts element_starts(std::size_t elements, double deflection) {
       start.push_back(0.3 / static_cast<double>(elements));
       start.push_back(least * std::pow(most / least, way) * deflection);
     }
-    starts.from.push_back(std::move(start));
+    guesses.points.push_back(std::move(start));
   }
-  return starts;
+  return guesses;
 }
 
-/// \param stiffness  of the joint that yields at the turn of the parameters
+/// \param stiffness  of the joint's spring
 void add_elements(std::vector<Slider>& sliders, std::size_t elements, double stiffness, const double* value) {
   for (std::size_t e = 0; e < elements; ++e) {
     const double ratio = value[2 * e], turn = value[2 * e + 1];
@@ -62,52 +64,52 @@ void add_elements(std::vector<Slider>& sliders, std::size_t elements, double sti
 }
 
 bool turns_back(const Place& at) {
-  return at.sizes.turns_back;
+  return at.scales.turns_back;
 }
 
 std::vector<const Effect*> hystereses(bool at_joint);
 
-/// What both rows of hysteresis share.
+/// Common part of both hysteresis rows.
 Effect hysteresis_of(std::size_t elements, bool at_joint) {
   Effect row;
   row.id = "hysteresis";
   row.at_joint = at_joint;
   row.dissipates = true;
-  row.parameters = [=](const Place& at) { return element_ranges(elements, at.sizes.deflection); };
-  for (std::size_t e = 0; e < elements; ++e) row.probing.growing.push_back(2 * e);
-  row.probing.large_step = true;
-  row.element = 2;
-  row.numbers = [=] { return hystereses(at_joint); };
+  row.parameters = [=](const Place& at) { return element_ranges(elements, at.scales.deflection); };
+  for (std::size_t e = 0; e < elements; ++e) row.perturbation.growing.push_back(2 * e);
+  row.perturbation.large_step = true;
+  row.element_size = 2;
+  row.orders = [=] { return hystereses(at_joint); };
   return row;
 }
 
 Effect hysteresis_at_all(std::size_t elements) {
   Effect row = hysteresis_of(elements, false);
-  row.words = "joints that give way little by little and remember where they turned";
+  row.words = "hysteresis in the joints";
   row.add = [=](const Addition& to) {
-    for (auto& sliders : to.rig.sliders) add_elements(sliders, elements, to.sizes.stiffness, to.value);
+    for (auto& sliders : to.rig.sliders) add_elements(sliders, elements, to.scales.stiffness, to.value);
   };
   row.possible = [](const Place& at) { return turns_back(at) && several_elastic(at); };
-  row.starts = [=](const Place&, const Exercise& nominal) {
-    return element_starts(elements, nominal.largest);
+  row.initial_guesses = [=](const Place&, const Excitation& nominal) {
+    return element_guesses(elements, nominal.largest);
   };
   return row;
 }
 
 Effect hysteresis_at_one(std::size_t elements) {
   Effect row = hysteresis_of(elements, true);
-  row.words = "joint {} giving way little by little and remembering where it turned";
+  row.words = "hysteresis in joint {}";
   row.add = [=](const Addition& to) {
-    add_elements(to.rig.sliders[to.joint], elements, to.sizes.stiffness_at(to.joint), to.value);
+    add_elements(to.rig.sliders[to.joint], elements, to.scales.stiffness_at(to.joint), to.value);
   };
-  row.possible = [](const Place& at) { return turns_back(at) && at.sizes.joint_stiffness[at.joint] > 0; };
-  row.starts = [=](const Place& at, const Exercise& nominal) {
-    return element_starts(elements, nominal.deflection[at.joint]);
+  row.possible = [](const Place& at) { return turns_back(at) && at.scales.joint_stiffness[at.joint] > 0; };
+  row.initial_guesses = [=](const Place& at, const Excitation& nominal) {
+    return element_guesses(elements, nominal.deflection[at.joint]);
   };
   return row;
 }
 
-/// Of one element, of two and so on; that of `first_elements` is in the catalogue.
+/// The rows of all orders, from one element on; the one with `first_elements` is in the catalogue.
 std::vector<const Effect*> hystereses(bool at_joint) {
   static const auto rows = [] {
     std::array<std::vector<Effect>, 2> all;
@@ -132,14 +134,14 @@ std::vector<Effect> hysteresis() {
 std::vector<Effect> springs() {
   return {
       {.id = "asymmetric_spring",
-       .words = "springs that are stiffer to one side",
+       .words = "springs that are stiffer in one direction",
        .parameters = [](const Place&) { return std::vector{both_ways("e", "ratio", 0.05, -0.9, 0.9)}; },
        .add =
            [](const Addition& to) {
              for (double& e : to.rig.asymmetry) e += to.value[0];
            }},
       {.id = "asymmetric_spring",
-       .words = "springs that are stiffer to one side, each on its own",
+       .words = "springs that are stiffer in one direction, each by its own amount",
        .parameters =
            [](const Place& at) {
              return each(at, {"e", "ratio", beliefs::asymmetry_tolerance, -0.9, 0.9});
@@ -149,29 +151,29 @@ std::vector<Effect> springs() {
              for_each_elastic(to, [&](std::size_t i, double e) { to.rig.asymmetry[i] += e; });
            },
        .possible = several_elastic,
-       .special = {"asymmetric_spring"},
+       .nested = {"asymmetric_spring"},
        .within_values = {"asymmetric_spring"}},
   };
 }
 
-/// How much softer than its beginning a spring may be where it gives way: some of it is left.
+/// Largest relative loss of stiffness beyond the knee.
 constexpr double most_give = 0.95;
 
 std::vector<ParameterRange> piecewise_ranges() {
   return {onset_angle("s"), one_way("a", "ratio", 0.2, most_give)};
 }
 
-Starts piecewise_starts(double reach) {
-  return onset_starts({0.2, 0.6}, [&](double share, double give) {
+InitialGuesses piecewise_guesses(double reach) {
+  return onset_guesses({0.2, 0.6}, [&](double share, double give) {
     return std::vector{share * reach, give};
   });
 }
 
-/// Of all joints alike, and of one.
+/// Piecewise springs: all joints alike, one joint.
 std::vector<Effect> piecewise_springs() {
   return {
       {.id = "piecewise_spring",
-       .words = "springs that give way beyond an angle",
+       .words = "springs that soften beyond an angle",
        .parameters = [](const Place&) { return piecewise_ranges(); },
        .add =
            [](const Addition& to) {
@@ -179,11 +181,12 @@ std::vector<Effect> piecewise_springs() {
              to.rig.give.assign(to.rig.give.size(), to.value[1]);
            },
        .possible = several_elastic,
-       .starts = [](const Place&, const Exercise& nominal) { return piecewise_starts(nominal.largest); },
-       .probing = {.growing = {1}},
+       .initial_guesses = [](const Place&,
+                             const Excitation& nominal) { return piecewise_guesses(nominal.largest); },
+       .perturbation = {.growing = {1}},
        .of_shape = true},
       {.id = "piecewise_spring",
-       .words = "the spring of joint {} giving way beyond an angle",
+       .words = "a spring of joint {} that softens beyond an angle",
        .at_joint = true,
        .parameters = [](const Place&) { return piecewise_ranges(); },
        .add =
@@ -191,22 +194,24 @@ std::vector<Effect> piecewise_springs() {
              to.rig.knee[to.joint] = to.value[0];
              to.rig.give[to.joint] = to.value[1];
            },
-       .possible = [](const Place& at) { return at.sizes.joint_stiffness[at.joint] > 0; },
-       .starts = [](const Place& at,
-                    const Exercise& nominal) { return piecewise_starts(nominal.deflection[at.joint]); },
-       .probing = {.growing = {1}},
+       .possible = [](const Place& at) { return at.scales.joint_stiffness[at.joint] > 0; },
+       .initial_guesses =
+           [](const Place& at, const Excitation& nominal) {
+             return piecewise_guesses(nominal.deflection[at.joint]);
+           },
+       .perturbation = {.growing = {1}},
        .of_shape = true},
   };
 }
 
-/// Of all joints alike, and with an angle of its own at each.
+/// Stops: all joints alike, one angle a joint.
 std::vector<Effect> stops() {
   return {
       {.id = "joint_stops",
        .words = "stops at every joint",
        .parameters =
            [](const Place& at) {
-             return std::vector{onset_angle("s"), stop_stiffness(at.sizes.stiffness)};
+             return std::vector{onset_angle("s"), stop_stiffness(at.scales.stiffness)};
            },
        .add =
            [](const Addition& to) {
@@ -214,19 +219,19 @@ std::vector<Effect> stops() {
              to.rig.stop_stiffness.assign(to.rig.stop.size(), to.value[1]);
            },
        .possible = several_links,
-       .starts =
-           [](const Place& at, const Exercise& nominal) {
-             return stop_starts([&](double share, double stiff) {
-               return std::vector{share * nominal.largest, stiff * at.sizes.stiffness};
+       .initial_guesses =
+           [](const Place& at, const Excitation& nominal) {
+             return stop_guesses([&](double share, double stiff) {
+               return std::vector{share * nominal.largest, stiff * at.scales.stiffness};
              });
            },
-       .probing = {.growing = {1}}},
+       .perturbation = {.growing = {1}}},
       {.id = "joint_stops",
        .words = "stops at every joint, each at its own angle",
        .parameters =
            [](const Place& at) {
-             std::vector<ParameterRange> all{stop_stiffness(at.sizes.stiffness)};
-             for (std::size_t i = 0; i < at.sizes.link_length.size(); ++i)
+             std::vector<ParameterRange> all{stop_stiffness(at.scales.stiffness)};
+             for (std::size_t i = 0; i < at.scales.link_length.size(); ++i)
                all.push_back(onset_angle(numbered("s", i)));
              return all;
            },
@@ -236,16 +241,16 @@ std::vector<Effect> stops() {
              for (std::size_t i = 0; i < to.rig.stop.size(); ++i) to.rig.stop[i] = to.value[1 + i];
            },
        .possible = several_links,
-       .special = {"joint_stops", "joint_stop"},
-       .starts =
-           [](const Place& at, const Exercise& nominal) {
-             return stop_starts([&](double share, double stiff) {
-               std::vector<double> start{stiff * at.sizes.stiffness};
+       .nested = {"joint_stops", "joint_stop"},
+       .initial_guesses =
+           [](const Place& at, const Excitation& nominal) {
+             return stop_guesses([&](double share, double stiff) {
+               std::vector<double> start{stiff * at.scales.stiffness};
                for (const double reach : nominal.deflection) start.push_back(share * reach);
                return start;
              });
            },
-       .probing = {.growing = {0}}},
+       .perturbation = {.growing = {0}}},
   };
 }
 
@@ -254,11 +259,12 @@ std::vector<Effect> stops() {
 std::vector<Effect> memory() {
   return {
       {.id = "relaxation_spectrum",
-       .words = "springs that relax in two times",
+       .words = "springs that relax with two time constants",
        .dissipates = true,
        .parameters =
            [](const Place& at) {
-             const double low = std::log(0.1 * at.sizes.pause), high = std::log(20 * at.sizes.duration);
+             const double low = std::log(0.1 * at.scales.sampling_interval),
+                          high = std::log(20 * at.scales.duration);
              return std::vector<ParameterRange>{one_way("m_1", "ratio", 0.2, 20),
                                                 {"tau_1", "s", Coordinate::logarithm, 1, low, high},
                                                 one_way("m_2", "ratio", 0.2, 20),
@@ -269,19 +275,23 @@ std::vector<Effect> memory() {
              to.rig.arms.push_back({to.value[0], to.value[1]});
              to.rig.arms.push_back({to.value[2], to.value[3]});
            },
-       // Two times are told apart where readings are much closer than both.
-       .possible = [](const Place& at) { return at.sizes.clock && at.sizes.duration > 20 * at.sizes.pause; },
-       .special = {"viscoelasticity"},
-       .starts =
-           [](const Place& at, const Exercise&) {
-             const double low = std::log(2 * at.sizes.pause), high = std::log(0.4 * at.sizes.duration);
-             return Starts{{{0.1, low, 0.1, high}}, 1};
+       // Time constants are distinguishable where the sampling interval is much shorter than both.
+       .possible =
+           [](const Place& at) {
+             return at.scales.clock && at.scales.duration > 20 * at.scales.sampling_interval;
            },
-       .probing = {.growing = {0, 2}},
+       .nested = {"viscoelasticity"},
+       .initial_guesses =
+           [](const Place& at, const Excitation&) {
+             const double low = std::log(2 * at.scales.sampling_interval),
+                          high = std::log(0.4 * at.scales.duration);
+             return InitialGuesses{{{0.1, low, 0.1, high}}, 1};
+           },
+       .perturbation = {.growing = {0, 2}},
        .at_least = 2,
-       .element = 2},
+       .element_size = 2},
       {.id = "plastic_set",
-       .words = "rest angles that stay moved after a torque that was too large",
+       .words = "rest angles that shift plastically beyond a torque",
        .dissipates = true,
        .parameters =
            [](const Place& at) {
@@ -296,19 +306,19 @@ std::vector<Effect> memory() {
              to.rig.flow = to.value[1];
            },
        .possible = turns_back,
-       .starts =
-           [](const Place&, const Exercise& nominal) {
-             Starts starts{{}, 1};
+       .initial_guesses =
+           [](const Place&, const Excitation& nominal) {
+             InitialGuesses guesses{{}, 1};
              for (const double share : {0.2, 0.4, 0.6, 0.8})
-               starts.from.push_back({share * nominal.torque, 0.1});
-             return starts;
+               guesses.points.push_back({share * nominal.torque, 0.1});
+             return guesses;
            },
-       .probing = {.growing = {1}}},
+       .perturbation = {.growing = {1}}},
       {.id = "tendon_friction",
-       .words = "a tendon that loses tension from joint to joint",
+       .words = "friction of the tendon that sets the rest angles",
        .parameters = [](const Place&) { return std::vector{one_way("mu", "ratio", 0.02, 1)}; },
        .add = [](const Addition& to) { to.rig.capstan += to.value[0]; },
-       .possible = [](const Place& at) { return at.sizes.bent_at_rest; }},
+       .possible = [](const Place& at) { return at.scales.bent_at_rest; }},
   };
 }
 

@@ -17,7 +17,7 @@ std::vector<Effect> link_effects() {
        .parameters =
            [](const Place& at) {
              const double density =
-                 at.sizes.stiffness / (standard_gravity * at.sizes.length * at.sizes.length);
+                 at.scales.stiffness / (standard_gravity * at.scales.length * at.scales.length);
              return std::vector{one_way("rho", "kg/m", 0.1 * density, 20 * density)};
            },
        .add =
@@ -25,7 +25,7 @@ std::vector<Effect> link_effects() {
              for (std::size_t j = 0; j < to.rig.length.size(); ++j)
                to.rig.weight[j] += to.value[0] * to.rig.length[j] * standard_gravity * to.down;
            },
-       .possible = [](const Place& at) { return at.sizes.weighs; }},
+       .possible = [](const Place& at) { return at.scales.weighs; }},
       {.id = "mass_scale",
        .words = "all masses wrong by one factor",
        .parameters = [](const Place&) { return std::vector{both_ways("a", "ratio", 0.1, -0.95, 3)}; },
@@ -33,29 +33,29 @@ std::vector<Effect> link_effects() {
            [](const Addition& to) {
              for (Vector2& weight : to.rig.weight) weight *= 1 + to.value[0];
            },
-       .possible = [](const Place& at) { return at.sizes.nominal_weight; }},
+       .possible = [](const Place& at) { return at.scales.nominal_weight; }},
       {.id = "axial_compliance",
-       .words = "links that stretch and shorten",
+       .words = "axial compliance of the links",
        .parameters =
            [](const Place& at) {
-             return std::vector{one_way("c_a", "1/N", 0.01 / at.sizes.force, 0.3 / at.sizes.force)};
+             return std::vector{one_way("c_a", "1/N", 0.01 / at.scales.force, 0.3 / at.scales.force)};
            },
        .add = [](const Addition& to) { to.rig.axial += to.value[0]; }},
       {.id = "link_bending",
        .words = "links that bend",
        .parameters =
            [](const Place& at) {
-             const double soft = 1 / (at.sizes.stiffness * at.sizes.link);
+             const double soft = 1 / (at.scales.stiffness * at.scales.link);
              return std::vector<ParameterRange>{
                  {"EI", "N m²", Coordinate::reciprocal, 0.1 * soft, 1e-6 * soft, 10 * soft}};
            },
        .add = [](const Addition& to) { to.rig.flexibility += 1 / to.value[0]; },
-       .starts =
-           [](const Place& at, const Exercise&) {
-             const double scale = 0.1 * (1 / (at.sizes.stiffness * at.sizes.link));
-             return Starts{{{0.01 * scale}, {0.3 * scale}, {2.0 * scale}}, 1};
+       .initial_guesses =
+           [](const Place& at, const Excitation&) {
+             const double scale = 0.1 * (1 / (at.scales.stiffness * at.scales.link));
+             return InitialGuesses{{{0.01 * scale}, {0.3 * scale}, {2.0 * scale}}, 1};
            },
-       .probing = {.large_step = true, .starts = 1}},
+       .perturbation = {.large_step = true, .guesses = 1}},
   };
 }
 

@@ -7,7 +7,7 @@ namespace plumbline::diagnose {
 namespace {
 
 bool has_load_cell(const Place& at) {
-  return at.sizes.load_cell;
+  return at.scales.load_cell;
 }
 
 }  // namespace
@@ -18,7 +18,7 @@ std::vector<Effect> load_cell_effects() {
        .words = "a tare error of the load cell",
        .parameters =
            [](const Place& at) {
-             const double small = 0.05 * at.sizes.force, large = 3 * at.sizes.force;
+             const double small = 0.05 * at.scales.force, large = 3 * at.scales.force;
              return std::vector{both_ways("b_x", "N", small, -large, large),
                                 both_ways("b_y", "N", small, -large, large)};
            },
@@ -30,16 +30,16 @@ std::vector<Effect> load_cell_effects() {
        .add = [](const Addition& to) { to.rig.force_gain += to.value[0]; },
        .possible = has_load_cell},
       {.id = "sensor_drift",
-       .words = "a load cell that drifts in time",
+       .words = "a load cell that drifts over time",
        .parameters =
            [](const Place& at) {
-             const double rate = at.sizes.force / at.sizes.duration;
+             const double rate = at.scales.force / at.scales.duration;
              return std::vector{both_ways("r_x", "N/s", 0.05 * rate, -3 * rate, 3 * rate),
                                 both_ways("r_y", "N/s", 0.05 * rate, -3 * rate, 3 * rate)};
            },
        .add = [](const Addition& to) { to.rig.force_drift += Vector2(to.value[0], to.value[1]); },
-       // A force that is imposed has nothing that could drift.
-       .possible = [](const Place& at) { return at.sizes.measures_force && at.sizes.clock; }},
+       // An imposed force cannot drift.
+       .possible = [](const Place& at) { return at.scales.measures_force && at.scales.clock; }},
   };
 }
 

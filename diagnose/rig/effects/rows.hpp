@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// The rows of the catalogue, by where the effects act. A new effect is one row here, and what it adds to
-/// Rig.
+/// The rows of the catalogue, by where the effects act. A new effect is one row here and its addition to Rig.
 
 #include "diagnose/rig/effect.hpp"
 

@@ -1,27 +1,28 @@
 /// \file
-/// Whether what a user states has a value wherever it is asked for first: along the nominal model's runs.
+/// Checks that a user's expressions are defined along the runs of the nominal model.
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/rig/sides.hpp"
+#include "diagnose/rig/branches.hpp"
 #include "diagnose/rig/user_effects/stated_effect.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-/// Parameters with which an expression is tried.
+/// Parameters at which an expression is evaluated.
 struct TriedValues {
   std::vector<double> parameters;
-  bool nothing;  ///< all that grows is zero
+  bool nothing;  ///< all growing parameters are zero
 };
 
 std::vector<TriedValues> trials(const StatedEffect& stated, const Study& study) {
   std::vector<TriedValues> all;
-  for (const std::vector<double>& start :
-       row_of(std::make_shared<StatedEffect>(stated)).starts({study.sizes(), 0}, study.exercise()).from) {
+  for (const std::vector<double>& start : row_of(std::make_shared<StatedEffect>(stated))
+                                              .initial_guesses({study.scales(), 0}, study.excitation())
+                                              .points) {
     all.push_back({start, false});
     for (std::size_t p = 0; p < start.size(); ++p)
       if (stated.parameters[p].grows()) all.back().parameters[p] = 0;
@@ -38,7 +39,7 @@ std::string spelled(const StatedEffect& stated, const std::vector<double>& value
   return text;
 }
 
-/// \throws Error unless the value is finite, and nothing where nothing is asked for
+/// \throws Error unless the value is finite, and zero where all growing parameters are
 void require(double value, const TriedValues& trial, const StatedEffect& stated, const std::string& key,
              const std::string& where) {
   if (std::isfinite(value) && (!trial.nothing || value == 0)) return;
@@ -71,7 +72,7 @@ void require_torque(const StatedEffect& stated, const Study& study, const TriedV
   }
 }
 
-/// In one run.
+/// Checks one run.
 void require_reading(const StatedEffect& stated, const StatedReading& one, const Run& run, const Trace& trace,
                      const TriedValues& trial) {
   const StatedCorrection correction{one.channel, one.joint, one.formula, trial.parameters};
@@ -99,7 +100,7 @@ void require_readings(const StatedEffect& stated, const Study& study, const Trie
 }  // namespace
 
 void require_defined(const StatedEffect& stated, const Study& study) {
-  const std::size_t joints = study.sizes().link_length.size();
+  const std::size_t joints = study.scales().link_length.size();
   for (const StatedReading& one : stated.readings)
     if (one.joint && *one.joint >= joints)
       throw Error(stated.place + ": " + stated.id + ".reading", one.key,
@@ -115,7 +116,7 @@ Study study_with(Experiment experiment, const std::vector<StatedEffect>& stated)
   std::vector<Effect> rows;
   for (const StatedEffect& one : stated) rows.push_back(row_of(std::make_shared<StatedEffect>(one)));
   const Study read(std::move(experiment), std::make_shared<const std::vector<Effect>>(std::move(rows)));
-  Study study = read.of(on_their_sides(read));
+  Study study = read.of(on_observed_branches(read));
   for (const StatedEffect& one : stated) require_defined(one, study);
   return study;
 }

@@ -27,7 +27,7 @@ StatedParameter read_parameter(const Section& parameters, const std::string& nam
   section.allow_only({"unit", "scale", "low", "high", "tolerance"});
   StatedParameter one{name,
                       section.text("unit", "a unit such as \"N m\", or \"ratio\""),
-                      section.number("scale", "the size of a sizeable effect"),
+                      section.number("scale", "the typical size of the effect"),
                       section.number("low", "the lowest value it can have"),
                       section.number("high", "the highest value it can have"),
                       section.has("tolerance") ? section.number("tolerance", "a standard deviation") : 0};
@@ -81,7 +81,7 @@ StatedReading read_reading(const Section& section, const std::string& key, const
   return {names[place - others.begin()], std::nullopt, key, read_formula(section, key, variables, effect)};
 }
 
-/// Reports put the joint where the braces are.
+/// Braces stand for the joint in reports.
 std::string read_words(const Section& section, bool at_joint) {
   const std::string words = section.text("words", "what can stand after \"caused by\"");
   const std::size_t braces = words.find("{}");

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The file in which a user states effects: docs/user-effects.md.
+/// Reads a file of user effects: docs/user-effects.md.
 
 #include <filesystem>
 
@@ -12,7 +12,7 @@ namespace plumbline::diagnose {
 /// \throws Error that names line and key
 std::vector<StatedEffect> parse_effects(const std::string& text, const std::string& source);
 
-/// \throws Error for what is no such file
+/// \throws Error for a file that cannot be read or does not conform
 std::vector<StatedEffect> read_effects(const std::filesystem::path& file);
 
 }  // namespace plumbline::diagnose

@@ -20,13 +20,13 @@ std::vector<std::size_t> growing(const StatedEffect& stated) {
   return places;
 }
 
-/// At a share of the way between its bounds, by ratios.
+/// A value between the bounds, geometrically.
 double between(const StatedParameter& shape, double share) {
   return shape.low * std::pow(shape.high / shape.low, share);
 }
 
-/// Combinations of what shapes the effect; what grows is zero. Of three shapes and more one combination: a
-/// grid of them is longer than patience.
+/// A grid over the shape parameters, with the growing ones zero; a single point for three shape parameters
+/// and more, whose grid would be too large.
 std::vector<std::vector<double>> shapes(const StatedEffect& stated) {
   const bool few = stated.parameters.size() - growing(stated).size() <= 2;
   const std::vector<double> shares =
@@ -45,41 +45,41 @@ std::vector<std::vector<double>> shapes(const StatedEffect& stated) {
   return all;
 }
 
-/// Whether joints stick under it: they do not where there is little of it, which then acts otherwise.
+/// Whether joints may stick: a small amount of the effect then acts otherwise than a large one.
 bool sticks(const StatedEffect& stated) {
   return stated.torque && stated.uses("s");
 }
 
-/// From a scale to either side of every combination; from nothing too, where little of it acts as much does.
-Starts starts_of(const StatedEffect& stated) {
-  Starts starts{{}, 2};
+/// Initial guesses one scale to either side at every point of the grid, and zero where no joint sticks.
+InitialGuesses guesses_of(const StatedEffect& stated) {
+  InitialGuesses guesses{{}, 2};
   for (const std::vector<double>& shape : shapes(stated)) {
-    if (growing(stated).size() == shape.size() && !sticks(stated)) starts.from.push_back(shape);
+    if (growing(stated).size() == shape.size() && !sticks(stated)) guesses.points.push_back(shape);
     for (const double side : {1.0, -1.0}) {
       std::vector<double> one = shape;
       for (const std::size_t p : growing(stated)) {
         const StatedParameter& range = stated.parameters[p];
         one[p] = std::clamp(side * range.scale, range.low, range.high);
       }
-      if (one != shape) starts.from.push_back(std::move(one));
+      if (one != shape) guesses.points.push_back(std::move(one));
     }
   }
-  return starts;
+  return guesses;
 }
 
-/// What shapes it keeps the value of a start.
-Probing probing_of(const StatedEffect& stated) {
-  Probing probing;
-  if (growing(stated).size() < stated.parameters.size()) probing.growing = growing(stated);
-  probing.large_step = sticks(stated);
-  return probing;
+/// Shape parameters keep the value of the initial guess.
+Perturbation perturbation_of(const StatedEffect& stated) {
+  Perturbation perturbation;
+  if (growing(stated).size() < stated.parameters.size()) perturbation.growing = growing(stated);
+  perturbation.large_step = sticks(stated);
+  return perturbation;
 }
 
 bool possible(const StatedEffect& stated, const Place& at) {
-  if (stated.uses("t") && !at.sizes.clock) return false;
-  if (stated.torque) return !stated.at_joint || !stated.uses("k") || at.sizes.joint_stiffness[at.joint] > 0;
+  if (stated.uses("t") && !at.scales.clock) return false;
+  if (stated.torque) return !stated.at_joint || !stated.uses("k") || at.scales.joint_stiffness[at.joint] > 0;
   return std::any_of(stated.readings.begin(), stated.readings.end(),
-                     [&](const StatedReading& one) { return at.sizes.measures(one.channel); });
+                     [&](const StatedReading& one) { return at.scales.measures(one.channel); });
 }
 
 void add(const StatedEffect& stated, const Addition& to) {
@@ -107,8 +107,8 @@ Effect row_of(std::shared_ptr<const StatedEffect> stated) {
           .parameters = [stated](const Place&) { return ranges(*stated); },
           .add = [stated](const Addition& to) { plumbline::diagnose::add(*stated, to); },
           .possible = [stated](const Place& at) { return plumbline::diagnose::possible(*stated, at); },
-          .starts = [stated](const Place&, const Exercise&) { return starts_of(*stated); },
-          .probing = probing_of(*stated)};
+          .initial_guesses = [stated](const Place&, const Excitation&) { return guesses_of(*stated); },
+          .perturbation = perturbation_of(*stated)};
 }
 
 }  // namespace plumbline::diagnose

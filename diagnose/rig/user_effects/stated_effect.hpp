@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// An effect as a user states it, and the row that it becomes beside those of the catalogue.
+/// A user effect, and its row beside those of the catalogue.
 
 #include "diagnose/inference/study.hpp"
 
@@ -11,12 +11,11 @@ struct StatedParameter {
   double scale, low, high;
   double tolerance;  ///< 0 where it has none
 
-  /// Whether zero of it is nothing of the effect; others (where something begins, how fast it is) only shape
-  /// it.
+  /// Whether zero means no effect. Other parameters (thresholds, time constants) shape the effect.
   [[nodiscard]] bool grows() const { return low <= 0; }
 };
 
-/// The correction of one channel's readings, or of all joint angles.
+/// A correction of the readings of one channel, or of all joint angles.
 struct StatedReading {
   Channel::Name channel;
   std::optional<std::size_t> joint;  ///< from 0
@@ -24,7 +23,7 @@ struct StatedReading {
   std::shared_ptr<const Formula> formula;
 };
 
-/// Acts by a torque or by corrections of readings.
+/// A user effect: a torque, or corrections of readings.
 struct StatedEffect {
   std::string place;  ///< "FILE:LINE"
   std::string id;     ///< as the file has it
@@ -37,15 +36,16 @@ struct StatedEffect {
   [[nodiscard]] bool uses(std::string_view variable) const;
 };
 
-/// Its row, whose id is user:NAME.
+/// The row of a user effect, with the id user:NAME.
 Effect row_of(std::shared_ptr<const StatedEffect> stated);
 
-/// \throws Error where an expression has no value at a reading of the nominal model, or is not zero where all
-///         that grows is, or names a joint that the chain does not have
+/// \throws Error where an expression is undefined at a reading of the nominal model, is not zero where all
+///         growing parameters are, or names a joint that the chain does not have
 void require_defined(const StatedEffect& stated, const Study& study);
 
-/// A study in which these are looked for beside the effects of the catalogue, and which the nominal chain may
-/// have among its own, each run on the side that its readings are on. \throws Error as require_defined() does
+/// A study whose candidates include these effects; the nominal model may contain them too. Each run is
+/// predicted on its observed branch.
+/// \throws Error as require_defined() does
 Study study_with(Experiment experiment, const std::vector<StatedEffect>& stated);
 
 }  // namespace plumbline::diagnose

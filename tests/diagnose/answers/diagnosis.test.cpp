@@ -331,17 +331,17 @@ TEST_CASE("forces that were taken for weights are said to be, by their runs") {
     declared.runs[2].weights_inferred = inferred;
     return plumbline::diagnose::diagnose(Study(test::measured(declared, {}, {}, 4)));
   };
-  const std::string words = "the forces of load-3 point straight down and have no noise: taken for weights";
+  const std::string words = "all forces of load-3 point straight down without noise: assumed to be weights";
   CHECK(as_text(said(true)).find(words) != std::string::npos);
-  CHECK(as_json(said(true))["gap"]["taken_for_weights"] == nlohmann::json{"load-3"});
-  CHECK(as_text(said(false)).find("taken for weights") == std::string::npos);
-  CHECK(as_json(said(false))["gap"]["taken_for_weights"].empty());
+  CHECK(as_json(said(true))["gap"]["assumed_weights"] == nlohmann::json{"load-3"});
+  CHECK(as_text(said(false)).find("assumed to be weights") == std::string::npos);
+  CHECK(as_json(said(false))["gap"]["assumed_weights"].empty());
 }
 
 TEST_CASE("the report as JSON holds what its format asks for") {
   const nlohmann::ordered_json json = as_json(
       plumbline::diagnose::diagnose(Study(with_readings(unread_bench(), {{{"force_gain", 0}}}, {0.1}, 6))));
-  CHECK(json["format"] == "gap-diagnosis/1");
+  CHECK(json["format"] == "gap-diagnosis/2");
   CHECK(json["gap"]["present"] == true);
   CHECK(json["cause"]["verdict"] == "ambiguous");  // nothing else sets a scale of force
   std::set<std::string> named{json["cause"]["effects"][0]["id"]};
@@ -381,5 +381,6 @@ TEST_CASE(
   CHECK(lows == std::vector<double>{0.8, 0.05, 0.0, 0.15, 0.6, 0.2});
   CHECK(highs == std::vector<double>{1.0, 0.15, 0.2, 0.25, 0.8, 0.4});
   CHECK(at_bound == std::vector<bool>{true, false, false, false, false, true});
-  for (const char* const id : {"hysteresis", "relaxation_spectrum"}) CHECK(EffectAt(id).effect->element == 2);
+  for (const char* const id : {"hysteresis", "relaxation_spectrum"})
+    CHECK(EffectAt(id).effect->element_size == 2);
 }

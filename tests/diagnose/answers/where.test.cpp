@@ -86,8 +86,8 @@ TEST_CASE("along the path a share belongs to the readings that hold it, also whe
   const Where where = locate(Study(experiment), straight(experiment, 8), residual, {});
   REQUIRE(where.load_path.size() == 2);
   const PathShare &stiff = where.load_path[0], &soft = where.load_path[1];
-  CHECK((stiff.from == 0 && stiff.to == 7 && stiff.regime == Regime::pre_buckling));
-  CHECK((soft.from == 8 && soft.to == 11 && soft.regime == Regime::post_buckling));
+  CHECK((stiff.from == 0 && stiff.to == 7 && stiff.regime == Regime::pre_critical));
+  CHECK((soft.from == 8 && soft.to == 11 && soft.regime == Regime::post_critical));
   CHECK(stiff.share == 0.0);
   CHECK(soft.share == close_to(1));
 }
@@ -133,10 +133,10 @@ TEST_CASE("along the path of several runs each stretch has its readings, counted
     Regime regime;
   };
   // the force grows as stiff up to reading 3: four readings, and what is left of six and of five
-  const std::vector<Stretch> expected{{"run-1", 0, 3, 32, Regime::pre_buckling},
-                                      {"run-1", 4, 5, 16, Regime::post_buckling},
-                                      {"run-2", 0, 7, 12, Regime::pre_buckling},
-                                      {"run-2", 8, 9, 3, Regime::post_buckling}};
+  const std::vector<Stretch> expected{{"run-1", 0, 3, 32, Regime::pre_critical},
+                                      {"run-1", 4, 5, 16, Regime::post_critical},
+                                      {"run-2", 0, 7, 12, Regime::pre_critical},
+                                      {"run-2", 8, 9, 3, Regime::post_critical}};
   for (std::size_t i = 0; i < expected.size(); ++i) {
     CAPTURE(i);
     CHECK(where.load_path[i].run == expected[i].run);
@@ -211,9 +211,9 @@ TEST_CASE("the joint whose torque is missing is told by measured angles alone, a
   const Study forces(experiment);
   CHECK(locate(forces, forces.nominal(), forces.nominal_residual(), {}).joints.empty());
 
-  CHECK(joint_evidence_words(JointEvidence::measured) == "of the measured missing torque");
+  CHECK(joint_evidence_words(JointEvidence::measured) == "of the measured torque residual");
   CHECK(joint_evidence_words(JointEvidence::implied_by_fits) ==
-        "of the missing torque that the explanation implies");
+        "of the torque that the explanation adds");
   CHECK(joint_evidence_words(JointEvidence::implied_by_law) ==
-        "chance to be the one place of an unknown torque");
+        "probability of being the only joint at fault");
 }

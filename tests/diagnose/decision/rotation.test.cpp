@@ -60,7 +60,7 @@ std::map<std::string, Json> said(const Json& report) {
   all["class"] = alike;
   if (report["shrink"].is_null()) return all;
   for (const char* key :
-       {"ratio", "ratio_low", "ratio_high", "noise_floor_ratio", "tested", "of", "chosen_blind"})
+       {"ratio", "ratio_low", "ratio_high", "noise_floor_ratio", "tested", "of", "selected_without_heldout"})
     all[key] = report["shrink"][key];
   std::vector<std::string> heldout = report["shrink"]["heldout"];
   std::sort(heldout.begin(), heldout.end());

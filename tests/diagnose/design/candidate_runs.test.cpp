@@ -14,7 +14,7 @@ using namespace plumbline::diagnose;
 using namespace plumbline::diagnose::test;
 
 TEST_CASE("a run may ask for twice the force and half as much deflection again as those before, by hand") {
-  const Extent so_far{0.1, 2.5, 0.4, 2};
+  const OperatingEnvelope so_far{0.1, 2.5, 0.4, 2};
   const std::vector<double> rest{0.3, -0.5};
   // Fx, Fy and the joints' turns at the second reading; the first is unloaded
   const auto trace = [&](double Fx, double Fy, double turn1, double turn2) {
@@ -33,7 +33,7 @@ TEST_CASE("a run may ask for twice the force and half as much deflection again a
   CHECK_FALSE(so_far.allows(trace(1, 0, 0.61, 0), rest));
   CHECK_FALSE(so_far.allows(trace(1, 0, 0.1, -0.61), rest));
   // where nothing was asked so far anything may be
-  CHECK(Extent{}.allows(trace(100, 0, 3, 3), rest));
+  CHECK(OperatingEnvelope{}.allows(trace(100, 0, 3, 3), rest));
 }
 
 namespace {
@@ -50,9 +50,9 @@ Experiment press_and_load() {
 
 TEST_CASE("how far the runs so far went, by hand") {
   const Study study(press_and_load());
-  const Extent so_far = extent(study);
+  const OperatingEnvelope so_far = operating_envelope(study);
   CHECK(so_far.travel == close_to(0.01).epsilon(1e-9));  // (6, 8) mm
-  CHECK(so_far.pause == 3);
+  CHECK(so_far.sampling_interval == 3);
   double force = 0, deflection = 0;
   for (std::size_t r = 0; r < 2; ++r) {
     const Trace& trace = study.nominal().runs[r];
@@ -67,9 +67,9 @@ TEST_CASE("how far the runs so far went, by hand") {
 
   Experiment loaded = press_and_load();
   loaded.runs.erase(loaded.runs.begin());
-  CHECK(extent(Study(loaded)).travel == close_to(0.05 * 0.6));  // none was commanded
+  CHECK(operating_envelope(Study(loaded)).travel == close_to(0.05 * 0.6));  // none was commanded
   loaded.runs[0].readings.clear();
-  CHECK(extent(Study(loaded)).pause == 2);
+  CHECK(operating_envelope(Study(loaded)).sampling_interval == 2);
 }
 
 TEST_CASE("without limits a held end point is pressed as far as before and half as far again, eight ways") {
@@ -106,7 +106,7 @@ TEST_CASE(
     "a held end point is pressed as far as the limits of force and deflection let it, and two thirds of it") {
   const Experiment experiment = press_and_load();
   const Shape shape{Control::end_point, {0.3, -0.5, 0.4}, "the rest"};
-  const auto followed = [&](const Run& run, const Extent& so_far) {
+  const auto followed = [&](const Run& run, const OperatingEnvelope& so_far) {
     Experiment bench = experiment;
     bench.runs = {run};
     const Prediction nominal = Study(bench).nominal();
@@ -120,7 +120,9 @@ TEST_CASE(
     return run;
   };
   std::size_t shortened = 0;
-  for (const Extent& so_far : {Extent{0.01, 1, 0.1, 3}, Extent{0.02, 0.3, 0, 3}, Extent{0.03, 0, 0.02, 3}}) {
+  for (const OperatingEnvelope& so_far :
+       {OperatingEnvelope{0.01, 1, 0.1, 3}, OperatingEnvelope{0.02, 0.3, 0, 3},
+        OperatingEnvelope{0.03, 0, 0.02, 3}}) {
     const std::vector<CandidateRun> all = runs_from(experiment, shape, so_far);
     REQUIRE_FALSE(all.empty());
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -26,7 +26,7 @@ Contrast additive(const std::vector<double>& leads) {
 
 bool suffice(const std::vector<Contrast>& contrasts, const Runs& runs, double enough) {
   return std::all_of(contrasts.begin(), contrasts.end(),
-                     [&](const Contrast& one) { return lead(one, runs) > enough; });
+                     [&](const Contrast& one) { return expected_log_likelihood_ratio(one, runs) > enough; });
 }
 
 /// The size of the smallest set that does, by trying every set.
@@ -66,13 +66,13 @@ TEST_CASE("of the runs that are needed the one that shows most comes first") {
 }
 
 TEST_CASE("runs that show nothing alone may show it together") {
-  // Each run determines the imitator's one parameter, by another value: only both together refute it.
+  // Each run determines the alternative's one parameter, by another value: only both together refute it.
   const Eigen::MatrixXd slope = Eigen::MatrixXd::Constant(1, 1, 1.0);
   Contrast contrast;
   for (const double difference : {4.0, -4.0})
     contrast.push_back({Eigen::VectorXd::Constant(1, difference), slope});
-  CHECK(lead(contrast, {0}) == doctest::Approx(0));
-  CHECK(lead(contrast, {0, 1}) == close_to(16));  // (4² + 4²) / 2
+  CHECK(expected_log_likelihood_ratio(contrast, {0}) == doctest::Approx(0));
+  CHECK(expected_log_likelihood_ratio(contrast, {0, 1}) == close_to(16));  // (4² + 4²) / 2
   CHECK(fewest_runs({contrast}, 2, 3).runs.size() == 2);
 }
 
@@ -91,12 +91,12 @@ TEST_CASE("no set of runs is smaller, by trying them all") {
       const Eigen::Index parameters = *rc::gen::inRange(0, 2);
       Contrast one;
       for (std::size_t r = 0; r < count; ++r) {
-        Imitation rows{Eigen::VectorXd(2), Eigen::MatrixXd(2, parameters)};
+        LinearisedAlternative rows{Eigen::VectorXd(2), Eigen::MatrixXd(2, parameters)};
         for (double& value : rows.difference) value = *rc::gen::inRange(-4, 5);
         for (double& value : rows.slope.reshaped()) value = *rc::gen::inRange(-4, 5);
         one.push_back(rows);
       }
-      if (lead(one, all) > enough) contrasts.push_back(one);
+      if (expected_log_likelihood_ratio(one, all) > enough) contrasts.push_back(one);
     }
     const FewestRuns found = fewest_runs(contrasts, count, enough);
     RC_ASSERT(found.proved);

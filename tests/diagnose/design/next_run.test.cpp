@@ -35,8 +35,8 @@ TEST_CASE(
   const Fit bias = fit(Study(experiment), only("force_bias"), {});
   // The tare error imitates the weight exactly; the weight misses what noise gives b_x: one free parameter,
   // whose squared distance is a chi-square of one degree of freedom, below 11 in 999 of 1000 experiments.
-  CHECK(separation(imitation(payload, bias)) < 1e-6);
-  CHECK(separation(imitation(bias, payload)) < 11);
+  CHECK(separation(linearised_alternative(payload, bias)) < 1e-6);
+  CHECK(separation(linearised_alternative(bias, payload)) < 11);
 
   const std::vector<Proposal> proposals = next_runs(Study(experiment), {payload, bias}, {}, 4);
   REQUIRE(proposals.size() == 4);
@@ -49,10 +49,10 @@ TEST_CASE(
 }
 
 TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
-  const Candidate truth = only("rest_angle", 1), rival = only("joint_stiffness", 2);
+  const Candidate truth = only("rest_angle", 1), hypothesis = only("joint_stiffness", 2);
   const Experiment experiment = measured(along_x(), truth, {0.004}, 41);
   const Measurements measurements(experiment);
-  const Fit right = fit(Study(experiment), truth, {}), wrong = fit(Study(experiment), rival, {});
+  const Fit right = fit(Study(experiment), truth, {}), wrong = fit(Study(experiment), hypothesis, {});
   const Proposal best = next_runs(Study(experiment), {right, wrong}, {}, 1).at(0);
 
   Experiment longer = along_x();
@@ -64,7 +64,7 @@ TEST_CASE("the lead that a proposal promises is the lead that the run gives") {
   for (unsigned seed = 0; seed < repeats; ++seed) {
     const Experiment again = measured(longer, truth, {0.004}, 100 + seed);
     const Study study(again);
-    sum += (fit(study, rival, {}).cost - fit(study, truth, {}).cost) / 2;
+    sum += (fit(study, hypothesis, {}).cost - fit(study, truth, {}).cost) / 2;
   }
   const double lead = sum / repeats;
   CHECK(lead > best.log_odds_so_far);
@@ -96,21 +96,21 @@ TEST_CASE("no run is proposed in which an explanation snaps") {
   Experiment experiment = three_links();
   press(experiment, {0.118, 0.046, 0.061}, {-0.053, -0.05}, 20, false);
   const Study study(measured(experiment, only("rest_angle", 2), {0.099}, 43));
-  const std::vector<Fit> rivals{fit(study, only("joint_stiffness", 2), {}),
-                                fit(study, only("rest_angle", 2), {})};
+  const std::vector<Fit> hypotheses{fit(study, only("joint_stiffness", 2), {}),
+                                    fit(study, only("rest_angle", 2), {})};
   const auto snaps = [&](const Run& run) {
     Experiment bench = study.experiment();
     bench.runs = {run};
-    return std::any_of(rivals.begin(), rivals.end(), [&](const Fit& one) {
+    return std::any_of(hypotheses.begin(), hypotheses.end(), [&](const Fit& one) {
       return predict(Study(bench), one.candidate, one.parameters).snapped;
     });
   };
   std::size_t feasible = 0;
   for (const Shape& shape : shapes(study.experiment(), 12))
-    for (const CandidateRun& one : runs_from(study.experiment(), shape, extent(study)))
+    for (const CandidateRun& one : runs_from(study.experiment(), shape, operating_envelope(study)))
       feasible += snaps(one.run);
   REQUIRE(feasible > 0);
-  const std::vector<Proposal> proposals = next_runs(study, rivals, {}, 1000);
+  const std::vector<Proposal> proposals = next_runs(study, hypotheses, {}, 1000);
   REQUIRE_FALSE(proposals.empty());
   for (const Proposal& one : proposals) CHECK_FALSE(snaps(one.run));
 }
@@ -122,14 +122,14 @@ TEST_CASE(
   const NoiseModel noise{{1, 1, 2, 0.5, 1}, 0};
   FitSettings settings;
   settings.noise = noise;
-  const std::vector<Fit> rivals{fit(study, only("rest_angle", 1), settings),
-                                fit(study, only("joint_stiffness", 2), settings)};
+  const std::vector<Fit> hypotheses{fit(study, only("rest_angle", 1), settings),
+                                    fit(study, only("joint_stiffness", 2), settings)};
   const auto gap_of = [&](const Proposal& one) {
     Experiment bench = study.experiment();
     bench.runs = {one.run};
     bench.gravity = {0, 0};
     const Study alone(bench);
-    const Trace best = predict(alone, rivals[0].candidate, rivals[0].parameters).runs[0],
+    const Trace best = predict(alone, hypotheses[0].candidate, hypotheses[0].parameters).runs[0],
                 nominal = alone.nominal().runs[0];
     double sum = 0, count = 0;
     for (Eigen::Index i = 0; i < best.rows(); ++i) {
@@ -143,11 +143,11 @@ TEST_CASE(
   };
   const auto key = [](const Proposal& one) { return one.description; };
   std::map<std::string, double> told;
-  for (const Proposal& one : next_runs(study, rivals, noise, 1000)) {
+  for (const Proposal& one : next_runs(study, hypotheses, noise, 1000)) {
     CHECK(one.gap == close_to(gap_of(one)).epsilon(1e-6));
     told[key(one)] = one.gap;
   }
-  const std::vector<Proposal> shown = next_runs(study, rivals, noise, 1000, Aim::to_show);
+  const std::vector<Proposal> shown = next_runs(study, hypotheses, noise, 1000, Aim::detect);
   REQUIRE(shown.size() == told.size());
   double most = 0;
   for (const auto& [what, gap] : told) most = std::max(most, gap);
@@ -162,9 +162,10 @@ TEST_CASE("out of gravity a chain and its mirror image tell as much, in gravity 
   experiment.link_mass = {0.05, 0.05, 0.05};
   experiment.gravity = {0, -9.81};
   const Study study(measured(experiment, only("force_gain"), {0.1}, 43));
-  const std::vector<Fit> rivals{fit(study, only("force_gain"), {}), fit(study, only("stiffness_scale"), {})};
+  const std::vector<Fit> hypotheses{fit(study, only("force_gain"), {}),
+                                    fit(study, only("stiffness_scale"), {})};
   std::map<std::pair<bool, std::string>, std::vector<double>> promised;
-  for (const Proposal& one : next_runs(study, rivals, {}, 1000)) {
+  for (const Proposal& one : next_runs(study, hypotheses, {}, 1000)) {
     std::string what = one.description;
     if (const std::size_t at = what.find("mirrored "); at != what.npos) what.erase(at, 9);
     promised[{one.out_of_gravity, what}].push_back(one.log_odds);
@@ -185,10 +186,10 @@ TEST_CASE("joint angles are an extra only where the bench does not read them") {
       for (Run& run : experiment.runs)
         for (Reading& reading : run.readings) reading.q.clear();
     const Study study(measured(experiment, only("force_gain"), {0.05}, 43));
-    const std::vector<Fit> rivals{fit(study, only("force_gain"), {}),
-                                  fit(study, only("joint_stiffness", 1), {})};
+    const std::vector<Fit> hypotheses{fit(study, only("force_gain"), {}),
+                                      fit(study, only("joint_stiffness", 1), {})};
     std::size_t extras = 0;
-    const std::vector<Proposal> proposals = next_runs(study, rivals, {}, 1000);
+    const std::vector<Proposal> proposals = next_runs(study, hypotheses, {}, 1000);
     REQUIRE_FALSE(proposals.empty());
     for (const Proposal& one : proposals) {
       if (reads) CHECK(one.angles);
@@ -202,11 +203,11 @@ TEST_CASE("what a run is expected to show is counted in the noise as it is, chan
   // a sigma declared twice as large, or found twice as large as declared, are one and the same noise
   const Experiment experiment = measured(along_x(), only("rest_angle", 1), {0.02}, 47);
   const Study study(experiment);
-  const std::vector<Fit> rivals{fit(study, only("rest_angle", 1), {}),
-                                fit(study, only("joint_stiffness", 2), {})};
+  const std::vector<Fit> hypotheses{fit(study, only("rest_angle", 1), {}),
+                                    fit(study, only("joint_stiffness", 2), {})};
   const auto leads = [&](const Experiment& declared, const NoiseModel& found) {
     std::vector<double> result;
-    for (const Proposal& one : next_runs(Study(declared), rivals, found, 1000))
+    for (const Proposal& one : next_runs(Study(declared), hypotheses, found, 1000))
       result.push_back(one.log_odds - one.log_odds_so_far);
     std::sort(result.begin(), result.end());
     return result;
@@ -233,13 +234,13 @@ TEST_CASE("noise that remembers hides what changes slowly, in a run to come as i
   // run: a quarter at 0.6. Of a press the difference grows on the way, and its steps count more.
   const Experiment experiment = measured(along_x(), only("rest_angle", 1), {0.02}, 47);
   const Study study(experiment);
-  const std::vector<Fit> rivals{fit(study, only("rest_angle", 1), {}),
-                                fit(study, only("joint_stiffness", 2), {})};
+  const std::vector<Fit> hypotheses{fit(study, only("rest_angle", 1), {}),
+                                    fit(study, only("joint_stiffness", 2), {})};
   const auto most_shown = [&](double correlation) {
     NoiseModel noise;
     noise.correlation.fill(correlation);
     double most = 0;
-    for (const Proposal& one : next_runs(study, rivals, noise, 1000))
+    for (const Proposal& one : next_runs(study, hypotheses, noise, 1000))
       most = std::max(most, one.log_odds - one.log_odds_so_far);
     return most;
   };

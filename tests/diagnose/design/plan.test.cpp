@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/design/rehearsal.hpp"
 #include "diagnose/bench/unmeasured.hpp"
+#include "diagnose/design/design_space.hpp"
 #include "diagnose/report/plan.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -35,8 +35,8 @@ bool has(const std::vector<EffectAt>& effects, const EffectAt& one) {
 }
 
 /// The class in which an effect stands; nothing where it is told apart from all others.
-const Alike* class_of(const Blindness& left, const EffectAt& one) {
-  for (const Alike& alike : left.alike)
+const Indistinguishable* class_of(const Unidentifiable& left, const EffectAt& one) {
+  for (const Indistinguishable& alike : left.indistinguishable)
     if (has(alike.effects, one)) return &alike;
   return nullptr;
 }
@@ -45,11 +45,11 @@ const Alike* class_of(const Blindness& left, const EffectAt& one) {
 
 TEST_CASE("a bench sees gravity in a vertical plane alone") {
   Experiment bench = two_links();
-  const std::vector<EffectAt> flat = rehearse(bench).impossible;
+  const std::vector<EffectAt> flat = design_space(bench).impossible;
   CHECK(has(flat, "gravity"));
   CHECK(has(flat, "tip_payload"));
   bench.bench = {Bench::Plane::vertical, {0, -1}, true};
-  const std::vector<EffectAt> upright = rehearse(bench).impossible;
+  const std::vector<EffectAt> upright = design_space(bench).impossible;
   CHECK_FALSE(has(upright, "gravity"));
   CHECK_FALSE(has(upright, "tip_payload"));
 }
@@ -59,7 +59,7 @@ TEST_CASE(
     doctest::test_suite("long")) {
   Experiment bench = two_links();
   const Plan held = plan(bench);
-  const Alike* gain = class_of(held.never, "force_gain");
+  const Indistinguishable* gain = class_of(held.unidentifiable, "force_gain");
   REQUIRE(gain != nullptr);
   CHECK(gain->exactly);
   CHECK(has(gain->effects, "stiffness_scale"));
@@ -70,7 +70,7 @@ TEST_CASE(
   bench.link_mass = {0.3, 0.2};
   bench.gravity = {0, -9.81};
   const Plan weighed = plan(bench);
-  const Alike* now = class_of(weighed.never, "force_gain");
+  const Indistinguishable* now = class_of(weighed.unidentifiable, "force_gain");
   CHECK((now == nullptr || (!has(now->effects, "stiffness_scale") && !has(now->others, "stiffness_scale"))));
 }
 
@@ -81,50 +81,50 @@ TEST_CASE("what the planned runs leave open is what the best runs leave open, an
   bench.runs.erase(bench.runs.begin());
   const Plan made = plan(unmeasured(bench));
   REQUIRE(made.planned);
-  for (const EffectAt& at : made.never.unseen) CHECK(has(made.planned->unseen, at));
+  for (const EffectAt& at : made.unidentifiable.undetectable) CHECK(has(made.planned->undetectable, at));
   // Without a way back nothing tells friction from a stiffer spring.
-  CHECK(class_of(made.never, "joint_friction") == nullptr);
-  CHECK(
-      (has(made.planned->unseen, "joint_friction") || class_of(*made.planned, "joint_friction") != nullptr));
+  CHECK(class_of(made.unidentifiable, "joint_friction") == nullptr);
+  CHECK((has(made.planned->undetectable, "joint_friction") ||
+         class_of(*made.planned, "joint_friction") != nullptr));
 }
 
 TEST_CASE("in noise as large as all forces nothing is seen, and no run is worth its time") {
   Experiment bench = two_links();
   bench.noise.Fx = bench.noise.Fy = 1e3;
   const Plan made = plan(bench);
-  CHECK(made.never.unseen.size() == rehearse(bench).effects.size());
-  CHECK(made.never.alike.empty());
+  CHECK(made.unidentifiable.undetectable.size() == design_space(bench).effects.size());
+  CHECK(made.unidentifiable.indistinguishable.empty());
   CHECK(made.fewest.empty());
 }
 
 TEST_CASE("effects that are alike stand in one class, each of them once") {
   Experiment bench = two_links();
   bench.noise.Fx = bench.noise.Fy = 8;  // so much that a few effects alone are seen
-  const Blindness never = plan(bench).never;
+  const Unidentifiable never = plan(bench).unidentifiable;
   std::vector<EffectAt> classed;
-  for (const Alike& one : never.alike) {
+  for (const Indistinguishable& one : never.indistinguishable) {
     CHECK(one.effects.size() + one.others.size() > 1);
     for (const EffectAt& at : one.effects) {
       CAPTURE(at.label());
       CHECK_FALSE(has(classed, at));
       CHECK_FALSE(has(one.others, at));
-      CHECK_FALSE(has(never.unseen, at));
+      CHECK_FALSE(has(never.undetectable, at));
       classed.push_back(at);
     }
   }
-  CHECK(std::any_of(never.alike.begin(), never.alike.end(),
-                    [](const Alike& one) { return one.effects.size() > 1; }));
+  CHECK(std::any_of(never.indistinguishable.begin(), never.indistinguishable.end(),
+                    [](const Indistinguishable& one) { return one.effects.size() > 1; }));
 }
 
-TEST_CASE("every run of a rehearsal can be made by the nominal chain and by every effect") {
+TEST_CASE("every run of a space can be made by the nominal chain and by every effect") {
   Experiment bench = three_links();
   press(bench, {0.3, -0.5, 0.4}, {-0.06, 0}, 20, true);
-  const Rehearsal rehearsal = rehearse(unmeasured(bench));
-  CHECK(rehearsal.planned == 1);
-  CHECK(rehearsal.bench.runs.size() == rehearsal.descriptions.size());
-  CHECK(rehearsal.bench.runs.size() > 5);
-  const Study study(rehearsal.bench);
-  for (const Instance& effect : rehearsal.effects) {
+  const DesignSpace space = design_space(unmeasured(bench));
+  CHECK(space.planned == 1);
+  CHECK(space.bench.runs.size() == space.descriptions.size());
+  CHECK(space.bench.runs.size() > 5);
+  const Study study(space.bench);
+  for (const Instance& effect : space.effects) {
     CAPTURE(effect.candidate.label());
     CHECK(predict(study, effect.candidate, effect.parameters).reached);
   }

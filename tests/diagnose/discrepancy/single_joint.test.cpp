@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "diagnose/noise/gap.hpp"
 #include "diagnose/decision/verdict.hpp"
+#include "diagnose/noise/gap.hpp"
 #include "tests/diagnose/bench.hpp"
 
 using namespace plumbline;
@@ -141,7 +141,7 @@ TEST_CASE("what machining leaves of a single joint stands beside its cause") {
   const Cause cause = judge(study, search(study));
   REQUIRE(cause.verdict != CauseVerdict::unknown);
   const Candidate& best = cause.ranking[cause.best].hypothesis.fit.candidate;
-  CHECK(best.machined());
+  CHECK(best.has_all_tolerances());
   CHECK(has(best, "joint_friction"));
   CHECK(best.count() == 2);
 }

@@ -18,7 +18,8 @@ namespace {
 constexpr double hinge_stiffness = 50, lever = 0.2, force_noise = 0.1;
 
 /// A hinge on a rig that leads a rod, which pushes along x, by its end: its angle is known from the end point
-/// and its torque from the force alone, T = -lever sin(q) Fx. \param torque  at the hinge by deflection,
+/// and its torque from the force alone, T = -lever sin(q) Fx.
+/// \param torque  at the hinge by deflection,
 /// called in the order of the readings of a run
 Experiment hinge(const std::vector<std::vector<double>>& deflections,
                  const std::function<std::function<double(double)>()>& torque, unsigned seed) {

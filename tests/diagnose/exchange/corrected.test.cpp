@@ -83,8 +83,8 @@ TEST_CASE("as many arms and sliders as an effect of the nominal model has go bes
     return elements ? std::vector<double>{0.2, 0.01, 0.2, 0.02, 0.2, 0.03, 0.2, 0.05, 0.2, 0.1}
                     : sizeable(bare, at);
   };
-  const EffectAt all(*diagnose::effect("hysteresis").numbers().back()),
-      one_joint(*diagnose::effect("hysteresis", 2).numbers().back(), 2);
+  const EffectAt all(*diagnose::effect("hysteresis").orders().back()),
+      one_joint(*diagnose::effect("hysteresis", 2).orders().back(), 2);
   for (const EffectAt& at : {all, one_joint, EffectAt("relaxation_spectrum"), EffectAt("viscoelasticity")}) {
     const auto one = corrected_models(bare, found(bare, at, amount_of(at)));
     experiment.effects.push_back(one.front().model.experiment.effects.front());

@@ -55,7 +55,7 @@ TEST_CASE("a robot's own file is edited: every effect that MJCF carries does in 
                  left = apart(bare, in_mujoco(file.text, experiment, pace), wanted);
     CAPTURE(gap);
     const double drag =
-        pace == test::Pace::on_the_way
+        pace == test::Pace::interpolated
             ? 0.06 * gap + apart(bare, in_mujoco(test::robot_alone(), experiment, pace), bare.nominal())
             : 0;
     CHECK(left < 0.5 + drag);

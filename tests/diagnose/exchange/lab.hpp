@@ -133,7 +133,7 @@ inline Pace pace_of(const Model& model, Pace otherwise) {
   bool slides = rig.guide_friction > 0;
   for (std::size_t j = 0; j < rig.length.size(); ++j)
     slides = slides || rig.friction[j] > 0 || slider_count(rig, j) > 0;
-  return slides ? Pace::on_the_way : otherwise;
+  return slides ? Pace::interpolated : otherwise;
 }
 
 /// From the robot's MJCF, changed in MuJoCo, by the lab's files to the corrected MJCF and back to MuJoCo.

@@ -23,7 +23,7 @@ TEST_CASE("what MJCF carries does in MuJoCo what the diagnosis found" * doctest:
     CAPTURE(mujoco);
     // The noise has size one. What joints at rest add to it is to be less than half of it. Damping, which the
     // file has for the dynamics, drags beside dry friction: by a twentieth at the pace of the test.
-    const double drag = test::pace_of(at.effect->id) == test::Pace::on_the_way ? 0.06 * nominal : 0;
+    const double drag = test::pace_of(at.effect->id) == test::Pace::interpolated ? 0.06 * nominal : 0;
     CHECK(nominal > 5);
     CHECK(mujoco * mujoco - found * found < std::max(0.25, drag * drag));
   }
@@ -123,7 +123,7 @@ TEST_CASE("a free torque law goes into MJCF, whatever its shape, and on beyond i
     const Model model{"three links", experiment, {0.3, -0.5, 0.4}};
     const Study study(experiment);
     const Prediction in_file =
-        test::in_mujoco(model, sliders.empty() ? test::Pace::at_rest : test::Pace::on_the_way);
+        test::in_mujoco(model, sliders.empty() ? test::Pace::at_rest : test::Pace::interpolated);
     std::vector<double> difference = study.residual(in_file);
     const std::vector<double> nominal = study.nominal_residual();
     for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= nominal[i];

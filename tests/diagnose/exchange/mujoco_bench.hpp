@@ -20,7 +20,7 @@ namespace plumbline::exchange::test {
 
 /// When a reading is taken. Under an end point that is held MuJoCo's dry friction forgets what it carried, so
 /// that what slides is read on its slow way.
-enum class Pace { at_rest, on_the_way, by_the_clock };
+enum class Pace { at_rest, interpolated, by_the_clock };
 
 /// What a file calls the parts of the chain; angles of some joints count the other way.
 struct Names {
@@ -47,16 +47,16 @@ class MujocoBench {
     std::copy_n(model_->qpos_spring, model_->nq, data_->qpos);
     mj_forward(model_.get(), data_.get());
     if (driven_ && !held) let_go();
-    if (driven_ && pace_ == Pace::on_the_way && !slides()) pace_ = Pace::at_rest;
+    if (driven_ && pace_ == Pace::interpolated && !slides()) pace_ = Pace::at_rest;
     target_ = !held ? Eigen::Vector2d(0, 0) : driven_ ? drive() : end();
     diagnose::Trace trace(static_cast<Eigen::Index>(run.readings.size()),
                           diagnose::column_q + static_cast<Eigen::Index>(run.rest.size()));
     for (std::size_t r = 0; r < run.readings.size(); ++r) {
       const double clock = r > 0 ? run.readings[r].t - run.readings[r - 1].t : 1;
       move(run.command(run.readings[r]),
-           pace_ == Pace::by_the_clock ? clock
-           : pace_ == Pace::on_the_way ? slow_way
-                                       : 1,
+           pace_ == Pace::by_the_clock   ? clock
+           : pace_ == Pace::interpolated ? slow_way
+                                         : 1,
            held);
       if (r == 0) begin(run.readings.front().t, held);
       write(trace.row(static_cast<Eigen::Index>(r)), run, held);
@@ -140,7 +140,8 @@ class MujocoBench {
   }
 
   /// Lets the arms that relax, or slip but for those of a law, each on a spring of its own name, carry
-  /// nothing. \returns whether there is any
+  /// nothing.
+  /// \returns whether there is any
   bool ease() {
     bool any = false;
     for (int t = 0; t < model_->ntendon; ++t) {

@@ -24,7 +24,7 @@ inline Pace pace_of(std::string_view effect) {
     return Pace::by_the_clock;
   const bool slides = effect == "joint_friction" || effect == "friction_spread" || effect == "hysteresis" ||
                       effect == "guide_friction";
-  return slides ? Pace::on_the_way : Pace::at_rest;
+  return slides ? Pace::interpolated : Pace::at_rest;
 }
 
 inline bool takes_time(const EffectAt& at) {

@@ -31,7 +31,7 @@ void check_gone(const RoundTrip& trip, const Lab& lab, test::Pace pace) {
   CHECK(trip.diagnosis.gap.present);
   const Study bare(lab.experiment);
   const double drag =
-      pace == test::Pace::on_the_way
+      pace == test::Pace::interpolated
           ? 0.06 * trip.before +
                 apart(bare, in_mujoco(test::robot_alone(), lab.experiment, pace), bare.nominal())
           : 0;

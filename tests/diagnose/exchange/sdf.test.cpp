@@ -152,7 +152,7 @@ TEST_CASE("what SDF and URDF carry does in MuJoCo what the diagnosis found" * do
       }
       const double gap = apart(bare, bare.nominal(), wanted), left = apart(bare, all, wanted);
       CAPTURE(gap);
-      CHECK(left < (pace == test::Pace::on_the_way ? 0.5 + 0.06 * gap : 0.5));
+      CHECK(left < (pace == test::Pace::interpolated ? 0.5 + 0.06 * gap : 0.5));
     }
   }
 }
@@ -183,7 +183,7 @@ TEST_CASE("a robot's own SDF or URDF is edited: every effect that the format car
       CAPTURE(gap);
       // On the way the robot's own damping drags, with and without the effect.
       const double drag =
-          pace == test::Pace::on_the_way
+          pace == test::Pace::interpolated
               ? 0.06 * gap + apart(bare,
                                    in_mujoco(edited, one.name, one.robot, as_is, "toe_tip", pace, names),
                                    bare.nominal())

@@ -66,7 +66,7 @@ void check_agrees(const RoundTrip& trip) {
   const bool slips =
       std::any_of(pictures.begin(), pictures.end(), [](const auto& one) { return !one.sliders.empty(); }) ||
       std::any_of(base.begin(), base.end(), [](const diagnose::EffectAt& at) {
-        return test::pace_of(at.effect->id) == Pace::on_the_way;
+        return test::pace_of(at.effect->id) == Pace::interpolated;
       });
   const double added = 0.5 / trip.before, drag = slips ? 0.06 : 0;
   CHECK(std::abs(trip.mujoco - trip.reported) < 0.1 * trip.reported + added + drag);
@@ -110,7 +110,7 @@ TEST_CASE("a law that slips, at a constant torque or at one that grows, is in Mu
     CAPTURE(widest.growth);
     truth.experiment.laws = {
         {2, {{-0.3, -0.05}, {0, 0}, {0.1, 0.1}, {0.4, 0}}, {{0.013, 0.02, 0}, widest}, {}}};
-    const Prediction done = in_mujoco(written(truth, Format::mjcf).text, lab.experiment, Pace::on_the_way);
+    const Prediction done = in_mujoco(written(truth, Format::mjcf).text, lab.experiment, Pace::interpolated);
     const Study study(test::read_with_noise(lab.experiment, done, 6));
     const std::optional<diagnose::OfferedLaw> offered =
         diagnose::offer_law(study, diagnose::NoiseModel(), [](const Study&) { return diagnose::Instance(); });

@@ -18,7 +18,7 @@ namespace {
 
 /// Hysteresis of so many elements, at all joints or at one.
 EffectAt hysteresis(std::size_t elements, std::size_t joint = 0) {
-  return {*effect("hysteresis", joint).numbers().at(elements - 1), joint};
+  return {*effect("hysteresis", joint).orders().at(elements - 1), joint};
 }
 
 Fit standing_at(const Candidate& candidate, std::vector<double> parameters) {
@@ -55,7 +55,7 @@ Experiment fine_bench() {
 
 TEST_CASE("hysteresis may have one element to five; the catalogue's has three") {
   for (const std::size_t joint : {0, 2}) {
-    const std::vector<const Effect*> rows = effect("hysteresis", joint).numbers();
+    const std::vector<const Effect*> rows = effect("hysteresis", joint).orders();
     REQUIRE(rows.size() == 5);
     CHECK(rows[2] == &effect("hysteresis", joint));
     const Study study(test::full_bench());
@@ -63,8 +63,8 @@ TEST_CASE("hysteresis may have one element to five; the catalogue's has three") 
       const EffectAt at = hysteresis(elements, joint);
       CHECK(study.ranges(at).size() == 2 * elements);
       CHECK(at.label() == EffectAt("hysteresis", joint).label());
-      CHECK(at.effect->numbers() == rows);
-      for (const auto& start : starts(study, at).from) CHECK(start.size() == 2 * elements);
+      CHECK(at.effect->orders() == rows);
+      for (const auto& start : initial_guesses(study, at).points) CHECK(start.size() == 2 * elements);
     }
   }
 }
@@ -87,27 +87,27 @@ TEST_CASE("a step to one element fewer joins two neighbours, and leaves what sta
   const Study study(test::full_bench());
   const Fit fitted =
       standing_at({{"force_gain", hysteresis(3), "force_bias"}}, {0.1, 0.2, 0.4, 0.3, 0.1, 0.6, 0.2, 1, 2});
-  const Starts fewer = in_number(study, fitted, 1, *hysteresis(2).effect);
+  const InitialGuesses fewer = in_number(study, fitted, 1, *hysteresis(2).effect);
   // In the order of their turns 0.1, 0.2, 0.4; of two the turn in the middle, by strength.
   const std::vector<std::vector<double>> expected{{0.1, 0.9, (0.3 * 0.1 + 0.6 * 0.2) / 0.9, 0.2, 0.4, 1, 2},
                                                   {0.1, 0.3, 0.1, 0.8, (0.6 * 0.2 + 0.2 * 0.4) / 0.8, 1, 2}};
-  REQUIRE(fewer.from.size() == expected.size());
+  REQUIRE(fewer.points.size() == expected.size());
   for (std::size_t s = 0; s < expected.size(); ++s) {
-    REQUIRE(fewer.from[s].size() == expected[s].size());
+    REQUIRE(fewer.points[s].size() == expected[s].size());
     for (std::size_t p = 0; p < expected[s].size(); ++p)
-      CHECK(fewer.from[s][p] == close_to(expected[s][p]).epsilon(1e-14));
+      CHECK(fewer.points[s][p] == close_to(expected[s][p]).epsilon(1e-14));
   }
 }
 
 TEST_CASE("a step to one element more adds a weak one, before, between and after those that there are") {
   const Study study(test::full_bench());
   const Fit fitted = standing_at({{hysteresis(2, 1), "force_gain"}}, {0.3, 0.1, 0.6, 0.02, 7});
-  const Starts more = in_number(study, fitted, 0, *hysteresis(3, 1).effect);
-  REQUIRE(more.from.size() == 3);
+  const InitialGuesses more = in_number(study, fitted, 0, *hysteresis(3, 1).effect);
+  REQUIRE(more.points.size() == 3);
   const double weak = 0.05;
   std::vector<double> added;
-  for (std::size_t s = 0; s < more.from.size(); ++s) {
-    const std::vector<double>& start = more.from[s];
+  for (std::size_t s = 0; s < more.points.size(); ++s) {
+    const std::vector<double>& start = more.points[s];
     REQUIRE(start.size() == 7);
     CHECK(start.back() == 7);
     CHECK(start[2 * s] == close_to(weak));

@@ -45,7 +45,7 @@ Eigen::MatrixXd variance(double value) {
 /// How many plain rows the catalogue is worth: what refines another is a tenth as common.
 const double plain_rows = [] {
   double sum = 0;
-  for (const Effect& row : catalogue()) sum += row.special.empty() ? 1 : 0.1;
+  for (const Effect& row : catalogue()) sum += row.nested.empty() ? 1 : 0.1;
   return sum;
 }();
 
@@ -55,10 +55,10 @@ std::vector<EffectAt> places_in(const Study& study, const Effect& row) {
   std::vector<EffectAt> places = possible_effects(study);
   std::erase_if(places, [&](const EffectAt& at) { return at.effect != &row; });
   if (places.empty()) places.emplace_back(row, row.at_joint ? 1 : 0);
-  if (!row.numbers) return places;
+  if (!row.orders) return places;
   std::vector<EffectAt> forms;
   for (const EffectAt& at : places)
-    for (const Effect* number : row.numbers()) forms.emplace_back(*number, at.joint);
+    for (const Effect* number : row.orders()) forms.emplace_back(*number, at.joint);
   return forms;
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("beside what machining leaves some cause is as likely as none") {
   CHECK(alone == close_to(0.75 / plain_rows));
   double sum = 0;
   for (const Effect& row : catalogue()) {
-    if (machining.has_as_machining(EffectAt(row, row.at_joint))) continue;
+    if (machining.has_as_tolerance(EffectAt(row, row.at_joint))) continue;
     for (const EffectAt& at : places_in(Study(experiment), row)) {
       Candidate beside = machining;
       beside.effects.push_back(at);

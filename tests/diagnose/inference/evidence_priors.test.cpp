@@ -40,7 +40,7 @@ Study two_blank_links() {
 /// The catalogue counted as evidence counts it: what refines another row is a tenth as common.
 double catalogue_worth(const Study& study) {
   double sum = 0;
-  for (const Effect* row : study.effects()) sum += row->special.empty() ? 1 : beliefs::refinement;
+  for (const Effect* row : study.effects()) sum += row->nested.empty() ? 1 : beliefs::refinement;
   return sum;
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("what machining leaves is one cause among the others, and beside other
   const Study study = two_blank_links();
   const double all = catalogue_worth(study);
   Candidate machining{{{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}}};
-  REQUIRE(machining.machined());
+  REQUIRE(machining.has_all_tolerances());
   CHECK(log_prior(study, machining) == close_to(std::log(beliefs::one_cause / all)));
   const double beside = beliefs::cause_beside_machining / all;
   machining.effects.emplace_back("gravity");
@@ -167,6 +167,6 @@ TEST_CASE("what machining leaves is one cause among the others, and beside other
   const Candidate four{{{"gravity"}, {"force_gain"}, {"force_bias"}, {"eccentric_load"}}};
   CHECK(log_prior(study, four) == close_to(std::log(beliefs::three_causes * 24 / std::pow(all, 4))));
   const Candidate refined{{EffectAt("direction_friction")}};
-  REQUIRE_FALSE(refined.effects[0].effect->special.empty());
+  REQUIRE_FALSE(refined.effects[0].effect->nested.empty());
   CHECK(log_prior(study, refined) == close_to(std::log(beliefs::one_cause * beliefs::refinement / all)));
 }

@@ -145,9 +145,9 @@ TEST_CASE("starts lie within the physical bounds") {
   const Experiment experiment = full_bench();
   for (const EffectAt& at : possible_effects(Study(experiment))) {
     const std::vector<ParameterRange> ranges = Study(experiment).ranges(at);
-    const Starts known = starts(Study(experiment), at);
-    REQUIRE_FALSE(known.from.empty());
-    for (const std::vector<double>& start : known.from) {
+    const InitialGuesses known = initial_guesses(Study(experiment), at);
+    REQUIRE_FALSE(known.points.empty());
+    for (const std::vector<double>& start : known.points) {
       REQUIRE(start.size() == ranges.size());
       for (std::size_t p = 0; p < start.size(); ++p) {
         CHECK(start[p] >= ranges[p].low);

@@ -85,21 +85,21 @@ TEST_CASE("what one explanation predicts beyond another is its residual less") {
   const Eigen::MatrixXd slope{{1.0, 0.0}, {0.0, 2.0}, {1.0, 1.0}};
   const Fit truth = fit_leaving(slope, {0.5, -1, 2});
   Fit imitator = fit_leaving(slope, {1, 1, 1});
-  Imitation rows = imitation(truth, imitator);
+  LinearisedAlternative rows = linearised_alternative(truth, imitator);
   CHECK(rows.difference == Eigen::Vector3d(0.5, 2, -1));
   CHECK(rows.slope == slope);
   // Normal equations of two columns: sums (2, 1; 1, 5), (-0.5, 3); the step is (-5.5, 6.5) / 9.
   const double left = 0.25 + 4 + 1 - (-0.5 * -5.5 + 3 * 6.5) / 9;
   CHECK(separation(rows) == close_to(left));
   imitator.at_bound = {false, true};
-  rows = imitation(truth, imitator);
+  rows = linearised_alternative(truth, imitator);
   CHECK(rows.slope.col(0) == slope.col(0));
   CHECK(rows.slope.col(1).norm() == 0);
   CHECK(separation(rows) == close_to(5.25 - 0.25 / 2));
   imitator.at_bound = {true, false};
-  CHECK(separation(imitation(truth, imitator)) == close_to(5.25 - 9.0 / 5));
+  CHECK(separation(linearised_alternative(truth, imitator)) == close_to(5.25 - 9.0 / 5));
   imitator.at_bound = {true, true};
-  CHECK(separation(imitation(truth, imitator)) == close_to(5.25));
+  CHECK(separation(linearised_alternative(truth, imitator)) == close_to(5.25));
 }
 
 TEST_CASE("a separation does not depend on the units of parameters, on rows that matter, or on their order") {
@@ -111,11 +111,11 @@ TEST_CASE("a separation does not depend on the units of parameters, on rows that
   other.col(0) *= 1e-9;
   other.col(1) *= 1e6;
   CHECK(separation({difference, other}) == close_to(whole).epsilon(1e-9));
-  const Imitation fewer = condensed({difference, slope});
+  const LinearisedAlternative fewer = reduced({difference, slope});
   CHECK(fewer.slope.rows() == 3);
   CHECK(fewer.slope.cols() == 2);
   CHECK(separation(fewer) == close_to(whole).epsilon(1e-9));
-  const Imitation both =
+  const LinearisedAlternative both =
       stacked({difference.head(2), slope.topRows(2)}, {difference.tail(3), slope.bottomRows(3)});
   CHECK(both.difference == difference);
   CHECK(both.slope == slope);
@@ -127,9 +127,9 @@ TEST_CASE("fits of one parameter start at nothing and a scale to either side, wi
   const Study study(full_bench());
   const auto from = [&](double low, double high) {
     const Effect row = with_range(2, low, high);
-    const Starts known = starts(study, EffectAt(row));
-    CHECK(known.basins == 1);
-    return known.from;
+    const InitialGuesses known = initial_guesses(study, EffectAt(row));
+    CHECK(known.refined == 1);
+    return known.points;
   };
   using Vectors = std::vector<std::vector<double>>;
   CHECK(from(-3, 3) == Vectors{{0}, {2}, {-2}});
@@ -143,26 +143,26 @@ TEST_CASE("starts of several effects are all combinations, in the order of the e
   const Effect one = with_range(2, 0, 3), other = with_range(5, -9, 9);
   Effect stated = with_range(1, -1, 0.5);
   std::size_t asked_joint = 9;
-  stated.starts = [&](const Place& at, const Exercise&) {
+  stated.initial_guesses = [&](const Place& at, const Excitation&) {
     asked_joint = at.joint;
-    return Starts{{{-3}, {0.25}, {4}}, 2};
+    return InitialGuesses{{{-3}, {0.25}, {4}}, 2};
   };
   using Vectors = std::vector<std::vector<double>>;
-  CHECK(starts(study, EffectAt(stated, 3)).from == Vectors{{-1}, {0.25}, {0.5}});
+  CHECK(initial_guesses(study, EffectAt(stated, 3)).points == Vectors{{-1}, {0.25}, {0.5}});
   CHECK(asked_joint == 2);
-  CHECK(starts(study, EffectAt(stated)).basins == 2);
+  CHECK(initial_guesses(study, EffectAt(stated)).refined == 2);
   CHECK(asked_joint == 0);
-  const Starts both = starts(study, Candidate{{EffectAt(one), EffectAt(other)}});
-  CHECK(both.from == Vectors{{0, 0}, {0, 5}, {0, -5}, {2, 0}, {2, 5}, {2, -5}});
-  CHECK(both.basins == 1);
-  CHECK(starts(study, Candidate{{EffectAt(stated), EffectAt(one)}}).basins == 2);
-  CHECK(starts(study, Candidate{{EffectAt(one), EffectAt(stated)}}).basins == 2);
-  CHECK(starts(study, Candidate{}).from == Vectors{{}});
+  const InitialGuesses both = initial_guesses(study, Candidate{{EffectAt(one), EffectAt(other)}});
+  CHECK(both.points == Vectors{{0, 0}, {0, 5}, {0, -5}, {2, 0}, {2, 5}, {2, -5}});
+  CHECK(both.refined == 1);
+  CHECK(initial_guesses(study, Candidate{{EffectAt(stated), EffectAt(one)}}).refined == 2);
+  CHECK(initial_guesses(study, Candidate{{EffectAt(one), EffectAt(stated)}}).refined == 2);
+  CHECK(initial_guesses(study, Candidate{}).points == Vectors{{}});
   Effect many = with_range(1, -1, 1);
   many.parameters = [](const Place&) {
     return std::vector<ParameterRange>(3, {"a", "ratio", Coordinate::plain, 1, -1, 1});
   };
-  CHECK(starts(study, EffectAt(many)).from == Vectors{{0, 0, 0}});
+  CHECK(initial_guesses(study, EffectAt(many)).points == Vectors{{0, 0, 0}});
 }
 
 TEST_CASE("an effect covers itself at its place and its special cases") {
@@ -194,6 +194,6 @@ TEST_CASE("an effect with five values and more has many, but for machining as a 
   const Study six_joints(long_chain);
   CHECK(many_valued(six_joints, {{EffectAt("stiffness_spread")}}) == 1);
   const Candidate machining{{{"stiffness_spread"}, {"length_spread"}, {"rest_spread"}}};
-  REQUIRE(machining.machined());
+  REQUIRE(machining.has_all_tolerances());
   CHECK(many_valued(six_joints, machining) == 0);
 }

@@ -198,7 +198,7 @@ TEST_CASE(
   const Prediction main = simulate(study.experiment(), rig_with(study, known, fitted.parameters), {});
   for (const EffectAt& at :
        {EffectAt("joint_friction"), EffectAt("guide_friction"), EffectAt("backlash", 1)}) {
-    if (!at.effect->probing.large_step) continue;
+    if (!at.effect->perturbation.large_step) continue;
     CAPTURE(at.label());
     const ParameterRange range = study.ranges(at).front();
     REQUIRE(study.ranges(at).size() == 1);
@@ -206,9 +206,9 @@ TEST_CASE(
     double best = fitted.cost, best_step = 0, best_to = 0;
     Candidate both = known;
     both.effects.push_back(at);
-    const Starts from = starts(study, at);
-    for (std::size_t s = 0; s < std::min(at.effect->probing.starts, from.from.size()); ++s) {
-      const double to = from.from[s].front();
+    const InitialGuesses from = initial_guesses(study, at);
+    for (std::size_t s = 0; s < std::min(at.effect->perturbation.guesses, from.points.size()); ++s) {
+      const double to = from.points[s].front();
       std::vector<double> parameters = fitted.parameters;
       parameters.push_back(to);
       Prediction far = simulate(study.experiment(), rig_with(study, both, parameters), {});

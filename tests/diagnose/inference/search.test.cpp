@@ -9,11 +9,11 @@
 #include <random>
 #include <string>
 
-#include "diagnose/decision/heldout.hpp"
-#include "diagnose/bench/condense.hpp"
+#include "diagnose/bench/decimate.hpp"
 #include "diagnose/bench/read_experiment.hpp"
-#include "diagnose/noise/outliers.hpp"
+#include "diagnose/decision/heldout.hpp"
 #include "diagnose/decision/rival.hpp"
+#include "diagnose/noise/outliers.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -63,7 +63,7 @@ TEST_CASE("no explanation costs more than a part of it, where the rest can be no
   const std::string experiments = PLUMBLINE_SOURCE_DIR "/tests/experiments/";
   for (const char* name : {"machining-base_compliance", "machining", "link_length-tip_stiffness"}) {
     CAPTURE(name);
-    const Experiment experiment = condensed(read_experiment(experiments + name));
+    const Experiment experiment = decimated(read_experiment(experiments + name));
     const Study study(without(experiment, choose_heldout(experiment)));
     CHECK(check_cost_beside_parts(study) > 3);
   }
@@ -162,13 +162,13 @@ TEST_CASE("a search finds one cause and two, each combination once, and says how
     CHECK(after_singles(shares) == (truth == one ? std::vector{1.0} : std::vector{0.7, 0.8, 1.0}));
     REQUIRE((truth == two || study.ranges(all.front().fit.candidate).size() == 1));
     CHECK((truth == two) == std::any_of(all.begin(), all.end(), [](const Hypothesis& each) {
-            return each.fit.candidate.machined();
+            return each.fit.candidate.has_all_tolerances();
           }));
     CHECK((truth == two) == std::any_of(all.begin(), all.end(), [](const Hypothesis& each) {
-            return each.fit.candidate.machined() && each.fit.candidate.count() == 2;
+            return each.fit.candidate.has_all_tolerances() && each.fit.candidate.count() == 2;
           }));
     for (const Hypothesis& each : all)
-      CHECK((each.fit.candidate.effects.size() <= 2 || each.fit.candidate.machined()));
+      CHECK((each.fit.candidate.effects.size() <= 2 || each.fit.candidate.has_all_tolerances()));
     for (const EffectAt& at : possible_effects(study))
       CHECK(std::any_of(all.begin(), all.end(), [&](const Hypothesis& each) {
               return each.fit.candidate == Candidate{{at}};
@@ -297,7 +297,7 @@ TEST_CASE("where two effects leave structure three are looked for, and none cost
   std::vector<const Hypothesis*> triples;
   for (const Hypothesis& whole : findings.hypotheses) {
     const Candidate& larger = whole.fit.candidate;
-    if (!larger.machined()) {
+    if (!larger.has_all_tolerances()) {
       CHECK(larger.effects.size() <= 3);
       if (larger.effects.size() == 3) triples.push_back(&whole);
     }
@@ -368,7 +368,7 @@ TEST_CASE("where an effect of two values fits it is held against two of few valu
   std::size_t pairs = 0, machined = 0;
   for (const Hypothesis& one : findings.hypotheses) {
     const Candidate& candidate = one.fit.candidate;
-    if (candidate.machined()) {
+    if (candidate.has_all_tolerances()) {
       ++machined;
       continue;
     }
@@ -418,10 +418,10 @@ TEST_CASE("of a single joint what machining leaves is looked at as a whole, and 
   for (const Hypothesis& one : findings.hypotheses) {
     CAPTURE(one.fit.candidate.label());
     CHECK(one.fit.candidate.effects.size() > 0);
-    const bool machined = one.fit.candidate.machined();
+    const bool machined = one.fit.candidate.has_all_tolerances();
     whole = whole || machined;
     CHECK((machined || std::none_of(one.fit.candidate.effects.begin(), one.fit.candidate.effects.end(),
-                                    [](const EffectAt& at) { return at.effect->of_machining; })));
+                                    [](const EffectAt& at) { return at.effect->is_tolerance; })));
   }
   CHECK(whole);
 }

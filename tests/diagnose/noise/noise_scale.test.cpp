@@ -46,7 +46,8 @@ std::vector<double> steps_apart(const std::vector<double>& residual, std::size_t
 }
 
 /// What estimate_noise() makes of a scale that `differences` differences show, by the priors: the logarithm
-/// of a scale is known to 1 / differences, half as many values in it being independent. \param enough  they
+/// of a scale is known to 1 / differences, half as many values in it being independent.
+/// \param enough  they
 /// are, whatever they say
 double believed(double scale, double differences, bool enough = true) {
   const double values = differences / 2;

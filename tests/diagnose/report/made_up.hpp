@@ -48,9 +48,9 @@ inline Diagnosis made_up() {
               {{"press-1", 3}}};
   made.where.channels = {{of_Fx, 0.75}, {of_q2, 0.25}};
   made.where.runs = {{"press-1", 0.9}, {"load-2", 0.1}};
-  made.where.load_path = {{"load-2", 0, 4, 0.004, Regime::pre_buckling},
-                          {"press-1", 3, 6, 0.6, Regime::post_buckling},
-                          {"press-1", 0, 2, 0.006, Regime::near_loss_of_stiffness},
+  made.where.load_path = {{"load-2", 0, 4, 0.004, Regime::pre_critical},
+                          {"press-1", 3, 6, 0.6, Regime::post_critical},
+                          {"press-1", 0, 2, 0.006, Regime::near_critical},
                           {"press-1", 7, 12, 0.39, Regime::unloading}};
   made.where.joints = {{2, 0.8}, {3, 0.15}, {1, 0.05}};
   made.where.joint_evidence = JointEvidence::measured;

@@ -13,40 +13,40 @@ TEST_CASE("a plan in words and as JSON, by hand") {
   plan.experiment = "bench";
   plan.impossible = {{"gravity"}, {"tip_payload"}};
   plan.candidates = 5;
-  plan.never.unseen = {{"backlash", 2}};
-  plan.never.alike = {{{{"force_gain"}, {"stiffness_scale"}}, {}, true},
-                      {{{"rest_angle", 1}}, {{"joint_stiffness", 1}}, false},
-                      {{{"play"}, {"backlash", 1}}, {{"gravity"}}, false}};
+  plan.unidentifiable.undetectable = {{"backlash", 2}};
+  plan.unidentifiable.indistinguishable = {{{{"force_gain"}, {"stiffness_scale"}}, {}, true},
+                                           {{{"rest_angle", 1}}, {{"joint_stiffness", 1}}, false},
+                                           {{{"play"}, {"backlash", 1}}, {{"gravity"}}, false}};
   plan.separated = 31;
   CHECK(as_text(plan) ==
         "bench, before any data\n\n"
-        "What can it never see?  Of what a lab calls sizeable, by all runs that it could make, 5\n"
-        "  cannot act on this bench, or nothing shows it: gravity, tip_payload\n"
+        "Which effects can it not detect?  At their typical size, with all 5 feasible runs\n"
+        "  without effect on any channel of this bench: gravity, tip_payload\n"
         "  below the noise: backlash(2)\n\n"
-        "What can it never tell apart?\n"
-        "  force_gain | stiffness_scale (exactly alike)\n"
-        "  rest_angle(1): mistaken for joint_stiffness(1)\n"
-        "  play | backlash(1), each mistaken for gravity\n\n"
-        "Which runs separate the rest?  There is nothing to separate\n");
+        "Which effects can it not distinguish?\n"
+        "  force_gain | stiffness_scale (identical readings)\n"
+        "  rest_angle(1): confused with joint_stiffness(1)\n"
+        "  play | backlash(1), each confused with gravity\n\n"
+        "Which runs distinguish the rest?  There is nothing to distinguish\n");
   plan.candidates = 6;
   plan.fewest = {"press", "load"};
-  plan.planned = Blindness{};
-  CHECK(has_words(as_text(plan), "by any 5 of 6 runs\n"));
+  plan.planned = Unidentifiable{};
+  CHECK(has_words(as_text(plan), "with any 5 of 6 feasible runs\n"));
   CHECK(has_words(
       as_text(plan),
-      "What do the runs leave open as they are planned?\n  below the noise: none\n  not told apart:\n"
-      "    none\n\nWhich runs separate the rest?  2 of 6; fewer may do\n  press\n  load\n"));
-  plan.fewest_proved = true;
-  CHECK(has_words(as_text(plan), "2 of 6; no fewer do\n"));
+      "What do the planned runs leave open?\n  below the noise: none\n  not distinguished:\n"
+      "    none\n\nWhich runs distinguish the rest?  2 of 6; fewer may suffice\n  press\n  load\n"));
+  plan.proved_minimal = true;
+  CHECK(has_words(as_text(plan), "2 of 6; no fewer suffice\n"));
   CHECK(as_json(plan) ==
-        ReportJson::parse(R"json({"format": "experiment-plan/1", "experiment": "bench", "candidates": 6,
-    "impossible": ["gravity", "tip_payload"], "never": {"unseen": ["backlash(2)"], "alike": [
+        ReportJson::parse(R"json({"format": "experiment-plan/2", "experiment": "bench", "candidates": 6,
+    "impossible": ["gravity", "tip_payload"], "unidentifiable": {"undetectable": ["backlash(2)"], "indistinguishable": [
       {"effects": ["force_gain", "stiffness_scale"], "exactly": true, "others": []},
       {"effects": ["rest_angle(1)"], "exactly": false, "others": ["joint_stiffness(1)"]},
       {"effects": ["play", "backlash(1)"], "exactly": false, "others": ["gravity"]}]
 }
-, "runs" : [ "press", "load" ], "fewest" : true, "separated" : 31, "planned" : {
-  "unseen" : [], "alike" : []
+, "runs" : [ "press", "load" ], "proved_minimal" : true, "separated" : 31, "planned" : {
+  "undetectable" : [], "indistinguishable" : []
 }
 })json"));
 }

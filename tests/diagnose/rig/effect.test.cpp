@@ -61,7 +61,7 @@ TEST_CASE("a passive joint has no spring to be wrong, nor play in one") {
 }
 
 TEST_CASE("every row is found by its id, and nothing else is") {
-  const Place at{sizes_of(full_bench()), 0};
+  const Place at{characteristic_scales(full_bench()), 0};
   for (const Effect& row : catalogue()) {
     const Effect& found = effect(row.id, row.at_joint ? 1 : 0);
     CHECK(found.id == row.id);

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "diagnose/rig/history.hpp"
 #include "diagnose/inference/study.hpp"
+#include "diagnose/rig/history.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 

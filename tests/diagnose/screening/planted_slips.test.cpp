@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/screening/plausible.hpp"
 #include "diagnose/bench/read_experiment.hpp"
 #include "diagnose/screening/conventions.hpp"
+#include "diagnose/screening/physical.hpp"
 #include "tests/diagnose/screening/slips.hpp"
 
 using namespace plumbline;

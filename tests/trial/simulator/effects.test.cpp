@@ -5,10 +5,10 @@
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/read_experiment.hpp"
-#include "diagnose/noise/measurement.hpp"
 #include "diagnose/inference/study.hpp"
-#include "trial/simulator/write_experiment.hpp"
+#include "diagnose/noise/measurement.hpp"
 #include "tests/folder.hpp"
+#include "trial/simulator/write_experiment.hpp"
 
 namespace {
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "trial/simulator/draw_scatter.hpp"
 #include "tests/close_to.hpp"
 #include "tests/trial/simulator/a_bench.hpp"
+#include "trial/simulator/draw_scatter.hpp"
 
 using namespace plumbline::simulator;
 
@@ -106,7 +106,7 @@ TEST_CASE("scatter is as large and as correlated as it says") {
   scatter.proportional.force = 0.01;
   CHECK(noise_of(scatter, 5).deviation == close_to(std::hypot(0.02, 0.05)).epsilon(0.02));
   scatter = scatter_of(0.02);
-  scatter.hum = 3, scatter.hum_period = 7.3;
+  scatter.interference = 3, scatter.interference_period = 7.3;
   CHECK(noise_of(scatter, 5).deviation == close_to(0.02 * std::sqrt(1 + 4.5)).epsilon(0.02));
   scatter = scatter_of(0.02);
   scatter.bad_channel = "Fx", scatter.bad_factor = 3;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <set>
 
+#include "tests/trial/simulator/a_bench.hpp"
 #include "trial/simulator/bench.hpp"
 #include "trial/simulator/make_experiment.hpp"
 #include "trial/simulator/nominal_error.hpp"
-#include "tests/trial/simulator/a_bench.hpp"
 
 using namespace plumbline::simulator;
 
@@ -169,7 +169,7 @@ TEST_CASE("springs that give way pass for the one that gets there alone; where a
   const std::string alone = "piecewise_spring(" + std::to_string(most - reach.begin() + 1) + ")";
   const auto passes_for = [&](bool at_joint, double s) {
     const Place joint = at_joint ? static_cast<Place>(most - reach.begin()) : 0;
-    return equivalents(bench, outcome_of(bench, {{&kind("piecewise_spring", at_joint), joint, {s, 0.3}}}));
+    return aliases(bench, outcome_of(bench, {{&kind("piecewise_spring", at_joint), joint, {s, 0.3}}}));
   };
   const double least = *std::min_element(reach.begin(), reach.end());
   CHECK(passes_for(false, 0.97 * *most) == std::vector<std::vector<std::string>>{{alone}});
@@ -193,9 +193,9 @@ TEST_CASE(
       const auto& k = made.plan.nominal.stiffness;
       const bool arm = made.plan.size() == 1;
       const bool chain = std::count_if(k.begin(), k.end(), [](double one) { return one > 0; }) > 1;
-      const auto& twins = made.label.equivalent;
+      const auto& aliases = made.label.equivalent;
       const bool listed =
-          std::find(twins.begin(), twins.end(), std::vector<std::string>{std::string(single)}) != twins.end();
+          std::find(aliases.begin(), aliases.end(), std::vector<std::string>{std::string(single)}) != aliases.end();
       if (arm) CHECK(listed);
       if (chain) CHECK_FALSE(listed);
       alone += arm;

@@ -16,8 +16,8 @@ using namespace plumbline::diagnose::test;
 namespace {
 
 /// Sizes that differ from each other, of three links of which the first joint is passive, with three runs.
-Sizes sizes_by_hand() {
-  Sizes size;
+CharacteristicScales sizes_by_hand() {
+  CharacteristicScales size;
   size.joint_stiffness = {0, 3, 5};
   size.link_length = {0.2, 0.5, 0.6};
   size.stiffness = 4;
@@ -26,28 +26,28 @@ Sizes sizes_by_hand() {
   size.force = 7;
   size.deflection = 0.3;
   size.duration = 90;
-  size.pause = 2.5;
+  size.sampling_interval = 2.5;
   size.runs = 3;
   size.largest_reading = 11;
   return size;
 }
 
 /// Largest deflections and the torque that go with it.
-Exercise exercise_by_hand() {
+Excitation excitation_by_hand() {
   return {{0.11, 0.23, 0.31}, 0.31, 1.7};
 }
 
 std::vector<double> sizeable_values(const char* id, std::size_t joint) {
-  const Sizes size = sizes_by_hand();
+  const CharacteristicScales size = sizes_by_hand();
   std::vector<double> all;
   for (const ParameterRange& one : effect(id, joint).parameters({size, joint > 0 ? joint - 1 : 0}))
     all.push_back(one.scale);
   return all;
 }
 
-Starts starts_of(const char* id, std::size_t joint) {
-  const Sizes size = sizes_by_hand();
-  return effect(id, joint).starts({size, joint > 0 ? joint - 1 : 0}, exercise_by_hand());
+InitialGuesses guesses_of(const char* id, std::size_t joint) {
+  const CharacteristicScales size = sizes_by_hand();
+  return effect(id, joint).initial_guesses({size, joint > 0 ? joint - 1 : 0}, excitation_by_hand());
 }
 
 void check_values(const std::vector<double>& found, const std::vector<double>& expected) {
@@ -67,13 +67,13 @@ const Effect& each_its_own(std::string_view id) {
   return *row;
 }
 
-void check_starts(const char* id, std::size_t joint, const std::vector<std::vector<double>>& expected,
-                  std::size_t basins) {
+void check_guesses(const char* id, std::size_t joint, const std::vector<std::vector<double>>& expected,
+                   std::size_t refined) {
   CAPTURE(id);
-  const Starts known = starts_of(id, joint);
-  CHECK(known.basins == basins);
-  REQUIRE(known.from.size() == expected.size());
-  for (std::size_t s = 0; s < expected.size(); ++s) check_values(known.from[s], expected[s]);
+  const InitialGuesses known = guesses_of(id, joint);
+  CHECK(known.refined == refined);
+  REQUIRE(known.points.size() == expected.size());
+  for (std::size_t s = 0; s < expected.size(); ++s) check_values(known.points[s], expected[s]);
 }
 
 }  // namespace
@@ -134,7 +134,7 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
     const auto place = all.find(row.id);
     const bool is_named = &effect(row.id, row.at_joint ? 1 : 0) == &row;
     if (row.id == "joint_stops" && !is_named) {  // of no tolerance: a joint may be free
-      const Sizes size = sizes_by_hand();
+      const CharacteristicScales size = sizes_by_hand();
       for (const ParameterRange& one : row.parameters({size, 0})) {
         CHECK(one.tolerance == 0);
         CHECK(one.scale == doctest::Approx(one.name == "k_s" ? 4 : 0.3));
@@ -142,7 +142,7 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
       continue;
     }
     if (place == all.end() || !is_named) {  // of values within a tolerance, of which half is sizeable
-      const Sizes size = sizes_by_hand();
+      const CharacteristicScales size = sizes_by_hand();
       for (const ParameterRange& one : row.parameters({size, 0})) {
         CHECK(one.tolerance > 0);
         CHECK(one.scale == one.tolerance / 2);
@@ -157,7 +157,7 @@ TEST_CASE("what a lab would call sizeable of each effect, by hand") {
 }
 
 TEST_CASE("tolerances are what machining and assembly leave, of elastic joints alone or of every link") {
-  const Sizes size = sizes_by_hand();
+  const CharacteristicScales size = sizes_by_hand();
   const auto tolerances = [&](const char* id) {
     std::vector<double> all;
     for (const ParameterRange& one : effect(id).parameters({size, 0})) all.push_back(one.tolerance);
@@ -174,64 +174,65 @@ TEST_CASE("tolerances are what machining and assembly leave, of elastic joints a
 }
 
 TEST_CASE("fits start at shares of what the joints are asked for, by hand") {
-  check_starts("backlash", 2, {{0.02 * 0.23}, {0.1 * 0.23}, {0.4 * 0.23}}, 2);
-  check_starts("joint_friction", 0, {{0.0034}, {0.017}, {0.085}}, 1);
+  check_guesses("backlash", 2, {{0.02 * 0.23}, {0.1 * 0.23}, {0.4 * 0.23}}, 2);
+  check_guesses("joint_friction", 0, {{0.0034}, {0.017}, {0.085}}, 1);
   const auto stops = [](double reach, double k) {
     std::vector<std::vector<double>> all;
     for (const double share : {0.2, 0.4, 0.6, 0.8, 0.95})
       for (const double stiff : {0.3, 3.0}) all.push_back({share * reach, stiff * k});
     return all;
   };
-  check_starts("joint_stop", 2, stops(0.23, 3), 2);
-  check_starts("joint_stop", 1, stops(0.11, 4), 2);
-  check_starts("joint_stops", 0, stops(0.31, 4), 2);
-  const Starts own = each_its_own("joint_stops").starts({sizes_by_hand(), 0}, exercise_by_hand());
-  CHECK(own.basins == 2);
-  REQUIRE(own.from.size() == 10);
-  check_values(own.from[3], {3.0 * 4, 0.4 * 0.11, 0.4 * 0.23, 0.4 * 0.31});
+  check_guesses("joint_stop", 2, stops(0.23, 3), 2);
+  check_guesses("joint_stop", 1, stops(0.11, 4), 2);
+  check_guesses("joint_stops", 0, stops(0.31, 4), 2);
+  const InitialGuesses own =
+      each_its_own("joint_stops").initial_guesses({sizes_by_hand(), 0}, excitation_by_hand());
+  CHECK(own.refined == 2);
+  REQUIRE(own.points.size() == 10);
+  check_values(own.points[3], {3.0 * 4, 0.4 * 0.11, 0.4 * 0.23, 0.4 * 0.31});
   const auto knees = [](double reach) {
     std::vector<std::vector<double>> all;
     for (const double share : {0.2, 0.4, 0.6, 0.8, 0.95})
       for (const double give : {0.2, 0.6}) all.push_back({share * reach, give});
     return all;
   };
-  check_starts("piecewise_spring", 0, knees(0.31), 2);
-  check_starts("piecewise_spring", 2, knees(0.23), 2);
+  check_guesses("piecewise_spring", 0, knees(0.31), 2);
+  check_guesses("piecewise_spring", 2, knees(0.23), 2);
   const double low = std::log(0.25), wide = std::log(1800.0) - low;
-  check_starts("viscoelasticity", 0,
-               {{0.1, low + 0.1 * wide},
-                {0.1, low + 0.3 * wide},
-                {0.1, low + 0.5 * wide},
-                {0.1, low + 0.7 * wide},
-                {0.1, low + 0.9 * wide}},
-               2);
+  check_guesses("viscoelasticity", 0,
+                {{0.1, low + 0.1 * wide},
+                 {0.1, low + 0.3 * wide},
+                 {0.1, low + 0.5 * wide},
+                 {0.1, low + 0.7 * wide},
+                 {0.1, low + 0.9 * wide}},
+                2);
   const double soft = 0.3 / (4 * 1.3);
-  check_starts("link_bending", 0, {{0.01 * soft}, {0.3 * soft}, {2 * soft}}, 1);
-  check_starts("play", 0, {{0.05 * 0.23, 0.05 * 0.31}, {0.2 * 0.23, 0.2 * 0.31}}, 2);
-  check_starts("friction_spread", 0, {{0.0085, 0.0085}, {0.051, 0.051}}, 1);
-  check_starts("hardening_spread", 0, {{0, 0}, {0.3 / 0.09, 0.3 / 0.09}, {-0.1 / 0.09, -0.1 / 0.09}}, 1);
+  check_guesses("link_bending", 0, {{0.01 * soft}, {0.3 * soft}, {2 * soft}}, 1);
+  check_guesses("play", 0, {{0.05 * 0.23, 0.05 * 0.31}, {0.2 * 0.23, 0.2 * 0.31}}, 2);
+  check_guesses("friction_spread", 0, {{0.0085, 0.0085}, {0.051, 0.051}}, 1);
+  check_guesses("hardening_spread", 0, {{0, 0}, {0.3 / 0.09, 0.3 / 0.09}, {-0.1 / 0.09, -0.1 / 0.09}}, 1);
   const auto elements = [](double d) {
     return std::vector<std::vector<double>>{{0.1, 0.02 * d, 0.1, 0.1 * d, 0.1, 0.5 * d},
                                             {0.1, 0.05 * d, 0.1, std::sqrt(0.05) * d, 0.1, d}};
   };
-  check_starts("hysteresis", 0, elements(0.31), 2);
-  check_starts("hysteresis", 2, elements(0.23), 2);
-  check_starts("relaxation_spectrum", 0, {{0.1, std::log(5.0), 0.1, std::log(36.0)}}, 1);
-  check_starts("plastic_set", 0, {{0.34, 0.1}, {0.68, 0.1}, {1.02, 0.1}, {1.36, 0.1}}, 1);
-  check_starts("load_friction", 0, {{0.0051, 3 / 0.31}, {0.0255, 3 / 0.31}}, 1);
-  check_starts("direction_friction", 0, {{0.0051, 0.5}, {0.0051, -0.5}, {0.0255, 0.5}, {0.0255, -0.5}}, 1);
+  check_guesses("hysteresis", 0, elements(0.31), 2);
+  check_guesses("hysteresis", 2, elements(0.23), 2);
+  check_guesses("relaxation_spectrum", 0, {{0.1, std::log(5.0), 0.1, std::log(36.0)}}, 1);
+  check_guesses("plastic_set", 0, {{0.34, 0.1}, {0.68, 0.1}, {1.02, 0.1}, {1.36, 0.1}}, 1);
+  check_guesses("load_friction", 0, {{0.0051, 3 / 0.31}, {0.0255, 3 / 0.31}}, 1);
+  check_guesses("direction_friction", 0, {{0.0051, 0.5}, {0.0051, -0.5}, {0.0255, 0.5}, {0.0255, -0.5}}, 1);
   const double slow = std::log(0.3 * 2 * 0.3 / 90), fast = std::log(3.0 * 2 * 0.3 / 90);
-  check_starts("speed_friction", 0,
-               {{0.0051, 1, slow},
-                {0.0051, 1, fast},
-                {0.0051, -0.5, slow},
-                {0.0051, -0.5, fast},
-                {0.0255, 1, slow},
-                {0.0255, 1, fast},
-                {0.0255, -0.5, slow},
-                {0.0255, -0.5, fast}},
-               1);
-  check_starts("saturation", 0, {{1 / (0.98 * 11)}}, 1);
+  check_guesses("speed_friction", 0,
+                {{0.0051, 1, slow},
+                 {0.0051, 1, fast},
+                 {0.0051, -0.5, slow},
+                 {0.0051, -0.5, fast},
+                 {0.0255, 1, slow},
+                 {0.0255, 1, fast},
+                 {0.0255, -0.5, slow},
+                 {0.0255, -0.5, fast}},
+                1);
+  check_guesses("saturation", 0, {{1 / (0.98 * 11)}}, 1);
 }
 
 TEST_CASE(
@@ -239,8 +240,8 @@ TEST_CASE(
   struct Kind {
     std::vector<std::size_t> growing;
     bool large_step, dissipates;
-    std::size_t starts, at_least;
-    bool machining;
+    std::size_t guesses, at_least;
+    bool tolerance;
   };
   const Kind plain{{}, false, false, 100, 1, false};
   const std::map<std::string, Kind> others{{"backlash", {{}, true, false, 100, 1, false}},
@@ -270,27 +271,27 @@ TEST_CASE(
     const auto place = others.find(row.id);
     const bool is_own_stops = row.id == "joint_stops" && &row != &effect("joint_stops");
     const Kind& expected = is_own_stops ? own_stops : place == others.end() ? plain : place->second;
-    CHECK(row.probing.growing == expected.growing);
-    CHECK(row.probing.large_step == expected.large_step);
-    CHECK(row.probing.starts == expected.starts);
+    CHECK(row.perturbation.growing == expected.growing);
+    CHECK(row.perturbation.large_step == expected.large_step);
+    CHECK(row.perturbation.guesses == expected.guesses);
     CHECK(row.dissipates == expected.dissipates);
     CHECK(row.at_least == expected.at_least);
-    CHECK(row.of_machining == expected.machining);
+    CHECK(row.is_tolerance == expected.tolerance);
   }
 }
 
 TEST_CASE("ranges and starts go with the units of force, length and time") {
   // Forces in units 5 times as small, lengths 3 times, times 7 times.
   constexpr double N = 5, m = 3, s = 7;
-  const Sizes size = sizes_by_hand();
-  Sizes other = size;
+  const CharacteristicScales size = sizes_by_hand();
+  CharacteristicScales other = size;
   for (double& k : other.joint_stiffness) k *= N * m;
   for (double& length : other.link_length) length *= m;
   other.stiffness *= N * m, other.length *= m, other.link *= m;
   other.force *= N, other.largest_reading *= N;
-  other.duration *= s, other.pause *= s;
-  const Exercise nominal = exercise_by_hand();
-  Exercise scaled = nominal;
+  other.duration *= s, other.sampling_interval *= s;
+  const Excitation nominal = excitation_by_hand();
+  Excitation scaled = nominal;
   scaled.torque *= N * m;
   const std::map<std::string, double> factors{
       {"ratio", 1},     {"rad", 1},          {"1/rad", 1},       {"1/rad²", 1},
@@ -321,16 +322,17 @@ TEST_CASE("ranges and starts go with the units of force, length and time") {
       CHECK(after[p].tolerance ==
             doctest::Approx(before[p].tolerance * factor[p]).epsilon(1e-12).scale(1e-9));
     }
-    if (row.starts == nullptr) continue;
-    const Starts from = row.starts({size, joint}, nominal), to = row.starts({other, joint}, scaled);
-    CHECK(from.basins == to.basins);
-    REQUIRE(from.from.size() == to.from.size());
+    if (row.initial_guesses == nullptr) continue;
+    const InitialGuesses from = row.initial_guesses({size, joint}, nominal),
+                         to = row.initial_guesses({other, joint}, scaled);
+    CHECK(from.refined == to.refined);
+    REQUIRE(from.points.size() == to.points.size());
     // Those of a stopped or hardening joint are told in rad alone.
-    for (std::size_t i = 0; i < from.from.size(); ++i)
+    for (std::size_t i = 0; i < from.points.size(); ++i)
       for (std::size_t p = 0; p < factor.size(); ++p) {
         CAPTURE(row.id);
-        CHECK(to.from[i][p] ==
-              doctest::Approx(from.from[i][p] * factor[p] + shift[p]).epsilon(1e-12).scale(1e-9));
+        CHECK(to.points[i][p] ==
+              doctest::Approx(from.points[i][p] * factor[p] + shift[p]).epsilon(1e-12).scale(1e-9));
       }
   }
 }
@@ -338,76 +340,77 @@ TEST_CASE("ranges and starts go with the units of force, length and time") {
 TEST_CASE("where an effect is possible: what it asks of the bench, one thing at a time") {
   struct Asked {
     const char* id;
-    std::function<void(Sizes&)> without;
+    std::function<void(CharacteristicScales&)> without;
   };
-  Sizes all = sizes_by_hand();
+  CharacteristicScales all = sizes_by_hand();
   all.measures_force = all.load_cell = all.pivot = all.clock = all.measures_both_forces = true;
   all.turns_back = all.bent_at_rest = all.nominal_weight = true;
   all.at_largest = 4;
-  const auto one_spring = [](Sizes& s) { s.joint_stiffness = {0, 3, 0}; };
-  const auto one_link = [](Sizes& s) { s.joint_stiffness = {3}, s.link_length = {0.2}; };
-  const auto no_force = [](Sizes& s) { s.measures_force = false; };
-  const auto no_cell = [](Sizes& s) { s.load_cell = false; };
-  const auto no_clock = [](Sizes& s) { s.clock = false; };
-  const auto no_turn = [](Sizes& s) { s.turns_back = false; };
-  const auto weightless = [](Sizes& s) { s.weighs = false; };
-  const auto no_masses = [](Sizes& s) { s.nominal_weight = false; };
-  const auto one_run = [](Sizes& s) { s.runs = 1; };
-  const std::vector<Asked> asked{{"stiffness_scale", one_spring},
-                                 {"mass_scale", no_masses},
-                                 {"rest_offset", one_spring},
-                                 {"stiffness_spread", one_spring},
-                                 {"rest_spread", one_spring},
-                                 {"play", one_spring},
-                                 {"friction_spread", one_spring},
-                                 {"hardening_spread", one_spring},
-                                 {"piecewise_spring", one_spring},
-                                 {"hysteresis", one_spring},
-                                 {"hysteresis", no_turn},
-                                 {"length_scale", one_link},
-                                 {"length_spread", one_link},
-                                 {"joint_stops", one_link},
-                                 {"joint_coupling", one_link},
-                                 {"viscoelasticity", no_clock},
-                                 {"relaxation_spectrum", no_clock},
-                                 {"relaxation_spectrum", [](Sizes& s) { s.duration = 20 * s.pause; }},
-                                 {"plastic_set", no_turn},
-                                 {"tendon_friction", [](Sizes& s) { s.bent_at_rest = false; }},
-                                 {"load_friction", no_turn},
-                                 {"direction_friction", no_turn},
-                                 {"speed_friction", no_turn},
-                                 {"speed_friction", no_clock},
-                                 {"gravity", weightless},
-                                 {"tip_payload", weightless},
-                                 {"tip_stiffness", [](Sizes& s) { s.pivot = false; }},
-                                 {"guide_friction", no_force},
-                                 {"position_offset", no_force},
-                                 {"train_compliance", no_force},
-                                 {"force_bias", no_cell},
-                                 {"force_gain", no_cell},
-                                 {"sensor_drift", no_force},
-                                 {"sensor_drift", no_clock},
-                                 {"cross_talk", [](Sizes& s) { s.measures_both_forces = false; }},
-                                 {"cell_curvature", no_cell},
-                                 {"saturation", [](Sizes& s) { s.at_largest = 3; }},
-                                 {"sensor_lag", no_force},
-                                 {"sensor_lag", no_clock},
-                                 {"run_rest", one_run},
-                                 {"run_rest", [](Sizes& s) { s.runs = 11; }},  // 33 values
-                                 {"run_tare", one_run},
-                                 {"run_tare", no_force},
-                                 {"run_tare", [](Sizes& s) { s.runs = 16; }}};  // 32 values
+  const auto one_spring = [](CharacteristicScales& s) { s.joint_stiffness = {0, 3, 0}; };
+  const auto one_link = [](CharacteristicScales& s) { s.joint_stiffness = {3}, s.link_length = {0.2}; };
+  const auto no_force = [](CharacteristicScales& s) { s.measures_force = false; };
+  const auto no_cell = [](CharacteristicScales& s) { s.load_cell = false; };
+  const auto no_clock = [](CharacteristicScales& s) { s.clock = false; };
+  const auto no_turn = [](CharacteristicScales& s) { s.turns_back = false; };
+  const auto weightless = [](CharacteristicScales& s) { s.weighs = false; };
+  const auto no_masses = [](CharacteristicScales& s) { s.nominal_weight = false; };
+  const auto one_run = [](CharacteristicScales& s) { s.runs = 1; };
+  const std::vector<Asked> asked{
+      {"stiffness_scale", one_spring},
+      {"mass_scale", no_masses},
+      {"rest_offset", one_spring},
+      {"stiffness_spread", one_spring},
+      {"rest_spread", one_spring},
+      {"play", one_spring},
+      {"friction_spread", one_spring},
+      {"hardening_spread", one_spring},
+      {"piecewise_spring", one_spring},
+      {"hysteresis", one_spring},
+      {"hysteresis", no_turn},
+      {"length_scale", one_link},
+      {"length_spread", one_link},
+      {"joint_stops", one_link},
+      {"joint_coupling", one_link},
+      {"viscoelasticity", no_clock},
+      {"relaxation_spectrum", no_clock},
+      {"relaxation_spectrum", [](CharacteristicScales& s) { s.duration = 20 * s.sampling_interval; }},
+      {"plastic_set", no_turn},
+      {"tendon_friction", [](CharacteristicScales& s) { s.bent_at_rest = false; }},
+      {"load_friction", no_turn},
+      {"direction_friction", no_turn},
+      {"speed_friction", no_turn},
+      {"speed_friction", no_clock},
+      {"gravity", weightless},
+      {"tip_payload", weightless},
+      {"tip_stiffness", [](CharacteristicScales& s) { s.pivot = false; }},
+      {"guide_friction", no_force},
+      {"position_offset", no_force},
+      {"train_compliance", no_force},
+      {"force_bias", no_cell},
+      {"force_gain", no_cell},
+      {"sensor_drift", no_force},
+      {"sensor_drift", no_clock},
+      {"cross_talk", [](CharacteristicScales& s) { s.measures_both_forces = false; }},
+      {"cell_curvature", no_cell},
+      {"saturation", [](CharacteristicScales& s) { s.at_largest = 3; }},
+      {"sensor_lag", no_force},
+      {"sensor_lag", no_clock},
+      {"run_rest", one_run},
+      {"run_rest", [](CharacteristicScales& s) { s.runs = 11; }},  // 33 values
+      {"run_tare", one_run},
+      {"run_tare", no_force},
+      {"run_tare", [](CharacteristicScales& s) { s.runs = 16; }}};  // 32 values
   for (const Effect& row : catalogue()) {
     CAPTURE(row.id);
     CHECK(row.possible({all, row.at_joint ? std::size_t{1} : 0}));
     for (const Asked& one : asked) {
       if (row.at_joint || row.id != one.id) continue;
-      Sizes less = all;
+      CharacteristicScales less = all;
       one.without(less);
       CHECK_FALSE(row.possible({less, 0}));
     }
   }
-  Sizes most = all;
+  CharacteristicScales most = all;
   most.runs = 10;
   CHECK(effect("run_rest").possible({most, 0}));
   most.runs = 15;
@@ -416,13 +419,13 @@ TEST_CASE("where an effect is possible: what it asks of the bench, one thing at 
     CAPTURE(id);
     CHECK_FALSE(effect(id, 1).possible({all, 0}));
   }
-  Sizes straight = all;
+  CharacteristicScales straight = all;
   straight.turns_back = false;
   CHECK_FALSE(effect("hysteresis", 2).possible({straight, 1}));
 }
 
 TEST_CASE("effects of one kind add up, and what each adds to the rig, by hand") {
-  const Sizes size = sizes_by_hand();
+  const CharacteristicScales size = sizes_by_hand();
   const auto add = [&](const Effect& row, std::size_t joint, const std::vector<double>& value) {
     Rig rig;
     rig.length = {0.2, 0.5, 0.6}, rig.stiffness = {0, 3, 5};

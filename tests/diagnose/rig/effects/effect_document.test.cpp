@@ -36,19 +36,22 @@ struct Document {
 };
 
 Document read_document() {
-  static const std::regex heading(R"(### `(\w+)(\(j\))?`: (.*))");
-  static const std::regex parameter(R"(\| `(\w+)` \| ([^|]*) \| ([^|]*) \| ([^|]*) \|)");
-  static const std::regex pair(R"(\| `(\w+)` \| `(\w+)` \| .*)");
+  static const std::regex effect(R"(\| `(\w+)(\(j\))?` \| ([^`|]+) \| [^|]* \| [^|]* \|)");
+  static const std::regex parameter(
+      R"(\| (`\w+(\(j\))?`(, each)?)? \| `(\w+)` \| ([^|]*) \| ([^|]*) \| ([^|]*) \|)");
+  static const std::regex pair(R"(\| `(\w+)` \| `(\w+)` \| [^|]* \|)");
   Document document;
   std::istringstream lines(read_text(PLUMBLINE_SOURCE_DIR "/docs/effects.md"));
   std::smatch found;
+  std::size_t of = 0;  // the effect of a parameter, from 1: an empty first cell continues the one above
   for (std::string line; std::getline(lines, line);) {
-    if (std::regex_match(line, found, heading)) {
+    if (std::regex_match(line, found, parameter)) {
+      of += found[1].matched ? 1 : 0;
+      document.effects.at(of - 1).parameters.push_back({found[4], found[5], found[6], found[7]});
+    } else if (std::regex_match(line, found, effect)) {
       document.effects.push_back({found[1], found[2].matched, found[3], {}});
     } else if (std::regex_match(line, found, pair)) {
       document.equivalent.emplace_back(found[1], found[2]);
-    } else if (!document.effects.empty() && std::regex_match(line, found, parameter)) {
-      document.effects.back().parameters.push_back({found[1], found[2], found[3], found[4]});
     }
   }
   return document;

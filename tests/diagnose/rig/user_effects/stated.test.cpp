@@ -349,7 +349,8 @@ TEST_CASE("what shapes an effect starts within its bounds, what grows on both si
       torque("stiffening", "a * tanh(d / b)", parameter("a", 0.2, -1, 1) + parameter("b", 0.1, 0.01, 1)));
   const Study study(full_bench(), rows);
   bool positive = false, negative = false;
-  for (const std::vector<double>& start : rows->front().starts({study.sizes(), 0}, study.exercise()).from) {
+  for (const std::vector<double>& start :
+       rows->front().initial_guesses({study.scales(), 0}, study.excitation()).points) {
     CHECK(start[1] >= 0.01);
     CHECK(start[1] <= 1);
     positive = positive || start[0] > 0;
@@ -457,8 +458,8 @@ TEST_CASE("what is stated of time, or of readings, that a bench has not is told 
     for (std::size_t i = 0; i < run.readings.size(); ++i) run.readings[i].t = static_cast<double>(i);
   const std::string text = torque("creeps", "a * log(1 + t)", parameter("a", 1e-2, -1, 1));
   const Study study(experiment, rows_of(text));
-  REQUIRE_FALSE(study.sizes().clock);
-  const std::vector<EffectAt> idle = plumbline::diagnose::diagnose(study).not_exercised;
+  REQUIRE_FALSE(study.scales().clock);
+  const std::vector<EffectAt> idle = plumbline::diagnose::diagnose(study).not_excited;
   CHECK(
       std::any_of(idle.begin(), idle.end(), [](const EffectAt& at) { return at.label() == "user:creeps"; }));
 }

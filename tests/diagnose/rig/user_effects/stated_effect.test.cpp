@@ -39,8 +39,9 @@ StatedEffect effect_of(const std::string& acts, const std::string& parameters) {
 }
 
 /// The row that it becomes, and where fits of it start on this bench.
-Starts starts_on(const Study& study, const StatedEffect& stated) {
-  return row_of(std::make_shared<StatedEffect>(stated)).starts({study.sizes(), 0}, study.exercise());
+InitialGuesses guesses_on(const Study& study, const StatedEffect& stated) {
+  return row_of(std::make_shared<StatedEffect>(stated))
+      .initial_guesses({study.scales(), 0}, study.excitation());
 }
 
 std::string effects_fault(const std::string& text) {
@@ -165,25 +166,25 @@ TEST_CASE("words have the braces of a joint once, where there is one") {
 TEST_CASE("fits of a stated effect start a scale to either side, and from nothing where that tells") {
   const Study study(one_press());
   const StatedEffect plain = effect_of(any_joint + "\"a * d\"\n", told_parameter("a", one_scale));
-  CHECK(starts_on(study, plain).from == Starting{{0}, {0.5}, {-0.5}});
-  CHECK(starts_on(study, plain).basins == 2);
+  CHECK(guesses_on(study, plain).points == Starting{{0}, {0.5}, {-0.5}});
+  CHECK(guesses_on(study, plain).refined == 2);
   // within bounds, and not twice
   const StatedEffect one_sided =
       effect_of(any_joint + "\"a * d\"\n", told_parameter("a", "scale = 5\nlow = 0\nhigh = 4"));
-  CHECK(starts_on(study, one_sided).from == Starting{{0}, {4}});
+  CHECK(guesses_on(study, one_sided).points == Starting{{0}, {4}});
   // what depends on the direction of motion does not start from nothing
   const StatedEffect directed = effect_of(any_joint + "\"a * s\"\n", told_parameter("a", one_scale));
-  CHECK(starts_on(study, directed).from == Starting{{0.5}, {-0.5}});
+  CHECK(guesses_on(study, directed).points == Starting{{0.5}, {-0.5}});
   const StatedEffect two = effect_of(any_joint + "\"a * d + b * d^3\"\n",
                                      told_parameter("a", one_scale) + told_parameter("b", one_scale));
-  CHECK(starts_on(study, two).from == Starting{{0, 0}, {0.5, 0.5}, {-0.5, -0.5}});
+  CHECK(guesses_on(study, two).points == Starting{{0, 0}, {0.5, 0.5}, {-0.5, -0.5}});
 }
 
 TEST_CASE("a parameter that shapes an effect is tried at five places between its bounds, three at one") {
   const Study study(one_press());
   const StatedEffect shaped = effect_of(any_joint + "\"a * d * c\"\n",
                                         told_parameter("a", one_scale) + told_parameter("c", shape_bounds));
-  const Starting from = starts_on(study, shaped).from;
+  const Starting from = guesses_on(study, shaped).points;
   REQUIRE(from.size() == 10);
   for (std::size_t i = 0; i < 10; ++i) {
     CHECK(from[i][0] == (i % 2 == 0 ? 0.5 : -0.5));
@@ -193,12 +194,12 @@ TEST_CASE("a parameter that shapes an effect is tried at five places between its
   const StatedEffect two_shapes = effect_of(
       any_joint + "\"a * d * c * b\"\n",
       told_parameter("a", one_scale) + told_parameter("b", shape_bounds) + told_parameter("c", shape_bounds));
-  CHECK(starts_on(study, two_shapes).from.size() == 50);
+  CHECK(guesses_on(study, two_shapes).points.size() == 50);
   const StatedEffect three_shapes =
       effect_of(any_joint + "\"a * d * c * b * e\"\n",
                 told_parameter("a", one_scale) + told_parameter("b", shape_bounds) +
                     told_parameter("c", shape_bounds) + told_parameter("e", shape_bounds));
-  CHECK(starts_on(study, three_shapes).from == Starting{{0.5, 4, 4, 4}, {-0.5, 4, 4, 4}});
+  CHECK(guesses_on(study, three_shapes).points == Starting{{0.5, 4, 4, 4}, {-0.5, 4, 4, 4}});
 }
 
 TEST_CASE("the row of a stated effect: ranges, what it dissipates, how it is probed, where it is possible") {
@@ -210,9 +211,9 @@ TEST_CASE("the row of a stated effect: ranges, what it dissipates, how it is pro
   const Effect of_spring = row(spring);
   CHECK(of_spring.at_joint);
   CHECK_FALSE(of_spring.dissipates);
-  CHECK(of_spring.probing.growing == std::vector<std::size_t>{0});
-  CHECK_FALSE(of_spring.probing.large_step);
-  const std::vector<ParameterRange> ranges = of_spring.parameters({study.sizes(), 0});
+  CHECK(of_spring.perturbation.growing == std::vector<std::size_t>{0});
+  CHECK_FALSE(of_spring.perturbation.large_step);
+  const std::vector<ParameterRange> ranges = of_spring.parameters({study.scales(), 0});
   REQUIRE(ranges.size() == 2);
   CHECK(ranges[0].name == "a");
   CHECK(ranges[0].unit == "ratio");
@@ -222,14 +223,14 @@ TEST_CASE("the row of a stated effect: ranges, what it dissipates, how it is pro
   CHECK(ranges[0].tolerance == 0.25);
   CHECK(ranges[1].low == 1);
   // one that goes with the joint's stiffness is nothing at a passive joint; others are something everywhere
-  Sizes passive = study.sizes();
+  CharacteristicScales passive = study.scales();
   passive.joint_stiffness[1] = 0;
   CHECK(of_spring.possible({passive, 0}));
   CHECK_FALSE(of_spring.possible({passive, 1}));
   const Effect drag = row(effect_of(at_one_joint + "\"a * s\"\n", told_parameter("a", one_scale)));
   CHECK(drag.dissipates);
-  CHECK(drag.probing.large_step);
-  CHECK(drag.probing.growing.empty());
+  CHECK(drag.perturbation.large_step);
+  CHECK(drag.perturbation.growing.empty());
   CHECK(drag.possible({passive, 1}));
   const Effect everywhere = row(effect_of(any_joint + "\"k * a * d\"\n", told_parameter("a", one_scale)));
   CHECK_FALSE(everywhere.at_joint);
@@ -237,7 +238,7 @@ TEST_CASE("the row of a stated effect: ranges, what it dissipates, how it is pro
   // time is one where there is a clock
   const Effect ages = row(effect_of(any_joint + "\"a * t\"\n", told_parameter("a", one_scale)));
   CHECK(ages.dissipates);
-  Sizes timed = study.sizes();
+  CharacteristicScales timed = study.scales();
   timed.clock = false;
   CHECK_FALSE(ages.possible({timed, 0}));
   timed.clock = true;
@@ -253,8 +254,8 @@ TEST_CASE("the row of a stated effect: ranges, what it dissipates, how it is pro
   const StatedEffect reversal =
       effect_of("[effect.reading]\nFx = \"a * s\"\n", told_parameter("a", one_scale));
   CHECK(row(reversal).dissipates);
-  CHECK_FALSE(row(reversal).probing.large_step);
-  CHECK(starts_on(study, reversal).from == Starting{{0}, {0.5}, {-0.5}});
+  CHECK_FALSE(row(reversal).perturbation.large_step);
+  CHECK(guesses_on(study, reversal).points == Starting{{0}, {0.5}, {-0.5}});
 }
 
 TEST_CASE("a stated effect acts at its joint, at every joint, or on its channels") {
@@ -262,7 +263,7 @@ TEST_CASE("a stated effect acts at its joint, at every joint, or on its channels
   const double values[] = {0.75};
   const auto added = [&](const StatedEffect& stated, std::size_t joint) {
     Rig rig = study.nominal_rig();
-    row_of(std::make_shared<StatedEffect>(stated)).add({rig, joint, study.sizes(), {0, -1}, values});
+    row_of(std::make_shared<StatedEffect>(stated)).add({rig, joint, study.scales(), {0, -1}, values});
     return rig;
   };
   const Rig one = added(effect_of(at_one_joint + "\"a * d\"\n", told_parameter("a", one_scale)), 1);

@@ -11,7 +11,7 @@
 namespace plumbline::simulator {
 namespace {
 
-/// Whether another effect in the place of one gives the same readings, to the noise.
+/// Whether another effect gives the same readings, to the noise.
 bool passes_for(const Bench& bench, const Outcome& outcome, std::size_t e, const Effect& other) {
   constexpr double noticed = 2;  // standard deviations of all readings together
   std::vector<Effect> effects = outcome.effects;
@@ -21,7 +21,7 @@ bool passes_for(const Bench& bench, const Outcome& outcome, std::size_t e, const
   return rms(rest) * std::sqrt(static_cast<double>(rest.size())) <= noticed;
 }
 
-/// The effect of a single joint that may do alone what this one of all joints does.
+/// The effect of a single joint that may imitate this one of all joints.
 std::string_view of_one_joint(const Kind& kind) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 6> pairs{
       {{"joint_stops", "joint_stop"},
@@ -35,7 +35,7 @@ std::string_view of_one_joint(const Kind& kind) {
   return kind.at_joint || known == pairs.end() ? std::string_view() : known->second;
 }
 
-/// Links that weigh more by as much in all: by so much a length, or by a factor of what they are believed to.
+/// Links of a larger total weight: by weight per length, or by a factor.
 std::optional<Effect> as_other_weight(const Nominal& nominal, const Effect& effect) {
   const double mass = std::accumulate(nominal.mass.begin(), nominal.mass.end(), 0.0),
                length = std::accumulate(nominal.length.begin(), nominal.length.end(), 0.0);
@@ -47,9 +47,9 @@ std::optional<Effect> as_other_weight(const Nominal& nominal, const Effect& effe
   return std::nullopt;
 }
 
-/// All stops, and all springs that give way, pass for that of the one joint that gets there; of a single
-/// sprung joint what is common to all for the same of that joint, as does the load cell's gain; all springs
-/// that are stiffer to one side for a scale where all bend to one side; a weight of the links for another.
+/// Aliases of joint laws: all stops, or softening springs, and the one that is reached; effects of all joints
+/// and of a single sprung one, and then the gain of the load cell; asymmetric springs and a stiffness scale
+/// where all joints deflect in one direction; the two weights of links.
 std::vector<std::string> tried(const Bench& bench, const Outcome& outcome, std::size_t e) {
   const Effect& effect = outcome.effects[e];
   std::vector<Effect> candidates;
@@ -67,16 +67,15 @@ std::vector<std::string> tried(const Bench& bench, const Outcome& outcome, std::
       candidates.push_back({&kind("stiffness_scale", false), 0, {sign * effect.values[0]}});
   if (const std::optional<Effect> weight = as_other_weight(bench.plan.nominal, effect))
     candidates.push_back(*weight);
-  std::vector<std::string> twins;
+  std::vector<std::string> aliases;
   for (const Effect& candidate : candidates)
-    if (passes_for(bench, outcome, e, candidate)) twins.push_back(key_of(candidate));
-  return twins;
+    if (passes_for(bench, outcome, e, candidate)) aliases.push_back(key_of(candidate));
+  return aliases;
 }
 
-/// What passes for one of the effects. A payload for a tare error, always; the base's yielding along x for
-/// the train's, while the end point is imposed, if nothing yields noticeably along y; all stiffnesses for the
-/// load cell's gain where nothing else sets a scale of force.
-std::vector<std::string> twins(const Bench& bench, const Outcome& outcome, std::size_t e) {
+/// Aliases of one effect: payload and tare, always; compliance of base and train along x under an imposed end
+/// point; a stiffness scale and the gain where nothing else sets a force.
+std::vector<std::string> aliases_of(const Bench& bench, const Outcome& outcome, std::size_t e) {
   const bool imposed = std::none_of(bench.plan.runs.begin(), bench.plan.runs.end(),
                                     [](const PlannedRun& run) { return run.force_controlled; });
   const bool scales = imposed && outcome.effects.size() == 1 && bench.plan.nominal.mass.empty();
@@ -96,13 +95,13 @@ std::vector<std::string> twins(const Bench& bench, const Outcome& outcome, std::
 
 }  // namespace
 
-std::vector<std::vector<std::string>> equivalents(const Bench& bench, const Outcome& outcome) {
+std::vector<std::vector<std::string>> aliases(const Bench& bench, const Outcome& outcome) {
   std::vector<std::vector<std::string>> all;
   for (std::size_t e = 0; e < outcome.effects.size(); ++e) {
-    for (const std::string& twin : twins(bench, outcome, e)) {
+    for (const std::string& alias : aliases_of(bench, outcome, e)) {
       all.emplace_back();
       for (std::size_t k = 0; k < outcome.effects.size(); ++k)
-        all.back().push_back(k == e ? twin : key_of(outcome.effects[k]));
+        all.back().push_back(k == e ? alias : key_of(outcome.effects[k]));
     }
   }
   return all;

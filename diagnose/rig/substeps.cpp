@@ -1,4 +1,4 @@
-#include "diagnose/rig/way_between.hpp"
+#include "diagnose/rig/substeps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 namespace plumbline::diagnose {
 namespace {
 
-/// Whether joints slip between readings in a way that can be followed there. A free law knows no more of its
-/// history than the readings tell, and friction that goes by the speed of the step before would ring.
+/// Whether slip is followed between readings. A free torque law knows only the history at the readings, and
+/// friction by the speed of the step before would oscillate.
 bool slips_on_the_way(const Layout& layout, const Rig& rig) {
   const bool slips = layout.sliders > 0 || std::isfinite(rig.yield);
   return slips && rig.laws.empty() && rig.friction_law.fall == 0;
@@ -15,8 +15,8 @@ bool slips_on_the_way(const Layout& layout, const Rig& rig) {
 
 }  // namespace
 
-std::vector<std::size_t> parts_of_ways(const Run& run, const Layout& layout, const Rig& rig) {
-  constexpr double least = 48;  // parts of the way to the farthest command
+std::vector<std::size_t> substeps(const Run& run, const Layout& layout, const Rig& rig) {
+  constexpr double least = 48;  // substeps to the farthest command
   std::vector<std::size_t> all(run.readings.size(), 1);
   if (!slips_on_the_way(layout, rig) || all.empty()) return all;
   const Eigen::Vector2d start = run.command(run.readings.front());
@@ -34,7 +34,7 @@ std::vector<std::size_t> parts_of_ways(const Run& run, const Layout& layout, con
   return all;
 }
 
-Reading on_the_way(const Reading& from, const Reading& to, double share) {
+Reading interpolated(const Reading& from, const Reading& to, double share) {
   const auto between = [&](double a, double b) { return a + share * (b - a); };
   return {between(from.t, to.t),   between(from.x, to.x),   between(from.y, to.y),
           between(from.Fx, to.Fx), between(from.Fy, to.Fy), {}};

@@ -1,4 +1,4 @@
-#include "diagnose/screening/unmoved.hpp"
+#include "diagnose/screening/stuck_channel.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,7 +23,7 @@ struct Range {
   [[nodiscard]] double width() const { return count > 0 ? highest - lowest : 0; }
 };
 
-/// Of one channel in one run, in the readings that hold it.
+/// The ranges of one channel in one run, over its readings.
 struct Ranges {
   Range measured, predicted;
 };
@@ -39,7 +39,7 @@ Ranges ranges(const Run& run, const Trace& predicted, const Channel& channel) {
   return both;
 }
 
-/// The widest range that the nominal model gives a channel of the sensor.
+/// The largest range that the nominal model gives to a channel of the sensor.
 double widest(const Run& run, const Trace& predicted, const Channel& channel) {
   double most = 0;
   for (const Channel& other : run.measured())
@@ -48,7 +48,7 @@ double widest(const Run& run, const Trace& predicted, const Channel& channel) {
   return most;
 }
 
-bool is_unmoved(const Run& run, const Trace& predicted, const Channel& channel, const Noise& noise) {
+bool is_stuck(const Run& run, const Trace& predicted, const Channel& channel, const Noise& noise) {
   constexpr std::size_t enough = 8;
   constexpr double of_noise = 20, of_sensor = 0.02;
   const Ranges both = ranges(run, predicted, channel);
@@ -57,17 +57,17 @@ bool is_unmoved(const Run& run, const Trace& predicted, const Channel& channel, 
          both.predicted.width() > of_sensor * widest(run, predicted, channel);
 }
 
-/// Where one run shows that a channel is not alive, all runs in which it does not move belong to it.
-std::optional<Unmoved> unmoved(const Study& study, const Channel& channel) {
+/// Where one run shows that a channel is stuck, all runs in which it is constant are listed.
+std::optional<StuckChannel> stuck(const Study& study, const Channel& channel) {
   const Experiment& experiment = study.experiment();
-  Unmoved found{{}, channel, {}, 0, 0};
+  StuckChannel found{{}, channel, {}, 0, 0};
   bool shown = false, somewhere_moved = false;
   for (std::size_t r = 0; r < experiment.runs.size(); ++r) {
     const Run& run = experiment.runs[r];
     const Ranges both = ranges(run, study.nominal().runs[r], channel);
     if (both.measured.width() > 0) somewhere_moved = true;
     if (both.measured.count == 0 || both.measured.width() > 0) continue;
-    shown = shown || is_unmoved(run, study.nominal().runs[r], channel, experiment.noise);
+    shown = shown || is_stuck(run, study.nominal().runs[r], channel, experiment.noise);
     found.runs.push_back(run.id);
     found.values.insert(both.measured.lowest);
     found.readings += both.measured.count;
@@ -80,18 +80,18 @@ std::optional<Unmoved> unmoved(const Study& study, const Channel& channel) {
 
 }  // namespace
 
-std::optional<Unmoved> unmoved_channel(const Study& study) {
+std::optional<StuckChannel> stuck_channel(const Study& study) {
   std::vector<Channel> channels;
   for (const Run& run : study.experiment().runs)
     for (const Channel& channel : run.measured())
       if (std::find(channels.begin(), channels.end(), channel) == channels.end()) channels.push_back(channel);
   for (const Channel& channel : channels)
-    if (const std::optional<Unmoved> found = unmoved(study, channel)) return found;
+    if (const std::optional<StuckChannel> found = stuck(study, channel)) return found;
   return {};
 }
 
-void require_moved(const Study& study) {
-  const std::optional<Unmoved> still = unmoved_channel(study);
+void require_no_stuck_channel(const Study& study) {
+  const std::optional<StuckChannel> still = stuck_channel(study);
   if (!still) return;
   std::string where = study.experiment().name + ", ", remedy = "leave its column out";
   if (!still->runs.empty()) {
@@ -102,9 +102,9 @@ void require_moved(const Study& study) {
   const std::string values =
       still->values.size() == 1 ? fmt::format("{:.6g} {}", *still->values.begin(), unit) : "one value a run";
   throw Error(where + still->channel.label(),
-              fmt::format("{} in all {} readings, where the nominal model goes through {:.3g} {}", values,
+              fmt::format("{} in all {} readings, while the nominal model changes by {:.3g} {}", values,
                           still->readings, still->predicted_range, unit),
-              "readings that move: if nothing was measured, or the sensor stood still, " + remedy +
+              "readings that change: if nothing was measured, or the sensor is stuck, " + remedy +
                   "; if not, pass --as-is");
 }
 

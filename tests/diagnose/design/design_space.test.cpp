@@ -1,4 +1,4 @@
-#include "diagnose/design/rehearsal.hpp"
+#include "diagnose/design/design_space.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/bench/unmeasured.hpp"
+#include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/inference/start.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
@@ -38,7 +38,7 @@ double sizeable_by_hand(const ParameterRange& range, std::size_t place) {
 
 TEST_CASE(
     "a rehearsal: what is planned first, each run as the nominal chain follows it, none numbered apart") {
-  const Rehearsal all = rehearse(planned_press());
+  const DesignSpace all = design_space(planned_press());
   REQUIRE(all.planned == 1);
   CHECK(all.descriptions.front() == "press-1 as planned");
   CHECK(all.descriptions.size() == all.bench.runs.size());
@@ -47,7 +47,7 @@ TEST_CASE(
   const Prediction nominal = Study(all.bench).nominal();
   CHECK(nominal.reached);
   CHECK_FALSE(nominal.snapped);
-  const Extent so_far = extent(Study(planned_press()));
+  const OperatingEnvelope so_far = operating_envelope(Study(planned_press()));
   for (std::size_t r = 0; r < all.bench.runs.size(); ++r) {
     const Run& run = all.bench.runs[r];
     CHECK(run.number == 0);
@@ -62,9 +62,9 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "each effect of a rehearsal is as large as a lab calls sizeable, or half of it until all can be "
+    "each effect of a space is as large as a lab calls sizeable, or half of it until all can be "
     "followed") {
-  const Rehearsal all = rehearse(planned_press());
+  const DesignSpace all = design_space(planned_press());
   const Study study(all.bench);
   CHECK(all.effects.size() == possible_effects(study).size());
   std::size_t whole = 0;
@@ -73,8 +73,8 @@ TEST_CASE(
     REQUIRE(one.candidate.effects.size() == 1);
     const EffectAt& at = one.candidate.effects.front();
     const std::vector<ParameterRange> ranges = study.ranges(at);
-    const Starts known = starts(study, at);
-    const std::vector<double>& middle = known.from[known.from.size() / 2];
+    const InitialGuesses known = initial_guesses(study, at);
+    const std::vector<double>& middle = known.points[known.points.size() / 2];
     for (std::size_t p = 0; p < ranges.size(); ++p) {
       CAPTURE(p);
       const ParameterRange& range = ranges[p];
@@ -91,7 +91,7 @@ TEST_CASE(
         CHECK(one.parameters[p] == close_to(middle[p]));
       }
     }
-    // and then every run of the rehearsal can be followed without a snap
+    // and then every run of the design space can be followed without a snap
     const Prediction followed = predict(study, one.candidate, one.parameters);
     CHECK(followed.reached);
     CHECK_FALSE(followed.snapped);
@@ -100,7 +100,7 @@ TEST_CASE(
 }
 
 TEST_CASE("no effect is both possible and impossible, at any joint") {
-  const Rehearsal all = rehearse(planned_press());
+  const DesignSpace all = design_space(planned_press());
   for (const EffectAt& one : all.impossible)
     CHECK(std::none_of(all.effects.begin(), all.effects.end(),
                        [&](const Instance& other) { return other.candidate.effects.front() == one; }));
@@ -109,7 +109,7 @@ TEST_CASE("no effect is both possible and impossible, at any joint") {
     for (std::size_t joint = row.at_joint ? 1 : 0; joint <= (row.at_joint ? 3U : 0U); ++joint) {
       const EffectAt at(row, joint);
       CAPTURE(at.label());
-      Sizes twice = Study(all.bench).sizes();
+      CharacteristicScales twice = Study(all.bench).scales();
       twice.runs = 2;
       const bool can = row.possible({twice, joint > 0 ? joint - 1 : 0});
       CHECK((std::find(all.impossible.begin(), all.impossible.end(), at) == all.impossible.end()) == can);
@@ -119,7 +119,7 @@ TEST_CASE("no effect is both possible and impossible, at any joint") {
 TEST_CASE("a bench of which nothing can be followed is refused") {
   Experiment far = planned_press();
   for (Reading& one : far.runs[0].readings) one.x = 3;
-  CHECK_THROWS_WITH_AS(rehearse(far),
+  CHECK_THROWS_WITH_AS(design_space(far),
                        "experiment \"three links\": found runs that the nominal chain cannot follow, "
                        "expected end points within "
                        "reach and a stable posture at every reading",
@@ -152,7 +152,7 @@ TEST_CASE("what is planned and some effect cannot follow, however little there i
   bench = unmeasured(bench);
   Reading& farthest = bench.runs[1].readings[2];
   farthest.x = 0.6 * (1 - 1e-7), farthest.y = 0;
-  const Rehearsal all = rehearse(bench);
+  const DesignSpace all = design_space(bench);
   CHECK(all.planned == 1);
   CHECK(all.descriptions[0] == "press-1 as planned");
   for (std::size_t r = 1; r < all.descriptions.size(); ++r)

@@ -1,4 +1,4 @@
-#include "diagnose/rig/sizes.hpp"
+#include "diagnose/rig/characteristic_scales.hpp"
 
 #include <doctest/doctest.h>
 
@@ -31,14 +31,14 @@ Experiment ten_readings() {
 
 TEST_CASE("the sizes of an experiment, by hand") {
   const Experiment experiment = ten_readings();
-  const Sizes size = sizes_of(experiment);
+  const CharacteristicScales size = characteristic_scales(experiment);
   CHECK(size.stiffness == 3);  // passive joints have no part in the mean
   CHECK(size.length == 0.8);
   CHECK(size.link == 0.4);
   CHECK(size.force == 10);  // nine of ten are smaller
   CHECK(size.deflection == close_to(0.3 * 10 * 0.8 / 3));
   CHECK(size.duration == 49.5);
-  CHECK(size.pause == 5.5);  // of pauses of 1.5 to 9.5 s the middle one
+  CHECK(size.sampling_interval == 5.5);  // of pauses of 1.5 to 9.5 s the middle one
   CHECK(size.weighs);
   CHECK(size.measures_force);
   CHECK_FALSE(size.measures_both_forces);
@@ -64,16 +64,16 @@ TEST_CASE("of several runs: the longest duration, the shortest pause, what any o
   other.rest = {0, 0.1};
   other.readings[9].x = 0.9;
   experiment.runs.push_back(other);
-  const Sizes size = sizes_of(experiment);
+  const CharacteristicScales size = characteristic_scales(experiment);
   CHECK(size.duration == 49.5);
-  CHECK(size.pause == 1.375);
+  CHECK(size.sampling_interval == 1.375);
   CHECK(size.measures_both_forces);
   CHECK(size.turns_back);
   CHECK(size.bent_at_rest);
   CHECK(size.measures(Channel::Name::q));
   std::swap(experiment.runs[0], experiment.runs[1]);
-  CHECK(sizes_of(experiment).pause == 1.375);
-  CHECK(sizes_of(experiment).duration == 49.5);
+  CHECK(characteristic_scales(experiment).sampling_interval == 1.375);
+  CHECK(characteristic_scales(experiment).duration == 49.5);
 }
 
 TEST_CASE(
@@ -81,20 +81,20 @@ TEST_CASE(
     "does") {
   Experiment experiment = ten_readings();
   for (Reading& r : experiment.runs[0].readings) r.t += 3600;
-  CHECK(sizes_of(experiment).duration == 49.5);
-  CHECK(sizes_of(experiment).pause == 5.5);
+  CHECK(characteristic_scales(experiment).duration == 49.5);
+  CHECK(characteristic_scales(experiment).sampling_interval == 5.5);
   for (std::size_t i = 1; i < 10; ++i) experiment.runs[0].readings[i].t += 60;  // a rest after the first
-  CHECK(sizes_of(experiment).pause == 6.5);                                     // of those from 2.5 to 61.5 s
+  CHECK(characteristic_scales(experiment).sampling_interval == 6.5);            // of those from 2.5 to 61.5 s
   // stamps of a clock that is read more coarsely than the sensors
   for (std::size_t i = 0; i < 10; ++i)
     experiment.runs[0].readings[i].t = std::floor(static_cast<double>(i) / 3);
-  CHECK(sizes_of(experiment).pause == 1);
+  CHECK(characteristic_scales(experiment).sampling_interval == 1);
 }
 
 TEST_CASE("what is measured alone counts: weights read no force, and an imposed one is no plateau") {
   Experiment experiment = ten_readings();
   experiment.runs[0].control = Control::force;
-  Sizes size = sizes_of(experiment);
+  CharacteristicScales size = characteristic_scales(experiment);
   CHECK_FALSE(size.measures_force);
   CHECK(size.load_cell);  // by which a servo sets it
   CHECK(size.pivot);
@@ -103,7 +103,7 @@ TEST_CASE("what is measured alone counts: weights read no force, and an imposed 
   CHECK(size.measures(Channel::Name::x));
   CHECK_FALSE(size.measures(Channel::Name::Fx));
   experiment.runs[0].by_weights = true;
-  size = sizes_of(experiment);
+  size = characteristic_scales(experiment);
   CHECK_FALSE(size.load_cell);
   CHECK_FALSE(size.pivot);
 }
@@ -114,24 +114,24 @@ TEST_CASE("readings within five sigmas of the largest force, of either sign, are
   std::vector<Reading>& readings = experiment.runs[0].readings;
   readings[0].Fx = 9.51, readings[1].Fx = -9.49;  // 4.9 and 5.1 sigmas away
   readings[2].Fy = -9.01, readings[3].Fy = 8.99;
-  CHECK(sizes_of(experiment).at_largest == 3);
+  CHECK(characteristic_scales(experiment).at_largest == 3);
 }
 
 TEST_CASE("without forces, time or stiffness sizes stay above nothing") {
   Experiment experiment = ten_readings();
   for (Reading& r : experiment.runs[0].readings) r.Fx = 0, r.t = 0;
-  Sizes size = sizes_of(experiment);
+  CharacteristicScales size = characteristic_scales(experiment);
   CHECK(size.force == close_to(1e-3 * 3 / 0.8));
   CHECK(size.deflection == 0.02);
   CHECK(size.duration == 1e-3);
-  CHECK(size.pause == 1e-3);
+  CHECK(size.sampling_interval == 1e-3);
   CHECK(size.at_largest == 0);
   experiment.runs[0].readings[0].Fx = 1e3;
   experiment.runs[0].readings[1].Fx = 1e3;
-  size = sizes_of(experiment);
+  size = characteristic_scales(experiment);
   CHECK(size.deflection == 1);
   experiment.bench.plane = Bench::Plane::horizontal;
-  CHECK_FALSE(sizes_of(experiment).weighs);
+  CHECK_FALSE(characteristic_scales(experiment).weighs);
 }
 
 TEST_CASE("what the runs ask of the nominal joints: the largest of each, by hand") {
@@ -139,7 +139,7 @@ TEST_CASE("what the runs ask of the nominal joints: the largest of each, by hand
   load(experiment, {0.2, 0.3, -0.3}, {0, 0}, {0, -1}, 4);
   load(experiment, {0, 0, 0}, {0, 0}, {0, 0.5}, 4);
   const Study study(experiment);
-  const Exercise& use = study.exercise();
+  const Excitation& use = study.excitation();
   double largest = 0, torque = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     double most = 0;

@@ -1,4 +1,4 @@
-#include "diagnose/screening/plausible.hpp"
+#include "diagnose/screening/physical.hpp"
 
 #include <fmt/format.h>
 
@@ -23,14 +23,13 @@ std::string place(const Run& run, std::size_t reading) {
   return "run \"" + run.id + "\", reading " + std::to_string(reading + 1);
 }
 
-/// Distance between the end point that joint angles give and where a reading says it is; NaN where either is
-/// missing.
+/// Distance between the end point by the joint angles and by the reading; NaN where either is missing.
 double contradiction(const std::vector<double>& q, const Reading& reading, const Chain<double>& chain) {
   const Point<double> end = end_point(chain, q);
   return std::hypot(end.x - reading.x, end.y - reading.y);
 }
 
-/// Middle distance between the measured joint angles and the measured end point; 0 without such angles.
+/// Median distance between the end points by the joint angles and by the readings; 0 without joint angles.
 double middle_contradiction(const Run& run, const Chain<double>& chain) {
   std::vector<double> gaps;
   for (const Reading& reading : run.readings) {
@@ -44,9 +43,8 @@ double middle_contradiction(const Run& run, const Chain<double>& chain) {
   return *middle;
 }
 
-/// The first reading whose end point no shape of the chain has. A commanded one is exact: beyond the reach by
-/// more than its rounding it has no equilibrium. A measured one carries noise, and lengths and zero are what
-/// is in question: only what no tolerance explains counts.
+/// The first reading whose end point is out of reach. A commanded one is exact up to rounding. A measured one
+/// has noise, and lengths and offsets are what is in question: only a distance beyond all tolerance counts.
 std::optional<std::size_t> out_of_reach(const Run& run, const Reach<double>& limits) {
   const double slack = (run.holds_end_point() ? 1e-4 : 0.25) * limits.largest;
   for (std::size_t r = 0; r < run.readings.size(); ++r) {
@@ -56,9 +54,9 @@ std::optional<std::size_t> out_of_reach(const Run& run, const Reach<double>& lim
   return {};
 }
 
-/// What a run that cannot be would mean if its end points or angles, or the links, were in another unit,
-/// order or sense: "; x, y look like mm (columns.x.unit = …)". Empty where no conversion brings it within
-/// reach and makes it start at its unloaded shape and agree with itself, each to a tenth of the chain.
+/// The unit, order or sense in which the end points, angles or links of an impossible run become possible: ";
+/// x, y look like mm (columns.x.unit = …)". Empty where no conversion brings the run within reach, to its
+/// unloaded shape at the start and into agreement with its joint angles, each to a tenth of the chain.
 std::string as_if(const Experiment& experiment, const Run& run) {
   std::string best;
   double least = 0.1;
@@ -100,8 +98,8 @@ void require_reach(const Experiment& experiment, const Run& run, const Reach<dou
               expected + as_if(experiment, run));
 }
 
-/// Joint angles in degrees, in another order or of another chain. No effect moves the end point of most
-/// readings by a quarter of the chain.
+/// \throws Error for joint angles in degrees, in another order or of another chain: no effect moves the end point of
+///         most readings by a quarter of the chain
 void require_geometry(const Experiment& experiment, const Run& run, const Reach<double>& limits) {
   const double gap =
       middle_contradiction(run, Chain<double>(experiment.link_length, experiment.joint_stiffness));
@@ -121,8 +119,8 @@ void require_noise(const Run& run, const Noise& noise) {
   }
 }
 
-/// A noise below the rounding of what is measured is no noise, and residuals in units of it overflow. Sizes
-/// that are measured: the reach, a radian, the force that turns a joint by one.
+/// Noise below the rounding of the measured values is none, and residuals in its units overflow. The sizes of
+/// measured values are the reach, a radian, and the force that turns a joint by a radian.
 void require_resolved(const Experiment& experiment, double reach) {
   double turning = 0;
   for (const double k : experiment.joint_stiffness) turning = std::max(turning, k / reach);
@@ -158,7 +156,7 @@ std::size_t measured_values(const Run& run) {
   return static_cast<std::size_t>(count);
 }
 
-/// What has a noise is measured, and something must be.
+/// A channel with a noise is measured, and there must be one.
 void require_anything_measured(const Run& run, const Noise& noise) {
   const bool force = noise.Fx > 0 || noise.Fy > 0, position = noise.x > 0 || noise.y > 0;
   if (noise.q > 0 || (run.holds_end_point() ? force : position)) return;
@@ -166,7 +164,7 @@ void require_anything_measured(const Run& run, const Noise& noise) {
               run.holds_end_point() ? "a positive one for Fx, Fy or q" : "a positive one for x, y or q");
 }
 
-/// A joint has turns, not thousands of them, also in degrees; beyond, its sine is rounding.
+/// A rest angle of thousands of turns, also in degrees: its sine would be rounding.
 void require_turns(const Run& run) {
   constexpr double most = 1e4;
   for (std::size_t j = 0; j < run.rest.size(); ++j)
@@ -204,7 +202,7 @@ void require_physical(const Experiment& experiment) {
     require_noise(run, experiment.noise);
     values += measured_values(run);
   }
-  const std::size_t needed = 3;  // one more than the two parameters that a single effect can have
+  const std::size_t needed = 3;  // one more than the two parameters of a single effect
   if (values < needed)
     throw Error("experiment \"" + experiment.name + "\"", std::to_string(values) + " measured values",
                 "at least " + std::to_string(needed) + ", more than an effect has parameters");

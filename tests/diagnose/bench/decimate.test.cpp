@@ -1,4 +1,4 @@
-#include "diagnose/bench/condense.hpp"
+#include "diagnose/bench/decimate.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "diagnose/noise/gap.hpp"
 #include "diagnose/inference/study.hpp"
+#include "diagnose/noise/gap.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
 
@@ -37,14 +37,14 @@ Experiment logged(int steps) {
 }  // namespace
 
 TEST_CASE("an experiment that is short comes back as it is") {
-  const Experiment same = condensed(logged(400));
+  const Experiment same = decimated(logged(400));
   CHECK(same.runs[0].readings.size() == 801);
   CHECK(same.runs[0].first_taken(7) == 7);
   CHECK(same.runs[0].last_taken(7) == 7);
 }
 
 TEST_CASE("a long run keeps its ends and turning points, and its readings their numbers") {
-  const Experiment all = logged(5000), few = condensed(all);
+  const Experiment all = logged(5000), few = decimated(all);
   const Run &before = all.runs[0], &after = few.runs[0];
   CHECK(after.readings.size() < 1100);
   CHECK(after.readings.front().x == before.readings.front().x);
@@ -61,8 +61,8 @@ TEST_CASE("a long run keeps its ends and turning points, and its readings their 
   CHECK(next == before.readings.size());
 }
 
-TEST_CASE("what is drawn together has the noise that it says, and no gap") {
-  const Study study(condensed(logged(5000)));
+TEST_CASE("decimated readings have the declared noise, and no gap") {
+  const Study study(decimated(logged(5000)));
   const std::vector<double> residual = study.nominal_residual();
   double sum = 0;
   for (const double r : residual) sum += r * r;
@@ -71,11 +71,11 @@ TEST_CASE("what is drawn together has the noise that it says, and no gap") {
   CHECK(sum / static_cast<double>(residual.size()) == close_to(0.96).epsilon(0.12));
 }
 
-TEST_CASE("a few outliers do not move what is drawn together") {
+TEST_CASE("a few outliers do not move decimated readings") {
   Experiment all = logged(5000);
-  const Experiment clean = condensed(all);
+  const Experiment clean = decimated(all);
   for (std::size_t i = 0; i < all.runs[0].readings.size(); i += 50) all.runs[0].readings[i].Fx += 100;
-  const Experiment few = condensed(all);
+  const Experiment few = decimated(all);
   // an outlier on one side of a group of eleven shifts its median by about a quarter of a sigma
   for (std::size_t i = 0; i < few.runs[0].readings.size(); ++i)
     if (const double Fx = few.runs[0].readings[i].Fx; !std::isnan(Fx))
@@ -99,10 +99,10 @@ Experiment numbered(std::size_t count, std::size_t turn) {
 
 }  // namespace
 
-TEST_CASE("which readings are drawn together, by hand") {
+TEST_CASE("which readings are decimated, by hand") {
   // 1199 readings in 500 groups: three each, but for the first and the last one, and the two twos that 1197
   // between them would not fill: 399 threes.
-  const Run run = condensed(numbered(1199, 1199)).runs[0];
+  const Run run = decimated(numbered(1199, 1199)).runs[0];
   CHECK(run.groups.size == 3);
   REQUIRE(run.readings.size() == 401);
   CHECK(run.groups.first.size() == 402);
@@ -121,7 +121,7 @@ TEST_CASE("which readings are drawn together, by hand") {
   CHECK(run.readings[400].x == -1198);
 
   // A turn stands alone. Between it and the ends, 599 readings each: 200 groups, one of them of two.
-  const Run back = condensed(numbered(1201, 600)).runs[0];
+  const Run back = decimated(numbered(1201, 600)).runs[0];
   const auto turn = std::find(back.groups.first.begin(), back.groups.first.end(), 600U);
   REQUIRE(turn != back.groups.first.end());
   CHECK(*(turn - 1) == 597);
@@ -134,7 +134,7 @@ namespace {
 
 /// A bench without effect that is pressed so often by so much of three centimetres, at so many readings each
 /// way, with noise of the declared size.
-Experiment cycled(int cycles, int each_way, double unrest = 0) {
+Experiment cycled(int cycles, int each_way, double jitter = 0) {
   Experiment experiment = three_links();
   experiment.noise = {0, 0, 0.02, 0.02, 0};
   press(experiment, {0.3, -0.5, 0.4}, {-0.03, 0}, each_way, true, 0.01);
@@ -151,7 +151,7 @@ Experiment cycled(int cycles, int each_way, double unrest = 0) {
     for (const Channel& channel : run.measured())
       channel.in(run.readings[i]) = nominal.runs[0](static_cast<Eigen::Index>(i), column_of(channel)) +
                                     channel.sigma(experiment.noise) * normal(random);
-    run.readings[i].x += unrest * normal(random);
+    run.readings[i].x += jitter * normal(random);
   }
   return experiment;
 }
@@ -159,7 +159,7 @@ Experiment cycled(int cycles, int each_way, double unrest = 0) {
 }  // namespace
 
 TEST_CASE("a run that turns back by little has four groups from turn to turn, in the mean") {
-  // There by so many readings, then 199 times back and there again by fifty of them: 200 stretches, so 800
+  // There by so many readings, then 199 times back and there again by fifty of them: 200 segments, so 800
   // groups. Of 500 they would be of 25 readings and more, by the way of a tenth of the extent longer still.
   for (const auto& [there, size] :
        std::vector<std::pair<std::size_t, std::size_t>>{{2089, 15}, {2829, 15}, {2850, 16}}) {
@@ -172,7 +172,7 @@ TEST_CASE("a run that turns back by little has four groups from turn to turn, in
       readings[i].x = -static_cast<double>(there - back);
       readings[i].y = -3 * readings[i].x;
     }
-    const Run few = condensed(experiment).runs[0];
+    const Run few = decimated(experiment).runs[0];
     // What is between the first reading and the first turn.
     const auto turn = std::find(few.groups.first.begin(), few.groups.first.end(), there);
     REQUIRE(turn != few.groups.first.end());
@@ -182,13 +182,13 @@ TEST_CASE("a run that turns back by little has four groups from turn to turn, in
   }
 }
 
-TEST_CASE("what is drawn together scatters as it says and shows no gap, however often and far a run goes") {
+TEST_CASE("decimated readings have the declared noise and show no gap, however often and far a run goes") {
   // Forces of a press change by forty sigmas on the way, along a curve.
   for (const auto& [cycles, each_way] :
        std::vector<std::pair<int, int>>{{1, 5000}, {10, 500}, {50, 100}, {100, 20}, {1000, 2}}) {
     CAPTURE(cycles);
     CAPTURE(each_way);
-    const Study study(condensed(cycled(cycles, each_way)));
+    const Study study(decimated(cycled(cycles, each_way)));
     const std::vector<double> residual = study.nominal_residual();
     REQUIRE(residual.size() >= 100);
     double sum = 0;
@@ -201,8 +201,8 @@ TEST_CASE("what is drawn together scatters as it says and shows no gap, however 
   }
 }
 
-TEST_CASE("the unrest of a logged position is no turn, and leaves readings to draw together") {
-  const Experiment few = condensed(cycled(1, 5000, 3e-5));
+TEST_CASE("jitter of a logged position is no turning point, and does not prevent decimation") {
+  const Experiment few = decimated(cycled(1, 5000, 3e-5));
   CHECK(few.runs[0].readings.size() < 600);
   std::size_t unseen = 0;
   for (const Reading& reading : few.runs[0].readings) unseen += std::isnan(reading.Fx) ? 1 : 0;
@@ -221,7 +221,7 @@ TEST_CASE("a run that is held does not turn where its logged position is unstead
     held.readings[i].x += 5e-6 * normal(random);
   }
   experiment.runs.push_back(held);
-  const Experiment few = condensed(experiment);
+  const Experiment few = decimated(experiment);
   CHECK(few.runs[1].readings.size() < 300);
   const std::vector<Reading>& left = few.runs[1].readings;
   CHECK(std::count_if(left.begin(), left.end(), [](const Reading& r) { return std::isnan(r.Fx); }) <= 3);
@@ -231,14 +231,14 @@ TEST_CASE("a run that turns at every reading comes back as it is") {
   Experiment experiment = cycled(1, 1000);
   for (std::size_t i = 0; i < experiment.runs[0].readings.size(); i += 2)
     experiment.runs[0].readings[i].x += 1e-3;
-  CHECK(condensed(experiment).runs[0].readings.size() == experiment.runs[0].readings.size());
+  CHECK(decimated(experiment).runs[0].readings.size() == experiment.runs[0].readings.size());
 }
 
 TEST_CASE("of many runs less is left of each: thirty-three of one of thirty, twenty of one of sixty") {
   for (const auto& [runs, size] : std::vector<std::pair<std::size_t, std::size_t>>{{30, 10}, {60, 15}}) {
     Experiment many = numbered(300, 300);
     many.runs.resize(runs, many.runs[0]);
-    CHECK(condensed(many).runs[0].groups.size == size);
+    CHECK(decimated(many).runs[0].groups.size == size);
   }
 }
 
@@ -253,7 +253,7 @@ TEST_CASE("what goes along a parabola is drawn onto it, and what is faster on it
     }
     for (std::size_t i = 3; i < 10001; i += 50)
       experiment.runs[0].readings[i].Fx = std::numeric_limits<double>::quiet_NaN();
-    const Run few = condensed(experiment).runs[0];
+    const Run few = decimated(experiment).runs[0];
     CHECK(few.groups.size >= 19);
     // Of an even number the mean of the middle two is off by a quarter of the curvature, and of a step that
     // grows by a ten-thousandth of itself, twenty readings long, by less; a plain median by 25 of them.
@@ -262,7 +262,7 @@ TEST_CASE("what goes along a parabola is drawn onto it, and what is faster on it
   }
 }
 
-TEST_CASE("a few readings between two turns are not drawn together with their measured values") {
+TEST_CASE("a few readings between two turning points lose their measured values") {
   // Groups of twenty, and five readings between two turns of a hundredth and more of the way.
   Experiment experiment = numbered(10001, 5000);
   std::vector<Reading>& readings = experiment.runs[0].readings;
@@ -270,7 +270,7 @@ TEST_CASE("a few readings between two turns are not drawn together with their me
     readings[2000 + i].x += 100.0 * static_cast<double>(i + 1);
     readings[2000 + i].y = -3 * readings[2000 + i].x;
   }
-  const Run few = condensed(experiment).runs[0];
+  const Run few = decimated(experiment).runs[0];
   REQUIRE(few.groups.size > 15);
   std::size_t unseen = 0;
   for (const Reading& reading : few.readings) unseen += std::isnan(reading.Fx) ? 1 : 0;
@@ -279,14 +279,14 @@ TEST_CASE("a few readings between two turns are not drawn together with their me
 }
 
 TEST_CASE("how many readings are left: all of a thousand, of more 500 in all, or forty of a short run") {
-  CHECK(condensed(numbered(1000, 1000)).runs[0].readings.size() == 1000);
+  CHECK(decimated(numbered(1000, 1000)).runs[0].readings.size() == 1000);
   // 1001 in 500 groups would be three each as well
-  CHECK(condensed(numbered(1001, 1001)).runs[0].groups.size == 3);
+  CHECK(decimated(numbered(1001, 1001)).runs[0].groups.size == 3);
   Experiment two = numbered(3900, 3900);
   two.runs.push_back(numbered(100, 100).runs[0]);
-  const Experiment few = condensed(two);
+  const Experiment few = decimated(two);
   CHECK(few.runs[0].groups.size == 9);  // 3900 in 487, a little more than eight each
   CHECK(few.runs[1].groups.size == 3);  // 100 in 40, not in 12
   two.runs[1] = numbered(80, 80).runs[0];
-  CHECK(condensed(two).runs[1].groups.size == 1);  // twos would gain nothing
+  CHECK(decimated(two).runs[1].groups.size == 1);  // twos would gain nothing
 }

@@ -1,4 +1,4 @@
-#include "diagnose/screening/oddities.hpp"
+#include "diagnose/screening/anomalies.hpp"
 
 #include <algorithm>
 
@@ -10,7 +10,7 @@ using namespace plumbline::diagnose::test;
 namespace {
 
 bool remarks(const Experiment& experiment, const std::string& part) {
-  const std::vector<std::string> all = oddities(experiment);
+  const std::vector<std::string> all = anomalies(experiment);
   return std::any_of(all.begin(), all.end(),
                      [&](const std::string& one) { return one.find(part) != std::string::npos; });
 }
@@ -25,10 +25,10 @@ Experiment ordinary_bench() {
 }  // namespace
 
 TEST_CASE("ordinary readings are not odd") {
-  for (const std::string& one : oddities(ordinary_bench())) FAIL_CHECK(one);
+  for (const std::string& one : anomalies(ordinary_bench())) FAIL_CHECK(one);
 }
 
-TEST_CASE("each oddity is remarked on, with its run") {
+TEST_CASE("each anomaly is remarked on, with its run") {
   const Experiment ordinary = ordinary_bench();
   Experiment experiment = ordinary;
   std::vector<Reading>* press = &experiment.runs[0].readings;
@@ -38,14 +38,14 @@ TEST_CASE("each oddity is remarked on, with its run") {
   CHECK(remarks(experiment, "run press-1: Fx is 2 N at the unloaded end point"));
   again();
   (*press)[7].Fy += 5;
-  CHECK(remarks(experiment, "run press-1: Fy jumps to"));
+  CHECK(remarks(experiment, "run press-1: Fy has a lone spike of"));
   CHECK(remarks(experiment, "in reading 8 alone"));
   again();
   for (Reading& reading : *press) reading.q[1] = 0.25;
-  CHECK(remarks(experiment, "run press-1: q2 stands still at 0.25 rad"));
+  CHECK(remarks(experiment, "run press-1: q2 is constant at 0.25 rad"));
   again();
   for (std::size_t i = 10; i < press->size(); ++i) (*press)[i].t += 100;
-  CHECK(remarks(experiment, "run press-1: a pause of 102 s after reading 10, where 2 s is usual"));
+  CHECK(remarks(experiment, "run press-1: a pause of 102 s after reading 10; 2 s is usual"));
   again();
   for (Reading& reading : *press) reading.x += 0.1;
   CHECK(remarks(experiment, "run press-1: starts 0.1 m from the unloaded end point"));
@@ -54,14 +54,14 @@ TEST_CASE("each oddity is remarked on, with its run") {
   CHECK(remarks(experiment, "run press-1: Fx is missing in 30 of 41 readings"));
   again();
   for (std::size_t i = 0; i < press->size(); ++i) (*press)[i].t = static_cast<double>(i);
-  CHECK(remarks(experiment, "run press-1: t only counts the readings"));
+  CHECK(remarks(experiment, "run press-1: t is 0, 1, 2, ..."));
   again();
   experiment.runs.push_back(experiment.runs[0]);
   experiment.runs.back().id = "copy";
-  CHECK(remarks(experiment, "run copy: the readings of run press-1 again"));
+  CHECK(remarks(experiment, "run copy: repeats the readings of run press-1"));
   again();
   for (std::size_t i = 0; i < press->size(); ++i) (*press)[i].Fy = 0.1 * static_cast<double>(i);
-  CHECK(remarks(experiment, "run press-1: Fy scatters by"));
+  CHECK(remarks(experiment, "run press-1: Fy has a noise of"));
 }
 
 namespace {
@@ -85,7 +85,7 @@ template <class Change>
 std::vector<std::string> remarked(Change change) {
   Experiment experiment = quiet_run();
   change(experiment.runs[0].readings);
-  return oddities(experiment);
+  return anomalies(experiment);
 }
 
 using Readings = std::vector<Reading>;
@@ -102,7 +102,7 @@ TEST_CASE("how long a pause, how few values, how far a start and how large a for
     });
   };
   CHECK(pause(40) == nothing);
-  CHECK(pause(41) == Remarks{"run a: a pause of 41 s after reading 5, where 2 s is usual"});
+  CHECK(pause(41) == Remarks{"run a: a pause of 41 s after reading 5; 2 s is usual"});
 
   const auto missing = [](std::size_t count) {
     return remarked([&](Readings& all) {
@@ -130,15 +130,15 @@ TEST_CASE("how long a pause, how few values, how far a start and how large a for
   CHECK(force(0, 0.201, 6.1e-4) == nothing);  // a thousandth of the chain away
 }
 
-TEST_CASE("a channel that stands still, scatters too little or jumps alone, from eight values on") {
+TEST_CASE("a channel that is constant, has too little noise or a lone spike, from eight values on") {
   const auto nothing = Remarks{};
   const auto still = [](std::size_t values) {
     return remarked([&](Readings& all) {
       for (std::size_t i = 0; i < all.size(); ++i) all[i].Fx = i < values ? 0.125 : nan_value();
     });
   };
-  CHECK(still(12) == Remarks{"run a: Fx stands still at 0.125 N"});
-  CHECK(still(8) == Remarks{"run a: Fx stands still at 0.125 N"});
+  CHECK(still(12) == Remarks{"run a: Fx is constant at 0.125 N"});
+  CHECK(still(8) == Remarks{"run a: Fx is constant at 0.125 N"});
   CHECK(still(7) == nothing);
   // Second differences of +-a are 4 a, which seem a deviation of 4 a / 0.6745 / sqrt(6) = 2.421 a; below a
   // fifth of the declared 0.01 N it is too little.
@@ -148,19 +148,19 @@ TEST_CASE("a channel that stands still, scatters too little or jumps alone, from
     });
   };
   CHECK(scatter(8.27e-4) == nothing);
-  CHECK(scatter(8.25e-4) == Remarks{"run a: Fx scatters by 0.002 N at most, where 0.01 is declared"});
+  CHECK(scatter(8.25e-4) == Remarks{"run a: Fx has a noise of 0.002 N at most; 0.01 is declared"});
 
   // The neighbours of reading 6 are 0.01 N; both sides of it by 0.02.
   const auto jump = [](std::size_t reading, double by) {
     return remarked([&](Readings& all) { all[reading - 1].Fy += by; });
   };
   CHECK(jump(6, -0.17) == nothing);  // to -0.18, 0.19 away from its neighbours
-  CHECK(jump(6, -0.191) == Remarks{"run a: Fy jumps to -0.201 N in reading 6 alone"});
-  CHECK(jump(2, -0.191) == Remarks{"run a: Fy jumps to -0.201 N in reading 2 alone"});
-  CHECK(jump(11, 0.5) == Remarks{"run a: Fy jumps to 0.51 N in reading 11 alone"});
+  CHECK(jump(6, -0.191) == Remarks{"run a: Fy has a lone spike of -0.201 N in reading 6"});
+  CHECK(jump(2, -0.191) == Remarks{"run a: Fy has a lone spike of -0.201 N in reading 2"});
+  CHECK(jump(11, 0.5) == Remarks{"run a: Fy has a lone spike of 0.51 N in reading 11"});
   CHECK(remarked([](Readings& all) { all[5].Fy = all[6].Fy = 1; }) == nothing);  // two are no jump
   CHECK(remarked([](Readings& all) {
           all[3].Fy = nan_value();  // readings keep their numbers
           all[6].Fy += 0.5;
-        }) == Remarks{"run a: Fy jumps to 0.51 N in reading 7 alone"});
+        }) == Remarks{"run a: Fy has a lone spike of 0.51 N in reading 7"});
 }

@@ -1,4 +1,4 @@
-#include "diagnose/screening/oddities.hpp"
+#include "diagnose/screening/anomalies.hpp"
 
 #include <fmt/format.h>
 
@@ -32,14 +32,16 @@ class Look {
   void clock() {
     const std::vector<Reading>& readings = run_->readings;
     if (run_->counts_readings()) {
-      remark("t only counts the readings: nothing that takes time can be told");
+      remark(
+          "t is 0, 1, 2, ...: a counter of the readings, not a clock, so that creep and drift cannot be "
+          "identified");
       return;
     }
     constexpr double much = 20;
-    const double typical = run_->usual_pause();
+    const double typical = run_->sampling_interval();
     for (std::size_t i = 1; i < readings.size(); ++i)
       if (const double pause = readings[i].t - readings[i - 1].t; pause > much * typical)
-        remark("a pause of {:.3g} s after reading {}, where {:.3g} s is usual", pause, i, typical);
+        remark("a pause of {:.3g} s after reading {}; {:.3g} s is usual", pause, i, typical);
   }
 
   void at(const Channel& channel) {
@@ -49,7 +51,7 @@ class Look {
       const double value = channel.of(run_->readings[i]);
       if (!std::isnan(value)) values.push_back(value), numbers.push_back(i + 1);
     }
-    if (values.empty()) return;  // never measured: no oddity
+    if (values.empty()) return;  // a channel that the run does not measure
     if (2 * values.size() < run_->readings.size())
       remark("{} is missing in {} of {} readings", channel.label(), run_->readings.size() - values.size(),
              run_->readings.size());
@@ -57,14 +59,14 @@ class Look {
     if (values.size() < enough) return;
     const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
     if (*lowest == *highest) {
-      remark("{} stands still at {:.6g} {}", channel.label(), *lowest, channel.unit());
+      remark("{} is constant at {:.6g} {}", channel.label(), *lowest, channel.unit());
       return;
     }
     scatter(channel, values);
     spikes(channel, values, numbers);
   }
 
-  /// Of white noise, second differences have sqrt(6) times its standard deviation; a curve adds to them.
+  /// Second differences of white noise have sqrt(6) times its standard deviation; curvature adds to that.
   void scatter(const Channel& channel, const std::vector<double>& values) {
     std::vector<double> bends;
     for (std::size_t i = 1; i + 1 < values.size(); ++i)
@@ -72,12 +74,12 @@ class Look {
     const double little = 0.2, sigma = channel.sigma(experiment_.noise);
     const double seen = median_deviation(std::move(bends)) / std::sqrt(6.0);
     if (seen < little * sigma)
-      remark("{} scatters by {:.2g} {} at most, where {:.2g} is declared", channel.label(), seen,
-             channel.unit(), sigma);
+      remark("{} has a noise of {:.2g} {} at most; {:.2g} is declared", channel.label(), seen, channel.unit(),
+             sigma);
   }
 
-  /// A value far from both neighbours, which are near each other and theirs: at the turn of a run two are
-  /// near each other as well.
+  /// A value far from both neighbours, which are near each other and near theirs: the last condition excludes
+  /// the turning point of a run.
   void spikes(const Channel& channel, const std::vector<double>& values,
               const std::vector<std::size_t>& numbers) {
     constexpr double far = 20, near = 0.1;
@@ -88,7 +90,7 @@ class Look {
         return b >= values.size() || std::abs(values[a] - values[b]) < near * away;
       };
       if (away > far * sigma && is_near(i - 1, i + 1) && is_near(i - 1, i - 2) && is_near(i + 1, i + 2))
-        remark("{} jumps to {:.4g} {} in reading {} alone", channel.label(), values[i], channel.unit(),
+        remark("{} has a lone spike of {:.4g} {} in reading {}", channel.label(), values[i], channel.unit(),
                numbers[i]);
     }
   }
@@ -125,7 +127,7 @@ bool same_readings(const Run& a, const Run& b) {
 
 }  // namespace
 
-std::vector<std::string> oddities(const Experiment& experiment) {
+std::vector<std::string> anomalies(const Experiment& experiment) {
   std::vector<std::string> remarks;
   Look look(experiment, remarks);
   const std::vector<Run>& runs = experiment.runs;
@@ -133,7 +135,7 @@ std::vector<std::string> oddities(const Experiment& experiment) {
     look.at(runs[r]);
     for (std::size_t s = 0; s < r; ++s)
       if (same_readings(runs[r], runs[s]))
-        remarks.push_back("run " + runs[r].id + ": the readings of run " + runs[s].id + " again");
+        remarks.push_back("run " + runs[r].id + ": repeats the readings of run " + runs[s].id);
   }
   return remarks;
 }

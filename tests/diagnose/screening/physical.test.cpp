@@ -1,4 +1,4 @@
-#include "diagnose/screening/plausible.hpp"
+#include "diagnose/screening/physical.hpp"
 
 #include <doctest/doctest.h>
 

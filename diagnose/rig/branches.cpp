@@ -1,4 +1,4 @@
-#include "diagnose/rig/sides.hpp"
+#include "diagnose/rig/branches.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,45 +33,46 @@ auto angles(const Trace& trace) {
 }
 
 /// The sides to which two paths of the one run go; nothing where they are the same.
-std::optional<Side> side_of(const Trace& there, const Trace& other) {
-  Side side{{}, angles(there), angles(other), there.middleCols(column_Fx, 2)};
+std::optional<Branch> branch_of(const Trace& there, const Trace& other) {
+  Branch branch{{}, angles(there), angles(other), there.middleCols(column_Fx, 2)};
   for (Eigen::Index r = 0; r < there.rows(); ++r)
-    side.apart.push_back((side.there.row(r) - side.other.row(r)).abs().maxCoeff() > elsewhere);
-  return side.first() < side.apart.size() ? std::optional(side) : std::nullopt;
+    branch.differs.push_back((branch.angles.row(r) - branch.other_angles.row(r)).abs().maxCoeff() >
+                             elsewhere);
+  return branch.first() < branch.differs.size() ? std::optional(branch) : std::nullopt;
 }
 
 /// The side that the readings of the one run are on; nothing where the nominal chain goes there by itself.
-std::optional<Side> side_of(const Experiment& one) {
+std::optional<Branch> branch_of(const Experiment& one) {
   const Study study(one);
   const double now = left(study, study.nominal());
   if (now < noticed) return std::nullopt;
   double least = now / clearly;
-  std::optional<Side> best;
-  const auto try_side = [&](const Prediction& there, const Prediction& other) {
+  std::optional<Branch> best;
+  const auto try_branch = [&](const Prediction& there, const Prediction& other) {
     if (!there.reached || !other.reached) return;
     Experiment aside = one;
-    aside.runs.front().side = side_of(there.runs.front(), other.runs.front());
-    if (!aside.runs.front().side) return;
+    aside.runs.front().branch = branch_of(there.runs.front(), other.runs.front());
+    if (!aside.runs.front().branch) return;
     const Study on_it(aside);
     const double then = left(on_it, on_it.nominal());
-    if (then < least) least = then, best = aside.runs.front().side;
+    if (then < least) least = then, best = aside.runs.front().branch;
   };
   for (std::size_t j = 0; j < one.link_length.size(); ++j) {
     Experiment up = one, down = one;
     up.runs.front().rest[j] += imperfection;
     down.runs.front().rest[j] -= imperfection;
     const Study above(up), below(down);
-    try_side(above.nominal(), below.nominal());
-    try_side(below.nominal(), above.nominal());
+    try_branch(above.nominal(), below.nominal());
+    try_branch(below.nominal(), above.nominal());
   }
   return best;
 }
 
 }  // namespace
 
-Experiment on_their_sides(const Study& study) {
+Experiment on_observed_branches(const Study& study) {
   Experiment experiment = study.experiment();
-  for (Run& run : experiment.runs) run.side = side_of(alone(study.experiment(), run));
+  for (Run& run : experiment.runs) run.branch = branch_of(alone(study.experiment(), run));
   return experiment;
 }
 

@@ -1,4 +1,4 @@
-#include "diagnose/bench/condense.hpp"
+#include "diagnose/bench/decimate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,27 +13,26 @@ namespace {
 
 constexpr std::size_t wanted_readings = 500, short_enough = 1000;
 
-/// Of a run that is one of so many: forty, but no more than a thousand of all, and twenty where they are
-/// many.
+/// Smallest number of readings that a run keeps, one of so many runs: forty, at most a thousand in all, and
+/// never below twenty.
 std::size_t least_readings(std::size_t runs) {
   return std::clamp<std::size_t>(1000 / runs, 20, 40);
 }
 
-/// Shares of a run's extent: a group goes no farther, for it tells of one place; a shorter way back is no
-/// turn but the unrest of a logged position.
-constexpr double farthest_in_group = 0.1, unrest = 0.01;
-/// The same of the farthest run, where this one stands still.
-constexpr double unrest_at_rest = 0.002;
-/// Groups from turn to turn, in the mean: what stands alone there is lost.
-constexpr double least_of_stretch = 4;
+/// Fractions of a run's extent: the largest extent of a group, and the largest jitter of a logged position.
+constexpr double farthest_in_group = 0.1, jitter = 0.01;
+/// Jitter as a fraction of the farthest run, for a run that stands still.
+constexpr double jitter_at_rest = 0.002;
+/// Smallest mean number of groups between turning points: the turning points themselves lose their values.
+constexpr double least_of_segment = 4;
 
-/// Readings from one on, up to another.
-struct Stretch {
+/// A range of readings.
+struct Segment {
   std::size_t from, to;
   [[nodiscard]] std::size_t count() const { return to - from; }
 };
 
-/// Diagonal of the box around all commands of a run.
+/// Diagonal of the bounding box of all commands of a run.
 double extent(const Run& run) {
   Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const Reading& reading : run.readings) {
@@ -43,7 +42,7 @@ double extent(const Run& run) {
   return (high >= low).all() ? (high - low).matrix().norm() : 0;
 }
 
-/// Readings at which a run turns back by more than a distance: the farthest ones before.
+/// Turning points of a run by more than a distance.
 std::vector<std::size_t> turns_farther_than(const Run& run, double distance) {
   std::vector<std::size_t> turns;
   std::size_t farthest = 0;
@@ -68,7 +67,7 @@ std::vector<std::size_t> turns_farther_than(const Run& run, double distance) {
   return turns;
 }
 
-/// What stands alone: the ends, and where the run turns back by more than a distance.
+/// The readings that stay alone: the ends, and turning points by more than a distance.
 std::vector<std::size_t> stops(const Run& run, double distance) {
   std::vector<std::size_t> all = turns_farther_than(run, distance);
   all.insert(all.begin(), 0);
@@ -76,28 +75,28 @@ std::vector<std::size_t> stops(const Run& run, double distance) {
   return all;
 }
 
-/// Draws the readings of one run together, group by group.
-class Condenser {
+/// Decimates one run, group by group.
+class Decimator {
  public:
-  /// \param most  readings of a group
-  /// \param still  what is no motion where it is commanded
-  Condenser(const Run& run, std::size_t most, double still)
-      : run_(run), stops_(stops(run, std::max(unrest * extent(run), still))), result_(run) {
+  /// \param most   largest number of readings in a group
+  /// \param still  largest change of the command that counts as standing still
+  Decimator(const Run& run, std::size_t most, double still)
+      : run_(run), stops_(stops(run, std::max(jitter * extent(run), still))), result_(run) {
     result_.readings.clear();
     const double whole = extent(run_);
     const double count = static_cast<double>(run_.readings.size());
     const double farthest = std::min(farthest_in_group * whole / way(),
-                                     1 / (least_of_stretch * static_cast<double>(stops_.size() - 1)));
+                                     1 / (least_of_segment * static_cast<double>(stops_.size() - 1)));
     size_ = count * farthest < static_cast<double>(most) ? static_cast<std::size_t>(count * farthest) : most;
   }
 
-  /// Of two readings the middle gains nothing over either.
+  /// The median of two readings is no gain.
   [[nodiscard]] bool gains() const { return size_ > 2; }
 
   Run result() {
     std::size_t from = 0;
     for (const std::size_t alone : stops_) {
-      add(Stretch{from, alone});
+      add(Segment{from, alone});
       add_alone(alone);
       from = alone + 1;
     }
@@ -107,7 +106,7 @@ class Condenser {
   }
 
  private:
-  /// From stop to stop.
+  /// Length of the path through the stops.
   [[nodiscard]] double way() const {
     double sum = 0;
     Eigen::Vector2d last = run_.command(run_.readings.front());
@@ -121,27 +120,27 @@ class Condenser {
   }
 
   template <class Value>
-  [[nodiscard]] double mean(const Stretch& group, Value value) const {
+  [[nodiscard]] double mean(const Segment& group, Value value) const {
     double sum = 0;
     for (std::size_t i = group.from; i < group.to; ++i) sum += value(run_.readings[i]);
     return sum / static_cast<double>(group.count());
   }
 
-  [[nodiscard]] Eigen::Vector2d mean_command(const Stretch& group) const {
+  [[nodiscard]] Eigen::Vector2d mean_command(const Segment& group) const {
     return {mean(group, [&](const Reading& r) { return run_.command(r).x(); }),
             mean(group, [&](const Reading& r) { return run_.command(r).y(); })};
   }
 
-  /// Median of what is made of the readings that hold a channel.
+  /// Median of a function of the readings that hold a channel.
   template <class Value>
-  [[nodiscard]] double middle(const Stretch& group, const Channel& channel, Value value) const {
+  [[nodiscard]] double middle(const Segment& group, const Channel& channel, Value value) const {
     std::vector<double> values;
     for (std::size_t i = group.from; i < group.to; ++i)
       if (!std::isnan(channel.of(run_.readings[i]))) values.push_back(value(run_.readings[i]));
     return median(std::move(values));
   }
 
-  /// A parabola along a way, in parts of it.
+  /// A quadratic trend along the path.
   struct Trend {
     Eigen::Vector2d along{0, 0};
     double slope = 0, curve = 0;
@@ -152,16 +151,16 @@ class Condenser {
     }
   };
 
-  /// As Tukey's resistant line, but bent: through the middles of three thirds of what a group and two
-  /// neighbours to each side hold, nine readings at least, for a few outliers must not turn it. Of fewer
-  /// neighbours the curve would go by the group's own noise: with one to each side the group scatters by 8 %
-  /// more, with two by 2 %.
-  [[nodiscard]] Trend trend(const Stretch& group, const Stretch& stretch, const Channel& channel) const {
+  /// A quadratic version of Tukey's resistant line, through the medians of three thirds of the group with two
+  /// groups on either side, at least nine readings, for outliers must not turn it. With fewer neighbours the
+  /// group's own noise bends the curve: with one group on either side the result scatters by 8 % more, with
+  /// two by 2 %.
+  [[nodiscard]] Trend trend(const Segment& group, const Segment& segment, const Channel& channel) const {
     const std::size_t wider = std::max<std::size_t>(2 * group.count(), 4);
-    const Stretch seen{std::max(stretch.from + wider, group.from) - wider,
-                       std::min(stretch.to, group.to + wider)};
+    const Segment seen{std::max(segment.from + wider, group.from) - wider,
+                       std::min(segment.to, group.to + wider)};
     const std::size_t third = std::max<std::size_t>(1, seen.count() / 3);
-    const std::array<Stretch, 3> thirds{
+    const std::array<Segment, 3> thirds{
         {{seen.from, seen.from + third}, {seen.from + third, seen.to - third}, {seen.to - third, seen.to}}};
     const Eigen::Vector2d centre = mean_command(group);
     Trend found;
@@ -180,25 +179,26 @@ class Condenser {
     return std::isfinite(found.slope) ? found : Trend{};
   }
 
-  /// Median of what a channel reads off its trend, which is none at the mean command.
-  [[nodiscard]] double drawn(const Stretch& group, const Stretch& stretch, const Channel& channel) const {
-    const Trend off = trend(group, stretch, channel);
+  /// Median of a channel after removal of its trend, which is zero at the mean command.
+  [[nodiscard]] double block_median(const Segment& group, const Segment& segment,
+                                    const Channel& channel) const {
+    const Trend off = trend(group, segment, channel);
     const Eigen::Vector2d centre = mean_command(group);
     return middle(group, channel,
                   [&](const Reading& r) { return channel.of(r) - off(run_.command(r) - centre); });
   }
 
-  /// In groups that are alike.
-  void add(const Stretch& stretch) {
-    const std::size_t groups = (stretch.count() + size_ - 1) / size_;
+  /// Splits a range into equal groups.
+  void add(const Segment& segment) {
+    const std::size_t groups = (segment.count() + size_ - 1) / size_;
     for (std::size_t g = 0; g < groups; ++g) {
-      const Stretch group{stretch.from + g * stretch.count() / groups,
-                          stretch.from + (g + 1) * stretch.count() / groups};
+      const Segment group{segment.from + g * segment.count() / groups,
+                          segment.from + (g + 1) * segment.count() / groups};
       Reading& one = begin(group);
-      // Of a few the middle would scatter more than of the others.
+      // The median of a few readings would scatter more than the others.
       const bool few = 2 * group.count() < size_;
       for (const Channel& channel : run_.measured())
-        channel.in(one) = few ? unseen : drawn(group, stretch, channel);
+        channel.in(one) = few ? unseen : block_median(group, segment, channel);
       if (!few) sizes_.push_back(static_cast<double>(group.count()));
     }
   }
@@ -208,8 +208,8 @@ class Condenser {
     for (const Channel& channel : run_.measured()) channel.in(one) = unseen;
   }
 
-  /// A reading with the mean time and command.
-  Reading& begin(const Stretch& group) {
+  /// A reading with the mean time and command of a group.
+  Reading& begin(const Segment& group) {
     Reading one = run_.readings[group.from];
     one.t = mean(group, [](const Reading& reading) { return reading.t; });
     for (const Channel& channel : run_.imposed())
@@ -230,7 +230,7 @@ class Condenser {
 
 }  // namespace
 
-Experiment condensed(Experiment experiment) {
+Experiment decimated(Experiment experiment) {
   std::size_t total = 0;
   for (const Run& run : experiment.runs) total += run.readings.size();
   if (total <= short_enough) return experiment;
@@ -239,8 +239,8 @@ Experiment condensed(Experiment experiment) {
   for (Run& run : experiment.runs) {
     const std::size_t count = run.readings.size(), groups = std::max(least_readings(experiment.runs.size()),
                                                                      count * wanted_readings / total);
-    Condenser condenser(run, (count + groups - 1) / groups, unrest_at_rest * farthest[run.control]);
-    if (condenser.gains()) run = condenser.result();
+    Decimator decimator(run, (count + groups - 1) / groups, jitter_at_rest * farthest[run.control]);
+    if (decimator.gains()) run = decimator.result();
   }
   return experiment;
 }

@@ -1,17 +1,17 @@
-#include "diagnose/design/rehearsal.hpp"
+#include "diagnose/design/design_space.hpp"
 
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
-#include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/bench/unmeasured.hpp"
+#include "diagnose/design/candidate_runs.hpp"
 #include "diagnose/inference/start.hpp"
 #include "diagnose/rig/nominal.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
-/// So many rest shapes are tried beside what is planned: each adds sixteen runs.
+/// Largest number of rest shapes beside the planned runs; each adds sixteen runs.
 constexpr std::size_t most_shapes = 4;
 
 Experiment with_runs(const Experiment& bench, const std::vector<CandidateRun>& candidates) {
@@ -37,8 +37,8 @@ std::vector<CandidateRun> planned_runs(const Experiment& bench) {
   return all;
 }
 
-/// Presses and loads, there and back, that the nominal chain follows within what the plan asks of the rig.
-std::vector<CandidateRun> further_runs(const Experiment& bench, const Extent& so_far) {
+/// Presses and loads, there and back, that the nominal model can follow within the operating envelope.
+std::vector<CandidateRun> further_runs(const Experiment& bench, const OperatingEnvelope& so_far) {
   std::vector<CandidateRun> all;
   for (const Shape& shape : shapes(bench, most_shapes))
     for (CandidateRun& one : runs_from(bench, shape, so_far))
@@ -46,12 +46,12 @@ std::vector<CandidateRun> further_runs(const Experiment& bench, const Extent& so
   return all;
 }
 
-/// An effect of the size that a lab calls sizeable. Of values one a joint every other is less, or of the
-/// other sign: alike they would be another effect. What has no natural zero stands where fits start.
-std::vector<double> sizeable(const Study& study, const EffectAt& at) {
+/// An effect at its typical size. Values at each joint alternate in size or sign, for equal ones would be
+/// another effect. Parameters without a natural zero take an initial guess.
+std::vector<double> typical(const Study& study, const EffectAt& at) {
   const std::vector<ParameterRange> ranges = study.ranges(at);
-  const Starts known = starts(study, at);
-  std::vector<double> values = known.from[known.from.size() / 2];
+  const InitialGuesses known = initial_guesses(study, at);
+  std::vector<double> values = known.points[known.points.size() / 2];
   for (std::size_t p = 0; p < values.size(); ++p) {
     const ParameterRange& range = ranges[p];
     const bool odd = p % 2 == 1, one_sided = range.low == 0;
@@ -66,14 +66,14 @@ std::vector<double> sizeable(const Study& study, const EffectAt& at) {
   return values;
 }
 
-/// Half as much of an effect: what can grow from nothing is halved.
+/// Halves the parameters that can grow from zero.
 void halve(const Study& study, Instance& effect) {
   const std::vector<ParameterRange> ranges = study.ranges(effect.candidate);
   for (std::size_t p = 0; p < ranges.size(); ++p)
     if (ranges[p].may_be_nothing()) effect.parameters[p] /= 2;
 }
 
-/// By candidate, whether the rig with the effect follows it.
+/// By candidate run, whether the rig with the effect can follow it.
 std::vector<bool> followed(const Study& study, const std::vector<CandidateRun>& candidates,
                            const Instance& effect) {
   const Rig rig = rig_with(study, effect.candidate, effect.parameters);
@@ -82,14 +82,14 @@ std::vector<bool> followed(const Study& study, const std::vector<CandidateRun>& 
   return result;
 }
 
-/// The effects, so large that each can follow all that is planned and most of what else could be done.
-/// \param candidates  those that some effect cannot follow are taken out
+/// The effects at the largest sizes with which each can follow all planned and most other runs.
+/// \param candidates  runs; those that some effect cannot follow are removed
 std::vector<Instance> followable(const Study& study, std::vector<CandidateRun>& candidates,
                                  std::size_t& planned) {
   std::vector<bool> kept(candidates.size(), true);
   std::vector<Instance> all;
   for (const EffectAt& at : possible_effects(study)) {
-    Instance effect{{{at}}, sizeable(study, at)};
+    Instance effect{{{at}}, typical(study, at)};
     std::vector<bool> can = followed(study, candidates, effect);
     const auto enough = [&] {
       const auto middle = can.begin() + static_cast<std::ptrdiff_t>(planned);
@@ -115,9 +115,9 @@ std::vector<Instance> followable(const Study& study, std::vector<CandidateRun>& 
   return all;
 }
 
-/// What cannot act or show here, however many runs are made.
+/// Effects that cannot act on this bench, or that it cannot measure, with any number of runs.
 std::vector<EffectAt> impossible_effects(const Study& study) {
-  Sizes again = study.sizes();  // as if a run were made twice
+  CharacteristicScales again = study.scales();  // a repetition of a run would distinguish them
   again.runs = 2;
   std::vector<EffectAt> all;
   for (const Effect* row : study.effects()) {
@@ -142,15 +142,16 @@ Experiment measured_as(Experiment experiment, const Prediction& predicted) {
   return experiment;
 }
 
-Rehearsal rehearse(const Experiment& bench) {
+DesignSpace design_space(const Experiment& bench) {
   const Study described(bench);
   if (!described.nominal().reached)
     throw Error("experiment \"" + bench.name + "\"", "runs that the nominal chain cannot follow",
                 "end points within reach and a stable posture at every reading");
-  Rehearsal rehearsal;
+  DesignSpace space;
   std::vector<CandidateRun> candidates = planned_runs(bench);
-  rehearsal.planned = candidates.size();
-  for (CandidateRun& one : further_runs(bench, extent(described))) candidates.push_back(std::move(one));
+  space.planned = candidates.size();
+  for (CandidateRun& one : further_runs(bench, operating_envelope(described)))
+    candidates.push_back(std::move(one));
   const auto measured = [&] {
     const Experiment all = with_runs(bench, candidates);
     return measured_as(all, simulate(all, nominal_rig(all), {}));
@@ -163,12 +164,12 @@ Rehearsal rehearse(const Experiment& bench) {
   };
   require_any();
   const Study study(measured());
-  rehearsal.effects = followable(study, candidates, rehearsal.planned);
+  space.effects = followable(study, candidates, space.planned);
   require_any();
-  rehearsal.impossible = impossible_effects(study);
-  rehearsal.bench = measured();
-  for (const CandidateRun& one : candidates) rehearsal.descriptions.push_back(one.description);
-  return rehearsal;
+  space.impossible = impossible_effects(study);
+  space.bench = measured();
+  for (const CandidateRun& one : candidates) space.descriptions.push_back(one.description);
+  return space;
 }
 
 }  // namespace plumbline::diagnose

@@ -1,4 +1,4 @@
-#include "diagnose/screening/unmoved.hpp"
+#include "diagnose/screening/stuck_channel.hpp"
 
 #include <doctest/doctest.h>
 
@@ -46,9 +46,9 @@ bool says(const std::string& text, const std::string& part) {
 
 TEST_CASE("a column of noughts is asked about, in all runs or in those that have it, and no other") {
   Experiment experiment = still_bench();
-  CHECK_FALSE(unmoved_channel(Study(experiment)));
+  CHECK_FALSE(stuck_channel(Study(experiment)));
   hold(experiment.runs[1], Fy, 0);
-  const auto one = unmoved_channel(Study(experiment));
+  const auto one = stuck_channel(Study(experiment));
   REQUIRE(one);
   CHECK(one->channel == Fy);
   CHECK(one->runs == std::vector<std::string>{"press-2"});
@@ -60,7 +60,7 @@ TEST_CASE("a column of noughts is asked about, in all runs or in those that have
   CHECK(says(question(experiment), "three links, run press-2, Fy: found 0 N in all 11 readings"));
   CHECK(says(question(experiment), "leave its fields empty there"));
   hold(experiment.runs[0], Fy, 0);
-  const auto both = unmoved_channel(Study(experiment));
+  const auto both = stuck_channel(Study(experiment));
   REQUIRE(both);
   CHECK(both->runs.empty());
   CHECK(both->readings == 22);
@@ -84,29 +84,29 @@ TEST_CASE("nothing is asked of seven readings, of readings that are empty, nor o
     for (Run& run : experiment.runs) hold(run, Fy, 0.01);
     return experiment;
   };
-  CHECK_FALSE(unmoved_channel(Study(held(6))));
-  CHECK(unmoved_channel(Study(held(7))));
+  CHECK_FALSE(stuck_channel(Study(held(6))));
+  CHECK(stuck_channel(Study(held(7))));
   Experiment experiment = held(7);
   for (Run& run : experiment.runs) run.readings[3].Fy = nan_value();
-  CHECK_FALSE(unmoved_channel(Study(experiment)));
+  CHECK_FALSE(stuck_channel(Study(experiment)));
   experiment = held(10);
   for (Run& run : experiment.runs) run.readings[3].Fy = nan_value();
-  CHECK(unmoved_channel(Study(experiment)));
+  CHECK(stuck_channel(Study(experiment)));
   for (Run& run : experiment.runs) run.readings[5].Fy = 0.02;
-  CHECK_FALSE(unmoved_channel(Study(experiment)));
+  CHECK_FALSE(stuck_channel(Study(experiment)));
   for (Run& run : experiment.runs) hold(run, Fy, nan_value());
-  CHECK_FALSE(unmoved_channel(Study(experiment)));
+  CHECK_FALSE(stuck_channel(Study(experiment)));
 }
 
 TEST_CASE("a channel may stand still where the nominal model goes through twenty times its noise or less") {
   Experiment experiment = still_bench();
   for (Run& run : experiment.runs) hold(run, Fy, 0);
-  const auto found = unmoved_channel(Study(experiment));
+  const auto found = stuck_channel(Study(experiment));
   REQUIRE(found);
   experiment.noise.Fy = found->predicted_range / 19;
-  CHECK_FALSE(unmoved_channel(Study(experiment)));
+  CHECK_FALSE(stuck_channel(Study(experiment)));
   experiment.noise.Fy = found->predicted_range / 21;
-  CHECK(unmoved_channel(Study(experiment)));
+  CHECK(stuck_channel(Study(experiment)));
 }
 
 TEST_CASE("a channel may stand still where it is small beside the other of its sensor") {
@@ -124,7 +124,7 @@ TEST_CASE("a channel may stand still where it is small beside the other of its s
     experiment = measured(experiment, {}, {}, 3);
     experiment.noise.Fy = 1e-3;
     hold(experiment.runs[0], Fy, 0);
-    return std::pair(share, unmoved_channel(Study(experiment)).has_value());
+    return std::pair(share, stuck_channel(Study(experiment)).has_value());
   };
   const auto [little, asked_of_little] = held(-0.024);
   CHECK(little < 0.02);

@@ -1,4 +1,4 @@
-#include "diagnose/rig/sides.hpp"
+#include "diagnose/rig/branches.hpp"
 
 #include <doctest/doctest.h>
 
@@ -44,22 +44,22 @@ TEST_CASE("a straight column buckles to the side that its readings are on") {
   for (const double sign : {1.0, -1.0}) {
     const Experiment read = measured(column(), only("rest_spread"), leaning(sign), 3);
     CHECK_FALSE(Study(read).nominal().reached);
-    const Study study(on_their_sides(Study(read)));
+    const Study study(on_observed_branches(Study(read)));
     REQUIRE(study.nominal().reached);
     CHECK(std::signbit(beside(study)) == std::signbit(read.runs[0].readings.back().y));
     CHECK(std::abs(beside(study)) > 0.3);
-    REQUIRE(study.experiment().runs[0].side);
+    REQUIRE(study.experiment().runs[0].branch);
     // Of the bent one the nominal model is where the readings are.
-    CHECK_FALSE(study.experiment().runs[1].side);
+    CHECK_FALSE(study.experiment().runs[1].branch);
   }
 }
 
 TEST_CASE("a diagnosis says which run is on a side of its own, and finds what bends the column") {
-  const Study study(on_their_sides(Study(measured(column(), only("rest_spread"), leaning(-1), 3))));
+  const Study study(on_observed_branches(Study(measured(column(), only("rest_spread"), leaning(-1), 3))));
   const Diagnosis diagnosis = diagnose::diagnose(study);
-  REQUIRE(diagnosis.gap.other_side.size() == 1);
-  CHECK(diagnosis.gap.other_side[0].run == "load-1");
-  CHECK(diagnosis.gap.other_side[0].reading == study.experiment().runs[0].side->first());
+  REQUIRE(diagnosis.gap.other_branch.size() == 1);
+  CHECK(diagnosis.gap.other_branch[0].run == "load-1");
+  CHECK(diagnosis.gap.other_branch[0].reading == study.experiment().runs[0].branch->first());
   REQUIRE(diagnosis.cause.verdict != CauseVerdict::unknown);
   CHECK(diagnosis.cause.ranking[diagnosis.cause.best].hypothesis.fit.candidate == only("rest_spread"));
 }
@@ -74,8 +74,8 @@ TEST_CASE("what explains the readings does so on their side as by itself") {
       std::vector<double> values = leaning(sign);
       values.push_back(change);
       const Experiment read = measured(column(), truth, values, 4);
-      const Study by_itself(read), study(on_their_sides(Study(read)));
-      REQUIRE(study.experiment().runs[0].side);
+      const Study by_itself(read), study(on_observed_branches(Study(read)));
+      REQUIRE(study.experiment().runs[0].branch);
       const double expected = mean_square(by_itself, predict(by_itself, truth, values));
       CHECK(mean_square(study, predict(study, truth, values)) == doctest::Approx(expected).epsilon(1e-6));
     }
@@ -86,7 +86,7 @@ TEST_CASE("a softer straight column without any imperfection goes to the side of
   values.push_back(-0.3);
   const Candidate truth{{"rest_spread", {"joint_stiffness", 2}}}, softer = only("joint_stiffness", 2);
   const Experiment read = measured(column(), truth, values, 5);
-  const Study study(on_their_sides(Study(read)));
+  const Study study(on_observed_branches(Study(read)));
   const Prediction without = predict(study, softer, {-0.3});
   REQUIRE(without.reached);
   CHECK(without.runs[0](30, column_y) == doctest::Approx(read.runs[0].readings.back().y).epsilon(0.02));
@@ -98,8 +98,8 @@ TEST_CASE("a column that friction holds between its sides stays there") {
   for (const double off : leaning(-1)) values.push_back(off);
   const Experiment read = measured(column(), truth, values, 8);
   REQUIRE(std::abs(read.runs[0].readings.back().y) < 0.01);
-  const Study by_itself(read), study(on_their_sides(Study(read)));
-  REQUIRE(study.experiment().runs[0].side);
+  const Study by_itself(read), study(on_observed_branches(Study(read)));
+  REQUIRE(study.experiment().runs[0].branch);
   const double expected = mean_square(by_itself, predict(by_itself, truth, values));
   CHECK(mean_square(study, predict(study, truth, values)) == doctest::Approx(expected));
 }
@@ -131,19 +131,19 @@ TEST_CASE("a nearly symmetric chain that goes to the other side shows no gap the
     there.runs[0].readings[i].Fx = across.runs[0](static_cast<Eigen::Index>(i), column_Fx);
     there.runs[0].readings[i].Fy = across.runs[0](static_cast<Eigen::Index>(i), column_Fy);
   }
-  const Study found(on_their_sides(Study(there)));
-  REQUIRE(found.experiment().runs[0].side);
+  const Study found(on_observed_branches(Study(there)));
+  REQUIRE(found.experiment().runs[0].branch);
   const Experiment read = [&] {
     Experiment on_side = experiment;
-    on_side.runs[0].side = found.experiment().runs[0].side;
+    on_side.runs[0].branch = found.experiment().runs[0].branch;
     return measured(on_side, {}, {}, 6);
   }();
   Experiment bare = read;
-  bare.runs[0].side.reset();
+  bare.runs[0].branch.reset();
   CHECK(test_gap(Study(bare).measurements(), Study(bare).nominal_residual()).p_value < 1e-12);
-  const Study study(on_their_sides(Study(bare)));
-  REQUIRE(study.experiment().runs[0].side);
-  CHECK(study.experiment().runs[0].side->first() == 2);
+  const Study study(on_observed_branches(Study(bare)));
+  REQUIRE(study.experiment().runs[0].branch);
+  CHECK(study.experiment().runs[0].branch->first() == 2);
   CHECK(test_gap(study.measurements(), study.nominal_residual()).p_value > 0.01);
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("readings that an effect moves, and not a side, set none") {
     const Study plain(full_bench());
     std::vector<double> much;
     for (const ParameterRange& range : plain.ranges(at)) much.push_back(range.scale);
-    for (const Run& run : on_their_sides(Study(measured(full_bench(), {{at}}, much, 7))).runs)
-      CHECK_FALSE(run.side);
+    for (const Run& run : on_observed_branches(Study(measured(full_bench(), {{at}}, much, 7))).runs)
+      CHECK_FALSE(run.branch);
   }
 }

@@ -1,4 +1,4 @@
-#include "diagnose/rig/sizes.hpp"
+#include "diagnose/rig/characteristic_scales.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ bool reads_both_forces(const Run& run) {
 }
 
 /// The largest force component that is read, and how many readings come as near to it as noise allows.
-void find_plateau(const Experiment& experiment, Sizes& size) {
+void find_plateau(const Experiment& experiment, CharacteristicScales& size) {
   const auto each_component = [&](auto use) {
     for (const Run& run : experiment.runs)
       for (const Reading& reading : run.readings) {
@@ -58,8 +58,8 @@ void find_plateau(const Experiment& experiment, Sizes& size) {
 
 }  // namespace
 
-Sizes sizes_of(const Experiment& experiment) {
-  Sizes size;
+CharacteristicScales characteristic_scales(const Experiment& experiment) {
+  CharacteristicScales size;
   size.joint_stiffness = experiment.joint_stiffness;
   size.link_length = experiment.link_length;
   double elastic = 0;
@@ -73,8 +73,8 @@ Sizes sizes_of(const Experiment& experiment) {
   for (const Run& run : experiment.runs) {
     if (!run.readings.empty())
       size.duration = std::max(size.duration, run.readings.back().t - run.readings.front().t);
-    if (const double pause = run.usual_pause(); pause > 0)
-      size.pause = size.pause > 0 ? std::min(size.pause, pause) : pause;
+    if (const double pause = run.sampling_interval(); pause > 0)
+      size.sampling_interval = size.sampling_interval > 0 ? std::min(size.sampling_interval, pause) : pause;
     size.measures_force = size.measures_force || reads_force(run);
     size.pivot = size.pivot || !run.by_weights;
     size.load_cell = size.load_cell || reads_force(run) || !(run.holds_end_point() || run.by_weights);
@@ -91,7 +91,7 @@ Sizes sizes_of(const Experiment& experiment) {
   find_plateau(experiment, size);
   size.force = std::max(typical_force(experiment), 1e-3 * size.stiffness / size.length);
   size.duration = std::max(size.duration, 1e-3);
-  size.pause = size.pause > 0 ? size.pause : size.duration;
+  size.sampling_interval = size.sampling_interval > 0 ? size.sampling_interval : size.duration;
   // The deflection that the force gives a lever of half the chain, kept to what angles can be.
   size.deflection = std::clamp(0.3 * size.force * size.length / size.stiffness, 0.02, 1.0);
   const bool falls = experiment.gravity[0] != 0 || experiment.gravity[1] != 0;
