@@ -65,7 +65,10 @@ void run(const NewOptions& options) {
     fmt::print("Still asked\n  {}\n", draft.question);
     throw CLI::RuntimeError(1);
   }
-  fmt::print("Next: plumbline diagnose {}\n", folder.string());
+  fmt::print("Next: plumbline diagnose {}{}\n", folder.string(),
+             options.joints.empty() ? " --model " + options.model + " --corrected corrected" +
+                                          fs::path(options.model).extension().string()
+                                    : "");
 }
 
 }  // namespace

@@ -115,7 +115,10 @@ function show(found) {
     return row;
   }));
   part("settings-box").open = found.question !== "";
-  say(found.question === "" ? "Read. Nothing looks like another unit, sign, axis or order." : "Read; something is asked.");
+  const doubtful = found.guesses.filter((one) => one.doubtful).length;
+  part("guesses-box").open = doubtful > 0;
+  say(found.question !== "" ? "Read; something is asked."
+      : "Read. Nothing looks like another unit, sign, axis or order." + (doubtful ? ` Look at what was guessed: ${doubtful} in doubt.` : ""));
 }
 
 async function watch() {

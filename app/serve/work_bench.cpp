@@ -115,7 +115,7 @@ json WorkBench::correct(const std::string& settings) {
 /// As it is read now: what is wrong is said, and is no failure.
 json WorkBench::described() const {
   json result{{"notes", read_.notes}, {"guesses", guesses_of(draft_.guesses)}, {"settings", draft_.settings},
-              {"question", ""},       {"runs", json::array()}};
+              {"question", draft_.question}, {"runs", json::array()}};
   try {
     const diagnose::Experiment experiment = diagnose::read_experiment(place_->path());
     for (const diagnose::Run& run : experiment.runs) result["runs"].push_back(readings(run));

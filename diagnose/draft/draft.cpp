@@ -92,6 +92,8 @@ class Drafting {
     // Each answer may bring the next question to light.
     constexpr int rounds = 6;
     for (int round = 0; round < rounds && settle(); ++round) continue;
+    for (const DraftedRun& run : experiment_.runs)
+      if (draft_.question.empty()) draft_.question = run.question;
     draft_.settings = settings_text(experiment_, model_);
     return std::move(draft_);
   }
@@ -132,7 +134,7 @@ class Drafting {
       draft_.guesses.push_back({suspected.what, suspected.looks_like,
                                 suspected.start_error_as_read > 0
                                     ? fmt::format("the runs then start {:.2g} instead of {:.2g} lengths of the chain off", suspected.start, suspected.start_error_as_read)
-                                    : fmt::format("the misfit of the model then falls from {:.2g} % to {:.2g} %", 100 * suspected.misfit_as_read, 100 * suspected.left)});
+                                    : fmt::format("the misfit of the model then falls from {:.0f} % to {:.0f} %", 100 * suspected.misfit_as_read, 100 * suspected.left)});
     return taken;
   }
 

@@ -83,6 +83,17 @@ std::optional<Values> numbers_of(const std::string& text) {
   return in.eof() ? std::optional(all) : std::nullopt;
 }
 
+/// The last decimal that the values are written to: a reading is no better than that.
+double written_step(const Values& values) {
+  constexpr int most = 6;
+  for (int digits = 0; digits < most; ++digits) {
+    const double scale = std::pow(10, digits);
+    const auto whole = [&](double value) { return std::abs(value * scale - std::round(value * scale)) < 1e-6; };
+    if (std::all_of(values.begin(), values.end(), whole)) return 1 / scale;
+  }
+  return std::pow(10, -most);
+}
+
 class Drafter {
  public:
   Drafter(const DraftFile& file, const DraftModel& model, const Ask& ask)
@@ -388,7 +399,9 @@ class Drafter {
   }
   void ask_rest(const std::string& reason) {
     const auto answer = say("rest", model_.chain.rest.empty() ? "not known" : "the model's", reason, true);
-    if (answer) take_rest(*answer);
+    if (answer) return take_rest(*answer);
+    run_.question = fmt::format("rest of {}: found {}, expected rest = [...], the {} unloaded joint angles, in its [[run]]",
+                                run_.file, reason, joints_);
   }
   void take_rest(const std::string& answer) {
     const auto values = numbers_of(answer);
@@ -411,13 +424,14 @@ class Drafter {
 double scatter_of(const std::vector<double>& all) {
   const Values values = finite(all);
   Values bends, steps;
-  for (std::size_t i = 1; i + 1 < values.size(); ++i)
-    bends.push_back(std::abs(values[i - 1] - 2 * values[i] + values[i + 1]));
+  // Third differences, which neither a slope nor a bend of the curve has.
+  for (std::size_t i = 3; i < values.size(); ++i)
+    bends.push_back(std::abs(values[i] - 3 * values[i - 1] + 3 * values[i - 2] - values[i - 3]));
   for (std::size_t i = 1; i < values.size(); ++i)
     if (values[i] != values[i - 1]) steps.push_back(std::abs(values[i] - values[i - 1]));
-  // Of a normal error the median size is 0.6745 of its deviation; a second difference has six variances.
-  const double scatter = median(bends) / 0.6745 / std::sqrt(6);
-  const double step = steps.empty() ? 0 : *std::min_element(steps.begin(), steps.end());
+  // The median size of a normal error is 0.6745 of its deviation; a third difference has 20 variances.
+  const double scatter = median(bends) / 0.6745 / std::sqrt(20);
+  const double step = steps.empty() ? written_step(values) : *std::min_element(steps.begin(), steps.end());
   return std::max(scatter, step / std::sqrt(12));
 }
 

@@ -34,6 +34,7 @@ struct DraftedRun {
   bool imposes_force = false;
   std::vector<double> rest;          ///< rad; empty where the model's serves
   Guesses guesses;
+  std::string question;  ///< what a person has to say, in a line; or empty
 
   /// A channel in SI.
   [[nodiscard]] std::vector<double> values(const DraftColumn& column, const Quantity& quantity) const;

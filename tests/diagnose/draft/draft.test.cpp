@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/read_experiment.hpp"
@@ -19,11 +20,10 @@ namespace {
 
 /// Two links, pressed from their rest towards the base and back; forces by their springs, a friction beside.
 struct Lab {
-  NominalChain chain{{0.3, 0.2}, {2.0, 1.5}, {}};
+  NominalChain chain{{0.3, 0.2}, {2.0, 1.5}, {}, {0, 0}, {0.4, -0.9}, {}};
   std::vector<Reading> readings;
 
   Lab() {
-    chain.rest = {0.4, -0.9};
     Experiment experiment;
     static_cast<NominalChain&>(experiment) = chain;
     experiment.name = "press";
@@ -160,15 +160,15 @@ TEST_CASE("runs in one table are cut apart by the column that names them") {
 }
 
 TEST_CASE("an arm that is held by its servos: each command a run, whose rest it is") {
-  DraftModel model{{{0.3, 0.2}, {50, 40}, {0.3, 0.2}, {0, -9.81}, {0, 0}}, {"shoulder", "elbow"}, {0, 0}, true};
+  DraftModel model{{{0.3, 0.2}, {50, 40}, {0.3, 0.2}, {0, -9.81}, {0, 0}, {}}, {"shoulder", "elbow"}, {0, 0}, true};
   const Draft draft = draft_experiment(
       "poses", model, {{"poses.csv", "shoulder_cmd,elbow_cmd,shoulder,elbow\n30,40,28.9,39.6\n50,10,48.8,9.6\n70,-20,68.9,-20.1\n"}});
   CHECK(draft.tables.size() == 3);
   const Experiment experiment = read(draft);
   REQUIRE(experiment.runs.size() == 3);
   CHECK_FALSE(experiment.runs[0].holds_end_point());
-  CHECK(experiment.runs[1].rest[0] == close_to(50 * M_PI / 180));
-  CHECK(experiment.runs[1].readings[0].q[1] == close_to(9.6 * M_PI / 180));
+  CHECK(experiment.runs[1].rest[0] == close_to(50 * std::numbers::pi / 180));
+  CHECK(experiment.runs[1].readings[0].q[1] == close_to(9.6 * std::numbers::pi / 180));
 }
 
 TEST_CASE("a person who is asked is heard") {
@@ -184,6 +184,14 @@ TEST_CASE("a person who is asked is heard") {
                                        });
   CHECK(std::find(asked.begin(), asked.end(), "rest of press.csv") != asked.end());
   CHECK(draft.settings.find("rest = [0.2, -0.3, 0.4]") != std::string::npos);
+}
+
+TEST_CASE("a rest that no table says is asked for, though nothing else is odd") {
+  const Lab lab;
+  DraftModel model = model_of(lab);
+  model.chain.link_length = {0.2, 0.15, 0.15}, model.chain.joint_stiffness = {2, 1, 1}, model.chain.rest = {0, 0, 0};
+  const Draft draft = draft_experiment("press", model, {{"press.csv", written(lab, {"t,x,y,Fx,Fy\n", ","})}});
+  CHECK(draft.question != "");
 }
 
 TEST_CASE("what is no table is refused in one line") {
