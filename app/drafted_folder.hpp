@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// An experiment drafted out of a model's file and tables, and its folder.
+/// Folder of a drafted experiment.
 
 #include <filesystem>
 #include <string>

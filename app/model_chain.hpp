@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Files that a chain is read from: ours, what `plumbline chain` writes, and simulators' models themselves.
+/// Chain files: TOML, the output of `plumbline chain`, and simulators' models.
 
 #include <filesystem>
 #include <string>

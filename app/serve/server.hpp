@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The page that files are dropped into, for one person on this machine.
+/// Local web page for files to diagnose.
 
 #include <functional>
 #include <string>

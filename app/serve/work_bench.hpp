@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What one person does on the page: files that were dropped, the experiment drafted out of them, its diagnosis.
+/// State of one user's work on the page: files, drafted experiment, diagnosis.
 
 #include <atomic>
 #include <mutex>
@@ -20,8 +20,8 @@ struct NamedFile {
   std::string name, text;
 };
 
-/// One person's work; each call is complete before the next, but for the diagnosis, which goes on meanwhile. What
-/// is thrown is an Error, whose line is shown to the person.
+/// One user's work. Calls are sequential; the diagnosis runs in a thread of its own. Every failure is an Error whose
+/// line the page shows.
 class WorkBench {
  public:
   WorkBench() = default;

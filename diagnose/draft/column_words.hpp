@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What the words above a column say of it.
+/// The meaning of a column title: quantity, joint, unit.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace plumbline::diagnose {
 
-/// What a column may hold.
+/// The content of a column.
 enum class Kind { none, time, x, y, z, force_x, force_y, force_z, force, angle, run };
 
 struct ColumnWords {

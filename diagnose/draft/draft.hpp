@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// An experiment.toml out of a model and tables of readings, every guess of which is said.
+/// Draft of an experiment from a model and tables of readings. Every guess is reported with its reason.
 
 #include <functional>
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace plumbline::diagnose {
 
-/// What is known of the chain before the tables are looked at.
+/// The chain, known before the tables are read.
 struct DraftModel {
   NominalChain chain;
   std::vector<std::string> joints;     ///< their names in the model, from the base on; or empty
@@ -30,10 +30,10 @@ struct Draft {
   std::string settings;           ///< the text of experiment.toml
   std::vector<DraftFile> tables;  ///< to stand beside it; those of several runs are cut into one a run
   Guesses guesses;
-  std::string question;  ///< what is still in doubt, in a line, as `check-experiment` asks; or empty
+  std::string question;  ///< the open question to the user, in one line; or empty
 };
 
-/// Asked about each doubtful guess: what to take instead, or nothing to take the guess.
+/// Called for each doubtful guess. Returns a replacement, or nothing to accept the guess.
 using Ask = std::function<std::optional<std::string>(const Guess& guess)>;
 
 /// \param name  of the experiment

@@ -9,14 +9,14 @@
 
 namespace plumbline::diagnose {
 
-/// Runs that are drafted, and what holds for all of them.
+/// All drafted runs and their common settings.
 struct DraftedExperiment {
   std::string name;
   std::vector<DraftedRun> runs;
   bool absolute_angles = false;
 };
 
-/// With a comment behind what was guessed, and the line by which editors find the schema.
+/// The first line names the schema for editors.
 std::string settings_text(const DraftedExperiment& experiment, const DraftModel& model);
 
 }  // namespace plumbline::diagnose

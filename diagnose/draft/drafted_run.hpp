@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// One table of a draft: which column is which, in which unit, and what was done to the chain in it.
+/// One drafted run: the channels of its columns, their units, the imposed quantity and the rest.
 
 #include <array>
 #include <optional>
@@ -41,11 +41,11 @@ struct DraftedRun {
   [[nodiscard]] std::vector<double> values(std::size_t single) const;
 };
 
-/// Finds the columns by their words, and units, zeros, what is imposed and the unloaded shape by their numbers.
+/// Identifies columns by their titles; units, zeros, the imposed quantity and the rest by their numbers.
 /// \throws Error where no column of a place, a force or an angle can be told
 DraftedRun drafted_run(const DraftFile& file, const DraftModel& model, const Ask& ask);
 
-/// How much the readings of a column scatter about their neighbours, in its unit; or a step of its display.
+/// Standard deviation of the noise of a column, from third differences, at least that of its rounding.
 double scatter_of(const std::vector<double>& values);
 
 }  // namespace plumbline::diagnose

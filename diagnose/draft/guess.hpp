@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Something that a table does not say and that was guessed.
+/// A guess about a table of readings, with its reason.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// How a table of readings is written, guessed from its text.
+/// The format of a table of readings, guessed from its text.
 
 #include <string>
 #include <vector>

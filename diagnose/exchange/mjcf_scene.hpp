@@ -51,7 +51,7 @@ class MjcfScene {
   std::vector<MjcfBody> bodies;  ///< the world is body 0
   std::vector<MjcfJoint> joints;
   std::vector<MjcfSite> sites;
-  std::vector<std::string> left_out;  ///< what else the file has that statics would ask for
+  std::vector<std::string> left_out;  ///< parts of the file that matter to statics and are not represented
 
   /// The last joint of the body, or of the nearest one that carries it; size of `joints` at the base.
   [[nodiscard]] std::size_t last_joint(std::size_t body) const;

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Actuators of an MJCF that hold a joint where they are told to: in statics, springs about their command.
+/// Position servos of an MJCF. In statics a position servo is a spring about its command.
 
 #include "diagnose/exchange/mjcf_scene.hpp"
 

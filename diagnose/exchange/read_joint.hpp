@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A simulator's model as statics asks for it, whatever its format.
+/// A simulator's model, independent of its format: joints, springs, masses, gravity.
 
 #include <Eigen/Core>
 #include <string>

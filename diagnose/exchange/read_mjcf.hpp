@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// MJCF as MuJoCo 3 understands it, read without it: what statics asks of a model.
+/// Reads MJCF with the semantics of MuJoCo 3, without MuJoCo.
 
 #include <filesystem>
 

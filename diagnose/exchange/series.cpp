@@ -44,30 +44,32 @@ std::string JointNumbers::twice() const {
 std::vector<std::string> planar_part(const ReadModel& model) {
   const JointNumbers numbers(model);
   const std::size_t count = model.joints.size();
-  std::vector<std::size_t> length(count,
-                                  0);  // of the row of hinges that ends with each; 0 where not yet known
-  std::size_t last = count;
+  constexpr std::size_t most = 5000;  // beyond, the search takes longer than anybody waits for advice
+  if (count > most) return {};
   const auto follows = [&](std::size_t j, std::size_t on) {
     const ReadJoint &a = model.joints[on], &b = model.joints[j];
-    return a.hinge && a.axis.normalized().cross(b.axis.normalized()).norm() < parallel &&
-           (a.anchor - b.anchor).cross(a.axis.normalized()).norm() > parallel * 1e-3;
+    const Eigen::Vector3d axis = a.axis.normalized();
+    constexpr double apart = 1e-6;  // m
+    return a.hinge && axis.cross(b.axis.normalized()).norm() < parallel && (a.anchor - b.anchor).cross(axis).norm() > apart;
   };
+  // The nearest hinge below each that it may follow, whatever is held between them.
+  std::vector<std::size_t> before(count, count), length(count, 0);
   for (std::size_t j = 0; j < count; ++j) {
-    std::vector<std::size_t> open;
-    for (std::size_t one = j; one < count && length[one] == 0 && open.size() <= count;
-         one = numbers.of(model.joints[one].carrier))
-      open.push_back(one);
-    if (open.size() > count) return {};  // joints that carry each other
-    for (; !open.empty(); open.pop_back()) {
-      const std::size_t one = open.back(), on = numbers.of(model.joints[one].carrier);
-      length[one] = model.joints[one].hinge && on < count && follows(one, on) ? length[on] + 1 : 1;
-      if (model.joints[one].hinge && (last == count || length[one] > length[last])) last = one;
-    }
+    if (!model.joints[j].hinge) continue;
+    std::size_t on = numbers.of(model.joints[j].carrier), steps = 0;
+    while (on < count && !follows(j, on) && ++steps <= count) on = numbers.of(model.joints[on].carrier);
+    if (steps > count) return {};  // joints that carry each other
+    before[j] = on;
+  }
+  std::size_t last = count;
+  for (std::size_t j = 0; j < count; ++j) {
+    for (std::size_t one = j; one < count && length[j] <= count; one = before[one]) ++length[j];
+    if (length[j] > count) return {};
+    if (model.joints[j].hinge && (last == count || length[j] > length[last])) last = j;
   }
   std::vector<std::string> names;
   if (last == count || length[last] < 2) return names;
-  for (std::size_t left = length[last]; left > 0; --left, last = numbers.of(model.joints[last].carrier))
-    names.insert(names.begin(), model.joints[last].name);
+  for (; last < count; last = before[last]) names.insert(names.begin(), model.joints[last].name);
   return names;
 }
 

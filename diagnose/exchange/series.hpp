@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Which joints of a simulator's model make a serial chain.
+/// Selection of the serial chain among the joints of a simulator's model.
 
 #include <string>
 #include <vector>
@@ -25,7 +25,7 @@ class JointNumbers {
 /// The most hinges with parallel axes that follow each other in a model: what errors offer where the whole is
 /// no planar chain. Empty where none follows another.
 std::vector<std::string> planar_part(const ReadModel& model);
-/// "; plumbline chain --joints a,b keeps …": what to do instead, or nothing.
+/// "; plumbline chain --joints a,b keeps …", the advice at the end of an error; may be empty.
 std::string how_to_keep(const ReadModel& model);
 
 class Series {
