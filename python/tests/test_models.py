@@ -84,7 +84,7 @@ def test_panels_of_ones_own_and_a_title_that_says_the_cause(arm: pathlib.Path) -
     found = plumbline.diagnose(arm, [{"id": "load", "control": "force", "samples": held(0.7)}], noise={"x": 2e-4, "y": 2e-4},
                                bench={"gravity_plane": "horizontal"}, progress=None)
     figure = found.plot()
-    assert found.verdict in figure.get_suptitle()
+    assert figure._suptitle is not None and found.verdict in figure._suptitle.get_text()
     _, axes = matplotlib.pyplot.subplots(1, 1)
     assert found.plot(channel="x", axes=[axes]) is axes.get_figure()
     assert [line.get_label() for line in axes.lines][0] == "nominal model"
