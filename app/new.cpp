@@ -55,8 +55,8 @@ void run(const NewOptions& options) {
     tables.push_back({fs::path(table).filename().string(), files::read_text(table)});
   const ReadForDraft read = read_for_draft(options.model, options.joints);
   const fs::path name = folder.has_filename() ? folder.filename() : folder.parent_path().filename();
-  const diagnose::Draft draft =
-      diagnose::draft_experiment(files::printable(name.string()), read.model, tables, ask_on_terminal(options));
+  const diagnose::Draft draft = diagnose::draft_experiment(files::printable(name.string()), read.model,
+                                                           tables, ask_on_terminal(options));
   write_draft(draft, folder);
   for (const std::string& note : read.notes) fmt::print("  {}\n", note);
   for (const diagnose::Guess& guess : draft.guesses) fmt::print("{}\n", line(guess));
@@ -75,17 +75,20 @@ void run(const NewOptions& options) {
 
 void add_new(CLI::App& app) {
   CLI::App* verb = app.add_subcommand(
-      "new", "An experiment's folder out of a model and tables of readings; every guess is said, with its reason");
+      "new",
+      "An experiment's folder out of a model and tables of readings; every guess is said, with its reason");
   const auto options = std::make_shared<NewOptions>();
   verb->add_option("folder", options->folder, "The folder to make")->type_name("FOLDER")->required();
-  verb->add_option("tables", options->tables, "Tables of readings, as the lab has them: CSV, or any text in columns; a run each")
+  verb->add_option("tables", options->tables,
+                   "Tables of readings, as the lab has them: CSV, or any text in columns; a run each")
       ->type_name("FILE")
       ->required();
   verb->add_option("--model", options->model, "The nominal model: .xml (MJCF), .urdf, .sdf or .toml")
       ->type_name("FILE")
       ->required();
-  verb->add_option("--joints", options->joints,
-                   "The joints of the model that make the chain, with commas between them; the others are held")
+  verb->add_option(
+          "--joints", options->joints,
+          "The joints of the model that make the chain, with commas between them; the others are held")
       ->type_name("NAMES")
       ->delimiter(',');
   verb->add_flag("--yes", options->yes, "Ask nothing, also on a terminal");

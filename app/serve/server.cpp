@@ -51,10 +51,13 @@ class Page {
     server_.set_keep_alive_max_count(100);
     server_.new_task_queue = [] { return new httplib::ThreadPool(8); };
     server_.set_socket_options([](socket_t) {});  // by itself it would share a port that is taken
-    port_ = port == 0 ? server_.bind_to_any_port("127.0.0.1") : server_.bind_to_port("127.0.0.1", port) ? port : -1;
+    port_ = port == 0                                 ? server_.bind_to_any_port("127.0.0.1")
+            : server_.bind_to_port("127.0.0.1", port) ? port
+                                                      : -1;
     if (port_ <= 0) throw Error("--port", std::to_string(port) + ", which is taken", "a free one, or none");
     root_ = "/" + token_ + "/";
-    server_.set_pre_routing_handler([this](const Request& request, Response& response) { return guard(request, response); });
+    server_.set_pre_routing_handler(
+        [this](const Request& request, Response& response) { return guard(request, response); });
     server_.set_exception_handler([](const Request&, Response& response, const std::exception_ptr& thrown) {
       try {
         std::rethrow_exception(thrown);
@@ -87,15 +90,19 @@ class Page {
     response.set_header("Referrer-Policy", "no-referrer");
     response.set_header("Cache-Control", "no-store");
     response.set_header("Cross-Origin-Resource-Policy", "same-origin");
-    response.set_header("Content-Security-Policy",
-                        "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src data:; "
-                        "frame-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'self'");
+    response.set_header(
+        "Content-Security-Policy",
+        "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src data:; "
+        "frame-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'self'");
     const std::string host = request.get_header_value("Host"), port = ":" + std::to_string(port_);
     const bool here = host == "127.0.0.1" + port || host == "localhost" + port;
-    const bool foreign = request.has_header("Origin") && request.get_header_value("Origin") != "http://" + host;
-    const bool known = request.path.size() >= root_.size() && same(request.path.substr(0, root_.size()), root_);
+    const bool foreign =
+        request.has_header("Origin") && request.get_header_value("Origin") != "http://" + host;
+    const bool known =
+        request.path.size() >= root_.size() && same(request.path.substr(0, root_.size()), root_);
     const bool asks = request.method == "GET" || request.method == "HEAD";
-    const bool by_page = request.has_header("Origin") || request.get_header_value("Sec-Fetch-Site") == "same-origin";
+    const bool by_page =
+        request.has_header("Origin") || request.get_header_value("Sec-Fetch-Site") == "same-origin";
     if (here && !foreign && known && (asks || by_page)) return Handled::Unhandled;
     answer(response, here && !foreign ? 404 : 403, {{"error", "not for you"}});
     return Handled::Handled;
@@ -108,7 +115,9 @@ class Page {
       const char* const type = file.ends_with(".html")  ? "text/html; charset=utf-8"
                                : file.ends_with(".css") ? "text/css; charset=utf-8"
                                                         : "text/javascript; charset=utf-8";
-      server_.Get(path, [text = std::string(text), type](const Request&, Response& response) { response.set_content(text, type); });
+      server_.Get(path, [text = std::string(text), type](const Request&, Response& response) {
+        response.set_content(text, type);
+      });
     }
   }
 
@@ -129,7 +138,8 @@ class Page {
       bench_.cancel();
       return bench_.progress();
     });
-    server_.Get(root_ + "progress", [this](const Request&, Response& response) { answer(response, 200, bench_.progress()); });
+    server_.Get(root_ + "progress",
+                [this](const Request&, Response& response) { answer(response, 200, bench_.progress()); });
   }
 
   json take(const Request& request) {
@@ -143,7 +153,8 @@ class Page {
       if (field == "table") tables.push_back({file.filename, file.content});
       if (field == "joint") joints.push_back(file.content);
     }
-    if (models.size() != 1) throw Error("model", std::to_string(models.size()), "one: .xml (MJCF), .urdf, .sdf or .toml");
+    if (models.size() != 1)
+      throw Error("model", std::to_string(models.size()), "one: .xml (MJCF), .urdf, .sdf or .toml");
     return bench_.take(models.front(), tables, joints);
   }
 
@@ -151,10 +162,12 @@ class Page {
     server_.Get(root_ + "report", [this](const Request&, Response& response) {
       // The report has its style within, and no script; whatever stands in it can reach nothing.
       response.headers.erase("Content-Security-Policy");
-      response.set_header("Content-Security-Policy",
-                          "sandbox; default-src 'none'; style-src 'unsafe-inline'; img-src data:; frame-ancestors 'self'");
+      response.set_header(
+          "Content-Security-Policy",
+          "sandbox; default-src 'none'; style-src 'unsafe-inline'; img-src data:; frame-ancestors 'self'");
       const std::string page = bench_.report();
-      page.empty() ? answer(response, 404, {{"error", "no report yet"}}) : response.set_content(page, "text/html; charset=utf-8");
+      page.empty() ? answer(response, 404, {{"error", "no report yet"}})
+                   : response.set_content(page, "text/html; charset=utf-8");
     });
     server_.Get(root_ + "model/([^/]+)", [this](const Request& request, Response& response) {
       for (const NamedFile& one : bench_.corrected())

@@ -51,22 +51,24 @@ json readings(const diagnose::Run& run) {
     const diagnose::Reading& r = run.readings[i];
     x.push_back(r.x), y.push_back(r.y), Fx.push_back(r.Fx), Fy.push_back(r.Fy);
   }
-  return {{"id", run.id},       {"control", run.holds_end_point() ? "displacement" : "force"},
-          {"rest", run.rest},   {"count", run.readings.size()},
-          {"x", numbers(x)},    {"y", numbers(y)},
-          {"Fx", numbers(Fx)},  {"Fy", numbers(Fy)}};
+  return {{"id", run.id},      {"control", run.holds_end_point() ? "displacement" : "force"},
+          {"rest", run.rest},  {"count", run.readings.size()},
+          {"x", numbers(x)},   {"y", numbers(y)},
+          {"Fx", numbers(Fx)}, {"Fy", numbers(Fy)}};
 }
 
 json guesses_of(const diagnose::Guesses& guesses) {
   json list = json::array();
   for (const diagnose::Guess& one : guesses)
-    list.push_back({{"what", one.what}, {"value", one.value}, {"reason", one.reason}, {"doubtful", one.doubtful}});
+    list.push_back(
+        {{"what", one.what}, {"value", one.value}, {"reason", one.reason}, {"doubtful", one.doubtful}});
   return list;
 }
 
 }  // namespace
 
-json WorkBench::take(const NamedFile& model, const std::vector<NamedFile>& tables, const std::vector<std::string>& joints) {
+json WorkBench::take(const NamedFile& model, const std::vector<NamedFile>& tables,
+                     const std::vector<std::string>& joints) {
   cancel();
   place_.emplace();
   model_ = own_name(model.name);
@@ -114,8 +116,11 @@ json WorkBench::correct(const std::string& settings) {
 
 /// As it is read now: what is wrong is said, and is no failure.
 json WorkBench::described() const {
-  json result{{"notes", read_.notes}, {"guesses", guesses_of(draft_.guesses)}, {"settings", draft_.settings},
-              {"question", draft_.question}, {"runs", json::array()}};
+  json result{{"notes", read_.notes},
+              {"guesses", guesses_of(draft_.guesses)},
+              {"settings", draft_.settings},
+              {"question", draft_.question},
+              {"runs", json::array()}};
   try {
     const diagnose::Experiment experiment = diagnose::read_experiment(place_->path());
     for (const diagnose::Run& run : experiment.runs) result["runs"].push_back(readings(run));
@@ -159,13 +164,14 @@ void WorkBench::diagnose(bool as_is, const std::stop_token& stop) {
     const std::filesystem::path source = model_.empty() ? "" : *place_ / model_;
     const std::string ending = model_.empty() ? ".toml" : source.extension().string();
     for (const exchange::Corrected& one : exchange::corrected_models(study, found, source)) {
-      const std::string stem = (model_.empty() ? std::string("model") : source.stem().string()) + "-corrected" +
-                               (one.cause.empty() ? "" : "-" + one.cause);
+      const std::string stem = (model_.empty() ? std::string("model") : source.stem().string()) +
+                               "-corrected" + (one.cause.empty() ? "" : "-" + one.cause);
       for (const std::string& format : {ending, std::string(".toml")}) {
         if (format == ".toml" && ending == ".toml" && !outcome.models.empty() &&
             outcome.models.back().name == stem + ".toml")
           continue;
-        outcome.models.push_back({stem + format, exchange::written(one.model, exchange::format_of("x" + format)).text});
+        outcome.models.push_back(
+            {stem + format, exchange::written(one.model, exchange::format_of("x" + format)).text});
       }
     }
   } catch (const Cancelled&) {

@@ -20,8 +20,8 @@ struct NamedFile {
   std::string name, text;
 };
 
-/// One user's work. Calls are sequential; the diagnosis runs in a thread of its own. Every failure is an Error whose
-/// line the page shows.
+/// One user's work. Calls are sequential; the diagnosis runs in a thread of its own. Every failure is an
+/// Error whose line the page shows.
 class WorkBench {
  public:
   WorkBench() = default;
@@ -31,7 +31,8 @@ class WorkBench {
 
   /// Takes a model and tables, in place of those before, and drafts the experiment.
   /// \param joints  that make the chain; empty: all
-  nlohmann::json take(const NamedFile& model, const std::vector<NamedFile>& tables, const std::vector<std::string>& joints);
+  nlohmann::json take(const NamedFile& model, const std::vector<NamedFile>& tables,
+                      const std::vector<std::string>& joints);
   /// Takes the example that the program has in it.
   nlohmann::json take_example();
   /// Takes experiment.toml as the person corrected it, and says what it is read as.

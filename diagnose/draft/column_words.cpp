@@ -58,13 +58,13 @@ std::string trimmed(std::string text) {
 std::string unit_in(std::string text, const Quantity& quantity) {
   text = trimmed(std::move(text));
   static const std::array<std::pair<const char*, const char*>, 8> spelled{{{"degrees", "deg"},
-                                                                          {"grad", "deg"},
-                                                                          {"sec", "s"},
-                                                                          {"seconds", "s"},
-                                                                          {"msec", "ms"},
-                                                                          {"newton", "N"},
-                                                                          {"n", "N"},
-                                                                          {"radians", "rad"}}};
+                                                                           {"grad", "deg"},
+                                                                           {"sec", "s"},
+                                                                           {"seconds", "s"},
+                                                                           {"msec", "ms"},
+                                                                           {"newton", "N"},
+                                                                           {"n", "N"},
+                                                                           {"radians", "rad"}}};
   for (const auto& [theirs, ours] : spelled)
     if (lower(text) == theirs) text = ours;
   try {
@@ -81,28 +81,35 @@ bool any(const Words& words, const std::set<std::string>& of) {
 std::string last_axis(const Words& words) {
   for (auto word = words.rbegin(); word != words.rend(); ++word) {
     if (*word == "x" || *word == "y" || *word == "z") return *word;
-    if (word->size() == 2 && word->front() == 'f' && std::string("xyz").find(word->back()) != std::string::npos)
+    if (word->size() == 2 && word->front() == 'f' &&
+        std::string("xyz").find(word->back()) != std::string::npos)
       return word->substr(1);
   }
   return "";
 }
 
 Kind kind_of(const Words& words) {
-  static const std::set<std::string> times{"t",     "time", "zeit",  "temps", "tiempo", "timestamp",
-                                           "stamp", "secs", "seconds", "ts"},
+  static const std::set<std::string> times{"t",         "time",  "zeit", "temps",   "tiempo",
+                                           "timestamp", "stamp", "secs", "seconds", "ts"},
       forces{"f", "fx", "fy", "fz", "force", "kraft", "load", "last", "fuerza", "wrench", "ft"},
-      places{"x", "y", "z"}, angles{"q", "joint", "angle", "theta", "winkel", "phi", "gelenk", "encoder", "enc", "jnt", "servo"},
+      places{"x", "y", "z"},
+      angles{"q", "joint", "angle", "theta", "winkel", "phi", "gelenk", "encoder", "enc", "jnt", "servo"},
       runs{"run", "trial", "versuch", "essai", "experiment", "lauf", "rep", "repetition", "cycle"},
-      speeds{"v", "vel", "velocity", "dq", "qd", "speed", "acc", "accel", "torque", "tau", "effort", "current", "temp", "temperature"};
+      speeds{"v",     "vel",    "velocity", "dq",     "qd",      "speed", "acc",
+             "accel", "torque", "tau",      "effort", "current", "temp",  "temperature"};
   if (any(words, speeds)) return Kind::none;
   const std::string axis = last_axis(words);
   if (any(words, forces))
-    return axis == "x" ? Kind::force_x : axis == "y" ? Kind::force_y : axis == "z" ? Kind::force_z : Kind::force;
+    return axis == "x"   ? Kind::force_x
+           : axis == "y" ? Kind::force_y
+           : axis == "z" ? Kind::force_z
+                         : Kind::force;
   if (any(words, times)) return Kind::time;
   if (any(words, angles)) return Kind::angle;
   if (any(words, runs)) return Kind::run;
   if (any(words, places)) return axis == "x" ? Kind::x : axis == "y" ? Kind::y : Kind::z;
-  static const std::set<std::string> ways{"traverse", "crosshead", "travel", "weg", "displacement", "extension"};
+  static const std::set<std::string> ways{"traverse", "crosshead",    "travel",
+                                          "weg",      "displacement", "extension"};
   return any(words, ways) ? Kind::x : Kind::none;
 }
 
@@ -130,7 +137,8 @@ const Quantity* quantity_of(Kind kind) {
   return nullptr;
 }
 
-ColumnWords words_of(const std::string& title, const std::string& below, const std::vector<std::string>& joints) {
+ColumnWords words_of(const std::string& title, const std::string& below,
+                     const std::vector<std::string>& joints) {
   ColumnWords result;
   const std::string in_brackets = bracketed(title);
   const std::string name = in_brackets.empty() ? title : title.substr(0, title.find_first_of("[({/"));
@@ -144,9 +152,11 @@ ColumnWords words_of(const std::string& title, const std::string& below, const s
     result.joint = static_cast<std::size_t>(named - joints.begin()) + 1;
   } else if (result.kind == Kind::angle) {
     for (const std::string& word : words)
-      if (std::isdigit(static_cast<unsigned char>(word.front())) != 0 && word.size() < 4) result.joint = std::stoul(word);
+      if (std::isdigit(static_cast<unsigned char>(word.front())) != 0 && word.size() < 4)
+        result.joint = std::stoul(word);
   }
-  result.commanded = any(words, {"cmd", "command", "commanded", "des", "desired", "set", "setpoint", "soll", "target", "goal", "ref"});
+  result.commanded = any(words, {"cmd", "command", "commanded", "des", "desired", "set", "setpoint", "soll",
+                                 "target", "goal", "ref"});
   const Quantity* const quantity = quantity_of(result.kind);
   if (quantity == nullptr) return result;
   const std::string last = words.size() > 1 ? words.back() : "";

@@ -20,7 +20,8 @@ namespace {
 std::vector<std::size_t> run_columns(const WrittenTable& table, const DraftModel& model) {
   std::vector<std::size_t> naming, commands;
   for (std::size_t c = 0; c < table.names.size(); ++c) {
-    const ColumnWords words = words_of(table.names[c], c < table.units.size() ? table.units[c] : "", model.joints);
+    const ColumnWords words =
+        words_of(table.names[c], c < table.units.size() ? table.units[c] : "", model.joints);
     if (words.kind == Kind::run) naming.push_back(c);
     if (words.kind == Kind::angle && words.commanded) commands.push_back(c);
   }
@@ -51,13 +52,15 @@ std::vector<DraftFile> cut_into_runs(const DraftFile& file, const DraftModel& mo
   std::vector<DraftFile> runs;
   const std::size_t dot = std::min(file.name.find_last_of('.'), file.name.size());
   for (std::size_t k = 0; k < keys.size(); ++k) {
-    DraftFile& run = runs.emplace_back(DraftFile{fmt::format("{}-{}{}", file.name.substr(0, dot), k + 1, file.name.substr(dot)), head});
+    DraftFile& run = runs.emplace_back(
+        DraftFile{fmt::format("{}-{}{}", file.name.substr(0, dot), k + 1, file.name.substr(dot)), head});
     for (const std::size_t line : lines[keys[k]]) run.text += text[line - 1] + "\n";
   }
   std::vector<std::string> titles;
   for (const std::size_t c : columns) titles.push_back(table.names[c]);
-  guesses.push_back({"runs in " + file.name, fmt::format("{}", keys.size()),
-                     fmt::format("{} has so many values: each is a run, in a file of its own", fmt::join(titles, ", "))});
+  guesses.push_back(
+      {"runs in " + file.name, fmt::format("{}", keys.size()),
+       fmt::format("{} has so many values: each is a run, in a file of its own", fmt::join(titles, ", "))});
   return runs;
 }
 
@@ -74,7 +77,9 @@ void thin(Experiment& experiment) {
 
 class Drafting {
  public:
-  Drafting(std::string name, const DraftModel& model, const Ask& ask) : model_(model), ask_(ask) { experiment_.name = std::move(name); }
+  Drafting(std::string name, const DraftModel& model, const Ask& ask) : model_(model), ask_(ask) {
+    experiment_.name = std::move(name);
+  }
 
   void add(const DraftFile& file) {
     for (DraftFile& one : cut_into_runs(file, model_, draft_.guesses)) {
@@ -128,21 +133,28 @@ class Drafting {
   bool take(const SuspectedConvention& suspected) {
     const bool forces = suspected.what == "Fx, Fy", places = suspected.what == "x, y";
     bool taken = false;
-    if (forces || places) taken = take_of_plane(suspected, forces ? draft_Fx : draft_x, forces ? quantity::force : quantity::length);
+    if (forces || places)
+      taken =
+          take_of_plane(suspected, forces ? draft_Fx : draft_x, forces ? quantity::force : quantity::length);
     if (suspected.what == "q") taken = take_of_angles(suspected);
     if (taken)
-      draft_.guesses.push_back({suspected.what, suspected.looks_like,
-                                suspected.start_error_as_read > 0
-                                    ? fmt::format("the runs then start {:.2g} instead of {:.2g} lengths of the chain off", suspected.start, suspected.start_error_as_read)
-                                    : fmt::format("the misfit of the model then falls from {:.0f} % to {:.0f} %", 100 * suspected.misfit_as_read, 100 * suspected.left)});
+      draft_.guesses.push_back(
+          {suspected.what, suspected.looks_like,
+           suspected.start_error_as_read > 0
+               ? fmt::format("the runs then start {:.2g} instead of {:.2g} lengths of the chain off",
+                             suspected.start, suspected.start_error_as_read)
+               : fmt::format("the misfit of the model then falls from {:.0f} % to {:.0f} %",
+                             100 * suspected.misfit_as_read, 100 * suspected.left)});
     return taken;
   }
 
   /// A unit, a sign, or the axes swapped.
   bool take_of_plane(const SuspectedConvention& suspected, std::size_t first, const Quantity& quantity) {
-    const auto says = [&](const char* words) { return suspected.looks_like.find(words) != std::string::npos; };
-    const bool opposite = says("of the opposite sign"), swapped = says("swapped"), mirrored_x = says("with x mirrored"),
-               mirrored_y = says("with y mirrored");
+    const auto says = [&](const char* words) {
+      return suspected.looks_like.find(words) != std::string::npos;
+    };
+    const bool opposite = says("of the opposite sign"), swapped = says("swapped"),
+               mirrored_x = says("with x mirrored"), mirrored_y = says("with y mirrored");
     std::string unit;
     if (!opposite && !swapped && !mirrored_x && !mirrored_y) {
       try {
@@ -181,7 +193,8 @@ class Drafting {
 
 }  // namespace
 
-Draft draft_experiment(const std::string& name, const DraftModel& model, const std::vector<DraftFile>& files, const Ask& ask) {
+Draft draft_experiment(const std::string& name, const DraftModel& model, const std::vector<DraftFile>& files,
+                       const Ask& ask) {
   if (files.empty()) throw Error("tables", "none", "one or more, a run each");
   Drafting drafting(name, model, ask);
   for (const DraftFile& file : files) drafting.add(file);

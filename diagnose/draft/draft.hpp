@@ -15,9 +15,9 @@ namespace plumbline::diagnose {
 /// The chain, known before the tables are read.
 struct DraftModel {
   NominalChain chain;
-  std::vector<std::string> joints;     ///< their names in the model, from the base on; or empty
-  std::array<double, 2> base{0, 0};    ///< where joint 1 is in the model's plane, m
-  bool weighs = false;                 ///< whether the model has gravity at all
+  std::vector<std::string> joints;   ///< their names in the model, from the base on; or empty
+  std::array<double, 2> base{0, 0};  ///< where joint 1 is in the model's plane, m
+  bool weighs = false;               ///< whether the model has gravity at all
 };
 
 /// A table of readings as it came.

@@ -58,7 +58,8 @@ std::string csv_lines(const SampleFormat& format) {
 
 /// `{ column = "Kraft", unit = "kgf", sign = -1 }`
 std::string column_table(const DraftColumn& column, const std::string& source) {
-  std::string text = column.constant ? fmt::format("{{ constant = {}", *column.constant) : "{ column = " + source;
+  std::string text =
+      column.constant ? fmt::format("{{ constant = {}", *column.constant) : "{ column = " + source;
   if (!column.unit.empty()) text += ", unit = " + quoted(column.unit);
   if (column.sign < 0) text += ", sign = -1";
   if (column.zero != 0) text += fmt::format(", zero = {}", column.zero);
@@ -73,7 +74,8 @@ std::string columns_lines(const DraftedRun& run, bool absolute) {
   if (run.angles.empty()) return text;
   std::vector<std::string> names;
   for (const DraftColumn& column : run.angles) names.push_back(reference(run, column.place));
-  text += fmt::format("q = {}", column_table(run.angles.front(), fmt::format("[{}]", fmt::join(names, ", "))));
+  text +=
+      fmt::format("q = {}", column_table(run.angles.front(), fmt::format("[{}]", fmt::join(names, ", "))));
   if (absolute) text.insert(text.size() - 2, ", absolute = true");
   return text + "\n";
 }
@@ -84,13 +86,17 @@ std::string inline_table(const std::string& lines) {
   return "{ " + text + " }";
 }
 
-/// The size of the scatter of what is measured, two digits, in the unit of the readings where all runs share it.
+/// The size of the scatter of what is measured, two digits, in the unit of the readings where all runs share
+/// it.
 std::string noise_lines(const std::vector<DraftedRun>& runs, bool same_columns) {
   std::map<std::string, std::vector<double>> scatter;
-  const auto add = [&](const char* name, const DraftedRun& run, const DraftColumn& column, const Quantity& quantity) {
+  const auto add = [&](const char* name, const DraftedRun& run, const DraftColumn& column,
+                       const Quantity& quantity) {
     if (column.constant) return;
-    const double unit = column.unit.empty() || same_columns ? 1 : parse_unit(column.unit, quantity, "").in_si();
-    if (const double one = scatter_of(run.table.numbers(column.place)); one > 0) scatter[name].push_back(one * unit);
+    const double unit =
+        column.unit.empty() || same_columns ? 1 : parse_unit(column.unit, quantity, "").in_si();
+    if (const double one = scatter_of(run.table.numbers(column.place)); one > 0)
+      scatter[name].push_back(one * unit);
   };
   for (const DraftedRun& run : runs) {
     for (std::size_t c = draft_x; c < draft_singles; ++c)
@@ -107,9 +113,11 @@ std::string noise_lines(const std::vector<DraftedRun>& runs, bool same_columns) 
 }
 
 std::string nominal_lines(const NominalChain& chain) {
-  std::string text = "link_length = " + list(chain.link_length) + "\njoint_stiffness = " + list(chain.joint_stiffness) + "\n";
+  std::string text = "link_length = " + list(chain.link_length) +
+                     "\njoint_stiffness = " + list(chain.joint_stiffness) + "\n";
   const auto weighs = [](double mass) { return mass > 0; };
-  if (std::any_of(chain.link_mass.begin(), chain.link_mass.end(), weighs)) text += "link_mass = " + list(chain.link_mass) + "\n";
+  if (std::any_of(chain.link_mass.begin(), chain.link_mass.end(), weighs))
+    text += "link_mass = " + list(chain.link_mass) + "\n";
   if (chain.gravity[0] != 0 || chain.gravity[1] != 0)
     text += fmt::format("gravity = [{}, {}]\n", chain.gravity[0], chain.gravity[1]);
   if (!chain.rest.empty()) text += "rest = " + list(chain.rest) + "\n";
@@ -119,10 +127,12 @@ std::string nominal_lines(const NominalChain& chain) {
 std::string bench_lines(const DraftModel& model) {
   const double g = std::hypot(model.chain.gravity[0], model.chain.gravity[1]);
   if (!model.weighs) return "gravity_plane = \"unknown\"  # the model has no gravity\n";
-  if (!(g > 0)) return "gravity_plane = \"horizontal\"  # the model's gravity is across the plane of the chain\n";
+  if (!(g > 0))
+    return "gravity_plane = \"horizontal\"  # the model's gravity is across the plane of the chain\n";
   std::string text = "gravity_plane = \"vertical\"  # the model's gravity is in the plane of the chain\n";
   if (std::abs(model.chain.gravity[0]) > 1e-6 * g || model.chain.gravity[1] > 0)
-    text += fmt::format("gravity_direction = [{:.4g}, {:.4g}]\n", model.chain.gravity[0] / g, model.chain.gravity[1] / g);
+    text += fmt::format("gravity_direction = [{:.4g}, {:.4g}]\n", model.chain.gravity[0] / g,
+                        model.chain.gravity[1] / g);
   return text;
 }
 
@@ -132,22 +142,28 @@ std::string settings_text(const DraftedExperiment& experiment, const DraftModel&
   const std::vector<DraftedRun>& runs = experiment.runs;
   const std::string csv = csv_lines(runs.front().table.format),
                     columns = columns_lines(runs.front(), experiment.absolute_angles);
-  const bool same_csv = std::all_of(runs.begin(), runs.end(), [&](const DraftedRun& run) { return csv_lines(run.table.format) == csv; });
+  const bool same_csv = std::all_of(
+      runs.begin(), runs.end(), [&](const DraftedRun& run) { return csv_lines(run.table.format) == csv; });
   const bool same_columns = std::all_of(runs.begin(), runs.end(), [&](const DraftedRun& run) {
     return columns_lines(run, experiment.absolute_angles) == columns;
   });
-  std::string text = "#:schema experiment.schema.json\n# Drafted by `plumbline new`: what it guessed, it said; correct here what is wrong.\nformat = \"chain-experiment/1\"\n";
+  std::string text =
+      "#:schema experiment.schema.json\n# Drafted by `plumbline new`: what it guessed, it said; correct here "
+      "what is wrong.\nformat = \"chain-experiment/1\"\n";
   text += "name = " + quoted(experiment.name) + "\n\n[nominal]\n" + nominal_lines(model.chain);
   text += "\n[bench]\n" + bench_lines(model);
   text += "\n[noise]  # how much neighbouring readings scatter\n" + noise_lines(runs, same_columns);
   if (same_csv && !csv.empty()) text += "\n[csv]\n" + csv;
   if (same_columns) text += "\n[columns]\n" + columns;
   for (const DraftedRun& run : runs) {
-    text += fmt::format("\n[[run]]\nid = {}\ncontrol = \"{}\"\n", quoted(run.id), run.imposes_force ? "force" : "displacement");
+    text += fmt::format("\n[[run]]\nid = {}\ncontrol = \"{}\"\n", quoted(run.id),
+                        run.imposes_force ? "force" : "displacement");
     if (!run.rest.empty()) text += fmt::format("rest = [{:.6g}]\n", fmt::join(run.rest, ", "));
     text += "samples = " + quoted(run.file) + "\n";
-    if (!same_csv && !csv_lines(run.table.format).empty()) text += "csv = " + inline_table(csv_lines(run.table.format)) + "\n";
-    if (!same_columns) text += "columns = " + inline_table(columns_lines(run, experiment.absolute_angles)) + "\n";
+    if (!same_csv && !csv_lines(run.table.format).empty())
+      text += "csv = " + inline_table(csv_lines(run.table.format)) + "\n";
+    if (!same_columns)
+      text += "columns = " + inline_table(columns_lines(run, experiment.absolute_angles)) + "\n";
   }
   return text;
 }

@@ -76,7 +76,8 @@ std::optional<Values> reaching(const NominalChain& chain, const Values& near, st
 
 std::optional<Values> numbers_of(const std::string& text) {
   std::string plain = text;
-  std::replace_if(plain.begin(), plain.end(), [](char c) { return c == ',' || c == ';' || c == '[' || c == ']'; }, ' ');
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return c == ',' || c == ';' || c == '[' || c == ']'; }, ' ');
   std::istringstream in(plain);
   Values all;
   for (double value = 0; in >> value;) all.push_back(value);
@@ -88,7 +89,9 @@ double written_step(const Values& values) {
   constexpr int most = 6;
   for (int digits = 0; digits < most; ++digits) {
     const double scale = std::pow(10, digits);
-    const auto whole = [&](double value) { return std::abs(value * scale - std::round(value * scale)) < 1e-6; };
+    const auto whole = [&](double value) {
+      return std::abs(value * scale - std::round(value * scale)) < 1e-6;
+    };
     if (std::all_of(values.begin(), values.end(), whole)) return 1 / scale;
   }
   return std::pow(10, -most);
@@ -132,7 +135,8 @@ class Drafter {
 
   [[nodiscard]] std::string title(std::size_t column) const {
     const std::vector<std::string>& names = run_.table.names;
-    return column < names.size() && !names[column].empty() ? names[column] : fmt::format("column {}", column + 1);
+    return column < names.size() && !names[column].empty() ? names[column]
+                                                           : fmt::format("column {}", column + 1);
   }
 
   void read_words() {
@@ -168,10 +172,12 @@ class Drafter {
     if (!column) column = column_of(kind, true);
     if (!column) return;
     const std::string said = words_[*column].unit, name = title(*column);
-    const auto answer = say(single_names[single], name + (said.empty() ? "" : ", in " + said), reason, doubtful);
+    const auto answer =
+        say(single_names[single], name + (said.empty() ? "" : ", in " + said), reason, doubtful);
     if (answer) {
       const auto named = std::find(run_.table.names.begin(), run_.table.names.end(), *answer);
-      if (named != run_.table.names.end()) column = static_cast<std::size_t>(named - run_.table.names.begin());
+      if (named != run_.table.names.end())
+        column = static_cast<std::size_t>(named - run_.table.names.begin());
     }
     run_.singles[single] = DraftColumn{*column, words_[*column].unit};
     kinds_[single] = kind;
@@ -180,12 +186,14 @@ class Drafter {
   void find_singles() {
     const std::string by_word = "its name";
     take(draft_t, Kind::time, by_word);
-    const bool upright = !has(Kind::y) && has(Kind::z), force_upright = !has(Kind::force_y) && has(Kind::force_z);
+    const bool upright = !has(Kind::y) && has(Kind::z),
+               force_upright = !has(Kind::force_y) && has(Kind::force_z);
     take(draft_x, Kind::x, by_word);
     take(draft_y, upright ? Kind::z : Kind::y, upright ? "z is up, and there is no y" : by_word, upright);
     take(draft_Fx, has(Kind::force_x) ? Kind::force_x : Kind::force,
          has(Kind::force_x) ? by_word : "the only force: taken for the one along x", !has(Kind::force_x));
-    take(draft_Fy, force_upright ? Kind::force_z : Kind::force_y, force_upright ? "z is up" : by_word, force_upright);
+    take(draft_Fy, force_upright ? Kind::force_z : Kind::force_y, force_upright ? "z is up" : by_word,
+         force_upright);
   }
 
   /// One for each joint: by number or name, or as many as there are joints, in their order.
@@ -215,7 +223,8 @@ class Drafter {
     if (s[draft_x] || s[draft_y] || s[draft_Fx] || s[draft_Fy] || !run_.angles.empty()) return;
     std::vector<std::string> titles;
     for (std::size_t c = 0; c < words_.size(); ++c) titles.push_back(title(c));
-    throw Error(run_.file, fmt::format("the columns {}", files::shown(fmt::format("{}", fmt::join(titles, ", ")))),
+    throw Error(run_.file,
+                fmt::format("the columns {}", files::shown(fmt::format("{}", fmt::join(titles, ", ")))),
                 "a name that says x, y, Fx, Fy or q1 of some of them");
   }
 
@@ -252,14 +261,17 @@ class Drafter {
         set_place(x, unit, from_base ? 0 : model_.base[0] / factor);
         set_place(y, unit, from_base ? 0 : model_.base[1] / factor);
         if (!said)
-          say("unit of x, y", unit, fmt::format("the farthest reading is then {:.4g} m from the base, the chain {:.4g} m long", far, reach_));
+          say("unit of x, y", unit,
+              fmt::format("the farthest reading is then {:.4g} m from the base, the chain {:.4g} m long", far,
+                          reach_));
         if (!from_base)
           say("zero of x, y", fmt::format("{:.6g}, {:.6g} m", model_.base[0], model_.base[1]),
               "counted from where the model has its origin, as its joint 1 is there");
         return;
       }
     }
-    say("unit of x, y", said ? units.front() : "m", "no unit puts the readings within the reach of the chain", true);
+    say("unit of x, y", said ? units.front() : "m", "no unit puts the readings within the reach of the chain",
+        true);
   }
   static void set_place(std::optional<DraftColumn>& column, const std::string& unit, double zero) {
     if (!column) return;
@@ -286,7 +298,8 @@ class Drafter {
     const bool places = s[draft_x] || s[draft_y], forces = s[draft_Fx] || s[draft_Fy];
     if (!places || !forces) {
       run_.imposes_force = !places;
-      if (places) return impose_place("there is no force: the end point is put, and only joint angles are read");
+      if (places)
+        return impose_place("there is no force: the end point is put, and only joint angles are read");
       return impose_nothing(forces);
     }
     const auto rough = [&](std::size_t a, std::size_t b) {
@@ -305,9 +318,11 @@ class Drafter {
     const std::string reason =
         commanded_force != commanded_place
             ? "a column has the commands"
-            : fmt::format("from reading to reading the {} go more evenly than the {} ({:.2g} % against {:.2g} % of their range)",
-                          run_.imposes_force ? "forces" : "places", run_.imposes_force ? "places" : "forces",
-                          100 * std::min(of_place, of_force), 100 * std::max(of_place, of_force));
+            : fmt::format(
+                  "from reading to reading the {} go more evenly than the {} ({:.2g} % against {:.2g} % of "
+                  "their range)",
+                  run_.imposes_force ? "forces" : "places", run_.imposes_force ? "places" : "forces",
+                  100 * std::min(of_place, of_force), 100 * std::max(of_place, of_force));
     const auto answer = say("control", run_.imposes_force ? "force" : "displacement", reason, !sure);
     if (answer) run_.imposes_force = *answer == "force";
     run_.imposes_force ? impose_force() : impose_place("");
@@ -330,7 +345,8 @@ class Drafter {
       if (!run_.singles[c]) {
         const double value = rest[c == draft_x ? 0 : 1];
         run_.singles[c] = DraftColumn{0, "", 1, 0, value};
-        say(single_names[c], fmt::format("{:.6g} m throughout", value), "no column has it: held where the model rests", true);
+        say(single_names[c], fmt::format("{:.6g} m throughout", value),
+            "no column has it: held where the model rests", true);
       }
   }
 
@@ -353,7 +369,8 @@ class Drafter {
       const Values force = raw(*column);
       double most = 0;
       for (const double value : finite(force)) most = std::max(most, std::abs(value));
-      if (std::isfinite(force.front()) && std::abs(force.front()) > nothing * most + 3 * scatter_of(force)) return false;
+      if (std::isfinite(force.front()) && std::abs(force.front()) > nothing * most + 3 * scatter_of(force))
+        return false;
     }
     return true;
   }
@@ -362,7 +379,8 @@ class Drafter {
   void find_rest() {
     if (const std::vector<std::size_t> commands = angle_columns(true); !commands.empty()) {
       for (const std::size_t c : commands) {
-        const DraftColumn column{c, words_[c].unit.empty() && !run_.angles.empty() ? run_.angles.front().unit : words_[c].unit};
+        const DraftColumn column{
+            c, words_[c].unit.empty() && !run_.angles.empty() ? run_.angles.front().unit : words_[c].unit};
         run_.rest.push_back(run_.values(column, quantity::angle).front());
       }
       say("rest", fmt::format("{:.4g}", fmt::join(run_.rest, ", ")), "the commanded angles");
@@ -378,30 +396,36 @@ class Drafter {
         away = std::max(away, std::abs(first[j] - (j < own.size() ? own[j] : 0)));
       }
       if (!own.empty() && away < near) return;
-      if (begins_unloaded()) return set_rest(first, "the first reading, which is without load", own.empty() ? NAN : away);
+      if (begins_unloaded())
+        return set_rest(first, "the first reading, which is without load", own.empty() ? NAN : away);
     }
     const Values xs = run_.values(draft_x), ys = run_.values(draft_y);
-    if (xs.empty() || ys.empty() || !std::isfinite(xs.front()) || !std::isfinite(ys.front())) return ask_rest("nothing in the table says it");
+    if (xs.empty() || ys.empty() || !std::isfinite(xs.front()) || !std::isfinite(ys.front()))
+      return ask_rest("nothing in the table says it");
     const std::array<double, 2> end = end_point(model_.chain, own);
     const double gap = std::hypot(xs.front() - end[0], ys.front() - end[1]);
     if (!own.empty() && (gap < near * reach_ || !begins_unloaded())) return;
     const Values middle = own.empty() ? Values(joints_, 0.0) : own;
     if (const auto shape = reaching(model_.chain, middle, {xs.front(), ys.front()}))
-      return set_rest(*shape, "the shape that has the end point where the first reading has it", gap / reach_);
-    ask_rest(fmt::format("the model's puts the end point {:.3g} m from the first reading, which is without load", gap));
+      return set_rest(*shape, "the shape that has the end point where the first reading has it",
+                      gap / reach_);
+    ask_rest(fmt::format(
+        "the model's puts the end point {:.3g} m from the first reading, which is without load", gap));
   }
 
   void set_rest(const Values& rest, const std::string& reason, double away) {
     constexpr double large = 0.3;
     run_.rest = rest;
-    const auto answer = say("rest", fmt::format("{:.4g} rad", fmt::join(rest, ", ")), reason, !(away < large));
+    const auto answer =
+        say("rest", fmt::format("{:.4g} rad", fmt::join(rest, ", ")), reason, !(away < large));
     if (answer) take_rest(*answer);
   }
   void ask_rest(const std::string& reason) {
     const auto answer = say("rest", model_.chain.rest.empty() ? "not known" : "the model's", reason, true);
     if (answer) return take_rest(*answer);
-    run_.question = fmt::format("rest of {}: found {}, expected rest = [...], the {} unloaded joint angles, in its [[run]]",
-                                run_.file, reason, joints_);
+    run_.question = fmt::format(
+        "rest of {}: found {}, expected rest = [...], the {} unloaded joint angles, in its [[run]]",
+        run_.file, reason, joints_);
   }
   void take_rest(const std::string& answer) {
     const auto values = numbers_of(answer);

@@ -15,10 +15,10 @@ namespace plumbline::diagnose {
 
 /// A column of a channel, as experiment.toml is to say it.
 struct DraftColumn {
-  std::size_t place = 0;                 ///< in the table, from 0
+  std::size_t place = 0;  ///< in the table, from 0
   std::string unit;
   int sign = 1;
-  double zero = 0;                       ///< in the unit
+  double zero = 0;                      ///< in the unit
   std::optional<double> constant = {};  ///< instead of a column
 };
 
@@ -32,7 +32,7 @@ struct DraftedRun {
   std::array<std::optional<DraftColumn>, draft_singles> singles;
   std::vector<DraftColumn> angles;  ///< of all joints, or none
   bool imposes_force = false;
-  std::vector<double> rest;          ///< rad; empty where the model's serves
+  std::vector<double> rest;  ///< rad; empty where the model's serves
   Guesses guesses;
   std::string question;  ///< what a person has to say, in a line; or empty
 

@@ -79,7 +79,7 @@ std::vector<Line> lines_of(const std::string& text) {
 struct Cut {
   char delimiter, decimal;
   std::size_t columns = 0;
-  double numbers = 0;       ///< how many fields of the rows are numbers, of all fields of all lines
+  double numbers = 0;         ///< how many fields of the rows are numbers, of all fields of all lines
   std::size_t first_row = 0;  ///< among the lines
 };
 
@@ -130,7 +130,8 @@ Cut best_cut(const std::vector<Line>& lines) {
 
 class Guesser {
  public:
-  Guesser(const std::string& text, const std::string& source) : text_(text), source_(source), lines_(lines_of(text)) {}
+  Guesser(const std::string& text, const std::string& source)
+      : text_(text), source_(source), lines_(lines_of(text)) {}
 
   WrittenTable result() {
     cut_ = best_cut(lines_);
@@ -139,7 +140,8 @@ class Guesser {
     SampleFormat& format = result_.format;
     format.delimiter = cut_.delimiter;
     format.decimal = cut_.decimal;
-    say("delimiter", word_of(cut_.delimiter), fmt::format("it cuts the rows into {} fields alike", cut_.columns));
+    say("delimiter", word_of(cut_.delimiter),
+        fmt::format("it cuts the rows into {} fields alike", cut_.columns));
     if (cut_.decimal == ',') say("decimal", ",", "numbers are written as 0,5");
     find_header();
     find_comment();
@@ -168,11 +170,13 @@ class Guesser {
     if (above.empty()) {
       name_by_comment();
       format.skip_lines = plain_lines_above(first);
-      if (format.skip_lines > 0) say("skip_lines", fmt::format("{}", format.skip_lines), "no row of numbers stands there");
+      if (format.skip_lines > 0)
+        say("skip_lines", fmt::format("{}", format.skip_lines), "no row of numbers stands there");
       return;
     }
     format.header = true;
-    const std::size_t header = above.size() > 1 && looks_like_units(above.back()) ? above[above.size() - 2] : above.back();
+    const std::size_t header =
+        above.size() > 1 && looks_like_units(above.back()) ? above[above.size() - 2] : above.back();
     format.skip_lines = lines_[header].number;
     format.skip_after_header = first - lines_[header].number - 1;
     result_.names = fields(header);
@@ -182,7 +186,8 @@ class Guesser {
       result_.units.resize(cut_.columns);
     }
     say("header", fmt::format("line {}", lines_[header].number + 1),
-        format.skip_after_header > 0 ? "words above the numbers, and a line of units between" : "words above the numbers");
+        format.skip_after_header > 0 ? "words above the numbers, and a line of units between"
+                                     : "words above the numbers");
   }
 
   /// Lines before the first row that are no comments.
@@ -219,7 +224,8 @@ class Guesser {
   void find_comment() {
     for (const char* mark : comments)
       for (const Line& line : lines_)
-        if (line.comment && line.text.find_first_not_of(" \t") == line.text.find(mark) && result_.format.comment.empty()) {
+        if (line.comment && line.text.find_first_not_of(" \t") == line.text.find(mark) &&
+            result_.format.comment.empty()) {
           result_.format.comment = mark;
           say("comment", mark, fmt::format("line {} begins with it", line.number + 1));
         }
@@ -232,7 +238,8 @@ class Guesser {
     const auto each = [&](const auto& look) {
       for (std::size_t l = cut_.first_row; l < lines_.size(); ++l) {
         const std::vector<std::string> all = fields(l);
-        for (std::size_t c = 0; !lines_[l].comment && c < std::min(all.size(), cut_.columns); ++c) look(c, all[c]);
+        for (std::size_t c = 0; !lines_[l].comment && c < std::min(all.size(), cut_.columns); ++c)
+          look(c, all[c]);
       }
     };
     each([&](std::size_t c, const std::string& field) {
@@ -240,7 +247,8 @@ class Guesser {
       if (!std::isnan(number_of(field, cut_.decimal))) ++numeric[c];
     });
     each([&](std::size_t c, const std::string& field) {
-      if (2 * numeric[c] > rows[c] && !field.empty() && std::isnan(number_of(field, cut_.decimal))) words.insert(field);
+      if (2 * numeric[c] > rows[c] && !field.empty() && std::isnan(number_of(field, cut_.decimal)))
+        words.insert(field);
     });
     constexpr std::size_t most = 5;
     if (words.empty() || words.size() > most) return;

@@ -50,7 +50,8 @@ std::vector<std::string> planar_part(const ReadModel& model) {
     const ReadJoint &a = model.joints[on], &b = model.joints[j];
     const Eigen::Vector3d axis = a.axis.normalized();
     constexpr double apart = 1e-6;  // m
-    return a.hinge && axis.cross(b.axis.normalized()).norm() < parallel && (a.anchor - b.anchor).cross(axis).norm() > apart;
+    return a.hinge && axis.cross(b.axis.normalized()).norm() < parallel &&
+           (a.anchor - b.anchor).cross(axis).norm() > apart;
   };
   // The nearest hinge below each that it may follow, whatever is held between them.
   std::vector<std::size_t> before(count, count), length(count, 0);

@@ -27,7 +27,8 @@ py::dict draft_of(const std::string& name, const std::string& file, const std::v
     const Eigen::Vector2d base = read.plane.of(read.plane.origin);
     std::vector<diagnose::DraftFile> given;
     for (const auto& [title, text] : tables) given.push_back({title, text});
-    return diagnose::draft_experiment(name, {read.chain, read.names, {base.x(), base.y()}, read.weighs}, given);
+    return diagnose::draft_experiment(name, {read.chain, read.names, {base.x(), base.y()}, read.weighs},
+                                      given);
   });
   py::list guesses;
   for (const diagnose::Guess& one : draft.guesses)

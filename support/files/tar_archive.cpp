@@ -19,12 +19,12 @@ void TarArchive::add(const std::string& name, const std::string& text) {
   std::string head(tar_block, '\0');
   const auto put = [&](std::size_t at, const std::string& field) { head.replace(at, field.size(), field); };
   put(0, name);
-  put(100, "0000644");                                // mode
-  put(108, "0000000"), put(116, "0000000");           // owner, group
+  put(100, "0000644");                       // mode
+  put(108, "0000000"), put(116, "0000000");  // owner, group
   put(124, fmt::format("{:011o}", text.size()));
-  put(136, "00000000000");                            // time: the same bytes for the same files
-  put(148, "        ");                               // the sum is taken with blanks in its place
-  put(156, "0");                                      // a plain file
+  put(136, "00000000000");  // time: the same bytes for the same files
+  put(148, "        ");     // the sum is taken with blanks in its place
+  put(156, "0");            // a plain file
   put(257, std::string("ustar\0", 6) + "00");
   const auto sum = std::accumulate(head.begin(), head.end(), 0U,
                                    [](unsigned all, char c) { return all + static_cast<unsigned char>(c); });

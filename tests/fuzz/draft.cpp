@@ -5,7 +5,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   return offer(bytes, size, [](const std::string& text) {
     using namespace plumbline::diagnose;
-    const DraftModel model{{{0.3, 0.2}, {2, 1.5}, {}, {0, 0}, {0.4, -0.9}, {}}, {"hip", "knee"}, {0.1, 0}, true};
+    const DraftModel model{
+        {{0.3, 0.2}, {2, 1.5}, {}, {0, 0}, {0.4, -0.9}, {}}, {"hip", "knee"}, {0.1, 0}, true};
     drafted_run({"f.csv", text}, model, {});
   });
 }
