@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "diagnose/draft/column_numbers.hpp"
+
 namespace plumbline::diagnose {
 namespace {
 

@@ -9,70 +9,14 @@
 #include <plumbline/base/error.hpp>
 #include <sstream>
 
+#include "diagnose/draft/column_numbers.hpp"
+#include "diagnose/draft/rest_shape.hpp"
 #include "support/files/printable.hpp"
 
 namespace plumbline::diagnose {
 namespace {
 
 using Values = std::vector<double>;
-
-Values finite(Values values) {
-  std::erase_if(values, [](double v) { return !std::isfinite(v); });
-  return values;
-}
-
-double median(Values values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-double range_of(const Values& all) {
-  const Values values = finite(all);
-  if (values.empty()) return 0;
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return *most - *least;
-}
-
-/// Second differences, which a steady motion has not: their usual size beside the range.
-double roughness(const Values& all) {
-  const Values values = finite(all);
-  Values bends;
-  for (std::size_t i = 1; i + 1 < values.size(); ++i)
-    bends.push_back(std::abs(values[i - 1] - 2 * values[i] + values[i + 1]));
-  const double range = range_of(values);
-  return range > 0 ? median(bends) / range : 0;
-}
-
-std::array<double, 2> end_point(const NominalChain& chain, const Values& rest) {
-  std::array<double, 2> end{0, 0};
-  double direction = 0;
-  for (std::size_t j = 0; j < chain.link_length.size(); ++j) {
-    direction += j < rest.size() ? rest[j] : 0;
-    end[0] += chain.link_length[j] * std::cos(direction);
-    end[1] += chain.link_length[j] * std::sin(direction);
-  }
-  return end;
-}
-
-/// The angles of one or two links that put the end point there, nearest to those that are given; or nothing.
-std::optional<Values> reaching(const NominalChain& chain, const Values& near, std::array<double, 2> end) {
-  const double distance = std::hypot(end[0], end[1]), direction = std::atan2(end[1], end[0]);
-  if (chain.link_length.size() == 1) return Values{direction};
-  if (chain.link_length.size() != 2) return {};
-  const double a = chain.link_length[0], b = chain.link_length[1];
-  const double cosine = (distance * distance - a * a - b * b) / (2 * a * b);
-  if (std::abs(cosine) > 1) return {};
-  std::optional<Values> best;
-  const auto away = [&](const Values& q) { return std::hypot(q[0] - near[0], q[1] - near[1]); };
-  for (const double sign : {1.0, -1.0}) {
-    const double elbow = sign * std::acos(cosine);
-    const Values q{direction - std::atan2(b * std::sin(elbow), a + b * std::cos(elbow)), elbow};
-    if (!best || away(q) < away(*best)) best = q;
-  }
-  return best;
-}
 
 std::optional<Values> numbers_of(const std::string& text) {
   std::string plain = text;
@@ -82,19 +26,6 @@ std::optional<Values> numbers_of(const std::string& text) {
   Values all;
   for (double value = 0; in >> value;) all.push_back(value);
   return in.eof() ? std::optional(all) : std::nullopt;
-}
-
-/// The last decimal that the values are written to: a reading is no better than that.
-double written_step(const Values& values) {
-  constexpr int most = 6;
-  for (int digits = 0; digits < most; ++digits) {
-    const double scale = std::pow(10, digits);
-    const auto whole = [&](double value) {
-      return std::abs(value * scale - std::round(value * scale)) < 1e-6;
-    };
-    if (std::all_of(values.begin(), values.end(), whole)) return 1 / scale;
-  }
-  return std::pow(10, -most);
 }
 
 class Drafter {
@@ -444,20 +375,6 @@ class Drafter {
 };
 
 }  // namespace
-
-double scatter_of(const std::vector<double>& all) {
-  const Values values = finite(all);
-  Values bends, steps;
-  // Third differences, which neither a slope nor a bend of the curve has.
-  for (std::size_t i = 3; i < values.size(); ++i)
-    bends.push_back(std::abs(values[i] - 3 * values[i - 1] + 3 * values[i - 2] - values[i - 3]));
-  for (std::size_t i = 1; i < values.size(); ++i)
-    if (values[i] != values[i - 1]) steps.push_back(std::abs(values[i] - values[i - 1]));
-  // The median size of a normal error is 0.6745 of its deviation; a third difference has 20 variances.
-  const double scatter = median(bends) / 0.6745 / std::sqrt(20);
-  const double step = steps.empty() ? written_step(values) : *std::min_element(steps.begin(), steps.end());
-  return std::max(scatter, step / std::sqrt(12));
-}
 
 std::vector<double> DraftedRun::values(const DraftColumn& column, const Quantity& quantity) const {
   if (column.constant) return Values(table.table.rows.size(), *column.constant);

@@ -45,7 +45,4 @@ struct DraftedRun {
 /// \throws Error where no column of a place, a force or an angle can be told
 DraftedRun drafted_run(const DraftFile& file, const DraftModel& model, const Ask& ask);
 
-/// Standard deviation of the noise of a column, from third differences, at least that of its rounding.
-double scatter_of(const std::vector<double>& values);
-
 }  // namespace plumbline::diagnose
