@@ -5,7 +5,14 @@ Lengths, stiffnesses and forces are in any units that fit together, angles in ra
 count from the base. A wrong input raises `plumbline.Error`, a `ValueError` of one line: the place, what was found, what
 was expected.
 """
-from plumbline._engine import Error, version as __version__
+import numpy as _numpy
+
+from plumbline._engine import Error, newest_numpy as _newest_numpy, version as __version__
+
+if int(_numpy.__version__.split(".")[0]) > _newest_numpy:
+    raise ImportError(f"plumbline: found NumPy {_numpy.__version__}, expected NumPy {_newest_numpy}: the engine was built with "
+                      "pybind11 before 2.12; build it with a later one (pip install pybind11)")
+
 from plumbline.diagnosis import CorrectedModel, Curve, Diagnosis, diagnose, diagnose_folder
 from plumbline.loaded import (Branch, Equilibria, Path, Points, Proof, equilibria, equilibria_certificate, path,
                               path_certificate)

@@ -5,6 +5,7 @@ from typing import Any
 from plumbline.numbers import Floats
 
 version: str
+newest_numpy: int
 
 class Error(ValueError):
     """Wrong input, in one line: the place, what was found, what was expected."""
