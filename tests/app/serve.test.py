@@ -269,6 +269,7 @@ class Person(unittest.TestCase):
         self.part("begin").click()
         self.until(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#models a"))
         self.assertIn("joint_friction", self.part("words").text)
+        self.assertFalse(self.part("busy").is_displayed())
         self.picture("diagnosed")
         link = self.browser.find_element(By.PARTIAL_LINK_TEXT, "arm-corrected.xml")
         link.click()
