@@ -12,12 +12,12 @@
 namespace plumbline::exchange {
 namespace {
 
-PlanarChain urdf(const std::string& text) {
+PlanarChain chain_of_urdf(const std::string& text) {
   const Folder folder;
   folder.write("arm.urdf", text);
   return planar_chain(read_urdf(folder / "arm.urdf"), "arm.urdf");
 }
-PlanarChain sdf(const std::string& text) {
+PlanarChain chain_of_sdf(const std::string& text) {
   const Folder folder;
   folder.write("arm.sdf", text);
   return planar_chain(read_sdf(folder / "arm.sdf"), "arm.sdf");
@@ -48,13 +48,13 @@ const std::string inertia = R"(<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" 
 TEST_CASE(
     "URDF: origins turn what follows, axes are the child's, Gazebo has the springs, fixed links end the "
     "chain") {
-  const PlanarChain arm = urdf(R"(<robot name="arm">
+  const PlanarChain arm = chain_of_urdf(R"(<robot name="arm">
   <link name="world"/><link name="stand"><inertial><mass value="50"/>)" +
-                               inertia + R"(</inertial></link>
+                                        inertia + R"(</inertial></link>
   <link name="upper"><inertial><origin xyz="0 0.2 0"/><mass value="2"/>)" +
-                               inertia + R"(</inertial></link>
+                                        inertia + R"(</inertial></link>
   <link name="lower"><inertial><origin xyz="0.15 0 0" rpy="1 2 3"/><mass value="1"/>)" +
-                               inertia + R"(</inertial></link>
+                                        inertia + R"(</inertial></link>
   <link name="flange"/><link name="camera"/>
   <joint name="bolted" type="fixed"><parent link="world"/><child link="stand"/><origin xyz="1 2 3" rpy="0 0 -1.5707963267948966"/></joint>
   <joint name="hip" type="continuous"><parent link="stand"/><child link="upper"/><axis xyz="-1 0 0"/></joint>
@@ -87,7 +87,7 @@ TEST_CASE("SDF: poses by any frame, in degrees or as quaternions, axes in any fr
       R"(<joint name="hip" type="revolute"><parent>world</parent><child>upper</child><axis><xyz>0 1 0</xyz>)" +
       spring + "</axis></joint>";
   // by the frame of the model
-  check_arm(sdf(
+  check_arm(chain_of_sdf(
       head + hip +
       R"(<link name="upper"><pose>1 2 3 0 0 0</pose><inertial><pose>0.2 0 0 0 0 0</pose><mass>2</mass></inertial></link>
 <link name="lower"><pose>1.4 2 3 0 1.5707963267948966 0</pose><inertial><pose>0.15 0 0 0 0 0</pose><mass>1</mass></inertial></link>
@@ -96,7 +96,7 @@ TEST_CASE("SDF: poses by any frame, in degrees or as quaternions, axes in any fr
 <frame name="tool_tip" attached_to="lower"><pose>0.3 0 0 0 0 0</pose></frame>)" +
       tail));
   // by each other, in degrees and as a quaternion, the axis in the frame of the model, the end a fixed link
-  check_arm(sdf(
+  check_arm(chain_of_sdf(
       head + hip +
       R"(<link name="upper"><pose>1 2 3 0 0 0</pose><inertial><pose>0.2 0 0 0 0 0</pose><mass>2</mass></inertial></link>
 <frame name="elbow" attached_to="upper"><pose degrees="true">0.4 0 0 0 90 0</pose></frame>
@@ -107,7 +107,7 @@ TEST_CASE("SDF: poses by any frame, in degrees or as quaternions, axes in any fr
 <joint name="glue" type="fixed"><parent>lower</parent><child>end</child></joint>)" +
       tail));
   // the lower part a model in the model
-  check_arm(sdf(
+  check_arm(chain_of_sdf(
       head + hip +
       R"(<link name="upper"><pose>1 2 3 0 0 0</pose><inertial><pose>0.2 0 0 0 0 0</pose><mass>2</mass></inertial></link>
 <model name="fore"><pose relative_to="upper">0.4 0 0 0 1.5707963267948966 0</pose><link name="lower"><inertial><pose>0.15 0 0 0 0 0</pose><mass>1</mass></inertial></link>
@@ -124,7 +124,7 @@ TEST_CASE("SDF until 1.4 has axes in the frame of the model; a model that lies h
 <joint name="j" type="revolute"><parent>world</parent><child>a</child><axis><xyz>0 0 1</xyz></axis></joint></model></world></sdf>)";
   };
   for (const char* version : {"1.4", "1.9"}) {
-    const PlanarChain read = sdf(arm(version));
+    const PlanarChain read = chain_of_sdf(arm(version));
     CHECK(read.chain.link_length[0] == close_to(0.2));  // twice as far as the centre of mass
     CHECK(read.chain.gravity[1] == close_to(-9.8));
   }
