@@ -63,13 +63,26 @@ std::vector<std::size_t> find_columns(const files::CsvRow& header, const std::st
   return column;
 }
 
+/// Where the lists of a chain stand: in the table [nominal], as experiments and `plumbline chain` have it, or
+/// in the file itself.
+const toml::table& chain_table(const toml::table& file, const std::string& source) {
+  const toml::table* const nominal = file["nominal"].as_table();
+  if (nominal == nullptr) return file;
+  files::refuse_unknown_keys(file, {"nominal"}, source);
+  for (const char* beyond : {"effect", "torque_law"})
+    if (const toml::node* const more = nominal->get(beyond))
+      throw Error(files::place(*more, source), std::string("[[nominal.") + beyond + "]]", "springs alone");
+  return *nominal;
+}
+
 }  // namespace
 
 NamedStructure parse_structure(const std::string& text, const std::string& source) {
-  const toml::table table = parse_decimal_toml(text, source);
+  const toml::table file = parse_decimal_toml(text, source);
+  const toml::table& table = chain_table(file, source);
   std::vector<std::string_view> known{"lengths", "stiffness", "rest"};
   known.insert(known.end(), structure_keys.begin(), structure_keys.end());
-  files::refuse_unknown_keys(table, known, source, {"link_length", "joint_stiffness"});
+  files::refuse_unknown_keys(table, known, source, {"link_length", "joint_stiffness", "link_mass", "gravity"});
   if (table.contains("beam")) {
     Beam beam;
     NamedStructure result{"", source, read_beam(table, source, beam), false, {}};

@@ -12,6 +12,7 @@
 #include "app/complaints.hpp"
 #include "app/critical_report.hpp"
 #include "app/example_chain.hpp"
+#include "app/model_chain.hpp"
 #include "app/outputs.hpp"
 #include "app/progress.hpp"
 #include "app/space_file.hpp"
@@ -61,10 +62,10 @@ ChainTable read(CriticalOptions& options) {
   if (path.empty()) return one("four-link", parse_structure(example_chain, example_chain_name));
   const std::string extension = fs::path(path).extension(), source = files::source_name(path);
   const bool piped = files::is_standard_input(path);
-  if (extension != ".csv" && extension != ".toml" && !piped && !fs::is_directory(path))
+  if (extension != ".csv" && !names_chain_file(path) && !piped && !fs::is_directory(path))
     throw Error(path, "a name that ends in \"" + extension + "\"",
-                ".toml (a chain) or .csv (a table of chains)");
-  const std::string text = files::read_text(path);
+                ".toml (a chain), .csv (a table of chains) or a model: .xml (MJCF), .urdf, .sdf");
+  const std::string text = read_chain_text(path);
   options.table = piped ? is_chain_table(text) : is_table(path);
   if (options.table) return parse_chain_table(text, source);
   const std::string name = piped ? "chain" : files::printable(fs::path(path).stem().string());

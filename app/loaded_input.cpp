@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/chain_file.hpp"
+#include "app/model_chain.hpp"
 #include "app/space_file.hpp"
 #include "app/structure_file.hpp"
 #include "support/files/printable.hpp"
@@ -32,9 +33,9 @@ void LoadedChain::read() {
     return;
   }
   const bool piped = files::is_standard_input(path);
-  if (!piped && std::filesystem::path(path).extension() != ".toml" && !std::filesystem::is_directory(path))
-    throw Error(path, "a name that does not end in .toml", "CHAIN.toml");
-  const std::string text = files::read_text(path), source = files::source_name(path);
+  if (!piped && !names_chain_file(path) && !std::filesystem::is_directory(path))
+    throw Error(path, "a name that ends otherwise", "CHAIN.toml, or a model: .xml (MJCF), .urdf, .sdf");
+  const std::string text = read_chain_text(path), source = files::source_name(path);
   name = piped ? "chain" : files::printable(std::filesystem::path(path).stem().string());
   if (is_space_chain(text, source)) {
     const SpaceCase space = parse_space_chain(text, source);

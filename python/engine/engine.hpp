@@ -22,6 +22,7 @@ void add_straight(py::module_& module);
 void add_structures(py::module_& module);
 void add_loaded(py::module_& module);
 void add_diagnosis(py::module_& module);
+void add_models(py::module_& module);
 
 /// A chain of decimals, each taken exactly.
 /// \throws Error that names list and entry

@@ -1,4 +1,4 @@
-#include "diagnose/exchange/urdf_end.hpp"
+#include "tests/diagnose/exchange/urdf_end.hpp"
 
 #include <pugixml.hpp>
 #include <sstream>
