@@ -22,7 +22,7 @@ namespace plumbline::app {
 namespace {
 
 struct VerifyOptions {
-  std::string section, claim, json, html, errata, unfinished;
+  std::string folder, section, claim, json, html, errata, unfinished;
   int precision = 50;
   std::size_t chains = 0;
   std::uint64_t seed = 1;
@@ -30,6 +30,13 @@ struct VerifyOptions {
 
 bool with_colour() {
   return terminal_columns(1) > 0 && std::getenv("NO_COLOR") == nullptr;
+}
+
+/// The paper of a folder, or the one that the program was made for.
+const verify::Paper& paper_of(const VerifyOptions& options) {
+  if (options.folder.empty()) return verify::checked_paper();
+  static const verify::Paper given = verify::with_checks(verify::read_paper_folder(options.folder), false);
+  return given;
 }
 
 /// The whole paper's, for the page.
@@ -65,7 +72,8 @@ void run(const VerifyOptions& options, const CLI::App& verb) {
   if (!options.unfinished.empty())
     unfinished.emplace(options.unfinished,
                        fmt::format("plumbline verify --chains {} --seed {}", options.chains, options.seed));
-  const std::vector<verify::Claim> claims = verify::in_section(verify::all_claims(), options.section);
+  const verify::Paper& paper = paper_of(options);
+  const std::vector<verify::Claim> claims = verify::in_section(paper.claims, options.section);
   const bool one = !options.claim.empty();
   const std::vector<verify::Claim> chosen = one ? verify::with_id(claims, options.claim) : claims;
   std::vector<verify::Judged> judged;
@@ -80,18 +88,18 @@ void run(const VerifyOptions& options, const CLI::App& verb) {
   const page::Provenance& from = outputs.provenance();
   if (json) json->write(page::json_text({{"claims", as_json(judged)}}, from));
   if (html) {
-    const bool whole = !one && options.section.empty();
+    const bool whole = !one && options.section.empty() && options.folder.empty();
     const auto figures = whole ? draw_figures(judged) : std::vector<verify::DrawnFigure>{};
-    html->write(page::on_page(verify::as_html(judged, figures), from));
+    html->write(page::on_page(verify::as_html(paper, judged, figures), from));
   }
   if (errata)
-    errata->write(form == ".md" ? page::in_markdown(verify::errata_as_markdown(judged), from)
-                                : page::in_latex(verify::errata_as_latex(judged), from));
+    errata->write(form == ".md" ? page::in_markdown(verify::errata_as_markdown(paper, judged), from)
+                                : page::in_latex(verify::errata_as_latex(paper, judged), from));
   outputs.commit();
   if (unfinished) unfinished->finish();
   if (!json && !html && !errata)
     fmt::print("{}", one ? verify::as_detail(judged.front(), with_colour())
-                         : verify::as_table(judged, {with_colour(), terminal_columns(1)}));
+                         : verify::as_table(paper, judged, {with_colour(), terminal_columns(1)}));
   if (std::any_of(judged.begin(), judged.end(), [](const verify::Judged& j) { return !j.judgement; })) {
     throw CLI::RuntimeError(1);
   }
@@ -102,6 +110,8 @@ void run(const VerifyOptions& options, const CLI::App& verb) {
 void add_verify(CLI::App& app) {
   CLI::App* verb = app.add_subcommand("verify", "Every claim of the paper, judged, with the evidence");
   const auto options = std::make_shared<VerifyOptions>();
+  verb->add_option("paper", options->folder, "Another paper on chains: the folder that states its claims")
+      ->type_name("PAPER");
   verb->add_option("--section", options->section, "Only the claims of one section, such as 4.1")
       ->type_name("S");
   verb->add_option("--claim", options->claim, "Everything about one claim")

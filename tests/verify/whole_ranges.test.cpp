@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <plumbline/base/error.hpp>
 
-#include "verify/claims/loaded_chains.hpp"
-#include "verify/claims/three_link_plane.hpp"
+#include "verify/chains/loaded_chains.hpp"
+#include "verify/chains/three_link_plane.hpp"
 
 using namespace plumbline;
 using namespace plumbline::verify;

@@ -14,13 +14,13 @@ namespace {
 
 using GiNaC::ex;
 
-constexpr unsigned printed_n = 4;  // printed general formulas are read for four links
+constexpr unsigned printed_links = 4;  // printed general formulas are read for four links
 
 /// Symbols L1…L4, k1…k4, q1…q4, Fx, Fy, lambda.
 const proofs::Formulas& general_formulas() {
   static const proofs::Formulas instance([] {
     std::vector<std::string> names{"Fx", "Fy", "lambda"};
-    for (unsigned i = 1; i <= printed_n; ++i) {
+    for (unsigned i = 1; i <= printed_links; ++i) {
       for (const char* name : {"L", "k", "q"}) names.push_back(fmt::format("{}{}", name, i));
     }
     return names;
@@ -30,7 +30,7 @@ const proofs::Formulas& general_formulas() {
 
 std::vector<ex> symbols(const std::string& name) {
   std::vector<ex> result;
-  for (unsigned i = 1; i <= printed_n; ++i)
+  for (unsigned i = 1; i <= printed_links; ++i)
     result.push_back(general_formulas().symbol(fmt::format("{}{}", name, i)));
   return result;
 }
@@ -66,7 +66,7 @@ std::vector<std::string> grid_names(const std::string& matrix, unsigned rows, un
 /// Shortening and lateral deflection of the straight chain's end point.
 std::vector<ex> deflections(const proofs::SymbolicShape& shape) {
   proofs::SymbolicShape straight = shape;
-  straight.q.assign(printed_n, 0);
+  straight.q.assign(printed_links, 0);
   const GiNaC::matrix from = end_point(straight);
   const GiNaC::matrix to = end_point(shape);
   return {from(0, 0) - to(0, 0), to(1, 0) - from(1, 0)};
@@ -83,7 +83,7 @@ Judgement full_jacobian(const Printed& printed, int) {
   for (unsigned row = 0; row < 2; ++row) {
     for (const ex& q : shape.q) computed.push_back(derivative(end_point(shape)(row, 0), q));
   }
-  return judge_formulas(general_formulas(), printed, computed, grid_names("J", 2, printed_n),
+  return judge_formulas(general_formulas(), printed, computed, grid_names("J", 2, printed_links),
                         "derivatives of the end point by the joint angles, n = 4");
 }
 
@@ -93,7 +93,7 @@ std::vector<ex> linear_rows() {
   const GiNaC::matrix balance = proofs::torque_balance(scaled.shape, general_formulas().symbol("Fx"),
                                                        scaled.epsilon * general_formulas().symbol("Fy"));
   std::vector<ex> rows;
-  for (unsigned i = 0; i < printed_n; ++i)
+  for (unsigned i = 0; i < printed_links; ++i)
     rows.push_back(proofs::series_coefficient(balance(i, 0), scaled.epsilon, 1));
   rows.push_back(proofs::series_coefficient(deflections(scaled.shape)[1], scaled.epsilon, 1));
   return rows;
@@ -113,7 +113,7 @@ Judgement counts(const Printed& printed, int) {
   };
   const auto unknowns = static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(), occurs));
   const std::string found =
-      fmt::format("n+{} equations, n+{} unknowns", rows.size() - printed_n, unknowns - printed_n);
+      fmt::format("n+{} equations, n+{} unknowns", rows.size() - printed_links, unknowns - printed_links);
   return judge_word(
       printed.at(0), found, found,
       {{EvidenceKind::symbolic,
@@ -154,7 +154,7 @@ Judgement nonlinear_counts(const Printed& printed, int) {
   const std::size_t equations = balances + deflections(shape).size();
   const std::size_t unknowns = shape.q.size() + 2;
   const std::string found =
-      fmt::format("n+{} equations, n+{} unknowns", equations - printed_n, unknowns - printed_n);
+      fmt::format("n+{} equations, n+{} unknowns", equations - printed_links, unknowns - printed_links);
   const bool right = printed.at(0) == found;
   return {right ? Verdict::confirmed : Verdict::refuted,
           right ? "" : found,
@@ -199,7 +199,7 @@ Judgement small_jacobian_entries(const Printed& printed, int) {
   std::vector<ex> computed;
   const GiNaC::matrix J = jacobian(scaled.shape);
   for (std::size_t i = 0; i < J.nops(); ++i) computed.push_back(scaled.leading(J.op(i)));
-  return judge_formulas(general_formulas(), printed, computed, grid_names("J", 2, printed_n),
+  return judge_formulas(general_formulas(), printed, computed, grid_names("J", 2, printed_links),
                         "lowest-order terms of (23), n = 4");
 }
 
@@ -212,22 +212,22 @@ ex s1_entry(unsigned i, unsigned j) {
 
 Judgement s1_matrix(const Printed& printed, int) {
   std::vector<ex> computed;
-  for (unsigned i = 0; i < printed_n; ++i) {
-    for (unsigned j = 0; j < printed_n; ++j) computed.push_back(s1_entry(i, j));
+  for (unsigned i = 0; i < printed_links; ++i) {
+    for (unsigned j = 0; j < printed_links; ++j) computed.push_back(s1_entry(i, j));
   }
-  return judge_formulas(general_formulas(), printed, computed, grid_names("S1", printed_n, printed_n),
+  return judge_formulas(general_formulas(), printed, computed, grid_names("S1", printed_links, printed_links),
                         "first-order part of the first row of (23), n = 4");
 }
 
 Judgement s0_vector(const Printed& printed, int) {
   const GiNaC::matrix at_zero = [] {
     proofs::SymbolicShape straight = general_shape();
-    straight.q.assign(printed_n, 0);
+    straight.q.assign(printed_links, 0);
     return jacobian(straight);
   }();
   std::vector<ex> computed;
-  for (unsigned i = 0; i < printed_n; ++i) computed.push_back(at_zero(1, i));
-  return judge_formulas(general_formulas(), printed, computed, grid_names("S0", printed_n, 1),
+  for (unsigned i = 0; i < printed_links; ++i) computed.push_back(at_zero(1, i));
+  return judge_formulas(general_formulas(), printed, computed, grid_names("S0", printed_links, 1),
                         "second row of (23) at q = 0, n = 4");
 }
 

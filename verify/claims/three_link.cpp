@@ -9,9 +9,9 @@
 
 #include "proofs/exact/decimal.hpp"
 #include "proofs/exact/symbolic_statics.hpp"
+#include "verify/chains/loaded_chains.hpp"
+#include "verify/chains/straight_chains.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/loaded_chains.hpp"
-#include "verify/claims/straight_chains.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/sign.hpp"
 
@@ -84,8 +84,8 @@ Judgement jacobian_of(const proofs::SymbolicShape& s, const Printed& printed) {
 Judgement balance_of(const proofs::SymbolicShape& s, const Printed& printed) {
   std::vector<ex> computed = entries(
       proofs::torque_balance(s, stretched_formulas().symbol("Fx"), stretched_formulas().symbol("Fy")));
-  return judge_formulas(stretched_formulas(), printed, computed, {"equation 1", "equation 2", "equation 3"},
-                        "J^T F + M with M = (0, k q_1, k q_2), shape inserted");
+  return judge_equations(stretched_formulas(), printed, computed, {"equation 1", "equation 2", "equation 3"},
+                         "J^T F + M with M = (0, k q_1, k q_2), shape inserted");
 }
 
 Judgement jacobian_u(const Printed& printed, int) {
@@ -130,15 +130,16 @@ Judgement solution_u(const Printed& printed, int) {
 }
 
 /// Printed limits against the critical force of the m-th mode of the chain.
-Judgement limit_of(const proofs::SymbolicShape& s, const Printed& printed, std::size_t m) {
+Judgement limit_of(const proofs::SymbolicShape& s, const Printed& printed, const Premises& given,
+                   std::size_t m) {
   const ex limit = proofs::limit_at_zero(solve(s).Fx, phi());
   Judgement result = judge_formulas(stretched_formulas(), printed, {limit}, {"the limit"},
                                     "series of the exact solution: " + proofs::text(limit));
   Rational F;
   std::istringstream(proofs::text((limit * L() / k()).normal())) >> F;
   const Rational nudge(1, 1000000);
-  const std::size_t below = count_below(three_link_chain(), Rational(F - nudge));
-  const std::size_t above = count_below(three_link_chain(), Rational(F + nudge));
+  const std::size_t below = count_below(given.exact_chain("three-links"), Rational(F - nudge));
+  const std::size_t above = count_below(given.exact_chain("three-links"), Rational(F + nudge));
   if (below != m - 1 || above != m)
     throw Error("critical force", "different results of limit and recursion", "agreement");
   result.evidence.push_back(
@@ -149,11 +150,11 @@ Judgement limit_of(const proofs::SymbolicShape& s, const Printed& printed, std::
   return result;
 }
 
-Judgement limit_u(const Printed& printed, int) {
-  return limit_of(u_shape(), printed, 1);
+Judgement limit_u(const Printed& printed, const Premises& given, int) {
+  return limit_of(u_shape(), printed, given, 1);
 }
-Judgement limit_z(const Printed& printed, int) {
-  return limit_of(z_shape(), printed, 2);
+Judgement limit_z(const Printed& printed, const Premises& given, int) {
+  return limit_of(z_shape(), printed, given, 2);
 }
 
 Judgement no_exact_solution(const Printed& printed, int) {
@@ -180,7 +181,7 @@ Judgement no_exact_solution(const Printed& printed, int) {
 
 Judgement asymptotic_z(const Printed& printed, int) {
   const Forces exact = solve(z_shape());
-  const ex printed_Fx = stretched_formulas().parse(fraction_reading(printed.at(0)));
+  const ex printed_Fx = stretched_formulas().parse(printed.at(0));
   const ex printed_Fy = stretched_formulas().parse(printed.at(1));
   const bool same_limit =
       proofs::identical(proofs::limit_at_zero(printed_Fx, phi()), proofs::limit_at_zero(exact.Fx, phi())) &&
@@ -205,8 +206,8 @@ Judgement asymptotic_z(const Printed& printed, int) {
           ""};
 }
 
-Judgement two_shapes(const Printed& printed, int) {
-  const Chain<Rational> chain = three_link_chain();
+Judgement two_shapes(const Printed& printed, const Premises& given, int) {
+  const Chain<Rational> chain = given.exact_chain("three-links");
   // beyond the sum of all critical forces none is left; 100 is far beyond k/L + 3k/L
   const std::size_t count = count_below(chain, Rational(100));
   return judge_word(
@@ -241,11 +242,11 @@ Judgement column_shapes(const Printed& printed, int) {
 }
 
 /// Where the curves of Fig. 5 begin.
-Judgement curves_begin(const Printed& printed, int) {
+Judgement curves_begin(const Printed& printed, const Premises& given, int) {
   std::vector<std::string> limits;
   for (const proofs::SymbolicShape& s : {u_shape(), z_shape()})
     limits.push_back(proofs::text((proofs::limit_at_zero(solve(s).Fx, phi()) * L() / k()).normal()));
-  const proofs::Census census = held_at(three_link_chain_at(0, 0), Interval(3 - Rational(1, 1000)));
+  const proofs::Census census = held(given, "three-links").at(Rational(1, 1000));
   bool near = census.equilibria.size() == 4;
   std::vector<std::string> found;
   for (const auto& one : census.equilibria) {
@@ -268,8 +269,8 @@ Rational small_form(const Chain<Rational>& chain, const std::vector<Rational>& q
   return 2 * (strain_energy(chain, q) - F * small_deflection(chain, q).x);
 }
 
-Judgement stability(const Printed& printed, int) {
-  const Chain<Rational> chain = three_link_chain();
+Judgement stability(const Printed& printed, const Premises& given, int) {
+  const Chain<Rational> chain = given.exact_chain("three-links");
   const std::vector<Rational> u{1, -1, -1};
   const std::vector<Rational> z{1, -3, 3};
   const Rational F_u = energy_factor(chain, u);
@@ -290,9 +291,9 @@ Judgement stability(const Printed& printed, int) {
       ""};
 }
 
-Judgement force_order(const Printed& printed, int) {
-  const Rational u = energy_factor(three_link_chain(), {1, -1, -1});
-  const Rational z = energy_factor(three_link_chain(), {1, -3, 3});
+Judgement force_order(const Printed& printed, const Premises& given, int) {
+  const Rational u = energy_factor(given.exact_chain("three-links"), {1, -1, -1});
+  const Rational z = energy_factor(given.exact_chain("three-links"), {1, -3, 3});
   return judge_word(printed.at(0),
                     u < z   ? "lower"
                     : u > z ? "higher"

@@ -11,8 +11,8 @@
 
 #include "proofs/census/census.hpp"
 #include "proofs/exact/symbolic_statics.hpp"
+#include "verify/chains/loaded_chains.hpp"
 #include "verify/claims/claims.hpp"
-#include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/comparison.hpp"
 #include "verify/judging/matrix_formula.hpp"
 #include "verify/paper/paper.hpp"
@@ -104,9 +104,8 @@ Judgement abbreviations(const Printed& printed, int) {
 }
 
 /// The least favourable kind of equilibrium that a census of the U-chain holds.
-Judgement kind_of_point(const Printed& printed, int) {
-  const proofs::Census census =
-      held_at(fig7_chain(), unloaded_reach(fig7_chain()) - Interval(Rational(1, 10)));
+Judgement kind_of_point(const Printed& printed, const Premises& given, int) {
+  const proofs::Census& census = held(given, "fig-7-chain").at(Rational(1, 10));
   bool all_minima = true;
   for (const auto& one : census.equilibria) all_minima = all_minima && one.negative_directions == 0;
   const std::string found = all_minima ? "minimum" : "stationary point";
@@ -210,9 +209,8 @@ Judgement inverse_kinematics(const Printed& printed, int) {
 }
 
 /// Whether stable (or unstable) equilibria are just the absolute extremum of E over phi.
-Judgement extremum(const Printed& printed, bool stable) {
-  const proofs::Census census =
-      held_at(fig7_chain(), unloaded_reach(fig7_chain()) - Interval(Rational(1, 10)));
+Judgement extremum(const Printed& printed, const Premises& given, bool stable) {
+  const proofs::Census& census = held(given, "fig-7-chain").at(Rational(1, 10));
   std::vector<const proofs::CertifiedEquilibrium*> some;
   for (const auto& one : census.equilibria) {
     if ((one.negative_directions == 0) == stable) some.push_back(&one);
@@ -238,6 +236,13 @@ Judgement extremum(const Printed& printed, bool stable) {
             fmt::format("chain of Fig. 7 at 0.1 L, certified census: {} {} equilibria with E = {} k",
                         some.size(), stable ? "stable" : "unstable", fmt::join(energies, " and "))}},
           ""};
+}
+
+Judgement arg_min(const Printed& printed, const Premises& given, int) {
+  return extremum(printed, given, true);
+}
+Judgement arg_max(const Printed& printed, const Premises& given, int) {
+  return extremum(printed, given, false);
 }
 
 Judgement potential_energy(const Printed& printed, int) {
@@ -332,8 +337,8 @@ Checks claims::three_link_model() {
       {"reduced-space", reduced_space},
       {"eq-9-angles", inverse_kinematics},
       {"eq-9-C2", elbow},
-      {"arg-min", [](const Printed& printed, int) { return extremum(printed, true); }},
-      {"arg-max", [](const Printed& printed, int) { return extremum(printed, false); }},
+      {"arg-min", arg_min},
+      {"arg-max", arg_max},
       {"eq-10", potential_energy},
       {"strain-energy-suffices", load_term},
       {"end-point-deflection", deflection_sign},

@@ -117,8 +117,8 @@ Judgement straight_curve(const Printed& printed, int) {
                                             proofs::text(leading), order)}});
 }
 
-Judgement curved_monotonic(const Printed& printed, int) {
-  const Interval alpha = Interval::pi() / Interval(6);  // the paper's Fig. 3
+Judgement curved_monotonic(const Printed& printed, const Premises& given, int) {
+  const Interval alpha = given.value("fig-3-angle");
   const auto sign = certain_sign([&](const Interval& q) { return force_slope(q, alpha); },
                                  Interval(Rational(-52, 100)), Interval(Rational(26, 10)));
   const auto deflects = certain_sign([&](const Interval& q) { return sin(alpha + q); },
@@ -145,8 +145,8 @@ std::size_t minima(const Interval& alpha, const Interval& F) {
   return count;
 }
 
-Judgement single_minimum(const Printed& printed, int digits) {
-  const Interval alpha = Interval::pi() / Interval(6);
+Judgement single_minimum(const Printed& printed, const Premises& given, int digits) {
+  const Interval alpha = given.value("fig-3-angle");
   // mirrored shape alpha + q = -u: F = 2 (alpha + u) / sin u, least where tan u = alpha + u
   const auto fold = [&](const Interval& u) { return sin(u) - (alpha + u) * cos(u); };
   const auto fold_slope = [&](const Interval& u) { return (alpha + u) * sin(u); };
@@ -160,13 +160,16 @@ Judgement single_minimum(const Printed& printed, int digits) {
   const std::size_t above = minima(alpha, threshold * Interval(Rational(101, 100)));
   const std::string limit = certified_decimal(threshold, 6);
   Judgement result;
-  result.verdict = std::to_string(below) != printed.at(0)   ? Verdict::refuted
-                   : std::to_string(above) != printed.at(0) ? Verdict::imprecise
-                                                            : Verdict::confirmed;
-  result.truth = fmt::format(
-      "one minimum as long as F < {} k/L (alpha = pi/6) and always one with 0 < alpha + q < pi; "
-      "above that force the mirrored shape is a second minimum, higher in energy",
-      limit);
+  const std::string found = std::to_string(below),
+                    always = below == above ? found : found + " up to the fold";
+  result.verdict = printed.at(0) == always  ? Verdict::confirmed
+                   : printed.at(0) == found ? Verdict::imprecise
+                                            : Verdict::refuted;
+  if (result.verdict != Verdict::confirmed)
+    result.truth = fmt::format(
+        "one minimum as long as F < {} k/L (alpha = pi/6) and always one with 0 < alpha + q < pi; "
+        "above that force the mirrored shape is a second minimum, higher in energy",
+        limit);
   result.evidence = {
       {EvidenceKind::interval,
        fmt::format("zeros of V' for -pi < alpha + q < pi isolated at 0.99 and 1.01 of that force: {} and "
