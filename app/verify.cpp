@@ -35,7 +35,7 @@ bool with_colour() {
 /// The paper of a folder, or the one that the program was made for.
 const verify::Paper& paper_of(const VerifyOptions& options) {
   if (options.folder.empty()) return verify::checked_paper();
-  static const verify::Paper given = verify::with_checks(verify::read_paper_folder(options.folder), false);
+  static const verify::Paper given = verify::with_checks(verify::read_paper_folder(options.folder));
   return given;
 }
 
@@ -75,7 +75,9 @@ void run(const VerifyOptions& options, const CLI::App& verb) {
   const verify::Paper& paper = paper_of(options);
   const std::vector<verify::Claim> claims = verify::in_section(paper.claims, options.section);
   const bool one = !options.claim.empty();
-  const std::vector<verify::Claim> chosen = one ? verify::with_id(claims, options.claim) : claims;
+  std::vector<verify::Claim> all = claims;
+  if (one) all.insert(all.end(), paper.facts.begin(), paper.facts.end());
+  const std::vector<verify::Claim> chosen = one ? verify::with_id(all, options.claim) : claims;
   std::vector<verify::Judged> judged;
   {
     Progress progress("claims", chosen.size());

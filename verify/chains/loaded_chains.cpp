@@ -166,7 +166,7 @@ const proofs::Census& held_at(const Chain<Interval>& chain, const Interval& x) {
   return known.emplace(key, std::move(census)).first->second;
 }
 
-PaperForce paper_force(const proofs::CertifiedEquilibrium& one) {
+PaperForce<Interval> paper_force(const proofs::CertifiedEquilibrium& one) {
   return {-one.fx, -one.fy};
 }
 
@@ -315,6 +315,10 @@ std::vector<Interval> mean_stiffnesses(const SlowPath& path, const std::vector<R
 
 proofs::Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& from,
                                const Rational& to) {
+  static std::map<std::string, proofs::Located> known;
+  const std::string key =
+      fmt::format("{} {} {} {}", key_of(HeldChain{path.enclosed, path.reach}), joint, from.str(), to.str());
+  if (const auto found = known.find(key); found != known.end()) return found->second;
   const auto angle = [&](const proofs::Located& load) {
     return joint_angles(path.at(proofs::exactly(load)).theta)[joint];
   };
@@ -324,7 +328,7 @@ proofs::Located straightens_at(const SlowPath& path, std::size_t joint, const Ra
     return abs(b - a) < proofs::Located("1e-58");
   };
   const auto [a, b] = boost::math::tools::toms748_solve(angle, low, high, close, evaluations);
-  return (a + b) / 2;
+  return known.emplace(key, (a + b) / 2).first->second;
 }
 
 Branch<double> branch_through(const HeldChain& held, const proofs::CertifiedEquilibrium& one,

@@ -50,10 +50,15 @@ const proofs::Census& held_at(const Chain<Interval>& chain, const Interval& x);
 
 /// The force of the paper's (6), J^T F + M = 0: what the chain exerts through its end point, with F_x
 /// positive in compression. The program's own is what the environment exerts.
+template <class Real>
 struct PaperForce {
-  Interval x, y;
+  Real x, y;
 };
-PaperForce paper_force(const proofs::CertifiedEquilibrium& one);
+PaperForce<Interval> paper_force(const proofs::CertifiedEquilibrium& one);
+template <class Real>
+PaperForce<Real> paper_force(const BranchPoint<Real>& point) {
+  return {-point.force.x, -point.force.y};
+}
 
 /// "2 stable, 2 unstable".
 std::string types(const proofs::Census& census);
@@ -116,7 +121,7 @@ std::vector<proofs::CertifiedEquilibrium> states(const SlowPath& path,
 std::vector<Interval> mean_stiffnesses(const SlowPath& path, const std::vector<Rational>& deflections);
 
 /// The deflection at which a joint angle of the slowly compressed chain passes zero, between two deflections
-/// where it has different signs.
+/// where it has different signs. Computed once.
 proofs::Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& from,
                                const Rational& to);
 

@@ -53,8 +53,9 @@ void give_checks(std::vector<Claim>& claims, std::map<std::string, Check>& funct
 
 }  // namespace
 
-Paper with_checks(Paper paper, bool functions_of_ours) {
-  auto functions = functions_of_ours ? all_checks() : std::map<std::string, Check>{};
+Paper with_checks(Paper paper) {
+  constexpr const char* ours = "10.1016/j.mechmachtheory.2022.104783";
+  auto functions = paper.doi == ours ? all_checks() : std::map<std::string, Check>{};
   give_checks(paper.claims, functions);
   give_checks(paper.facts, functions);
   if (!functions.empty()) throw Error("check of " + functions.begin()->first, "no such claim", "one");
@@ -62,7 +63,7 @@ Paper with_checks(Paper paper, bool functions_of_ours) {
 }
 
 const Paper& checked_paper() {
-  static const Paper instance = with_checks(paper(), true);
+  static const Paper instance = with_checks(paper());
   return instance;
 }
 

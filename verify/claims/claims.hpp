@@ -38,10 +38,10 @@ Checks outside_the_model();  ///< section 5, couplings, end torque, new starts, 
 
 }  // namespace claims
 
-/// The paper with a check for each claim and each fact: the one that it states, or else the function of this
-/// folder that has its id. \throws Error where a claim has no check, or a function no claim
-/// \param functions_of_ours  whether there are such functions: for one paper alone
-Paper with_checks(Paper paper, bool functions_of_ours);
+/// The paper with a check for each claim and each fact: the one that it states, or else, in the paper that
+/// the program was made for, told by its DOI, the function of this folder that has its id. \throws Error
+/// where a claim has no check, or a function no claim
+Paper with_checks(Paper paper);
 
 /// The paper that the program was made for.
 const Paper& checked_paper();

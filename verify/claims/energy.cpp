@@ -45,18 +45,6 @@ struct SymbolicMode {
   }
 };
 
-Judgement mode_energy(const Printed& printed, int) {
-  const SymbolicMode mode;
-  return judge_formulas(mode.formulas, printed, {mode.energy, mode.shortening}, {"E_i", "delta_x"},
-                        "q = mu v in sum k q^2 / 2 and in (25), n = 4");
-}
-
-Judgement factor(const Printed& printed, int) {
-  const SymbolicMode mode;
-  return judge_formulas(mode.formulas, printed, {mode.energy / mode.shortening}, {"mu_i^0"},
-                        "E_i / delta_x of (37), n = 4");
-}
-
 Judgement energy_law(const Printed& printed, int) {
   const SymbolicMode mode;
   const proofs::Formulas formulas({"f", "dx"});
@@ -162,14 +150,8 @@ Judgement reference_of_39(const Printed& printed, int) {
 
 Checks claims::energy() {
   return {
-      {"eq-37", mode_energy},
-      {"eq-38", energy_law},
-      {"eq-39", factor},
-      {"energy-count", energy_count},
-      {"first-mode-observed", first_mode},
-      {"factor-order", factor_order},
-      {"reference-37", reference_of_37},
-      {"reference-39", reference_of_39},
+      {"eq-38", energy_law},          {"energy-count", energy_count},    {"first-mode-observed", first_mode},
+      {"factor-order", factor_order}, {"reference-37", reference_of_37}, {"reference-39", reference_of_39},
   };
 }
 

@@ -219,7 +219,7 @@ Judgement which_side(const Printed& printed, const Premises& given, int) {
 
 Judgement only_stable(const Printed& printed, const Premises& given, int) {
   const HeldChain chain = quasi_straight(given, 1);
-  const PlaneProof& plane = prove_in_plane(chain, 0, Rational(3, 10));
+  const PlaneProof& plane = prove_in_plane(chain, 0, Rational(1, 20));
   const Counts large(types(chain.at(Rational(3, 10))));
   const std::string found = large.of("stable") == 1 ? "the only stable" : "one of two stable";
   const std::string observed = side(given, 1);

@@ -52,27 +52,6 @@ std::size_t mode_of_shape(const Premises& given, const std::string& shape) {
   throw Error("claim", "the shape '" + shape + "'", "U, Z or ZU");
 }
 
-Judgement matrices(const Printed& printed, const Premises& given, int) {
-  const proofs::Formulas none({});
-  std::vector<GiNaC::ex> computed;
-  std::vector<std::string> names;
-  const Matrix<Rational> S1 = matrix_S1(unit_chain(given));
-  const Vector<Rational> S0 = matrix_S0(unit_chain(given));
-  for (Eigen::Index i = 0; i < 4; ++i) {
-    for (Eigen::Index j = 0; j < 4; ++j) {
-      computed.push_back(none.parse(S1(i, j).str()));
-      names.push_back(fmt::format("S1({},{})", i + 1, j + 1));
-    }
-  }
-  for (Eigen::Index i = 0; i < 4; ++i) {
-    computed.push_back(none.parse(S0(i).str()));
-    names.push_back(fmt::format("S0({})", i + 1));
-  }
-  Judgement result = judge_formulas(none, printed, computed, names, "");
-  result.evidence = {{EvidenceKind::exact, "(28) with L_i = 1 in rationals"}};
-  return result;
-}
-
 Judgement polynomial(const Printed& printed, const Premises& given, int) {
   const proofs::Formulas none({});
   const proofs::Polynomial chi = proofs::characteristic_polynomial(unit_chain(given));
@@ -135,24 +114,6 @@ Judgement all_eigenvalues(const Printed& printed, const Premises& given, int dig
   return result;
 }
 
-/// A row of Table 2: lambda and the five components of the unit eigenvector.
-Judgement table_2_row(const Printed& printed, const Premises& given, int digits) {
-  const std::size_t m = std::stoul(printed.at(0)) - 1;
-  const CertifiedMode& mode = modes(given).at(m);
-  const Interval sign(printed.at(2).starts_with('-') ? -1
-                                                     : 1);  // q_1 > 0 in the mode; either is an eigenvector
-  std::vector<Interval> computed{mode.lambda};
-  for (const Interval& angle : mode.q) computed.push_back(sign * angle);
-  computed.push_back(sign * mode.fy);
-  Judgement result = judge_decimals({printed.begin() + 1, printed.end()}, computed,
-                                    {"lambda", "v_1", "v_2", "v_3", "v_4", "v_5"}, how);
-  std::vector<std::string> values;
-  values.reserve(computed.size());
-  for (const Interval& x : computed) values.push_back(certified_decimal(x, digits));
-  result.value = fmt::format("{}", fmt::join(values, "; "));
-  return result;
-}
-
 /// Whether the vectors of Table 2 have the printed norm.
 Judgement norms(const Printed& printed, int) {
   const std::optional<Rational> norm = proofs::parse_decimal(printed.at(0));
@@ -163,7 +124,7 @@ Judgement norms(const Printed& printed, int) {
     const Printed& entries = printed_in_paper(row);
     Rational square = 0;
     Rational slack = 0;  // half a unit of the fourth place in each component
-    for (std::size_t i = 2; i < entries.size(); ++i) {
+    for (std::size_t i = 1; i < entries.size(); ++i) {
       const Rational x = proofs::parse_decimal(entries[i]).value();
       square += x * x;
       slack += (x < 0 ? Rational(-x) : x) / 10000;
@@ -335,13 +296,9 @@ Judgement shapes_total(const Printed& printed, const Premises& given, int) {
 Checks claims::four_link() {
   return {
       {"unit-norm", norms},
-      {"eq-40", matrices},
       {"four-link-polynomial", polynomial},
       {"four-link-roots", all_eigenvalues},
       {"three-nonzero-roots", nonzero_roots},
-      {"table-2-row-1", table_2_row},
-      {"table-2-row-2", table_2_row},
-      {"table-2-row-3", table_2_row},
       {"four-link-shapes", shapes_total},
       {"four-link-stable-shapes", stable_count},
       {"straight-below-critical", straight_below},

@@ -46,22 +46,7 @@ struct Scaled {
   Scaled() {
     for (ex& angle : shape.q) angle *= epsilon;
   }
-  [[nodiscard]] ex leading(const ex& e) const {
-    return proofs::series_coefficient(e, epsilon, proofs::leading_order(e, epsilon));
-  }
 };
-
-ex derivative(const ex& e, const ex& symbol) {
-  return e.diff(GiNaC::ex_to<GiNaC::symbol>(symbol));
-}
-
-std::vector<std::string> grid_names(const std::string& matrix, unsigned rows, unsigned columns) {
-  std::vector<std::string> names;
-  for (unsigned i = 1; i <= rows; ++i) {
-    for (unsigned j = 1; j <= columns; ++j) names.push_back(fmt::format("{}({},{})", matrix, i, j));
-  }
-  return names;
-}
 
 /// Shortening and lateral deflection of the straight chain's end point.
 std::vector<ex> deflections(const proofs::SymbolicShape& shape) {
@@ -70,21 +55,6 @@ std::vector<ex> deflections(const proofs::SymbolicShape& shape) {
   const GiNaC::matrix from = end_point(straight);
   const GiNaC::matrix to = end_point(shape);
   return {from(0, 0) - to(0, 0), to(1, 0) - from(1, 0)};
-}
-
-Judgement geometry(const Printed& printed, int) {
-  return judge_formulas(general_formulas(), printed, deflections(general_shape()), {"delta_x", "delta_y"},
-                        "end point of the straight chain against that of the bent one, n = 4");
-}
-
-Judgement full_jacobian(const Printed& printed, int) {
-  const proofs::SymbolicShape shape = general_shape();
-  std::vector<ex> computed;
-  for (unsigned row = 0; row < 2; ++row) {
-    for (const ex& q : shape.q) computed.push_back(derivative(end_point(shape)(row, 0), q));
-  }
-  return judge_formulas(general_formulas(), printed, computed, grid_names("J", 2, printed_links),
-                        "derivatives of the end point by the joint angles, n = 4");
 }
 
 /// (29) and (30) in symbols, row by row, from the kinematics.
@@ -163,16 +133,6 @@ Judgement nonlinear_counts(const Printed& printed, int) {
           ""};
 }
 
-Judgement small_geometry(const Printed& printed, int) {
-  const Scaled scaled;
-  std::vector<ex> computed;
-  for (const ex& deflection : deflections(scaled.shape)) computed.push_back(scaled.leading(deflection));
-  return judge_formulas(
-      general_formulas(), printed, computed, {"delta_x", "delta_y"},
-      "lowest-order terms of (21) in the joint angles, n = 4; 0 <= delta_x(25) - delta_x(21) <= sum L "
-      "theta^4/24 since 1 - cos x lies between x^2/2 - x^4/24 and x^2/2");
-}
-
 Judgement linear_word(const Printed& printed, int) {
   const Scaled scaled;
   const std::vector<ex> d = deflections(scaled.shape);
@@ -194,54 +154,11 @@ Judgement linear_word(const Printed& printed, int) {
           ""};
 }
 
-Judgement small_jacobian_entries(const Printed& printed, int) {
-  const Scaled scaled;
-  std::vector<ex> computed;
-  const GiNaC::matrix J = jacobian(scaled.shape);
-  for (std::size_t i = 0; i < J.nops(); ++i) computed.push_back(scaled.leading(J.op(i)));
-  return judge_formulas(general_formulas(), printed, computed, grid_names("J", 2, printed_links),
-                        "lowest-order terms of (23), n = 4");
-}
-
-/// S1 from the kinematics, not from (28): the first row of J^T is S1 q to first order.
-ex s1_entry(unsigned i, unsigned j) {
-  const Scaled scaled;
-  const ex first = proofs::series_coefficient(jacobian(scaled.shape)(0, i), scaled.epsilon, 1);
-  return derivative(first, symbols("q")[j]);
-}
-
-Judgement s1_matrix(const Printed& printed, int) {
-  std::vector<ex> computed;
-  for (unsigned i = 0; i < printed_links; ++i) {
-    for (unsigned j = 0; j < printed_links; ++j) computed.push_back(s1_entry(i, j));
-  }
-  return judge_formulas(general_formulas(), printed, computed, grid_names("S1", printed_links, printed_links),
-                        "first-order part of the first row of (23), n = 4");
-}
-
-Judgement s0_vector(const Printed& printed, int) {
-  const GiNaC::matrix at_zero = [] {
-    proofs::SymbolicShape straight = general_shape();
-    straight.q.assign(printed_links, 0);
-    return jacobian(straight);
-  }();
-  std::vector<ex> computed;
-  for (unsigned i = 0; i < printed_links; ++i) computed.push_back(at_zero(1, i));
-  return judge_formulas(general_formulas(), printed, computed, grid_names("S0", printed_links, 1),
-                        "second row of (23) at q = 0, n = 4");
-}
-
 }  // namespace
 
 Checks claims::linearised_model() {
   return {
-      {"eq-21", geometry},
-      {"eq-23", full_jacobian},
       {"linearised", linear_word},
-      {"eq-25", small_geometry},
-      {"eq-26", small_jacobian_entries},
-      {"eq-28-S1", s1_matrix},
-      {"eq-28-S0", s0_vector},
       {"unknowns-nonlinear", nonlinear_counts},
       {"unknowns", counts},
       {"extended-linear", degree},

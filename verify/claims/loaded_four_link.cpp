@@ -26,23 +26,6 @@ HeldChain z_chain(const Premises& given) {
   return held(given, "z-chain");
 }
 
-Judgement direct_kinematics(const Printed& printed, int) {
-  std::vector<std::string> names;
-  for (int i = 1; i <= 4; ++i) {
-    names.push_back(fmt::format("L{}", i));
-    names.push_back(fmt::format("q{}", i));
-  }
-  const proofs::Formulas formulas(names);
-  proofs::SymbolicShape shape;
-  for (int i = 1; i <= 4; ++i) {
-    shape.length.push_back(formulas.symbol(fmt::format("L{}", i)));
-    shape.stiffness.emplace_back(1);
-    shape.q.push_back(formulas.symbol(fmt::format("q{}", i)));
-  }
-  return judge_formulas(formulas, printed, {end_point(shape)(0, 0)}, {"x"},
-                        "direct kinematics of four links");
-}
-
 /// Joint angles that stay free when the end point is held: n less the rank of the Jacobian.
 Judgement freedom(const Printed& printed, int) {
   const auto count = [](std::size_t n) {
@@ -146,16 +129,6 @@ Judgement table1_origin(const Printed& printed, const Premises& given, int) {
       ""};
 }
 
-Judgement surface(const HeldChain& chain, const Rational& deflection, const Printed& printed) {
-  const proofs::Census& census = chain.at(deflection);
-  const std::string found = extrema(census, 1);
-  return judge_counts(
-      printed.at(0), found,
-      fmt::format("on the sheet q_4 > 0 there are {}; {} equilibria in all", found, census.equilibria.size()),
-      {{EvidenceKind::interval, fmt::format("certified census at {} L: {}, {} boxes",
-                                            proofs::to_exact(deflection), found, census.boxes)}});
-}
-
 Judgement stable_signs(const HeldChain& chain, const Rational& d, const Printed& printed) {
   const std::string found = signs(reached(chain.at(d), chain.compressed(far), d));
   return judge_word(
@@ -166,12 +139,6 @@ Judgement stable_signs(const HeldChain& chain, const Rational& d, const Printed&
                     proofs::to_exact(d), found)}});
 }
 
-Judgement u_surface(const Printed& printed, const Premises& given, int) {
-  return surface(u_chain(given), given.exact("fig-11-deflection"), printed);
-}
-Judgement z_surface(const Printed& printed, const Premises& given, int) {
-  return surface(z_chain(given), given.exact("fig-13-deflection"), printed);
-}
 Judgement u_signs(const Printed& printed, const Premises& given, int) {
   return stable_signs(u_chain(given), given.exact("fig-11-deflection"), printed);
 }
@@ -195,24 +162,6 @@ Judgement continuity_proof(const Printed& printed, int) {
             "continuously; that the curves of Fig. 12 are continuous is shown by following them",
       {snap.evidence.front()},
       ""};
-}
-
-Judgement u_continuous(const Printed& printed, const Premises& given, int) {
-  const SlowPath& path = u_chain(given).compressed(far);
-  return judge_word(printed.at(0), path.continuity(), "stability is lost on the way", {path.evidence()});
-}
-
-Judgement u_resistance(const Printed& printed, const Premises& given, int) {
-  const SlowPath& path = u_chain(given).compressed(far);
-  return judge_word(printed.at(0), path.stiff() ? "increasing" : "not increasing",
-                    "the force falls somewhere", {path.evidence()});
-}
-
-Judgement u_stiffness(const Printed& printed, const Premises& given, int) {
-  const SlowPath& path = u_chain(given).compressed(far);
-  const bool falls = path.regular() && path.proved[0].softens;
-  return judge_word(printed.at(0), falls ? "decreasing" : "another",
-                    "the tangent stiffness does not fall all along", {path.evidence()});
 }
 
 /// The end of the branch on which two equilibria of the Z-chain are born as the compression grows.
@@ -298,7 +247,6 @@ Judgement z_forces(const Printed& printed, const Premises& given, int digits) {
 
 Checks claims::loaded_four_link() {
   return {
-      {"eq-11", direct_kinematics},
       {"redundancy", freedom},
       {"table-1-u", table1_place},
       {"table-1-z", table1_place},
@@ -306,16 +254,10 @@ Checks claims::loaded_four_link() {
       {"table-1-z-shape", table1_origin},
       {"initial-displacement", initial_displacement},
       {"eq-11-12", loaded_deflection},
-      {"eq-12", direct_kinematics},
-      {"fig-11-count", u_surface},
       {"fig-11-shape", u_signs},
       {"fig-11-continuity", continuity_proof},
-      {"fig-12-continuous", u_continuous},
-      {"fig-12-resistance", u_resistance},
-      {"fig-12-stiffness", u_stiffness},
       {"fig-12-lateral", u_forces},
       {"fig-14-lateral", z_forces},
-      {"fig-13-count", z_surface},
       {"fig-13-shape", z_signs},
       {"fig-13-singularities", singular_surface},
   };

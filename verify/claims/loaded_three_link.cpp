@@ -108,7 +108,8 @@ Judgement always_continuous(const Printed& printed, int digits) {
 }
 
 Judgement stiffness_amplitude(const Printed& printed, const Premises& given, int) {
-  const proofs::Located first = fig7_path(given).at(0).stiffness, last = fig7_path(given).at(Rational(1, 2)).stiffness;
+  const proofs::Located first = fig7_path(given).at(0).stiffness,
+                        last = fig7_path(given).at(Rational(1, 2)).stiffness;
   const std::vector<Interval> means =
       mean_stiffnesses(fig7_path(given), {Rational(1, 50), Rational(1, 10), Rational(3, 5)});
   const bool depends = certainly_less(means[1] * Interval(Rational(101, 100)), means[0]);
@@ -223,8 +224,7 @@ Judgement letters(const Printed& printed, const Premises& given, int) {
   for (const auto& one : census_of_all(given).equilibria)
     found.push_back(letter(one) + (one.negative_directions == 0 ? " stable" : " unstable"));
   const std::string list = sorted_list(found);
-  return judge_word(sorted_list(printed), list, "the equilibria are " + list,
-                    {of_fig7_chain(given, list)});
+  return judge_word(sorted_list(printed), list, "the equilibria are " + list, {of_fig7_chain(given, list)});
 }
 
 /// Which shapes are feasible, as section 2 has the word: stable.
@@ -250,8 +250,7 @@ Judgement global_minimum(const Printed& printed, const Premises& given, int) {
   const proofs::CertifiedEquilibrium here = reached(census, snapping_chain().compressed(far), d);
   return judge_word(
       printed.at(0), found, found + " equilibria have the least energy",
-      {of_fig7_chain(given,
-                          "one U⁺; its energy is below that of every other box at the same deflection"),
+      {of_fig7_chain(given, "one U⁺; its energy is below that of every other box at the same deflection"),
        {EvidenceKind::interval, fmt::format("a chain is not always there: four links, k = (5, 5, 5, 6), rest "
                                             "angles (0.6, -1.2, 0.6, 0), slowly "
                                             "compressed to 1.14 L, have E = {} k, the lowest minimum {} k",
@@ -289,14 +288,14 @@ Judgement straight_jump(const Printed& printed, int) {
 }
 
 Judgement least_force(const Printed& printed, const Premises& given, int) {
-  const bool least =
-      fig7_plane(given).least("--", &PlanePiece::energy) && fig7_plane(given).least("--", &PlanePiece::compression);
+  const bool least = fig7_plane(given).least("--", &PlanePiece::energy) &&
+                     fig7_plane(given).least("--", &PlanePiece::compression);
   return judge_word(
       printed.at(0), least ? "minimum" : "another",
       "the shape of least energy has the least compression among those that are compressed",
       {of_fig7_chain(given,
-                          "one U⁺; its energy and its compression are below those of every other box at "
-                          "the same deflection")});
+                     "one U⁺; its energy and its compression are below those of every other box at "
+                     "the same deflection")});
 }
 
 Judgement observed(const Printed& printed, const Premises& given, int) {
@@ -305,18 +304,13 @@ Judgement observed(const Printed& printed, const Premises& given, int) {
   const bool lowest = shape == "U⁺" && fig7_plane(given).least("--", &PlanePiece::energy);
   const std::string found = lowest ? "global" : "local";
   const bool right = printed.at(0) == shape && printed.at(1) == found && fig7_path(given).regular();
-  return {right ? Verdict::confirmed : Verdict::refuted,
-          right ? "" : fmt::format("the shape that is reached is {}, a {} minimum", shape, found),
-          {fig7_path(given).evidence(),
-           of_fig7_chain(given,
-                              "the slowly compressed chain is " + shape +
-                                  ", whose energy is below that of every other box at the same deflection")},
-          ""};
-}
-
-Judgement continuous(const Printed& printed, const Premises& given, int) {
-  return judge_word(printed.at(0), fig7_path(given).continuity(), "stability is lost on the way",
-                    {fig7_path(given).evidence()});
+  return {
+      right ? Verdict::confirmed : Verdict::refuted,
+      right ? "" : fmt::format("the shape that is reached is {}, a {} minimum", shape, found),
+      {fig7_path(given).evidence(),
+       of_fig7_chain(given, "the slowly compressed chain is " + shape +
+                                ", whose energy is below that of every other box at the same deflection")},
+      ""};
 }
 
 }  // namespace
@@ -334,7 +328,6 @@ Checks claims::loaded_three_link() {
       {"fig-7-shapes", letters},
       {"fig-7-force", least_force},
       {"fig-7-observed", observed},
-      {"fig-7-continuous", continuous},
       {"fig-7-rest", rest_shape},
       {"straight-jump", straight_jump},
   };

@@ -107,7 +107,7 @@ Judgement restart(const Printed& printed, const Premises& given, int) {
     Unknowns at_rest;
     for (Eigen::Index i = 0; i < 3; ++i)
       at_rest(i) = static_cast<double>(one.q[static_cast<std::size_t>(i)].middle());
-    const PaperForce force = paper_force(one);
+    const PaperForce<Interval> force = paper_force(one);
     at_rest(3) = static_cast<double>(force.x.middle()), at_rest(4) = static_cast<double>(force.y.middle());
     for (int start = 0; start < starts; ++start) {
       Unknowns at = at_rest;

@@ -41,7 +41,7 @@ const Place places[] = {
     {"(33)", "eq-31-33", 5, "K", 1},
     {"(34)", "eq-34", 0, "1/Fx", 1},
     {"(35)", "eq-35-force", 0, "1/lambda", 1},
-    {"Table 2", "table-2-row-1", 1, "1.0822", 1},
+    {"Table 2", "table-2-row-1", 0, "1.0822", 1},
     {"(36)", "eq-36", 0, "1/max(lambda)", 1},
     {"Table 3", "table-3-forces", 1, "0.9240", 1},
     {"step 4", "algorithm-1-step-4", 0, "1/max(lambda)", 1},
@@ -97,7 +97,7 @@ std::string algorithm1_against(const Chain<Rational>& exact, const Interval& cer
 /// "-1/max(lambda)", lambda the absolute values of the eigenvalues, as the lowest force of the unit chain of
 /// four links, at a place of the paper.
 Judgement lowest_force_at(const std::string& place, const Printed& printed, const Premises& given,
-                         int digits) {
+                          int digits) {
   const Chain<Rational> chain = given.exact_chain("unit-chain");
   static const std::regex form(R"(([+-]?)(\d+)/(max|min)\(lambda\))");
   std::smatch parts;

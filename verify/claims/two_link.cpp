@@ -50,22 +50,6 @@ Judgement force(const Printed& printed, int) {
                         "F = U'(q) / Delta'(q), the root of V'(q) = 0");
 }
 
-Judgement deflection(const Printed& printed, int) {
-  const TwoLink m;
-  return judge_formulas(m.formulas, printed, {m.deflection}, {"Delta(q)"},
-                        "end-point distance 2L cos(alpha) less 2L cos(alpha + q)");
-}
-
-Judgement strain(const Printed& printed, int) {
-  const TwoLink m;
-  return judge_formulas(m.formulas, printed, {m.strain_energy}, {"U(q)"}, "the spring turns by 2q");
-}
-
-Judgement potential(const Printed& printed, int) {
-  const TwoLink m;
-  return judge_formulas(m.formulas, printed, {m.potential}, {"V(q)"}, "V = U - F Delta, expanded");
-}
-
 Judgement critical_force(const Printed& printed, int) {
   const TwoLink m;
   const ex straight = m.force.subs(m.alpha == 0);
@@ -292,19 +276,11 @@ Judgement pseudoinverse(const Printed& printed, int) {
 
 Checks claims::two_link() {
   return {
-      {"two-link-equilibrium", equilibrium},
-      {"eq-1-force", force},
-      {"eq-1-deflection", deflection},
-      {"straight-curve", straight_curve},
-      {"eq-2", critical_force},
-      {"energy-extrema", energy_extrema},
-      {"two-link-strain-energy", strain},
-      {"eq-3", potential},
-      {"straight-stable", stable_up_to},
-      {"curved-monotonic", curved_monotonic},
-      {"curved-single-minimum", single_minimum},
-      {"two-link-bifurcation", bifurcation},
-      {"sudden-change", onset},
+      {"two-link-equilibrium", equilibrium},  {"eq-1-force", force},
+      {"straight-curve", straight_curve},     {"eq-2", critical_force},
+      {"energy-extrema", energy_extrema},     {"straight-stable", stable_up_to},
+      {"curved-monotonic", curved_monotonic}, {"curved-single-minimum", single_minimum},
+      {"two-link-bifurcation", bifurcation},  {"sudden-change", onset},
       {"pseudoinverse", pseudoinverse},
   };
 }

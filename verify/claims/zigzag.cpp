@@ -218,7 +218,7 @@ proofs::Located level(const Premises& given) {
 }
 
 proofs::Located force_at(const Premises& given, const Rational& deflection) {
-  return -path(given).at(deflection).force.x;
+  return paper_force(path(given).at(deflection)).x;
 }
 
 Judgement critical_angle(const Printed& printed, const Premises& given, int digits) {
@@ -232,7 +232,7 @@ Judgement critical_angle(const Printed& printed, const Premises& given, int digi
       fmt::format(
           "at the critical force, {} k/L, the first angle is still {}; it passes zero at {} k/L, {} L, where "
           "nothing happens to the stiffness",
-          proofs::Located(-buckling(given).point.force.x).str(6), angle.str(8),
+          paper_force(buckling(given).point).x.str(6), angle.str(8),
           force_at(given, proofs::exactly(level(given))).str(6), level(given).str(6)),
       {{EvidenceKind::interval,
         "certified censuses 1e-6 L before and after the bifurcation: the first angle is below -0.1"},

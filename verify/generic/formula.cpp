@@ -14,7 +14,8 @@ namespace {
 
 using GiNaC::ex;
 
-GiNaC::symbol symbol(const SymbolicModel& model, const std::string& name) {
+/// A symbol to differentiate by. It is no real one any more: nothing to substitute.
+GiNaC::symbol variable(const SymbolicModel& model, const std::string& name) {
   return GiNaC::ex_to<GiNaC::symbol>(model.formulas().symbol(name));
 }
 
@@ -27,9 +28,9 @@ struct Steps {
 
   [[nodiscard]] ex of_model(ex value, std::size_t place) const {
     const Printed by = with.list("by");
-    if (!by.empty()) value = value.diff(symbol(model, by.at(by.size() == 1 ? 0 : place)));
+    if (!by.empty()) value = value.diff(variable(model, by.at(by.size() == 1 ? 0 : place)));
     value = inserted(value);
-    if (with.has("limit")) value = proofs::limit_at_zero(value, symbol(model, with.text("limit")));
+    if (with.has("limit")) value = proofs::limit_at_zero(value, model.formulas().symbol(with.text("limit")));
     if (with.has("lowest")) value = lowest(value);
     return truncated(value);
   }
@@ -40,7 +41,7 @@ struct Steps {
       const std::size_t equals = one.find('=');
       if (equals == std::string::npos) with.wrong("at = '" + one + "'", "name = formula");
       const std::string name = one.substr(0, one.find_last_not_of(' ', equals - 1) + 1);
-      values[symbol(model, name)] = model.value(one.substr(equals + 1));
+      values[model.formulas().symbol(name)] = model.value(one.substr(equals + 1));
     }
     return value.subs(values);
   }
@@ -49,7 +50,7 @@ struct Steps {
     const ex small = GiNaC::realsymbol("small");
     GiNaC::exmap scaled;
     for (const std::string& name : with.list("lowest"))
-      scaled[symbol(model, name)] = small * symbol(model, name);
+      scaled[model.formulas().symbol(name)] = small * model.formulas().symbol(name);
     const ex all = value.subs(scaled);
     return proofs::series_coefficient(all, small, proofs::leading_order(all, small));
   }
@@ -58,7 +59,7 @@ struct Steps {
     const Printed to = with.list("to");
     if (to.empty()) return value;
     if (to.size() != 2) with.wrong("to", "a name and an order");
-    const ex small = symbol(model, to[0]);
+    const ex small = model.formulas().symbol(to[0]);
     ex sum = 0;
     for (int power = std::min(0, proofs::leading_order(value, small, 1)); power <= std::stoi(to[1]); ++power)
       sum += proofs::series_coefficient(value, small, power) * pow(small, power);

@@ -53,7 +53,7 @@ BranchPoint<proofs::Located> place_of(const Parameters& with, const Premises& gi
 proofs::Located of_point(const Parameters& with, const BranchPoint<proofs::Located>& point,
                          const std::string& name) {
   if (name == "deflection") return point.load;
-  if (name == "force") return -point.force.x;
+  if (name == "force") return paper_force(point).x;
   if (name == "stiffness") return point.stiffness;
   std::istringstream words(name);
   std::string what;
@@ -65,7 +65,7 @@ proofs::Located of_point(const Parameters& with, const BranchPoint<proofs::Locat
 
 /// Slopes of the force just before and just after a deflection, certified as means.
 std::vector<Interval> slopes_next_to(const SlowPath& path, const Rational& at) {
-  const Rational next(1, 1000000), wide(1, 10000);
+  const Rational next(1, 1000000), wide(1, 100000);
   return {mean_stiffnesses(path, {Rational(at - wide), Rational(at - next)})[0],
           mean_stiffnesses(path, {Rational(at + next), Rational(at + wide)})[0]};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <plumbline/base/error.hpp>
+#include <set>
 
 #include "verify/judging/notation.hpp"
 #include "verify/paper/toml_texts.hpp"
@@ -44,13 +45,18 @@ std::string replaced(std::string text, const Printed& from, const Printed& to, c
 /// `read` with the entries of the print in place of {1}, {2} and so on.
 std::string filled(std::string text, const Printed& from, const Printed& to, const Words& words,
                    const std::string& place) {
+  std::set<std::string> used;
   for (std::size_t i = 0; i < to.size(); ++i) {
     const std::string mark = fmt::format("{{{}}}", i + 1);
+    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark)) {
+      text.replace(at, mark.size(), said(to[i], words));
+      used.insert(to[i]);
+    }
+  }
+  for (std::size_t i = 0; i < to.size(); ++i) {
     const bool same = from.size() == to.size() && from[i] == to[i];
-    std::size_t at = text.find(mark);
-    if (at == std::string::npos && !same)
-      throw Error(place, "no " + mark + " in “" + text + "”", "each entry that becomes another");
-    for (; at != std::string::npos; at = text.find(mark)) text.replace(at, mark.size(), said(to[i], words));
+    if (!same && !used.contains(to[i]))
+      throw Error(place, fmt::format("no {{{}}} in “{}”", i + 1, text), "each entry that becomes another");
   }
   return text;
 }

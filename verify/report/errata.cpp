@@ -98,7 +98,11 @@ class Examination {
     std::vector<Printed> prints;
     for (const std::string& id : sentence.held_by) {
       if (verdicts_.confirmed(id)) {
-        prints.push_back(verdicts_.of(id).claim.printed);
+        const Judged& one = verdicts_.of(id);
+        prints.push_back(one.claim.printed);
+        prints.push_back({one.judgement->value});
+        for (const Premise& premise : one.claim.given.list())
+          for (const auto& [part, numbers] : premise.parts) prints.push_back(numbers);
         continue;
       }
       const auto corrected = std::find_if(holds_.corrections.begin(), holds_.corrections.end(),
