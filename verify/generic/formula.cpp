@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <regex>
+
 #include "verify/generic/generic.hpp"
 #include "verify/generic/symbolic_model.hpp"
 #include "verify/judging/comparison.hpp"
@@ -86,7 +88,8 @@ Judgement generic::formula(const Parameters& with, const Printed& printed, const
   Printed names = with.list("names");
   if (names.empty()) names = of;
   Printed read;
-  for (const std::string& entry : printed) read.push_back(with_fractions(entry));
+  static const std::regex pi("\\bpi\\b");
+  for (const std::string& entry : printed) read.push_back(std::regex_replace(with_fractions(entry), pi, "Pi"));
   if (with.has("to"))
     for (std::string& entry : read) entry = proofs::text(steps.truncated(model.formulas().parse(entry)));
   return with.text("up to", "nothing") == "factor"
