@@ -39,13 +39,19 @@ const verify::Paper& paper_of(const VerifyOptions& options) {
   return given;
 }
 
-/// The whole paper's, for the page.
-std::vector<verify::DrawnFigure> draw_figures(const std::vector<verify::Judged>& judged) {
+/// The whole paper's, for the page; none where they cannot be drawn, and then why.
+std::vector<verify::DrawnFigure> draw_figures(const std::vector<verify::Judged>& judged,
+                                              std::string& problem) {
   std::vector<verify::DrawnFigure> drawn;
   Progress progress("figures", verify::figures().size());
   for (const verify::Figure& figure : verify::figures()) {
-    drawn.push_back({figure.number, figure.title, verify::verdicts_about(figure, judged),
-                     page::as_svg(figure.draw(), figure.columns)});
+    try {
+      drawn.push_back({figure.number, figure.title, verify::verdicts_about(figure, judged),
+                       page::as_svg(figure.draw(), figure.columns)});
+    } catch (const Error& error) {
+      problem = error.what();
+      return {};
+    }
     progress.advance();
   }
   return drawn;
@@ -91,7 +97,9 @@ void run(const VerifyOptions& options, const CLI::App& verb) {
   if (json) json->write(page::json_text({{"claims", as_json(judged)}}, from));
   if (html) {
     const bool whole = !one && options.section.empty() && options.folder.empty();
-    const auto figures = whole ? draw_figures(judged) : std::vector<verify::DrawnFigure>{};
+    std::string problem;
+    const auto figures = whole ? draw_figures(judged, problem) : std::vector<verify::DrawnFigure>{};
+    if (!problem.empty()) fmt::print(stderr, "plumbline: the page has no figures: {}\n", problem);
     html->write(page::on_page(verify::as_html(paper, judged, figures), from));
   }
   if (errata)
@@ -102,15 +110,19 @@ void run(const VerifyOptions& options, const CLI::App& verb) {
   if (!json && !html && !errata)
     fmt::print("{}", one ? verify::as_detail(judged.front(), with_colour())
                          : verify::as_table(paper, judged, {with_colour(), terminal_columns(1)}));
-  if (std::any_of(judged.begin(), judged.end(), [](const verify::Judged& j) { return !j.judgement; })) {
-    throw CLI::RuntimeError(1);
-  }
+  const std::vector<std::string> problems =
+      errata ? verify::errata(paper, judged).problems() : std::vector<std::string>{};
+  for (const std::string& problem : problems) fmt::print(stderr, "plumbline: not held: {}\n", problem);
+  const bool open =
+      std::any_of(judged.begin(), judged.end(), [](const verify::Judged& j) { return !j.judgement; });
+  if (open || !problems.empty()) throw CLI::RuntimeError(1);
 }
 
 }  // namespace
 
 void add_verify(CLI::App& app) {
-  CLI::App* verb = app.add_subcommand("verify", "Every claim of the paper, judged, with the evidence");
+  CLI::App* verb =
+      app.add_subcommand("verify", "Every claim of the paper, or of another, judged, with the evidence");
   const auto options = std::make_shared<VerifyOptions>();
   verb->add_option("paper", options->folder, "Another paper on chains: the folder that states its claims")
       ->type_name("PAPER");
@@ -143,7 +155,9 @@ void add_verify(CLI::App& app) {
   verb->footer(
       "A refuted claim of the paper is a finding, not a failure: the exit status is 1 only when a claim "
       "could not "
-      "be judged, two number types disagree, or a random chain contradicts a theorem.");
+      "be judged, nothing holds what an erratum says, two number types disagree, or a random chain "
+      "contradicts a "
+      "theorem.");
   verb->callback([options, verb] { run(*options, *verb); });
 }
 

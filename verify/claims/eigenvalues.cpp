@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <map>
 #include <plumbline/chain/strain_energy.hpp>
 #include <plumbline/straight/critical_force.hpp>
 
@@ -46,11 +47,18 @@ Judgement determinant_A(const Printed& printed, int) {
                      {EvidenceKind::symbolic, "n = 2 … 6: the last row and column of A vanish"}});
 }
 
+/// Both computed once for each n.
 std::size_t generic_rank(std::size_t n) {
-  return proofs::rank_of_BinvA(proofs::SymbolicChain::generic(n));
+  static std::map<std::size_t, std::size_t> known;
+  const auto found = known.find(n);
+  if (found != known.end()) return found->second;
+  return known.emplace(n, proofs::rank_of_BinvA(proofs::SymbolicChain::generic(n))).first->second;
 }
-proofs::ZeroEigenvalue generic_zero(std::size_t n) {
-  return proofs::zero_eigenvalue(proofs::SymbolicChain::generic(n));
+const proofs::ZeroEigenvalue& generic_zero(std::size_t n) {
+  static std::map<std::size_t, proofs::ZeroEigenvalue> known;
+  const auto found = known.find(n);
+  if (found != known.end()) return found->second;
+  return known.emplace(n, proofs::zero_eigenvalue(proofs::SymbolicChain::generic(n))).first->second;
 }
 
 Judgement rank(const Printed& printed, int) {
@@ -93,7 +101,7 @@ Judgement straight(const Printed& printed, int) {
   std::size_t unbent = 0;
   std::size_t multiplicity = 0;
   for (std::size_t n = fewest; n <= most; ++n) {
-    const proofs::ZeroEigenvalue zero = generic_zero(n);
+    const proofs::ZeroEigenvalue& zero = generic_zero(n);
     multiplicity = zero.algebraic;
     unbent = 0;
     for (const GiNaC::matrix& v : zero.jordan_chain) {

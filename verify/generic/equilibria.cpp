@@ -98,6 +98,10 @@ Judgement generic::equilibria(const Parameters& with, const Printed& printed, co
   }
   const std::string count = std::to_string(census.equilibria.size());
   if (asks == "count") return judge_word(printed.at(0), count, "there are " + count, evidence);
+  if (asks == "more than") {
+    const bool more = census.equilibria.size() > std::stoul(printed.at(0));
+    return {more ? Verdict::confirmed : Verdict::refuted, more ? "" : "there are " + count, evidence, ""};
+  }
   if (asks == "symmetry") {
     const std::string found = symmetry(census);
     return judge_word(printed.at(0), found, "they are carried into each other by: " + found, evidence);
@@ -106,7 +110,7 @@ Judgement generic::equilibria(const Parameters& with, const Printed& printed, co
     const Printed found = shapes(census, std::stoul(with.text("from joint", "1")) - 1);
     return judge_rows(printed, found, 1, fmt::format("they are {}", fmt::join(found, ", ")), evidence);
   }
-  with.wrong("asks = '" + asks + "'", "types, kinds, count, symmetry or shapes");
+  with.wrong("asks = '" + asks + "'", "types, kinds, count, more than, symmetry or shapes");
 }
 
 }  // namespace plumbline::verify

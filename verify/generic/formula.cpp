@@ -89,7 +89,8 @@ Judgement generic::formula(const Parameters& with, const Printed& printed, const
   if (names.empty()) names = of;
   Printed read;
   static const std::regex pi("\\bpi\\b");
-  for (const std::string& entry : printed) read.push_back(std::regex_replace(with_fractions(entry), pi, "Pi"));
+  for (const std::string& entry : printed)
+    read.push_back(std::regex_replace(with_fractions(entry), pi, "Pi"));
   if (with.has("to"))
     for (std::string& entry : read) entry = proofs::text(steps.truncated(model.formulas().parse(entry)));
   return with.text("up to", "nothing") == "factor"

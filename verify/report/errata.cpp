@@ -199,7 +199,7 @@ std::string count_of(const Errata& errata) {
                                        {Severity::wording, "of a wording"}}) {
     if (of(severity) > 0) parts += fmt::format("{}{} {}", parts.empty() ? ": " : ", ", of(severity), what);
   }
-  return fmt::format("{} errata{}; {} remarks; {} conventions",
+  return fmt::format("{} errata{}; {} remarks; {} more claims fix a convention or lack a condition",
                      static_cast<std::ptrdiff_t>(errata.items.size()) - remarks, parts, remarks,
                      errata.open.size());
 }

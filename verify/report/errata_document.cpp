@@ -57,7 +57,7 @@ std::string ranges(const std::set<int>& numbers, const std::string& form) {
 std::set<int> numbers_in(const std::string& where, const std::regex& pattern) {
   std::set<int> found;
   for (std::sregex_iterator one(where.begin(), where.end(), pattern), end; one != end; ++one) {
-    const int first = std::stoi((*one)[1]), last = (*one)[2].matched ? std::stoi((*one)[2]) : first;
+    const int first = std::stoi((*one)[1]), last = (*one)[2].length() > 0 ? std::stoi((*one)[2]) : first;
     for (int number = first; number <= last; ++number) found.insert(number);
   }
   return found;
