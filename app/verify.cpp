@@ -32,6 +32,16 @@ bool with_colour() {
   return terminal_columns(1) > 0 && std::getenv("NO_COLOR") == nullptr;
 }
 
+/// What is read of a paper's folder; nothing where there is none.
+std::vector<std::filesystem::path> files_of(const std::string& folder) {
+  std::vector<std::filesystem::path> list;
+  if (folder.empty() || !std::filesystem::is_directory(folder)) return list;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".toml") list.push_back(entry.path());
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
 /// The paper of a folder, or the one that the program was made for.
 const verify::Paper& paper_of(const VerifyOptions& options) {
   if (options.folder.empty()) return verify::checked_paper();
@@ -67,7 +77,7 @@ std::vector<verify::Judged> judge_random_chains(const VerifyOptions& options,
 }
 
 void run(const VerifyOptions& options, const CLI::App& verb) {
-  Outputs outputs(verb, {});
+  Outputs outputs(verb, files_of(options.folder));
   const std::string form = std::filesystem::path(options.errata).extension();
   if (!options.errata.empty() && form != ".md" && form != ".tex")
     throw Error("--errata", options.errata, "a file that ends in .md or .tex");

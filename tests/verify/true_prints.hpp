@@ -74,7 +74,7 @@ inline std::vector<Survivor> survivors() {
     list.push_back({"table-1-u-shape", "digit", angle, unit});
   for (const char* angle : {"-0.2416", "0.6820", "-0.7957", "0.5171"})
     list.push_back({"table-1-z-shape", "digit", angle, unit});
-  for (const char* equation : {"eq-14", "eq-18", "eq-30"})
+  for (const char* equation : {"eq-14", "eq-30"})
     list.push_back({equation, "sign", "", "an equation times -1"});
   return list;
 }

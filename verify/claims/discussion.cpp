@@ -242,10 +242,13 @@ Judgement gravity_small(const Printed& printed, int) {
   const ex bend = (-V.diff(unknown).subs(q == 0) / V.diff(unknown, 2)).normal();
   const bool unbounded =
       bend.denom().subs(f.symbol("F") == 2 * f.symbol("k") / f.symbol("L")).normal().is_zero();
-  const std::string truth =
-      "it depends on the weights: the lateral deflection " + proofs::text(bend) +
-      " of a two-link chain grows without bound towards F_c = 2k/L, and no bifurcation is left for any w "
-      "other than zero; small means w L << 2k - F L";
+  // the middle joint moves aside by L sin q
+  const ex deflection = proofs::series_coefficient(f.symbol("L") * sin(q), q, 1) * bend;
+  const std::string truth = "it depends on the weights: the lateral deflection " +
+                            proofs::text(deflection.normal()) +
+                            " of the middle joint of a two-link chain grows without bound towards F_c = "
+                            "2k/L, and no bifurcation is "
+                            "left for any w other than zero; small means w L << 2k - F L";
   if (printed.at(0) != "small" && printed.at(0) != "none")
     throw Error("claim", printed.at(0), "small or none");
   const Verdict verdict = bend.is_zero()                          ? Verdict::confirmed
@@ -253,7 +256,8 @@ Judgement gravity_small(const Printed& printed, int) {
                                                                   : Verdict::refuted;
   return {verdict,
           verdict == Verdict::confirmed ? "" : truth,
-          {{EvidenceKind::symbolic, "q = " + proofs::text(bend) + " from V' = 0 to first order"}},
+          {{EvidenceKind::symbolic,
+            "the angle q = " + proofs::text(bend) + " from V' = 0 to first order, the deflection L q"}},
           ""};
 }
 

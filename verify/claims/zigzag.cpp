@@ -102,8 +102,9 @@ Judgement jump(const Printed& printed, const Premises& given, int digits) {
   const auto [found, evidence] = passage(given);
   Judgement result = judge_word(
       printed.at(0), found,
-      "the zigzag loses its stability in a supercritical pitchfork bifurcation: two mirrored stable shapes "
-      "leave it continuously, and the sudden change is one of stiffness, not of shape",
+      "the zigzag loses its stability in a supercritical pitchfork bifurcation: two stable shapes, "
+      "carried into each other by half a turn, leave it continuously, and the sudden change is one of "
+      "stiffness, not of shape",
       evidence);
   result.value = located(buckling(given).point.load, digits);
   return result;
@@ -268,7 +269,7 @@ Judgement later_angle(const Printed& printed, const Premises& given, int digits)
   Judgement result = judge_word(
       printed.at(0), certainly_positive(here.q[0]) ? "positive" : "negative", "it stays negative",
       {{EvidenceKind::interval,
-        "certified census at 0.3 L: on the branch that is U⁺ there; on its mirror image the angle is "
+        "certified census at 0.3 L: on the branch that is U⁺ there; on its image by half a turn the angle is "
         "negative"},
        {EvidenceKind::mp50, fmt::format("it is zero at {} L, located in 64 digits", level(given).str(8))}});
   result.value = located(level(given), digits);

@@ -7,6 +7,7 @@
 #include <plumbline/base/error.hpp>
 #include <set>
 
+#include "verify/judging/characters.hpp"
 #include "verify/judging/notation.hpp"
 #include "verify/paper/toml_texts.hpp"
 
@@ -42,7 +43,14 @@ std::string replaced(std::string text, const Printed& from, const Printed& to, c
   return text;
 }
 
-/// `read` with the entries of the print in place of {1}, {2} and so on.
+/// An entry with its numbers left out: what a sequence such as k_1 q_1, k_2 q_2, … goes on with.
+std::string without_numbers(std::string entry) {
+  std::erase_if(entry, is_digit);
+  return entry;
+}
+
+/// `read` with the entries of the print in place of {1}, {2} and so on; an ellipsis stands for further ones
+/// that differ from them in their numbers alone.
 std::string filled(std::string text, const Printed& from, const Printed& to, const Words& words,
                    const std::string& place) {
   std::set<std::string> used;
@@ -55,7 +63,11 @@ std::string filled(std::string text, const Printed& from, const Printed& to, con
   }
   for (std::size_t i = 0; i < to.size(); ++i) {
     const bool same = from.size() == to.size() && from[i] == to[i];
-    if (!same && !used.contains(to[i]))
+    const bool goes_on = text.find("…") != std::string::npos &&
+                         std::any_of(used.begin(), used.end(), [&](const std::string& one) {
+                           return without_numbers(one) == without_numbers(to[i]);
+                         });
+    if (!same && !used.contains(to[i]) && !goes_on)
       throw Error(place, fmt::format("no {{{}}} in “{}”", i + 1, text), "each entry that becomes another");
   }
   return text;

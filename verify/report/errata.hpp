@@ -32,8 +32,8 @@ struct Errata {
 /// what is said to change not. \param paper  with its checks
 Errata errata(const Paper& paper, const std::vector<Judged>& judged);
 
-/// "14 errata: 6 of a formula or number, 8 of a statement; 5 remarks; 20 more claims fix a convention or lack a
-/// condition".
+/// "14 errata: 6 of a formula or number, 8 of a statement; 5 remarks; 20 more claims fix a convention or lack
+/// a condition".
 std::string count_of(const Errata& errata);
 
 /// The errata as a document to send, in Markdown and in LaTeX.

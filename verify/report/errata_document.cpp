@@ -74,7 +74,9 @@ std::string confirmed_by_name(const std::vector<Judged>& judged) {
     std::set<int> about, wrong;
     for (const Judged& one : judged) {
       const std::string where = one.claim.where.substr(one.claim.where.find(',') + 1);
-      if (where.find("before") != std::string::npos || where.find("after") != std::string::npos) continue;
+      const bool around =
+          where.find("before") != std::string::npos || where.find("after") != std::string::npos;
+      if (around && kind.second == "({})") continue;  // what stands around an equation is not about it
       const std::set<int> numbers = numbers_in(where, kind.first);
       about.insert(numbers.begin(), numbers.end());
       const bool right = one.judgement && (one.judgement->verdict == Verdict::confirmed ||
@@ -101,24 +103,21 @@ std::string names_of(const std::vector<Named>& list) {
   return enumerated(names);
 }
 
-/// First letter in upper case.
-std::string capitalised(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text;
-}
-
 std::string item(const JudgedErratum& judged, const std::string& number, const Markup& m) {
   const Erratum& one = judged.erratum;
   std::string text = fmt::format(fmt::runtime(m.item), number, m.text(one.title));
   std::vector<std::string> parts;
-  for (const Correction& each : one.corrections) parts.push_back(correction_text(each, m));
+  for (const Correction& each : one.corrections) {  // what two places print alike is said once
+    const std::string correction = correction_text(each, m);
+    if (std::find(parts.begin(), parts.end(), correction) == parts.end()) parts.push_back(correction);
+  }
   for (const Sentence& each : one.reason) parts.push_back(m.text(each.text));
-  if (!one.changes.empty())
-    parts.push_back(
-        m.text(capitalised(names_of(one.changes)) + (one.changes.size() > 1 ? " change." : " changes.")));
-  if (!one.stands.empty())
-    parts.push_back(
-        m.text(capitalised(names_of(one.stands)) + (one.stands.size() > 1 ? " stand." : " stands.")));
+  const auto effect = [&](const std::string& what, const std::vector<Named>& on) {
+    if (!on.empty())
+      parts.push_back(fmt::format(fmt::runtime(m.emphasis), what) + " " + m.text(names_of(on) + "."));
+  };
+  effect("Changed:", one.changes);
+  effect("Unchanged:", one.stands);
   return fmt::format(fmt::runtime(m.paragraph), text + fmt::format("{}", fmt::join(parts, " ")));
 }
 

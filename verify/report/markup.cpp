@@ -55,15 +55,17 @@ const Signs in_formula{
     {"%", "\\%"},      {"{", "\\{"},           {"}", "\\}"},      {"∞", "\\infty "},   {"×", "\\times "},
     {" ", " "}};
 
-const Signs in_text{{"“", "``"},     {"”", "''"},        {"’", "'"},
-                    {"‘", "`"},      {"–", "--"},        {"ö", "\\\"o"},
-                    {"é", "\\'e"},   {"…", "\\ldots{}"}, {"\\", "\\textbackslash{}"},
-                    {"_", "\\_"},    {"^", "\\^{}"},     {"&", "\\&"},
-                    {"%", "\\%"},    {"#", "\\#"},       {"$", "\\textdollar{}"},
-                    {"{", "\\{"},    {"}", "\\}"},       {"~", "\\~{}"},
-                    {"<", "$<$"},    {">", "$>$"},       {"|", "$|$"},
-                    {"⁺", "$^{+}$"}, {"⁻", "$^{-}$"},    {"−", "$-$"},
-                    {"ü", "\\\"u"}};
+const Signs in_text{{"“", "``"},   {"”", "''"},        {"’", "'"},
+                    {"‘", "`"},    {"–", "--"},        {"ö", "\\\"o"},
+                    {"é", "\\'e"}, {"…", "\\ldots{}"}, {"\\", "\\textbackslash{}"},
+                    {"_", "\\_"},  {"^", "\\^{}"},     {"&", "\\&"},
+                    {"%", "\\%"},  {"#", "\\#"},       {"$", "\\textdollar{}"},
+                    {"{", "\\{"},  {"}", "\\}"},       {"~", "\\~{}"},
+                    {"<", "$<$"},  {">", "$>$"},       {"|", "$|$"},
+                    {"−", "$-$"},  {"ü", "\\\"u"}};
+
+/// A sign of a sentence; of mathematics, as a formula of its own. Moves the place behind it.
+std::string sign_in_sentence(const std::string& text, std::size_t& place);
 
 /// One sign by its list, or itself in ASCII; moves the place behind it.
 std::string one_sign(const std::string& text, std::size_t& place, const Signs& signs) {
@@ -84,6 +86,15 @@ std::string word_in_latex(const std::string& word) {
   if (word.size() == 1) return word;
   if (std::find(own.begin(), own.end(), word) != own.end()) return "\\" + word + " ";
   return "\\operatorname{" + word + "}";
+}
+
+std::string sign_in_sentence(const std::string& text, std::size_t& place) {
+  if (const std::string exponent = run_of(text, place, raised); !exponent.empty())
+    return "$^{" + exponent + "}$";
+  if (const std::string index = run_of(text, place, lowered); !index.empty()) return "$_{" + index + "}$";
+  const bool plain = text[place] == ' ' || sign_at(text, place, in_text) != in_text.end() ||
+                     sign_at(text, place, in_formula) == in_formula.end();
+  return plain ? one_sign(text, place, in_text) : "$" + one_sign(text, place, in_formula) + "$";
 }
 
 std::string formula_in_latex(const std::string& formula) {
@@ -156,7 +167,9 @@ std::string as_latex(const std::string& text) {
       text,
       [](const std::string& part) {
         std::string set;
-        for (std::size_t place = 0; place < part.size();) set += one_sign(part, place, in_text);
+        for (std::size_t place = 0; place < part.size();) set += sign_in_sentence(part, place);
+        // signs of mathematics that meet are one formula
+        for (std::size_t at = set.find("$$"); at != std::string::npos; at = set.find("$$")) set.erase(at, 2);
         return set;
       },
       [](const std::string& formula) { return "$" + formula_in_latex(formula) + "$"; });
