@@ -62,7 +62,9 @@ def main(folder, *update):
     words = folder / "words.txt"
     if update:
         text = pathlib.Path(update[1]).read_text(encoding="utf-8")
-        words.write_text("\n".join(sorted(known(text))) + "\n", encoding="utf-8")
+        digests = sorted(known(text))
+        lines = [" ".join(digests[i:i + 17]) + "\n" for i in range(0, len(digests), 17)]
+        words.write_text("".join(lines), encoding="utf-8")
     of_paper = set(words.read_text(encoding="utf-8").split())
     wrong, tried = [], 0
     for name, quote in quotes(folder):
