@@ -4,8 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <functional>
-#include <utility>
 
 #include "proofs/census/census.hpp"
 #include "proofs/exact/exactly.hpp"
@@ -163,9 +161,12 @@ Judgement bent_buckling(const Printed& printed, const Premises& given, int) {
                     {path(given).evidence(), held(given, "fig-8-other").compressed(0.6).evidence()});
 }
 
-/// Where joint 2 straightens.
+/// Where joint 2 straightens, and where the first angle passes zero.
 proofs::Located arch(const Premises& given) {
   return straightens_at(path(given), 1, Rational(42, 1000), Rational(3, 10));
+}
+proofs::Located level(const Premises& given) {
+  return straightens_at(path(given), 0, Rational(42, 1000), Rational(3, 10));
 }
 
 /// From which shape to which the chain changes where it buckles.
@@ -211,11 +212,6 @@ Judgement begins(const Printed& printed, const Premises& given, int) {
         "proved branch from 0 to 0.04 L, in enclosures of all its states: the signs of phi and "
         "of the bend at joint 2 are " +
             pattern}});
-}
-
-/// Where the first angle passes zero.
-proofs::Located level(const Premises& given) {
-  return straightens_at(path(given), 0, Rational(42, 1000), Rational(3, 10));
 }
 
 proofs::Located force_at(const Premises& given, const Rational& deflection) {
@@ -276,11 +272,10 @@ Judgement later_angle(const Printed& printed, const Premises& given, int digits)
   return result;
 }
 
-using Word = std::function<std::string(const proofs::CertifiedEquilibrium&)>;
-
 /// Proved: the word for all states from 0.07 L until just before joint 2 straightens, and that for all from
 /// just after it on; "++, then +-", or the one where they are the same.
-std::string one_after_another(const Premises& given, const Word& word) {
+std::string one_after_another(const Premises& given,
+                              std::string (*word)(const proofs::CertifiedEquilibrium&)) {
   const Rational at = proofs::exactly(arch(given)), next(1, 200), last(3, 5);
   const auto of_all = [&](const Rational& from, const Rational& to) {
     const std::string found = word(states(path(given), {to}).front());
