@@ -104,17 +104,30 @@ TEST_CASE("what is listed as a survivor survives, and is no correction") {
 
 namespace {
 
-/// A premise with the last digit of one number raised by one.
-std::vector<Premises> altered_premises(const Premises& given) {
+/// A number, or a symbol, altered: its first digit, its sign, to nought, its letter.
+std::vector<std::string> altered_number(const std::string& text) {
+  std::vector<std::string> all;
+  const std::size_t digit = text.find_first_of("0123456789");
+  const bool symbol = std::isalpha(static_cast<unsigned char>(text[0])) != 0 && !text.starts_with("pi");
+  if (!symbol && digit != std::string::npos) {
+    for (const char other : {text[digit] == '9' ? '1' : '9', '0'}) {
+      all.push_back(text);
+      all.back()[digit] = other;
+    }
+    all.push_back(text[0] == '-' ? text.substr(1) : "-" + text);
+  }
+  if (symbol) all.push_back("x" + text);
+  return all;
+}
+
+/// The premises of a claim with one number of one of them altered.
+std::vector<Premises> altered_premises(const Premises& given, std::size_t which) {
   std::vector<Premises> all;
-  for (std::size_t which = 0; which < given.list().size(); ++which) {
-    for (const auto& [name, part] : given.list()[which].parts) {
-      for (std::size_t i = 0; i < part.size(); ++i) {
-        const std::size_t at = part[i].find_last_of("0123456789");
-        if (at == std::string::npos) continue;
+  for (const auto& [name, part] : given.list()[which].parts) {
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      for (const std::string& other : altered_number(part[i])) {
         std::vector<Premise> list = given.list();
-        std::string& number = list[which].parts[name][i];
-        number[at] = number[at] == '9' ? '8' : static_cast<char>(number[at] + 1);
+        list[which].parts[name][i] = other;
         all.emplace_back(std::move(list));
       }
     }
@@ -136,34 +149,26 @@ std::string whole_judgement(const Claim& claim) {
 
 }  // namespace
 
-TEST_CASE("every number of every premise is read: with another the claim is judged otherwise" *
-          doctest::test_suite("long")) {
-  // where the base joint is passive its rest angle turns the whole chain, and what is said does not depend on
-  // it
-  const auto turns_all = [](const Premises& given, const Premises& other) {
-    for (std::size_t i = 0; i < given.list().size(); ++i) {
-      const auto &a = given.list()[i].parts, &b = other.list()[i].parts;
-      if (a == b) continue;
-      return a.contains("rest") && a.at("stiffness").front() == "0" &&
-             a.at("rest").front() != b.at("rest").front();
-    }
-    return false;
-  };
+TEST_CASE("every premise is read: with another the claim is judged otherwise" * doctest::test_suite("long")) {
   const char* const size = std::getenv("PLUMBLINE_PRINTS");
   const bool all = size != nullptr && std::string(size) == "all";
   std::size_t number = 0, tried = 0;
   for (const Claim& claim : all_claims()) {
-    if (claim.given.list().empty()) continue;
-    const std::string own = whole_judgement(claim);
-    for (const Premises& other : altered_premises(claim.given)) {
-      if (turns_all(claim.given, other) || (!all && ++number % 30 != 1)) continue;
-      Claim altered = claim;
-      altered.given = other;
+    for (std::size_t which = 0; which < claim.given.list().size(); ++which) {
+      if (!all && ++number % 8 != 1) continue;
+      const std::string own = whole_judgement(claim);
+      const std::vector<Premises> others = altered_premises(claim.given, which);
       ++tried;
-      CHECK_MESSAGE(whole_judgement(altered) != own, claim.id);
+      CHECK_MESSAGE(std::any_of(others.begin(), others.end(),
+                                [&](const Premises& other) {
+                                  Claim altered = claim;
+                                  altered.given = other;
+                                  return whole_judgement(altered) != own;
+                                }),
+                    claim.id << ": " << claim.given.list()[which].id);
     }
   }
-  MESSAGE(tried << " altered premises");
+  if (all) MESSAGE(tried << " premises of claims altered");
 }
 
 TEST_CASE("what the paper says of Fig. 8 is not said of a chain with other rest angles") {
