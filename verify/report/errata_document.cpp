@@ -5,9 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "verify/report/errata.hpp"
 #include "verify/report/markup.hpp"
@@ -53,31 +53,40 @@ std::string ranges(const std::set<int>& numbers, const std::string& form) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Numbers of what a claim is about, by a pattern in its place: "(12)", "Fig. 5", "(31) to (33)".
+/// Numbers of what a claim is about, by a pattern in its place: "(12)", "Fig. 5", "(31) to (33)"; what stands
+/// before or after something is not about it.
 std::set<int> numbers_in(const std::string& where, const std::regex& pattern) {
   std::set<int> found;
-  for (std::sregex_iterator one(where.begin(), where.end(), pattern), end; one != end; ++one) {
-    const int first = std::stoi((*one)[1]), last = (*one)[2].length() > 0 ? std::stoi((*one)[2]) : first;
-    for (int number = first; number <= last; ++number) found.insert(number);
+  std::istringstream parts(where);
+  for (std::string part; std::getline(parts, part, ',');) {
+    if (part.find("before") != std::string::npos || part.find("after") != std::string::npos) continue;
+    for (std::sregex_iterator one(part.begin(), part.end(), pattern), end; one != end; ++one) {
+      const int first = std::stoi((*one)[1]), last = (*one)[2].length() > 0 ? std::stoi((*one)[2]) : first;
+      for (int number = first; number <= last; ++number) found.insert(number);
+    }
   }
   return found;
 }
 
+/// Things with numbers that claims are about.
+struct Numbered {
+  const char* name;
+  std::regex number;
+  const char* form;
+};
+
 /// What is confirmed in all that was judged about it: equations, tables and figures, by name.
 std::string confirmed_by_name(const std::vector<Judged>& judged) {
-  static const std::map<std::string, std::pair<std::regex, std::string>> kinds{
-      {"1 Equations", {std::regex(R"((?:^|[ ,])\((\d+)\)(?: to \((\d+)\))?)"), "({})"}},
-      {"2 Tables", {std::regex(R"(Table (\d+)()?)"), "{}"}},
-      {"3 Figures, as far as the text says what they show,", {std::regex(R"(Fig\. (\d+)()?)"), "{}"}}};
+  static const std::vector<Numbered> kinds{
+      {"Equations", std::regex(R"((?:^|[ ,])\((\d+)\)(?: to \((\d+)\))?)"), "({})"},
+      {"Tables", std::regex(R"(Table (\d+)()?)"), "{}"},
+      {"Figures, as far as the text says what they show,", std::regex(R"(Fig\. (\d+)()?)"), "{}"}};
   std::vector<std::string> parts;
-  for (const auto& [name, kind] : kinds) {
+  for (const Numbered& kind : kinds) {
     std::set<int> about, wrong;
     for (const Judged& one : judged) {
       const std::string where = one.claim.where.substr(one.claim.where.find(',') + 1);
-      const bool around =
-          where.find("before") != std::string::npos || where.find("after") != std::string::npos;
-      if (around && kind.second == "({})") continue;  // what stands around an equation is not about it
-      const std::set<int> numbers = numbers_in(where, kind.first);
+      const std::set<int> numbers = numbers_in(where, kind.number);
       about.insert(numbers.begin(), numbers.end());
       const bool right = one.judgement && (one.judgement->verdict == Verdict::confirmed ||
                                            one.judgement->verdict == Verdict::convention);
@@ -86,7 +95,7 @@ std::string confirmed_by_name(const std::vector<Judged>& judged) {
     std::set<int> whole;
     std::set_difference(about.begin(), about.end(), wrong.begin(), wrong.end(),
                         std::inserter(whole, whole.end()));
-    if (!whole.empty()) parts.push_back(name.substr(2) + " " + ranges(whole, kind.second));
+    if (!whole.empty()) parts.push_back(fmt::format("{} {}", kind.name, ranges(whole, kind.form)));
   }
   return fmt::format("{}.", fmt::join(parts, ". "));
 }
