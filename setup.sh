@@ -27,6 +27,8 @@ program=(
   libmuparser-dev
   # least squares
   libceres-dev
+  # figures
+  gnuplot-nox
 )
 # what checks the proofs in proofs/coq
 proofs=(coq libcoq-mathcomp-ssreflect libcoq-mathcomp-algebra libcoq-mathcomp-field libcoq-mathcomp-real-closed
@@ -40,8 +42,8 @@ python=(
   # what it uses where it finds it, and its notebooks
   python3-pandas python3-matplotlib python3-mpmath jupyter-nbconvert python3-ipykernel
 )
-# the site; figures of the program need gnuplot when it runs
-docs=(doxygen gnuplot-nox)
+# the site: the reference
+docs=(doxygen)
 tests=(
   ccache doctest-dev librapidcheck-dev python3-jsonschema python3-mpmath
   # the simulated bench of the blind trial, and the models of simulators
@@ -56,12 +58,11 @@ tests=(
   "${proofs[@]}"
   # packages and what is installed, as a user meets them
   dpkg-dev man-db zsh
-  # the site, and figures
+  # the site
   "${docs[@]}"
 )
 fuzz=(clang)
-bench=(liblapack-dev libopenblas-dev libspectra-dev libflint-dev libflint-arb-dev phcpack python3-scipy auto-07p gfortran
-       gnuplot-nox)
+bench=(liblapack-dev libopenblas-dev libspectra-dev libflint-dev libflint-arb-dev phcpack python3-scipy auto-07p gfortran)
 
 packages=("${program[@]}")
 case "${1:-}" in

@@ -13,33 +13,57 @@
 
 namespace plumbline::verify {
 
-/// Three links, passive base, L = k = 1, rest angles given as fractions of pi.
-Chain<Interval> three_link_chain_at(const Rational& alpha1_over_pi, const Rational& alpha2_over_pi);
+struct SlowPath;
 
-/// The U-shaped chain of Fig. 7, the Z-shaped one of Figs. 8 and 9.
-Chain<Interval> fig7_chain();
-Chain<Interval> fig8_chain();
+/// A chain whose end point is held on the x axis.
+struct HeldChain {
+  Chain<Interval> chain;
+  Interval reach;  ///< of the unloaded end point
 
-/// Table 1: four links, L = k = 1.
-Chain<Interval> u_shaped_chain();
-Chain<Interval> z_shaped_chain();
+  /// All equilibria at a deflection, proved complete. \throws Error where it is not decided
+  [[nodiscard]] const proofs::Census& at(const Interval& deflection) const;
+  [[nodiscard]] const proofs::Census& at(const Rational& deflection) const {
+    return at(Interval(deflection));
+  }
+  /// What it does as it is slowly compressed so far. Computed once.
+  [[nodiscard]] const SlowPath& compressed(double last) const;
+};
+
+/// The chain of a premise.
+HeldChain held(const Premises& given, const std::string& id);
+
+/// As far as the paths of Fig. 7 and of the chains of Table 1 are followed.
+inline constexpr double far = 1.5;
 
 /// Jacobian of a bent chain of n unit links, in rationals: rank 2.
 Matrix<Rational> bent_jacobian(std::size_t n);
 
-/// Distance of the unloaded end point from the base.
-Interval unloaded_reach(const Chain<Interval>& chain);
-/// Where the end point of the chains of Table 1 stands without load, as the paper has it: 3.8.
-Interval table_1_reach();
+/// Its numbers, to tell it from others.
+std::string key_of(const HeldChain& chain);
 
-/// All equilibria with the end point on the x axis, proved complete.
+/// A chain held by its unloaded end point, turned onto the x axis.
+HeldChain held(const Chain<Interval>& chain);
+
+/// All equilibria with the end point on the x axis, proved complete. Computed once.
 /// \throws Error where it is not decided
-proofs::Census held_at(const Chain<Interval>& chain, const Interval& x);
+const proofs::Census& held_at(const Chain<Interval>& chain, const Interval& x);
+
+/// The force of the paper's (6), J^T F + M = 0: what the chain exerts through its end point, with F_x
+/// positive in compression. The program's own is what the environment exerts.
+template <class Real>
+struct PaperForce {
+  Real x, y;
+};
+PaperForce<Interval> paper_force(const proofs::CertifiedEquilibrium& one);
+template <class Real>
+PaperForce<Real> paper_force(const BranchPoint<Real>& point) {
+  return {-point.force.x, -point.force.y};
+}
 
 /// "2 stable, 2 unstable".
 std::string types(const proofs::Census& census);
-/// "1 minima, 1 saddles, 1 maxima" of the energy of a four-link chain; on one sheet of the elbow if a sign of
-/// q_4 is given.
+/// "1 minimum, 1 saddle, 1 maximum" of the energy of a four-link chain; on one sheet of the elbow if a sign
+/// of q_4 is given.
 std::string extrema(const proofs::Census& census, int sign_of_q4 = 0);
 
 /// Signs of joint angles, such as "-+-+"; of all, or from a joint (counted from 0) on.
@@ -83,12 +107,7 @@ struct SlowPath {
   /// The state at a deflection, to 64 digits.
   [[nodiscard]] BranchPoint<proofs::Located> at(const Rational& deflection) const;
 };
-SlowPath compress_slowly(const Chain<Interval>& chain, const Interval& reach, double last, int side = 1);
-
-/// The chain of Fig. 7 and those of Table 1, slowly compressed up to 1.5 L; each computed once.
-const SlowPath& fig7_path();
-const SlowPath& u_path();
-const SlowPath& z_path();
+SlowPath compress_slowly(const HeldChain& chain, double last, int side = 1);
 
 /// The equilibrium of a census that a path has at that deflection.
 /// \throws Error where there is none
@@ -104,19 +123,14 @@ std::vector<proofs::CertifiedEquilibrium> states(const SlowPath& path,
 std::vector<Interval> mean_stiffnesses(const SlowPath& path, const std::vector<Rational>& deflections);
 
 /// The deflection at which a joint angle of the slowly compressed chain passes zero, between two deflections
-/// where it has different signs.
+/// where it has different signs. Computed once.
 proofs::Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& from,
                                const Rational& to);
 
 /// The branch through an equilibrium of a census at a deflection, followed in double precision to growing or
 /// falling deflection as far as the limits.
-Branch<double> branch_through(const Chain<Interval>& chain, const Interval& reach,
-                              const proofs::CertifiedEquilibrium& one, double deflection, int direction,
-                              const TraceLimits<double>& limits);
-
-/// Proof of such a branch.
-proofs::PathCertificate prove_branch(const Chain<Interval>& chain, const Interval& reach,
-                                     const Branch<double>& branch);
+Branch<double> branch_through(const HeldChain& chain, const proofs::CertifiedEquilibrium& one,
+                              double deflection, int direction, const TraceLimits<double>& limits);
 
 /// Proofs that stable shapes leave a bifurcation for growing deflection: to each side, from next to it up to
 /// another deflection.

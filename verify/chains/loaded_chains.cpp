@@ -1,8 +1,9 @@
-#include "verify/claims/loaded_chains.hpp"
+#include "verify/chains/loaded_chains.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/math/tools/roots.hpp>
 #include <map>
 #include <plumbline/branch/point_at_load.hpp>
@@ -12,19 +13,12 @@
 
 #include "proofs/exact/decimal.hpp"
 #include "proofs/exact/exactly.hpp"
+#include "verify/judging/comparison.hpp"
 #include "verify/judging/sign.hpp"
-#include "verify/paper/paper.hpp"
 
 namespace plumbline::verify {
 
 namespace {
-
-/// Four unit links at rest at the first four printed angles.
-Chain<Interval> unit_chain(const Printed& printed) {
-  std::vector<Interval> rest;
-  for (std::size_t i = 0; i < 4; ++i) rest.emplace_back(proofs::parse_decimal(printed.at(i)).value());
-  return Chain<Interval>({1, 1, 1, 1}, {1, 1, 1, 1}, rest);
-}
 
 proofs::Located middle(const Interval& x) {
   return x.middle();
@@ -103,6 +97,14 @@ struct ChordOfStates {
   }
 };
 
+/// The numbers of a chain, to tell it from others.
+std::string key_of(const Chain<Interval>& chain) {
+  std::string key;
+  for (const auto& numbers : {chain.length(), chain.stiffness(), chain.rest()})
+    for (const Interval& number : numbers) key += number.text(60) + " ";
+  return key;
+}
+
 /// The chain turned so that its unloaded end point lies on the x axis; possible with a passive base.
 Vector<double> unloaded_shape(const Chain<double>& chain) {
   std::vector<double> q = chain.rest();
@@ -115,24 +117,29 @@ Vector<double> unloaded_shape(const Chain<double>& chain) {
 
 }  // namespace
 
-Chain<Interval> three_link_chain_at(const Rational& alpha1_over_pi, const Rational& alpha2_over_pi) {
-  return Chain<Interval>(
-      {1, 1, 1}, {0, 1, 1},
-      {0, Interval(alpha1_over_pi) * Interval::pi(), Interval(alpha2_over_pi) * Interval::pi()});
+HeldChain held(const Premises& given, const std::string& id) {
+  return {given.chain(id), given.reach(id)};
 }
 
-Chain<Interval> fig7_chain() {
-  return three_link_chain_at(Rational(-1, 4), Rational(-1, 3));
-}
-Chain<Interval> fig8_chain() {
-  return three_link_chain_at(Rational(1, 10), Rational(-1, 10));
+HeldChain held(const Chain<Interval>& chain) {
+  const Point<Interval> p = end_point(chain, chain.rest());
+  return {chain, sqrt(sqr(p.x) + sqr(p.y))};
 }
 
-Chain<Interval> u_shaped_chain() {
-  return unit_chain(printed_in_paper("table-1-u"));
+std::string key_of(const HeldChain& held) {
+  return key_of(held.chain) + " " + held.reach.text(60);
 }
-Chain<Interval> z_shaped_chain() {
-  return unit_chain(printed_in_paper("table-1-z"));
+
+const proofs::Census& HeldChain::at(const Interval& deflection) const {
+  return held_at(chain, reach - deflection);
+}
+
+const SlowPath& HeldChain::compressed(double last) const {
+  static std::map<std::string, SlowPath> known;
+  const std::string key = fmt::format("{} {}", key_of(*this), last);
+  const auto found = known.find(key);
+  return found != known.end() ? found->second
+                              : known.emplace(key, compress_slowly(*this, last)).first->second;
 }
 
 Matrix<Rational> bent_jacobian(std::size_t n) {
@@ -149,19 +156,9 @@ Matrix<Rational> bent_jacobian(std::size_t n) {
   return J;
 }
 
-Interval unloaded_reach(const Chain<Interval>& chain) {
-  const Point<Interval> p = end_point(chain, chain.rest());
-  return sqrt(sqr(p.x) + sqr(p.y));
-}
-Interval table_1_reach() {
-  return Interval(Rational(19, 5));
-}
-
-proofs::Census held_at(const Chain<Interval>& chain, const Interval& x) {
+const proofs::Census& held_at(const Chain<Interval>& chain, const Interval& x) {
   static std::map<std::string, proofs::Census> known;  // many claims look at the same ones
-  std::string key = x.text(60);
-  for (const auto& numbers : {chain.length(), chain.stiffness(), chain.rest()})
-    for (const Interval& number : numbers) key += " " + number.text(60);
+  const std::string key = key_of(chain) + " " + x.text(60);
   const auto found = known.find(key);
   if (found != known.end()) return found->second;
   proofs::Census census = proofs::census_at_end_point(chain, {x, Interval(0)});
@@ -169,24 +166,31 @@ proofs::Census held_at(const Chain<Interval>& chain, const Interval& x) {
   return known.emplace(key, std::move(census)).first->second;
 }
 
+PaperForce<Interval> paper_force(const proofs::CertifiedEquilibrium& one) {
+  return {-one.fx, -one.fy};
+}
+
 std::string located(const proofs::Located& number, int digits) {
   return number.str(std::min(digits, proofs::located_digits));
 }
 
 std::string types(const proofs::Census& census) {
-  std::size_t stable = 0;
-  for (const auto& one : census.equilibria) stable += one.negative_directions.value() == 0 ? 1 : 0;
-  return fmt::format("{} stable, {} unstable", stable, census.equilibria.size() - stable);
+  Counts count;
+  for (const auto& one : census.equilibria)
+    count.add(one.negative_directions.value() == 0 ? "stable" : "unstable");
+  return count.text();
 }
 
 std::string extrema(const proofs::Census& census, int sign_of_q4) {
-  std::size_t count[3] = {0, 0, 0};
+  static const std::array<const char*, 3> kinds{"minimum", "saddle", "maximum"};
+  Counts count;
   for (const auto& one : census.equilibria) {
     const char q4 = sign_character(sin(one.q.at(3)));
     if (q4 == '0') throw Error("census", "an open sign of q4", "a certain one");
-    if (sign_of_q4 == 0 || (q4 == '+') == (sign_of_q4 > 0)) ++count[one.negative_directions.value()];
+    if (sign_of_q4 == 0 || (q4 == '+') == (sign_of_q4 > 0))
+      count.add(kinds.at(one.negative_directions.value()));
   }
-  return fmt::format("{} minima, {} saddles, {} maxima", count[0], count[1], count[2]);
+  return count.text();
 }
 
 std::string signs(const proofs::CertifiedEquilibrium& one, std::size_t from) {
@@ -197,7 +201,7 @@ std::string signs(const proofs::CertifiedEquilibrium& one, std::size_t from) {
 
 std::string letter(const proofs::CertifiedEquilibrium& one) {
   const std::string bends = signs(one, 1);
-  return bends == "--" ? "U+" : bends == "++" ? "U-" : bends == "+-" ? "Z-" : bends == "-+" ? "Z+" : bends;
+  return bends == "--" ? "U⁺" : bends == "++" ? "U⁻" : bends == "+-" ? "Z⁻" : bends == "-+" ? "Z⁺" : bends;
 }
 
 std::vector<BranchEvent<proofs::Located>> SlowPath::of_kind(EventKind kind) const {
@@ -264,8 +268,9 @@ BranchPoint<proofs::Located> SlowPath::at(const Rational& deflection) const {
   return proofs::locate_at(chain, loading, *near, from_rational<proofs::Located>(deflection));
 }
 
-SlowPath compress_slowly(const Chain<Interval>& chain, const Interval& reach, double last, int side) {
+SlowPath compress_slowly(const HeldChain& held, double last, int side) {
   using Model = NominalModel<double>;
+  const auto& [chain, reach] = held;
   const Model model(convert<double>(chain, rounded));
   const Vector<double> shape = unloaded_shape(model.chain());
   Brancher<Model> brancher(model, inwards(rounded(reach)), shape);
@@ -291,19 +296,6 @@ proofs::CertifiedEquilibrium reached(const proofs::Census& census, const SlowPat
   throw Error("census", "no equilibrium of the path", "every state that the chain can have");
 }
 
-const SlowPath& fig7_path() {
-  static const SlowPath instance = compress_slowly(fig7_chain(), unloaded_reach(fig7_chain()), 1.5);
-  return instance;
-}
-const SlowPath& u_path() {
-  static const SlowPath instance = compress_slowly(u_shaped_chain(), table_1_reach(), 1.5);
-  return instance;
-}
-const SlowPath& z_path() {
-  static const SlowPath instance = compress_slowly(z_shaped_chain(), table_1_reach(), 1.5);
-  return instance;
-}
-
 std::vector<proofs::CertifiedEquilibrium> states(const SlowPath& path,
                                                  const std::vector<Rational>& deflections) {
   std::vector<proofs::CertifiedEquilibrium> found;
@@ -323,6 +315,10 @@ std::vector<Interval> mean_stiffnesses(const SlowPath& path, const std::vector<R
 
 proofs::Located straightens_at(const SlowPath& path, std::size_t joint, const Rational& from,
                                const Rational& to) {
+  static std::map<std::string, proofs::Located> known;
+  const std::string key =
+      fmt::format("{} {} {} {}", key_of(HeldChain{path.enclosed, path.reach}), joint, from.str(), to.str());
+  if (const auto found = known.find(key); found != known.end()) return found->second;
   const auto angle = [&](const proofs::Located& load) {
     return joint_angles(path.at(proofs::exactly(load)).theta)[joint];
   };
@@ -332,13 +328,13 @@ proofs::Located straightens_at(const SlowPath& path, std::size_t joint, const Ra
     return abs(b - a) < proofs::Located("1e-58");
   };
   const auto [a, b] = boost::math::tools::toms748_solve(angle, low, high, close, evaluations);
-  return (a + b) / 2;
+  return known.emplace(key, (a + b) / 2).first->second;
 }
 
-Branch<double> branch_through(const Chain<Interval>& chain, const Interval& reach,
-                              const proofs::CertifiedEquilibrium& one, double deflection, int direction,
-                              const TraceLimits<double>& limits) {
+Branch<double> branch_through(const HeldChain& held, const proofs::CertifiedEquilibrium& one,
+                              double deflection, int direction, const TraceLimits<double>& limits) {
   using Model = NominalModel<double>;
+  const auto& [chain, reach] = held;
   const Model model(convert<double>(chain, rounded));
   Brancher<Model> brancher(model, inwards(rounded(reach)), absolute_angles(model.chain().rest()));
   std::vector<double> q;
@@ -346,11 +342,6 @@ Branch<double> branch_through(const Chain<Interval>& chain, const Interval& reac
   auto start = brancher.start(deflection, absolute_angles(q), {rounded(one.fx), rounded(one.fy)});
   if (start.tangent.load * direction < 0) Brancher<Model>::scale(start.tangent, -1);
   return Tracer<Model>(brancher, limits).run(start);
-}
-
-proofs::PathCertificate prove_branch(const Chain<Interval>& chain, const Interval& reach,
-                                     const Branch<double>& branch) {
-  return proofs::certify(chain, inwards(reach), branch);
 }
 
 std::vector<proofs::PathCertificate> leaving(const SlowPath& path,

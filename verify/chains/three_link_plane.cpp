@@ -1,11 +1,11 @@
-#include "verify/claims/three_link_plane.hpp"
+#include "verify/chains/three_link_plane.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
-#include "verify/claims/loaded_chains.hpp"
 #include "verify/judging/sign.hpp"
 
 namespace plumbline::verify {
@@ -122,26 +122,16 @@ bool PlaneProof::least(const std::string& signs, Interval PlanePiece::*what) con
   });
 }
 
-PlaneProof prove_in_plane(const Chain<Interval>& chain, const Interval& reach, const Rational& from,
-                          const Rational& to) {
+const PlaneProof& prove_in_plane(const HeldChain& held, const Rational& from, const Rational& to) {
+  static std::map<std::string, PlaneProof> known;
+  const std::string key = fmt::format("{} {} {}", key_of(held), from.str(), to.str());
+  if (const auto found = known.find(key); found != known.end()) return found->second;
   PlaneProof proof{Interval(from), Interval(to), true, {}, 0};
-  const Plane plane(chain, reach - Interval(to), reach - Interval(from));
+  const Plane plane(held.chain, held.reach - Interval(to), held.reach - Interval(from));
   const Interval window = hull(-Interval::pi(), Interval::pi());
   constexpr int most_halvings = 60;
   plane.cover(window, window, most_halvings, proof);
-  return proof;
-}
-
-const PlaneProof& straight_plane() {
-  static const PlaneProof proof =
-      prove_in_plane(three_link_chain_at(0, 0), Interval(3), Rational(1, 10000), Rational(19, 10));
-  return proof;
-}
-
-const PlaneProof& fig7_plane() {
-  static const PlaneProof proof =
-      prove_in_plane(fig7_chain(), unloaded_reach(fig7_chain()), Rational(0), Rational(1135, 1000));
-  return proof;
+  return known.emplace(key, std::move(proof)).first->second;
 }
 
 }  // namespace plumbline::verify

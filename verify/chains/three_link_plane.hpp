@@ -11,10 +11,10 @@
 /// between two distances, and it does not leave the window between them, then as many equilibria belong to
 /// each distance, and each keeps its type; and its shape, if no joint is straight on the curve.
 
-#include <plumbline/base/interval.hpp>
-#include <plumbline/chain/chain.hpp>
 #include <string>
 #include <vector>
+
+#include "verify/chains/loaded_chains.hpp"
 
 namespace plumbline::verify {
 
@@ -38,15 +38,8 @@ struct PlaneProof {
   [[nodiscard]] bool least(const std::string& signs, Interval PlanePiece::*what) const;
 };
 
-/// For three links with a passive base, joint angles within half a turn.
-/// \param reach     distance of the unloaded end point from the base
+/// For three links with a passive base, joint angles within half a turn. Computed once.
 /// \param from, to  deflections
-PlaneProof prove_in_plane(const Chain<Interval>& chain, const Interval& reach, const Rational& from,
-                          const Rational& to);
-
-/// The straight chain of Figs. 5 and 6 from 0.0001 to 1.9 L, that of Fig. 7 from 0 to 1.135 L; each computed
-/// once.
-const PlaneProof& straight_plane();
-const PlaneProof& fig7_plane();
+const PlaneProof& prove_in_plane(const HeldChain& chain, const Rational& from, const Rational& to);
 
 }  // namespace plumbline::verify
