@@ -3,11 +3,9 @@
 
 #include <chrono>
 #include <filesystem>
-#include <plumbline/base/error.hpp>
 
 #include "diagnose/bench/read_experiment.hpp"
-#include "diagnose/screening/conventions.hpp"
-#include "diagnose/screening/physical.hpp"
+#include "tests/diagnose/screening/question.hpp"
 #include "tests/diagnose/screening/slips.hpp"
 
 using namespace plumbline;
@@ -22,17 +20,6 @@ std::vector<Experiment> committed_experiments() {
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.is_directory()) all.push_back(read_experiment(entry.path()));
   return all;
-}
-
-/// The first convention named before any fit, and its alternatives; empty where there is none.
-std::string question(const Experiment& experiment) {
-  try {
-    require_physical(experiment);
-    require_conventions(Study(experiment));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
 }
 
 /// Whether the question names the slip: "…, Fx, Fy: found what looks like kgf, or joint_stiffness like …"; of

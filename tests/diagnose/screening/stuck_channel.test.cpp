@@ -2,12 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include <plumbline/base/error.hpp>
-
-#include "diagnose/screening/conventions.hpp"
 #include "tests/close_to.hpp"
 #include "tests/diagnose/bench.hpp"
-#include "tests/diagnose/screening/slips.hpp"
+#include "tests/diagnose/screening/question.hpp"
 
 using namespace plumbline;
 using namespace plumbline::diagnose;
@@ -28,15 +25,6 @@ void hold(Run& run, const Channel& channel, double value) {
 }
 
 const Channel Fy{Channel::Name::Fy};
-
-std::string question(const Experiment& experiment) {
-  try {
-    require_conventions(Study(experiment));
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 bool says(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
