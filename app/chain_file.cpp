@@ -82,7 +82,8 @@ NamedStructure parse_structure(const std::string& text, const std::string& sourc
   const toml::table& table = chain_table(file, source);
   std::vector<std::string_view> known{"lengths", "stiffness", "rest"};
   known.insert(known.end(), structure_keys.begin(), structure_keys.end());
-  files::refuse_unknown_keys(table, known, source, {"link_length", "joint_stiffness", "link_mass", "gravity"});
+  files::refuse_unknown_keys(table, known, source,
+                             {"link_length", "joint_stiffness", "link_mass", "gravity"});
   if (table.contains("beam")) {
     Beam beam;
     NamedStructure result{"", source, read_beam(table, source, beam), false, {}};

@@ -23,8 +23,8 @@ struct NamedStructure {
 
 /// From TOML text: lists `lengths` (or `link_length`), `stiffness` (or `joint_stiffness`) and (optional)
 /// `rest`, of numbers or of decimals in quotes, and what structure_file.hpp reads, in the file itself or in
-/// its table [nominal], as `plumbline chain` writes it. Without loads it has a unit force against x at the end
-/// point.
+/// its table [nominal], as `plumbline chain` writes it. Without loads it has a unit force against x at the
+/// end point.
 /// \throws Error that names the source and the line or key
 NamedStructure parse_structure(const std::string& text, const std::string& source);
 
