@@ -21,7 +21,8 @@ struct CriticalMode {
 /// The lowest critical forces, to so many significant digits, with their modes; all when `lowest` is n - 1 or
 /// more.
 /// \throws Error for n = 1 or a mechanism
-std::vector<CriticalMode> modes_in_decimals(const StraightChain<Rational>& chain, std::size_t lowest, int digits);
+std::vector<CriticalMode> modes_in_decimals(const StraightChain<Rational>& chain, std::size_t lowest,
+                                            int digits);
 
 /// The same without the shapes: q and signs are empty.
 std::vector<CriticalMode> forces_in_decimals(const StraightChain<Rational>& chain, std::size_t lowest,
