@@ -18,7 +18,7 @@
 namespace plumbline::verify {
 namespace {
 
-const proofs::Census& census(const Premises& given) {
+const proofs::Census& landscape(const Premises& given) {
   return held(given, "unit-chain").at(given.exact("fig-16-deflection"));
 }
 
@@ -39,10 +39,10 @@ std::string word(const proofs::CertifiedEquilibrium& one) {
 
 std::string summary(const Premises& given) {
   std::vector<std::string> list;
-  for (const auto& one : census(given).equilibria)
+  for (const auto& one : landscape(given).equilibria)
     list.push_back(fmt::format("{} {} (E = {} k)", word(one), kind(one), certified_decimal(one.energy, 5)));
   return fmt::format("certified census at {} L, {} boxes: {}",
-                     proofs::to_exact(given.exact("fig-16-deflection")), census(given).boxes,
+                     proofs::to_exact(given.exact("fig-16-deflection")), landscape(given).boxes,
                      fmt::join(list, ", "));
 }
 
@@ -68,9 +68,9 @@ Judgement excluded(const Printed& printed, int) {
 }
 
 /// printed: kind of point, stability
-Judgement stability(const Printed& printed, const Premises& given, int) {
+Judgement kind_and_stability(const Printed& printed, const Premises& given, int) {
   std::string found;
-  for (const auto& one : census(given).equilibria) {
+  for (const auto& one : landscape(given).equilibria) {
     if (kind(one) == printed.at(0)) found = one.negative_directions == 0 ? "stable" : "unstable";
   }
   if (found.empty()) throw Error("claim", printed.at(0), "minimum, saddle or maximum");
@@ -85,8 +85,8 @@ Judgement stability(const Printed& printed, const Premises& given, int) {
 }
 
 Judgement totals(const Printed& printed, const Premises& given, int) {
-  const std::string found = types(census(given)),
-                    total = std::to_string(census(given).equilibria.size()) + ": ";
+  const std::string found = types(landscape(given)),
+                    total = std::to_string(landscape(given).equilibria.size()) + ": ";
   const bool right =
       printed.at(0).starts_with(total) && Counts(printed.at(0).substr(total.size())) == Counts(found);
   return {right ? Verdict::confirmed : Verdict::refuted,
@@ -98,8 +98,8 @@ Judgement totals(const Printed& printed, const Premises& given, int) {
 /// Equilibria on each of the two sheets of E(q1, q2).
 Judgement sheets(const Printed& printed, const Premises& given, int) {
   std::map<char, std::size_t> count;
-  for (const auto& one : census(given).equilibria) ++count[sign_character(sin(one.q[3]))];
-  const std::string total = std::to_string(census(given).equilibria.size()),
+  for (const auto& one : landscape(given).equilibria) ++count[sign_character(sin(one.q[3]))];
+  const std::string total = std::to_string(landscape(given).equilibria.size()),
                     found = fmt::format("{} for q4 > 0, {} for q4 < 0", count['+'], count['-']);
   Judgement result =
       of_census(given, printed.at(0), found,
@@ -121,7 +121,8 @@ bool equal_energies(const proofs::Census& points, const std::string& extreme) {
 
 /// Whether the two minima, and the two maxima, have equal energy.
 Judgement global(const Printed& printed, const Premises& given, int) {
-  const bool equal = equal_energies(census(given), "minimum") && equal_energies(census(given), "maximum");
+  const bool equal =
+      equal_energies(landscape(given), "minimum") && equal_energies(landscape(given), "maximum");
   return of_census(given, printed.at(0), equal ? "global" : "local", "some of them are only local");
 }
 
@@ -138,7 +139,7 @@ Judgement globally_stable(const Printed& printed, const Premises& given, int) {
 /// Shape and stability, each shape once.
 Judgement surface_shapes(const Printed& printed, const Premises& given, int) {
   std::map<std::string, std::string> found;
-  for (const auto& one : census(given).equilibria) {
+  for (const auto& one : landscape(given).equilibria) {
     std::string& here = found[word(one)];
     const std::string kind = one.negative_directions == 0 ? "stable" : "unstable";
     here = here.empty() || here == kind ? kind : "either";
@@ -150,7 +151,7 @@ Judgement surface_shapes(const Printed& printed, const Premises& given, int) {
 }
 
 Judgement preferred(const Printed& printed, const Premises& given, int) {
-  return of_census(given, printed.at(0), word(census(given).equilibria.front()),
+  return of_census(given, printed.at(0), word(landscape(given).equilibria.front()),
                    "another shape has the least energy");
 }
 
@@ -158,11 +159,16 @@ Judgement preferred(const Printed& printed, const Premises& given, int) {
 
 Checks claims::energy_surface() {
   return {
-      {"fig-16-excluded", excluded}, {"fig-16-maxima", stability},
-      {"fig-16-minima", stability},  {"fig-16-saddles", stability},
-      {"fig-16-global", global},     {"fig-16-count", totals},
-      {"fig-16-sheets", sheets},     {"fig-16-shapes", surface_shapes},
-      {"fig-16-prefers", preferred}, {"four-link-globally-stable", globally_stable},
+      {"fig-16-excluded", excluded},
+      {"fig-16-maxima", kind_and_stability},
+      {"fig-16-minima", kind_and_stability},
+      {"fig-16-saddles", kind_and_stability},
+      {"fig-16-global", global},
+      {"fig-16-count", totals},
+      {"fig-16-sheets", sheets},
+      {"fig-16-shapes", surface_shapes},
+      {"fig-16-prefers", preferred},
+      {"four-link-globally-stable", globally_stable},
   };
 }
 

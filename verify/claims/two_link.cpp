@@ -119,7 +119,7 @@ Judgement curved_monotonic(const Printed& printed, const Premises& given, int) {
 }
 
 /// The minima of V over -pi < alpha + q < pi at a force F, k = L = 1.
-std::size_t minima(const Interval& alpha, const Interval& F) {
+std::size_t number_of_minima(const Interval& alpha, const Interval& F) {
   const auto slope = [&](const Interval& q) { return Interval(2) * q - F * sin(alpha + q); };
   const auto curvature = [&](const Interval& q) { return Interval(2) - F * cos(alpha + q); };
   std::size_t count = 0;
@@ -140,8 +140,8 @@ Judgement single_minimum(const Printed& printed, const Premises& given, int digi
     u = intersection(u, m - fold(m) / fold_slope(u)).value();
   }
   const Interval threshold = Interval(2) / cos(u);
-  const std::size_t below = minima(alpha, threshold * Interval(Rational(99, 100)));
-  const std::size_t above = minima(alpha, threshold * Interval(Rational(101, 100)));
+  const std::size_t below = number_of_minima(alpha, threshold * Interval(Rational(99, 100)));
+  const std::size_t above = number_of_minima(alpha, threshold * Interval(Rational(101, 100)));
   const std::string limit = certified_decimal(threshold, 6);
   Judgement result;
   const std::string found = std::to_string(below),

@@ -52,7 +52,7 @@ std::string next_to_bifurcation(const Premises& given) {
       certified_decimal(before, 5), certified_decimal(after, 5));
 }
 
-Judgement count(const Printed& printed, const Premises& given, int) {
+Judgement number_of_shapes(const Printed& printed, const Premises& given, int) {
   const proofs::Census before = at_deflection(given, Rational(2, 100)),
                        after = at_deflection(given, Rational(2, 10));
   const bool always = types(before) == types(after);
@@ -380,7 +380,7 @@ Checks claims::zigzag() {
       {"fig-8-stiffness", softens},
       {"fig-8-jump", jump},
       {"fig-8-shapes", change_of_shape},
-      {"fig-8-count", count},
+      {"fig-8-count", number_of_shapes},
       {"bent-buckling", bent_buckling},
       {"fig-9-begin", begins},
       {"fig-9-continuous", first_part},

@@ -19,7 +19,7 @@ std::set<std::string> names_in(const std::string& formula) {
   return {std::sregex_token_iterator(formula.begin(), formula.end(), a_name), std::sregex_token_iterator()};
 }
 
-Printed part(const Premise& chain, const std::string& name) {
+Printed part_of(const Premise& chain, const std::string& name) {
   const auto found = chain.parts.find(name);
   return found == chain.parts.end() ? Printed{} : found->second;
 }
@@ -30,7 +30,7 @@ proofs::Formulas declared(const Premise& chain, const Printed& symbols) {
   for (const auto& [name, entries] : chain.parts) {
     for (const std::string& entry : entries) all.merge(names_in(entry));
   }
-  for (std::size_t i = 1; i <= part(chain, "length").size(); ++i) all.insert(fmt::format("q{}", i));
+  for (std::size_t i = 1; i <= part_of(chain, "length").size(); ++i) all.insert(fmt::format("q{}", i));
   all.insert({"Fx", "Fy"});
   for (const std::string& function : known) all.erase(function);
   return proofs::Formulas({all.begin(), all.end()});
@@ -54,9 +54,9 @@ SymbolicModel::SymbolicModel(const Premise& chain, const Printed& symbols, const
     for (const std::string& text : texts) list.push_back(formulas_.parse(with_fractions(text)));
     return list;
   };
-  length_ = read(part(chain, "length"));
-  stiffness_ = read(part(chain, "stiffness"));
-  rest_ = read(part(chain, "rest"));
+  length_ = read(part_of(chain, "length"));
+  stiffness_ = read(part_of(chain, "stiffness"));
+  rest_ = read(part_of(chain, "rest"));
   if (rest_.empty()) rest_.assign(length_.size(), 0);
   q_ = read(shape);
   if (q_.empty())

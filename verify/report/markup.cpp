@@ -18,11 +18,11 @@ Signs::const_iterator sign_at(const std::string& text, std::size_t place, const 
                       [&](const auto& one) { return text.compare(place, one.first.size(), one.first) == 0; });
 }
 
-const Signs raised{{"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},        {"⁴", "4"},
-                   {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"},        {"⁹", "9"},
-                   {"⁺", "+"}, {"⁻", "-"}, {"ᵀ", "T"}, {"†", "\\dagger "}};
-const Signs lowered{{"₀", "0"}, {"₁", "1"}, {"₂", "2"}, {"₃", "3"}, {"₄", "4"},
-                    {"₅", "5"}, {"₆", "6"}, {"₇", "7"}, {"₈", "8"}, {"₉", "9"}};
+const Signs superscripts{{"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},        {"⁴", "4"},
+                         {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"},        {"⁹", "9"},
+                         {"⁺", "+"}, {"⁻", "-"}, {"ᵀ", "T"}, {"†", "\\dagger "}};
+const Signs subscripts{{"₀", "0"}, {"₁", "1"}, {"₂", "2"}, {"₃", "3"}, {"₄", "4"},
+                       {"₅", "5"}, {"₆", "6"}, {"₇", "7"}, {"₈", "8"}, {"₉", "9"}};
 
 /// What the run of raised or lowered signs at a place says; moves the place behind it.
 std::string run_of(const std::string& text, std::size_t& place, const Signs& signs) {
@@ -89,9 +89,9 @@ std::string word_in_latex(const std::string& word) {
 }
 
 std::string sign_in_sentence(const std::string& text, std::size_t& place) {
-  if (const std::string exponent = run_of(text, place, raised); !exponent.empty())
+  if (const std::string exponent = run_of(text, place, superscripts); !exponent.empty())
     return "$^{" + exponent + "}$";
-  if (const std::string index = run_of(text, place, lowered); !index.empty()) return "$_{" + index + "}$";
+  if (const std::string index = run_of(text, place, subscripts); !index.empty()) return "$_{" + index + "}$";
   const bool plain = text[place] == ' ' || sign_at(text, place, in_text) != in_text.end() ||
                      sign_at(text, place, in_formula) == in_formula.end();
   return plain ? one_sign(text, place, in_text) : "$" + one_sign(text, place, in_formula) + "$";
@@ -100,9 +100,9 @@ std::string sign_in_sentence(const std::string& text, std::size_t& place) {
 std::string formula_in_latex(const std::string& formula) {
   std::string set;
   for (std::size_t place = 0; place < formula.size();) {
-    if (const std::string exponent = run_of(formula, place, raised); !exponent.empty()) {
+    if (const std::string exponent = run_of(formula, place, superscripts); !exponent.empty()) {
       set += "^{" + exponent + "}";
-    } else if (const std::string index = run_of(formula, place, lowered); !index.empty()) {
+    } else if (const std::string index = run_of(formula, place, subscripts); !index.empty()) {
       set += "_{" + index + "}";
     } else if (formula[place] == '_' || formula[place] == '^') {
       const char mark = formula[place++];
