@@ -57,19 +57,28 @@ ChainTable one(const std::string& name, NamedStructure structure) {
   return {{std::move(structure)}, {}};
 }
 
-ChainTable read(CriticalOptions& options) {
+/// The text of the input, whose kind it tells.
+std::string read(CriticalOptions& options) {
   const std::string& path = options.input;
-  if (path.empty()) return one("four-link", parse_structure(example_chain, example_chain_name));
-  const std::string extension = fs::path(path).extension(), source = files::source_name(path);
+  if (path.empty()) return example_chain;
+  const std::string extension = fs::path(path).extension();
   const bool piped = files::is_standard_input(path);
   if (extension != ".csv" && !names_chain_file(path) && !piped && !fs::is_directory(path))
     throw Error(path, "a name that ends in \"" + extension + "\"",
                 ".toml (a chain), .csv (a table of chains) or a model: .xml (MJCF), .urdf, .sdf");
-  const std::string text = read_chain_text(path);
+  std::string text = read_chain_text(path);
   options.table = piped ? is_chain_table(text) : is_table(path);
-  if (options.table) return parse_chain_table(text, source);
-  const std::string name = piped ? "chain" : files::printable(fs::path(path).stem().string());
-  return one(name, parse_structure(text, source));
+  return text;
+}
+
+std::string source_of(const CriticalOptions& options) {
+  return options.input.empty() ? example_chain_name : files::source_name(options.input);
+}
+
+std::string name_of(const CriticalOptions& options) {
+  if (options.input.empty()) return "four-link";
+  return files::is_standard_input(options.input) ? "chain"
+                                                 : files::printable(fs::path(options.input).stem().string());
 }
 
 void require_straight(const Chain<Rational>& chain) {
@@ -143,10 +152,9 @@ std::string certificates(const std::vector<nlohmann::json>& entries, const char*
 }
 
 /// The straight chain in space.
-void run_space(const CriticalOptions& options, const std::string& name, const std::string& text,
-               Outputs& outputs, files::OutputFile* csv, files::OutputFile* json,
-               files::OutputFile* certify) {
-  const std::string source = files::source_name(options.input);
+void run_space(const CriticalOptions& options, const std::string& text, Outputs& outputs,
+               files::OutputFile* csv, files::OutputFile* json, files::OutputFile* certify) {
+  const std::string source = source_of(options), name = name_of(options);
   const SpaceCase space = parse_space_chain(text, source);
   if (space.torque) {
     if (certify) throw Error("--certify", "a torque", "forces: no certificate is made of a torque");
@@ -233,13 +241,11 @@ void run(CriticalOptions options, const CLI::App& verb) {
   files::OutputFile *const csv = outputs.open("--csv", options.csv),
                            *const json = outputs.open("--json", options.json),
                            *const certify = outputs.open("--certify", options.certify);
-  if (fs::path(options.input).extension() == ".toml") {
-    const std::string text = files::read_text(options.input);
-    if (is_space_chain(text, files::source_name(options.input)))
-      return run_space(options, files::printable(fs::path(options.input).stem().string()), text, outputs, csv,
-                       json, certify);
-  }
-  ChainTable table = read(options);
+  const std::string text = read(options), source = source_of(options);
+  if (!options.table && is_space_chain(text, source))
+    return run_space(options, text, outputs, csv, json, certify);
+  ChainTable table =
+      options.table ? parse_chain_table(text, source) : one(name_of(options), parse_structure(text, source));
   const bool plain = options.table || table.chains.front().plain;
 
   const Results results = compute(table, options);
