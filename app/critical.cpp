@@ -277,7 +277,8 @@ void add_critical(CLI::App& app) {
                    "CHAINS.csv with the columns chain,lengths,stiffness,\n"
                    "the latter two lists joined by ';'. Every number is\n"
                    "the exact decimal that is written. - is standard\n"
-                   "input, either of them. Without a file:\n"
+                   "input, either of them. Or a simulator's model,\n"
+                   ".xml (MJCF), .urdf or .sdf. Without a file:\n"
                    "the four-link chain of the paper")
       ->type_name("FILE");
   verb->add_option("--digits", options->digits, "Significant digits of the forces, all correct")

@@ -23,7 +23,8 @@ void LoadedChain::add_to(CLI::App& verb) {
           "chain", path,
           "CHAIN.toml with the lists lengths, stiffness and rest (the joint angles of the unloaded shape; a "
           "passive base joint begins at its own), and ends and loads, or joints in space, where they are not "
-          "the paper's; or - for standard input. Without it: the four-link Z-chain of the paper's Table 1")
+          "the paper's; or - for standard input, or a simulator's model (.xml, .urdf, .sdf). Without it: the "
+          "four-link Z-chain of the paper's Table 1")
       ->type_name("FILE");
 }
 
