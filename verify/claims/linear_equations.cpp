@@ -59,7 +59,7 @@ struct Example {
 
 /// (22) at links of the directions (c, s) = (3/5, 4/5) and so on: the gradient of E + F_x x + F_y y by
 /// the joint angles, F positive in compression as in (6).
-Judgement linear_equilibrium(const Printed& printed, int) {
+Judgement equilibrium_at_links(const Printed& printed, int) {
   const Example example;
   const std::vector<Rational> c{Rational(3, 5), Rational(12, 13), Rational(-8, 17), Rational(4, 5)},
       s{Rational(4, 5), Rational(-5, 13), Rational(15, 17), Rational(3, 5)};
@@ -237,7 +237,7 @@ Judgement blocks(const Printed& printed, int) {
 
 Checks claims::linear_equations() {
   return {
-      {"eq-22", linear_equilibrium},
+      {"eq-22", equilibrium_at_links},
       {"eq-29", linear_equilibrium},
       {"eq-30", constraint},
       {"eq-31-33", blocks},
